@@ -1,0 +1,3 @@
+"""Worked, verified solutions of control-engineering problems."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,152 @@
+"""Registration of tasks and methods. The catalogue, `solve tasks`, `solve new`, the schema and the docs read it.
+
+A task file creates one `Task`, decorates its methods (generators of steps that return `Answers`) and its
+verification. Nothing here computes, so that reading the catalogue needs no algebra.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import wraps
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+
+from solver.derivation.options import MatrixOf, Option
+from solver.derivation.steps import Answers, Check, Step
+
+if TYPE_CHECKING:
+    from solver.systems import StateSpace
+
+P = ParamSpec("P")
+R = TypeVar("R")
+Derivation = Generator[Step, None, R]
+
+GAIN = Option("gain", MatrixOf("m", "n", flat="row"), "state feedback u = −K x; the question is then about A − BK")
+"""Every task about a plant takes it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What a method works on: the exact system and the options, read and validated."""
+
+    system: StateSpace
+    options: Mapping[str, Any] = field(default_factory=dict)
+    method: str = ""
+
+    def __getattr__(self, name: str) -> Any:
+        """Return the option of that name."""
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self.options.get(name)
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerName:
+    """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all)."""
+
+    name: str
+    symbol: str
+    doc: str
+    methods: tuple[str, ...] = ()
+    optional: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """One way of solving a task. `time` is the kind of system it is for: "continuous", "discrete" or "both"."""
+
+    name: str
+    title: str
+    source: str
+    time: str
+    derive: Callable[[Given], Derivation[Answers]]
+
+    def serves(self, discrete: bool) -> bool:
+        """Whether the method is for systems in discrete (continuous) time."""
+        return self.time == "both" or (self.time == "discrete") == discrete
+
+
+class Task:
+    """A question that can be asked: a name in the field's terms, what it needs, options, answers and methods.
+
+    `needs` lists the matrices of the system the question is about, e.g. ("A",) or ("A", "B").
+    A task with one way of solving it has a method of the task's own name, which is not spelled in problem files.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        group: str,
+        title: str,
+        doc: str,
+        needs: tuple[str, ...],
+        answers: Iterable[AnswerName],
+        options: Iterable[Option] = (),
+    ) -> None:
+        self.name = name
+        self.group = group
+        self.title = title
+        self.doc = doc
+        self.needs = needs
+        self.answers = {answer.name: answer for answer in answers}
+        self.options = {option.name: option for option in (*options, GAIN)}
+        self.methods: dict[str, Method] = {}
+        self.verify: Callable[[Given, Answers], Iterable[Check]]
+
+    def method(
+        self, name: str = "", *, title: str = "", source: str = "", time: str = "both"
+    ) -> Callable[[Callable[[Given], Derivation[Answers]]], Callable[[Given], Derivation[Answers]]]:
+        """Register a derivation. Its steps are worded by `templates/wording/<task>/<method>.md.jinja`."""
+        name = name or self.name
+
+        def register(derive: Callable[[Given], Derivation[Answers]]) -> Callable[[Given], Derivation[Answers]]:
+            worded = worded_by(f"{self.name}/{name}")(derive)
+            self.methods[name] = Method(name, title or self.title, source, time, worded)
+            return worded
+
+        return register
+
+    def verification(
+        self, verify: Callable[[Given, Answers], Iterable[Check]]
+    ) -> Callable[[Given, Answers], Iterable[Check]]:
+        """Register the check of the answers' defining property: an iterable of `Check`, by other means than ours."""
+        self.verify = verify
+        return verify
+
+    def methods_for(self, discrete: bool) -> list[str]:
+        """Names of the methods for that kind of time, the default first."""
+        return [method.name for method in self.methods.values() if method.serves(discrete)]
+
+    def options_for(self, method: str) -> dict[str, Option]:
+        """Return the options that the method takes."""
+        return {name: option for name, option in self.options.items() if not option.methods or method in option.methods}
+
+
+def worded_by(wording: str) -> Callable[[Callable[P, Derivation[R]]], Callable[P, Derivation[R]]]:
+    """Name the wording file of a generator of steps; steps of lemmas it calls keep their own."""
+
+    def decorate(derive: Callable[P, Derivation[R]]) -> Callable[P, Derivation[R]]:
+        @wraps(derive)
+        def worded(*args: P.args, **kwargs: P.kwargs) -> Derivation[R]:
+            derivation = derive(*args, **kwargs)
+            try:
+                step = next(derivation)
+                while True:
+                    for each in step.walk():
+                        each.wording = each.wording or wording
+                    yield step
+                    step = next(derivation)
+            except StopIteration as end:
+                result: R = end.value
+                return result
+
+        worded.wording = wording  # type: ignore[attr-defined]  # read by the test that enumerates step kinds
+        return worded
+
+    return decorate
+
+
+def lemma(wording: str) -> Callable[[Callable[P, Derivation[R]]], Callable[P, Derivation[R]]]:
+    """Mark a derivation used by several tasks: `yield from` it. Worded by `templates/wording/lemmas/<wording>`."""
+    return worded_by(f"lemmas/{wording}")

@@ -1,0 +1,61 @@
+"""A problem as read: exact, validated, frozen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+    from solver.systems import System
+
+
+@dataclass(frozen=True, slots=True)
+class Display:
+    """How numbers are shown. `mode` is "typed" (a decimal where decimals were typed), "exact", "decimal" or "both".
+
+    `digits` is the number of significant digits of decimals; `decimals_typed` tells that the file holds decimals.
+    """
+
+    mode: str = "typed"
+    digits: int = 5
+    decimals_typed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """`{from: b, answer: K}`: the answer `answer` of the earlier part `part` (of its first method)."""
+
+    part: str
+    answer: str
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One question: a task by its methods, with validated options; `system` is the part's own or the problem's."""
+
+    id: str
+    task: str
+    methods: tuple[str, ...]
+    system: System
+    options: Mapping[str, Any] = field(default_factory=dict)
+    prompt: str = ""
+    marks: sp.Rational | None = None
+    own_system: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A problem file as read. `system` is None where every part brings its own."""
+
+    name: str
+    title: str
+    parts: tuple[Part, ...]
+    system: System | None = None
+    source: str = ""
+    statement: str = ""
+    display: Display = Display()
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
