@@ -1,0 +1,147 @@
+"""Solving: every part by each of its methods, every displayed equality and every answer checked.
+
+The engine knows no topic. A method yields steps and returns answers; the steps' claims go to the oracle, the answers
+to the task's verification, and the worst of the checks decides the status.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from time import perf_counter
+from typing import Any
+
+from solver.derivation import (
+    Answers,
+    Check,
+    CheckStatus,
+    Derivation,
+    Given,
+    PartResult,
+    Status,
+    Step,
+    Task,
+    Unsolved,
+    lemma,
+)
+from solver.derivation.stated import difference, product
+from solver.derivation.steps import Claim
+from solver.exact import NotExact
+from solver.numeric import check_steps
+from solver.problem.model import Part, Problem, Reference
+from solver.systems import StateSpace
+from solver.tasks import catalogue
+
+Earlier = Mapping[str, PartResult]
+"""Results of earlier parts by the part's id, each by the part's first method."""
+
+Runner = Callable[[Problem], Iterator[list[PartResult]]]
+"""Solves the parts of a problem in order, one list of results (one a method) for each part."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A problem with what became of its parts: one result for each part and method, in the order asked."""
+
+    problem: Problem
+    parts: tuple[PartResult, ...]
+
+    @property
+    def status(self) -> Status:
+        """The worst status of the parts."""
+        return Status.worst([part.status for part in self.parts])
+
+
+def solve_problem(problem: Problem, runner: Runner | None = None) -> Solution:
+    """Solve all parts, here or by a runner that keeps limits. A part that can't be solved says why and stops no other."""
+    results = (runner or solve_parts)(problem)
+    return Solution(problem, tuple(result for of_part in results for result in of_part))
+
+
+def solve_parts(problem: Problem, earlier: Earlier | None = None) -> Iterator[list[PartResult]]:
+    """Solve the parts not yet among the earlier results, in order; parts may use the answers of earlier ones."""
+    known = dict(earlier or {})
+    for part in problem.parts:
+        if part.id not in known:
+            results = solve_part(part, known)
+            known[part.id] = results[0]
+            yield results
+
+
+def solve_part(part: Part, earlier: Earlier) -> list[PartResult]:
+    """Solve one part by each of its methods."""
+    return [_solve_by(method, part, earlier) for method in part.methods]
+
+
+def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
+    """Solve one part by one method and check the result."""
+    start = perf_counter()
+    task = catalogue()[part.task]
+    steps: list[Step] = []
+    answers = Answers()
+    reason = ""
+    checks: tuple[Check, ...] = ()
+    try:
+        options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
+        given = Given(part.system, options, method)
+        given = yield_into(steps, _closed_loop(given))
+        answers = yield_into(steps, task.methods[method].derive(given))
+        checks = (*check_steps(steps), *task.verify(given, answers))
+        status, reason = _verdict(checks)
+    except (Unsolved, NotExact) as refusal:
+        status, reason = Status.UNSOLVED, str(refusal)
+        checks = check_steps(steps)
+        answers = Answers()
+    seconds = perf_counter() - start
+    return PartResult(part.id, part.task, method, status, answers, checks, tuple(steps), reason, seconds)
+
+
+def yield_into(steps: list[Step], derivation: Derivation[Any]) -> Any:
+    """Run a derivation to its end, keeping its steps (also those before a refusal); return its result."""
+    while True:
+        try:
+            steps.append(next(derivation))
+        except StopIteration as end:
+            return end.value
+
+
+def _verdict(checks: tuple[Check, ...]) -> tuple[Status, str]:
+    failed = [check for check in checks if check.status is CheckStatus.FAILED]
+    if failed:
+        return Status.FAILED, f"{len(failed)} of {len(checks)} checks failed"
+    if not any(check.status is CheckStatus.PASSED for check in checks):
+        return Status.UNSOLVED, "no check could be made of the answer"
+    return Status.VERIFIED, ""
+
+
+def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
+    """Return the option's value, taken from an earlier part where it refers to one."""
+    if not isinstance(value, Reference):
+        return value
+    source = earlier.get(value.part)
+    if source is None or value.answer not in source.answers:
+        raise Unsolved(f"it needs the answer {value.answer} of part {value.part} (for {option}), which was not found")
+    return source.answers[value.answer]
+
+
+@lemma("closed_loop")
+def _closed_loop(given: Given) -> Derivation[Given]:
+    """With the option `gain`, the question is about x' = (A − BK) x."""
+    K, plant = given.options.get("gain"), given.system
+    if K is None or not isinstance(plant, StateSpace):
+        return given
+    if plant.B is None or K.shape != (plant.B.cols, plant.order):
+        raise Unsolved("the gain K does not fit the plant: it must have one row for each input, one column for each state")
+    loop = plant.closed_loop(K)
+    yield Step(
+        "closed_loop",
+        claims={"loop": Claim(difference(plant.A, product(plant.B, K)), loop.A, "closed loop $A - BK$")},
+        A=plant.A,
+        B=plant.B,
+        K=K,
+        loop=loop.A,
+    )
+    return replace(given, system=loop)
+
+
+__all__ = ["Earlier", "Runner", "Solution", "Task", "solve_part", "solve_parts", "solve_problem"]

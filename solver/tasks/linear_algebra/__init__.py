@@ -1,0 +1,1 @@
+"""Questions of linear algebra about the system matrix."""

@@ -1,0 +1,1 @@
+"""Questions about the motion of a system in time."""
