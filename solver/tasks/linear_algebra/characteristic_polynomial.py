@@ -1,0 +1,137 @@
+"""The characteristic polynomial det(λI − A)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
+from solver.derivation.stated import Stated, determinant, difference, product, quotient, total, trace
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+characteristic_polynomial = Task(
+    "characteristic_polynomial",
+    group="Representation and analysis",
+    title="Characteristic polynomial",
+    doc="The monic polynomial χ(λ) = det(λI − A) whose roots are the eigenvalues of A.",
+    needs=("A",),
+    answers=[AnswerName("polynomial", r"\chi(\lambda)", "det(λI − A), monic, in `lamda`")],
+)
+
+
+@lemma("determinant")
+def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeVerrier]:
+    """χ(x) = det(xI − A), expanded along the row with most zeros; returns χ and the adjugate in x."""
+    pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
+    yield Step(
+        "pencil",
+        claims={
+            "pencil": Claim(difference(product(x, sp.eye(A.rows)), A), pencil, "the matrix whose determinant is taken")
+        },
+        x=x,
+        A=A,
+        pencil=pencil,
+    )
+    resolvent = exact.faddeev_leverrier(A)
+    chi = resolvent.characteristic_polynomial(x)
+    yield Step("expansion", claims=_expansion(pencil, resolvent.adjugate(x), chi), x=x, n=A.rows, **_shape(pencil))
+    factored = exact.factored(chi, x)
+    if factored != chi:
+        yield Step("factors", claims={"factors": Claim(chi, factored, "factors of the characteristic polynomial")}, x=x)
+    return resolvent
+
+
+def _shape(pencil: ImmutableMatrix) -> dict[str, Any]:
+    """How the determinant is expanded: the row, and whether the matrix is triangular."""
+    return {"row": _row_with_most_zeros(pencil), "triangular": bool(pencil.is_upper or pencil.is_lower)}
+
+
+def _row_with_most_zeros(M: ImmutableMatrix) -> int:
+    return max(range(M.rows), key=lambda i: (sum(entry == 0 for entry in M.row(i)), -i))
+
+
+def _expansion(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
+    """det(xI − A) as it is written before multiplying out, and multiplied out."""
+    says = "the determinant multiplied out"
+    if pencil.is_upper or pencil.is_lower:
+        diagonal = [pencil[i, i] for i in range(pencil.rows)]
+        return {
+            "stated": Claim(determinant(pencil), product(*diagonal), "determinant of a triangular matrix"),
+            "value": Claim(product(*diagonal), chi, says),
+        }
+    if pencil.rows == 2:
+        a, b, c, d = pencil
+        stated = difference(product(a, d), product(b, c))
+        return {"stated": Claim(determinant(pencil), stated, says), "value": Claim(stated, chi, says)}
+    return _cofactors(pencil, adjugate, chi)
+
+
+def _cofactors(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
+    """Laplace's expansion along the row with most zeros; the cofactors are entries of the adjugate."""
+    i = _row_with_most_zeros(pencil)
+    columns = [j for j in range(pencil.cols) if pencil[i, j] != 0]
+    with_minors: list[Stated] = []
+    multiplied: list[Stated] = []
+    for j in columns:
+        entry = pencil[i, j] if (i + j) % 2 == 0 else -pencil[i, j]
+        with_minors.append(product(entry, determinant(pencil.minor_submatrix(i, j))))
+        multiplied.append(product(pencil[i, j], adjugate[j, i]))
+    says = f"determinant expanded along row {i + 1}"
+    return {
+        "stated": Claim(determinant(pencil), total(*with_minors), says),
+        "minors": Claim(total(*with_minors), total(*multiplied), "minors of the expansion"),
+        "value": Claim(total(*multiplied), chi, "the determinant multiplied out"),
+    }
+
+
+@characteristic_polynomial.method(
+    "determinant", title="Expansion of the determinant", source="Lecture note, section 1.12"
+)
+def by_determinant(given: Given) -> Derivation[Answers]:
+    """χ(λ) = det(λI − A), expanded along a row."""
+    lamda = sp.Symbol("lamda")
+    resolvent = yield from determinant_of(given.system.A, lamda)
+    return Answers(polynomial=resolvent.characteristic_polynomial(lamda))
+
+
+@characteristic_polynomial.method(
+    "faddeev_leverrier", title="Faddeev–LeVerrier algorithm", source="Gantmacher, The Theory of Matrices I, IV §5"
+)
+def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
+    """N₀ = I; aₖ = −tr(A Nₖ₋₁)/k, Nₖ = A Nₖ₋₁ + aₖ I; Nₙ = 0 closes the recursion (Cayley–Hamilton)."""
+    A, lamda = given.system.A, sp.Symbol("lamda")
+    resolvent = exact.faddeev_leverrier(A)
+    coefficients = resolvent.coefficients
+    identity = sp.ImmutableMatrix(sp.eye(A.rows))
+    yield Step("start", unclaimed="a definition: N₀ = I and the recursion", n=A.rows, A=A)
+    for k in range(1, A.rows + 1):
+        N, a = resolvent.adjugate_coefficients[k - 1], coefficients[k]
+        following = resolvent.adjugate_coefficients[k] if k < A.rows else sp.ImmutableMatrix(sp.zeros(A.rows))
+        AN = sp.ImmutableMatrix(exact.multiply(A, N))
+        yield Step(
+            "recursion",
+            claims={
+                "product": Claim(product(A, N), AN, f"$A N_{{{k - 1}}}$"),
+                "coefficient": Claim(quotient(product(-1, trace(AN)), k), a, f"$a_{{{k}}}$"),
+                "next": Claim(total(AN, product(a, identity)), following, f"$N_{{{k}}}$"),
+            },
+            k=k,
+            last=k == A.rows,
+        )
+    polynomial = resolvent.characteristic_polynomial(lamda)
+    yield Step(
+        "polynomial",
+        claims={"polynomial": Claim(determinant(lamda * sp.eye(A.rows) - A), polynomial, r"$\det(\lambda I - A)$")},
+    )
+    return Answers(polynomial=polynomial)
+
+
+@characteristic_polynomial.verification
+def has_the_values_of_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
+    """P(x) = det(xI − A) at random x, the determinant by numpy."""
+    residual = numeric.polynomial_residual(given.system.A, answers["polynomial"], sp.Symbol("lamda"))
+    yield Check.within(r"$\chi(\lambda) = \det(\lambda I - A)$ at random points", "numpy.linalg.det", residual, 1e-9)

@@ -1,0 +1,190 @@
+"""Eigenvalues, right and left eigenvectors, Jordan form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
+from solver.derivation.stated import difference, power, product, value_at
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+eigenstructure = Task(
+    "eigenstructure",
+    group="Representation and analysis",
+    title="Eigenvalues and eigenvectors",
+    doc="Eigenvalues, right and left eigenvectors (chains of generalized ones where A is defective) and Jordan form.",
+    needs=("A",),
+    answers=[
+        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues with multiplicity"),
+        AnswerName("right_eigenvectors", "V", "columns v with A v = λ v (or chains), in the order of the eigenvalues"),
+        AnswerName("left_eigenvectors", "M", "rows w with w A = λ w (or chains), in the same order: M A = J M"),
+        AnswerName("jordan_form", "J", "A V = V J, ones above the diagonal"),
+        AnswerName("diagonalizable", r"\text{diagonalizable}", "whether A has n independent eigenvectors"),
+    ],
+)
+
+
+@lemma("eigenvalues")
+def eigenvalues_of(A: ImmutableMatrix) -> Derivation[exact.Spectrum]:
+    """Roots of the characteristic polynomial, factor by factor, with their multiplicities."""
+    lamda = sp.Symbol("lamda")
+    resolvent = yield from determinant_of(A, lamda)
+    chi = resolvent.characteristic_polynomial(lamda)
+    spectrum = exact.spectrum(A)
+    for factor in spectrum.factors:
+        if factor.degree > 1:
+            yield _roots_of_factor(factor, lamda)
+    linear = product(*(power(lamda - root.value, root.multiplicity) for root in spectrum.roots))
+    yield Step(
+        "spectrum",
+        claims={"roots": Claim(chi, linear, "roots of the characteristic polynomial with their multiplicities")},
+        roots=spectrum.roots,
+        exceptions=spectrum.exceptions,
+    )
+    return spectrum
+
+
+def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
+    """The quadratic formula, or decimals for a factor that has no such formula of degree two."""
+    p = factor.polynomial(x)
+    claims = {
+        f"root{i}": Claim(value_at(p, x, root.value), sp.Integer(0), "the root put into its factor")
+        for i, root in enumerate(factor.roots, 1)
+    }
+    values: dict[str, Any] = {"p": p, "x": x, "roots": [root.value for root in factor.roots]}
+    if factor.degree > 2:
+        return Step("decimal_roots", claims=claims, degree=factor.degree, **values)
+    _, b, c = factor.coefficients
+    return Step("quadratic", claims=claims, b=b, c=c, kind=factor.roots[0].kind, **values)
+
+
+@lemma("eigenvectors")
+def right_eigenvectors_of(A: ImmutableMatrix) -> Derivation[exact.Eigenstructure]:
+    """(λI − A) v = 0 for each eigenvalue; chains (A − λI) c_{j+1} = c_j where eigenvectors are too few."""
+    structure = exact.eigenstructure(A)
+    seen: list[Any] = []
+    for i, space in enumerate(structure.eigenspaces, 1):
+        value = space.root.value
+        yield _eigenspace_step(A, space, i, conjugate=value.has(sp.I) and sp.conjugate(value) in seen)
+        seen.append(value)
+    return structure
+
+
+def _eigenspace_step(A: ImmutableMatrix, space: exact.Eigenspace, i: int, conjugate: bool) -> Step:
+    value = space.root.value
+    pencil = sp.ImmutableMatrix(value * sp.eye(A.rows) - A)
+    claims: dict[str, Claim] = {}
+    for number, chain in enumerate(space.chains, 1):
+        claims[f"vector{number}"] = Claim(product(A, chain[0]), product(value, chain[0]), "$A v = \\lambda v$")
+        for j in range(1, len(chain)):
+            says = "chain of generalized eigenvectors"
+            claims[f"chain{number}_{j}"] = Claim(product(sp.ImmutableMatrix(-pencil), chain[j]), chain[j - 1], says)
+    kind = "conjugate" if conjugate else "chains" if space.geometric < space.algebraic else "eigenspace"
+    reduction = () if conjugate or not space.reduction else (_reduction(pencil, space.reduction),)
+    return Step(
+        kind,
+        claims=claims,
+        steps=reduction,
+        i=i,
+        value=value,
+        pencil=pencil,
+        chains=space.chains,
+        algebraic=space.algebraic,
+        geometric=space.geometric,
+    )
+
+
+def _reduction(pencil: ImmutableMatrix, reduction: exact.RowReduction) -> Step:
+    return Step(
+        "row_reduction",
+        detail="tutor",
+        unclaimed="row operations are checked by the vectors they lead to",
+        pencil=pencil,
+        stages=reduction.stages,
+        operations=reduction.operations,
+        free=[j for j in range(1, pencil.cols + 1) if j - 1 not in reduction.pivots],
+    )
+
+
+@lemma("left_eigenvectors")
+def left_eigenvectors_of(A: ImmutableMatrix, structure: exact.Eigenstructure) -> Derivation[ImmutableMatrix]:
+    """Solve w (λI − A) = 0 for each eigenvalue, i.e. rows of M with M A = J M; returns M (n×n)."""
+    M, J = structure.left, structure.jordan_form
+    if structure.diagonalizable:
+        for i in range(A.rows):
+            w, value = sp.ImmutableMatrix(M.row(i)), J[i, i]
+            yield Step(
+                "left_eigenvector",
+                claims={"row": Claim(product(w, A), product(value, w), "$w A = \\lambda w$")},
+                i=i + 1,
+                value=value,
+                w=w,
+                pencil=sp.ImmutableMatrix(value * sp.eye(A.rows) - A),
+            )
+    yield Step(
+        "modal_matrix",
+        claims={"rows": Claim(product(M, A), product(J, M), "$M A = J M$")},
+        M=M,
+        J=J,
+        diagonalizable=structure.diagonalizable,
+    )
+    return M
+
+
+@eigenstructure.method(source="Lecture note, section 1.12")
+def by_null_spaces(given: Given) -> Derivation[Answers]:
+    """Eigenvalues from χ(λ) = 0, eigenvectors from the null spaces of λI − A and of its transpose."""
+    A = given.system.A
+    yield from eigenvalues_of(A)
+    structure = yield from right_eigenvectors_of(A)
+    M = yield from left_eigenvectors_of(A, structure)
+    V, J = structure.right, structure.jordan_form
+    yield Step(
+        "jordan_form",
+        claims={"similar": Claim(product(A, V), product(V, J), "$A V = V J$")},
+        V=V,
+        J=J,
+        diagonalizable=structure.diagonalizable,
+        eigenspaces=structure.eigenspaces,
+    )
+    return Answers(
+        eigenvalues=[J[i, i] for i in range(A.rows)],
+        right_eigenvectors=V,
+        left_eigenvectors=M,
+        jordan_form=J,
+        diagonalizable=structure.diagonalizable,
+    )
+
+
+@eigenstructure.verification
+def holds_column_by_column(given: Given, answers: Answers) -> Iterable[Check]:
+    """Σ and Π of the spectrum, A V = V J with independent columns, M A = J M with independent rows, J as claimed."""
+    A, spectrum, J = given.system.A, answers["eigenvalues"], answers["jordan_form"]
+    V, M = answers["right_eigenvectors"], answers["left_eigenvectors"]
+    yield Check.within(
+        r"$\det(xI - A) = \prod_i (x - \lambda_i)$", "mpmath.det", numeric.spectrum_residual(A, spectrum), 1e-9
+    )
+    yield Check.within(r"$A V = V J$", "numpy", numeric.chain_residual(A, V, J), 1e-9)
+    yield Check.within(r"$M A = J M$", "numpy", numeric.left_residual(A, M, J), 1e-9)
+    yield Check.that(r"the columns of $V$ are independent", "numpy.linalg.svd", numeric.independent(V))
+    yield Check.that(r"the rows of $M$ are independent", "numpy.linalg.svd", numeric.independent(M.T))
+    yield Check.that(r"$J$ is in Jordan form with the eigenvalues in order", "inspection", _is_jordan(J, spectrum))
+    expected = all(J[i, j] == 0 for i in range(J.rows) for j in range(J.cols) if i != j)
+    yield Check.that(r"$A$ is diagonalizable as stated", "inspection of $J$", answers["diagonalizable"] == expected)
+
+
+def _is_jordan(J: ImmutableMatrix, spectrum: list[Expr]) -> bool:
+    """Eigenvalues on the diagonal, ones or zeros above it (ones only between equal eigenvalues), zeros elsewhere."""
+    n = J.rows
+    diagonal = all(J[i, i] == spectrum[i] for i in range(n))
+    above = all(J[i, i + 1] == 0 or (J[i, i + 1] == 1 and spectrum[i] == spectrum[i + 1]) for i in range(n - 1))
+    return diagonal and above and all(J[i, j] == 0 for i in range(n) for j in range(n) if j not in (i, i + 1))
+
+
+__all__ = ["difference", "eigenstructure", "eigenvalues_of", "left_eigenvectors_of", "right_eigenvectors_of"]

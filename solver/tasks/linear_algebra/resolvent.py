@@ -1,0 +1,68 @@
+"""The resolvent (xI − A)⁻¹ and its partial fractions: lemmas for transforms in s and in z."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.stated import adjugate, inverse, inverse_laplace, inverse_z, quotient, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix, Symbol
+
+
+@lemma("resolvent")
+def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
+    """(xI − A)⁻¹ = adj(xI − A)/det(xI − A); returns it with cancelled entries."""
+    resolvent = yield from determinant_of(A, x)
+    pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
+    adj, chi = resolvent.adjugate(x), exact.factored(resolvent.characteristic_polynomial(x), x)
+    yield Step(
+        "adjugate",
+        claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
+        x=x,
+        n=A.rows,
+    )
+    inverted = exact.resolvent(A, x)
+    yield Step(
+        "inverse",
+        claims={
+            "quotient": Claim(inverse(pencil), quotient(adj, chi), "inverse by the adjugate"),
+            "entries": Claim(quotient(adj, chi), inverted, "entries of the inverse"),
+        },
+        x=x,
+    )
+    return inverted
+
+
+@lemma("resolvent")
+def partial_fractions_of(A: ImmutableMatrix, x: Symbol) -> Derivation[Any]:
+    """(xI − A)⁻¹ as a sum of matrices over powers of the irreducible factors of det(xI − A); returns the sum."""
+    pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
+    terms = exact.partial_fractions(A, x)
+    expansion = total(*terms)
+    yield Step(
+        "partial_fractions",
+        claims={"expansion": Claim(inverse(pencil), expansion, "partial fractions of the inverse")},
+        x=x,
+        terms=terms,
+    )
+    return expansion
+
+
+@lemma("resolvent")
+def transform_pairs_of(A: ImmutableMatrix, x: Symbol, time: Symbol, *, discrete: bool) -> Derivation[None]:
+    """List the transform pairs that the partial fractions need; in discrete time the images carry the factor z."""
+    pairs = exact.transform_pairs(exact.spectrum(A), x, time, discrete=discrete)
+    invert = inverse_z if discrete else inverse_laplace
+    yield Step(
+        "pairs",
+        claims={
+            f"pair{i}": Claim(invert(image, x, time), original, "transform pair")
+            for i, (image, original) in enumerate(pairs, 1)
+        },
+        discrete=discrete,
+    )

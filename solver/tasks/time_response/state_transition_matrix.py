@@ -1,0 +1,252 @@
+"""The state transition matrix Φ(t) = e^{At}, in discrete time Φ(k) = Aᵏ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Choice,
+    Claim,
+    Derivation,
+    Given,
+    Integer,
+    Option,
+    Step,
+    Task,
+    Unsolved,
+)
+from solver.derivation.stated import (
+    Stated,
+    derivative,
+    inverse,
+    inverse_laplace,
+    inverse_z,
+    power,
+    product,
+    total,
+    value_at,
+)
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
+from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix, Symbol
+
+state_transition_matrix = Task(
+    "state_transition_matrix",
+    group="Representation and analysis",
+    title="State transition matrix",
+    doc="Φ(t) = e^{At}, which takes x(0) to x(t) when the input is zero; in discrete time Φ(k) = Aᵏ.",
+    needs=("A",),
+    options=[
+        Option(
+            "terms",
+            Integer(1, 12),
+            "number of terms of the series, counting I as the first",
+            default=3,
+            methods=("power_series",),
+        ),
+        Option(
+            "convention",
+            Choice(("right", "left")),
+            "right: V e^{Λt} V⁻¹ with right eigenvectors as columns; left: M⁻¹ e^{Λt} M with left eigenvectors as rows",
+            default="right",
+            methods=("modal",),
+        ),
+    ],
+    answers=[
+        AnswerName("Phi", r"\Phi", "the closed form, in `t` (discrete: in `k`)"),
+        AnswerName("Phi_truncated", r"\Phi_{\text{truncated}}", "the first terms of the series", ("power_series",)),
+    ],
+)
+
+
+@state_transition_matrix.method(
+    "laplace", title="Inverse Laplace transform", source="Lecture note, section 1.13", time="continuous"
+)
+def by_laplace(given: Given) -> Derivation[Answers]:
+    """Φ(t) = ℒ⁻¹{(sI − A)⁻¹}, the inverse by adjugate over determinant, transformed by partial fractions."""
+    A, s, t = given.system.A, sp.Symbol("s"), sp.Symbol("t")
+    yield from inverse_of_pencil(A, s)
+    expansion = yield from partial_fractions_of(A, s)
+    yield from transform_pairs_of(A, s, t, discrete=False)
+    Phi = exact.exponential(A, t).matrix
+    claim = Claim(inverse_laplace(expansion, s, t), Phi, "inverse Laplace transform of the partial fractions")
+    yield Step("inverse_transform", claims={"Phi": claim})
+    return Answers(Phi=Phi)
+
+
+@state_transition_matrix.method(
+    "z_transform", title="Inverse z-transform", source="Lecture note, section 7.5", time="discrete"
+)
+def by_z_transform(given: Given) -> Derivation[Answers]:
+    """Φ(k) = 𝒵⁻¹{z (zI − A)⁻¹}, by partial fractions of (zI − A)⁻¹."""
+    A, z, k = given.system.A, sp.Symbol("z"), sp.Symbol("k")
+    yield from inverse_of_pencil(A, z)
+    expansion = yield from partial_fractions_of(A, z)
+    yield from transform_pairs_of(A, z, k, discrete=True)
+    Phi = exact.power(A, k).matrix
+    claim = Claim(inverse_z(product(z, expansion), z, k), Phi, "inverse z-transform of the partial fractions")
+    yield Step("inverse_transform", claims={"Phi": claim})
+    return Answers(Phi=Phi)
+
+
+@state_transition_matrix.method(
+    "power_series", title="Power series", source="Lecture note, equation (1.13.5)", time="continuous"
+)
+def by_power_series(given: Given) -> Derivation[Answers]:
+    """Φ(t) = Σ Aⁱtⁱ/i!, truncated, and recognised as the expansion of the closed form."""
+    A, t, terms = given.system.A, sp.Symbol("t"), given.terms
+    powers = exact.powers(A, terms)
+    yield Step(
+        "powers",
+        claims={f"power{i}": Claim(power(A, i), powers[i], f"$A^{i}$") for i in range(2, terms)},
+        unclaimed="" if terms > 2 else "no power beyond A is needed",
+        A=A,
+        terms=terms,
+    )
+    truncated = exact.truncated_series(A, t, terms)
+    series = total(*(product(t**i / sp.factorial(i), M) for i, M in enumerate(powers)))
+    yield Step("series", claims={"sum": Claim(series, truncated, f"sum of the first {terms} terms")}, terms=terms)
+    Phi = exact.exponential(A, t)
+    yield Step(
+        "recognition",
+        claims={
+            f"derivative{i}": Claim(
+                value_at(derivative(Phi.matrix, t, i), t, sp.Integer(0)), powers[i], f"derivative {i} at $t = 0$"
+            )
+            for i in range(terms)
+        },
+        expansions=[(function, exact.taylor(function, t, terms)) for function in exact.mode_functions(Phi)],
+        Phi=Phi.matrix,
+        terms=terms,
+    )
+    return Answers(Phi=Phi.matrix, Phi_truncated=truncated)
+
+
+@state_transition_matrix.method("cayley_hamilton", title="Cayley–Hamilton theorem", source="Lecture note, section 1.13")
+def by_cayley_hamilton(given: Given) -> Derivation[Answers]:
+    """Φ = Σᵢ αᵢ Aⁱ, i < n, with αᵢ fixed by e^{λt} = Σᵢ αᵢ λⁱ (λᵏ) and its λ-derivatives at repeated λ."""
+    A, n, discrete = given.system.A, given.system.order, given.system.discrete
+    x = _time(given)
+    spectrum = yield from eigenvalues_of(A)
+    conditions = exact.interpolation(spectrum, x, discrete=discrete)
+    unknowns = sp.symbols(f"alpha_:{n}")
+    polynomial = total(*(product(a, power(sp.Symbol("A"), i)) for i, a in enumerate(unknowns)))
+    yield Step(
+        "conditions",
+        unclaimed="the conditions define the coefficients; they are checked when these are found",
+        equations=[(condition.right, _dot(condition.row, unknowns)) for condition in conditions],
+        roots=spectrum.roots,
+        polynomial=polynomial,
+        n=n,
+        discrete=discrete,
+    )
+    alpha = exact.interpolation_coefficients(A, x, discrete=discrete)
+    satisfied = {
+        f"condition{i}": Claim(_dot(condition.row, alpha), condition.right, f"condition {i} for the coefficients")
+        for i, condition in enumerate(conditions, 1)
+    }
+    yield Step("coefficients", claims=satisfied, alpha=alpha, n=n)
+    Phi = _matrix_function(given)
+    combination = _dot(alpha, exact.powers(A, n))
+    yield Step(
+        "assemble",
+        claims={"Phi": Claim(combination, Phi, "sum of the powers of $A$")},
+        polynomial=polynomial,
+        discrete=discrete,
+    )
+    return Answers(Phi=Phi)
+
+
+def _dot(coefficients: Sequence[Any], terms: Sequence[Any]) -> Stated:
+    """Σ cᵢ Tᵢ as written; terms with the coefficient zero are left out."""
+    return total(*(product(c, term) for c, term in zip(coefficients, terms, strict=True) if c != 0))
+
+
+def _time(given: Given) -> Symbol:
+    """The variable of time: t, or k in discrete time."""
+    return sp.Symbol("k" if given.system.discrete else "t")
+
+
+def _matrix_function(given: Given) -> ImmutableMatrix:
+    """e^{At}, or Aᵏ in discrete time, in closed form (n×n)."""
+    compute = exact.power if given.system.discrete else exact.exponential
+    Phi: ImmutableMatrix = compute(given.system.A, _time(given)).matrix
+    return Phi
+
+
+@state_transition_matrix.method("modal", title="Modal matrix", source="Lecture note, section 1.13")
+def by_modal_matrix(given: Given) -> Derivation[Answers]:
+    """Φ = V e^{Λt} V⁻¹ (rows of left eigenvectors: M⁻¹ e^{Λt} M); needs n independent eigenvectors."""
+    A, discrete, left = given.system.A, given.system.discrete, given.convention == "left"
+    x = _time(given)
+    yield from eigenvalues_of(A)
+    if left:
+        structure = exact.eigenstructure(A)
+        _require_diagonalizable(structure)
+        modal = yield from left_eigenvectors_of(A, structure)
+    else:
+        structure = yield from right_eigenvectors_of(A)
+        _require_diagonalizable(structure)
+        modal = structure.right
+    inverted = exact.inverse(modal)
+    yield Step(
+        "inverse",
+        claims={"inverse": Claim(inverse(modal), inverted, "inverse of the modal matrix")},
+        modal=modal,
+        left=left,
+        n=given.system.order,
+    )
+    modes = sp.ImmutableMatrix(sp.diag(*(root**x if discrete else sp.exp(root * x) for root in structure.eigenvalues)))
+    yield Step(
+        "modes",
+        unclaimed="a function of a diagonal matrix acts on the diagonal entries, by definition",
+        modes=modes,
+        discrete=discrete,
+    )
+    Phi = _matrix_function(given)
+    factors = (inverted, modes, modal) if left else (modal, modes, inverted)
+    yield Step(
+        "assemble",
+        claims={"Phi": Claim(product(*factors), Phi, "product of the three matrices")},
+        left=left,
+        discrete=discrete,
+        complex=any(root.kind == "complex" for root in structure.spectrum.roots),
+    )
+    return Answers(Phi=Phi)
+
+
+def _require_diagonalizable(structure: exact.Eigenstructure) -> None:
+    """The modal matrix must be invertible, i.e. every eigenvalue needs as many eigenvectors as its multiplicity."""
+    for space in structure.eigenspaces:
+        if space.geometric < space.algebraic:
+            raise Unsolved(
+                "The modal matrix needs as many independent eigenvectors as there are states. The eigenvalue "
+                f"$\\lambda = {sp.latex(space.root.value)}$ has multiplicity {space.algebraic} but only "
+                f"{space.geometric} independent eigenvector{'s' if space.geometric > 1 else ''}, so the modal matrix "
+                "would be singular. Use the Laplace transform or the Cayley–Hamilton theorem."
+            )
+
+
+@state_transition_matrix.verification
+def is_the_matrix_function(given: Given, answers: Answers) -> Iterable[Check]:
+    """Φ(t) = expm(A t) at several t including 0 (scipy); discrete: Φ(k) = Aᵏ for k = 0 … 8 (numpy)."""
+    A, Phi = given.system.A, answers["Phi"]
+    if given.system.discrete:
+        residual = numeric.power_residual(A, Phi, sp.Symbol("k"))
+        yield Check.within(r"$\Phi(k) = A^k$ for $k = 0, 1, \ldots, 8$", "numpy.linalg.matrix_power", residual, 1e-9)
+        return
+    residual = numeric.exponential_residual(A, Phi, sp.Symbol("t"))
+    yield Check.within(r"$\Phi(t) = e^{At}$ at several $t$, $\Phi(0) = I$", "scipy.linalg.expm", residual, 1e-9)
+    if "Phi_truncated" in answers:
+        t, terms = sp.Symbol("t"), given.terms
+        for i in range(terms):
+            coefficient = value_at(derivative(answers["Phi_truncated"], t, i), t, sp.Integer(0))
+            yield numeric.check_claim(Claim(coefficient, power(A, i)), f"coefficient of $t^{i}$ is $A^{i}/{i}!$")
