@@ -53,7 +53,7 @@ class Solution:
 
 
 def solve_problem(problem: Problem, runner: Runner | None = None) -> Solution:
-    """Solve all parts, here or by a runner that keeps limits. A part that can't be solved says why and stops no other."""
+    """Solve all parts, here or by a runner that keeps limits. An unsolved part says why and stops no other."""
     results = (runner or solve_parts)(problem)
     return Solution(problem, tuple(result for of_part in results for result in of_part))
 
@@ -131,7 +131,9 @@ def _closed_loop(given: Given) -> Derivation[Given]:
     if K is None or not isinstance(plant, StateSpace):
         return given
     if plant.B is None or K.shape != (plant.B.cols, plant.order):
-        raise Unsolved("the gain K does not fit the plant: it must have one row for each input, one column for each state")
+        raise Unsolved(
+            "the gain K does not fit the plant: it must have one row for each input, one column for each state"
+        )
     loop = plant.closed_loop(K)
     yield Step(
         "closed_loop",
