@@ -1,0 +1,38 @@
+"""Asking the engine one question, as tests do."""
+
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.derivation import Answers, CheckStatus, Given, PartResult
+from solver.engine import solve_part
+from solver.problem.model import Part
+from solver.systems import StateSpace
+from solver.tasks import catalogue
+
+
+def system(rows: Any, *, discrete: bool = False, **matrices: Any) -> StateSpace:
+    """A system from nested lists or matrices."""
+    exact = {name: sp.ImmutableMatrix(M) for name, M in matrices.items()}
+    return StateSpace(sp.ImmutableMatrix(rows), discrete=discrete, **exact)
+
+
+def ask(task: str, plant: StateSpace, method: str = "", **options: Any) -> PartResult:
+    """The result of one part by one method (the first that fits, if none is named)."""
+    declared = catalogue()[task]
+    method = method or declared.methods_for(plant.discrete)[0]
+    filled = {name: option.default for name, option in declared.options_for(method).items() if option.default is not None}
+    return solve_part(Part("a", task, (method,), plant, {**filled, **options}), {})[0]
+
+
+def rejected(task: str, plant: StateSpace, answers: dict[str, Any], **options: Any) -> bool:
+    """Whether the task's verification finds the answers wrong."""
+    checks = list(catalogue()[task].verify(Given(plant, options), Answers(**answers)))
+    return any(check.status is CheckStatus.FAILED for check in checks)
+
+
+def at(value: sp.MatrixBase, **point: float) -> np.ndarray:
+    """A matrix of expressions as floats at a point, by sympy's own evaluation."""
+    numbers = {sp.Symbol(name): number for name, number in point.items()}
+    return np.array(value.subs(numbers).evalf(30).tolist(), dtype=complex)
