@@ -1,0 +1,1 @@
+"""Printing of mathematics and the pages it stands on; does no mathematics."""
