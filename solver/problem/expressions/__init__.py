@@ -1,0 +1,83 @@
+"""Expressions in engineering notation: text to exact sympy objects, safely.
+
+`2 sqrt(3) t`, `3(s+1)/(s^2 + 0.75s + 1)`, `m x'' + d x' + k x = u`, `-3 ± 2j`. The text is cut into tokens, parsed by
+a grammar of our own, bounded in cost, and only then built with sympy; nothing is ever evaluated as code. Whatever the
+text, the outcome is an expression or an `ExpressionError` with place, reason and suggestion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from solver.problem.expressions.bounds import check_bounds
+from solver.problem.expressions.build import build
+from solver.problem.expressions.errors import ExpressionError
+from solver.problem.expressions.grammar import parse, parse_sides
+from solver.problem.expressions.names import Names
+from solver.problem.expressions.tokens import Kind, is_decimal, tokenize
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+__all__ = [
+    "ExpressionError",
+    "Names",
+    "canonical_name",
+    "parse_alternatives",
+    "parse_equation",
+    "parse_expression",
+    "uses_decimal",
+]
+
+
+def parse_expression(text: str, names: Names) -> sp.Expr:
+    """Return the expression, exact: "0.75" is 3/4. Raises ExpressionError."""
+    with _only_expression_errors(text):
+        node = parse(text, names)
+        check_bounds(node, names)
+        return build(node, names)
+
+
+def parse_alternatives(text: str, names: Names) -> tuple[sp.Expr, ...]:
+    """Return the values of an expression that may hold one ±: "-3 ± 2j" has two, + first. Raises ExpressionError."""
+    with _only_expression_errors(text):
+        node = parse(text, names, alternatives=True)
+        check_bounds(node, names)
+        signs = (1, -1) if "±" in text else (1,)
+        return tuple(build(node, names, sign) for sign in signs)
+
+
+def parse_equation(text: str, names: Names) -> tuple[sp.Expr, sp.Expr]:
+    """Return the two sides of "m x'' + d x' + k x = u"; `names.functions` says what x is. Raises ExpressionError."""
+    with _only_expression_errors(text):
+        sides = parse_sides(text, names)
+        for side in sides:
+            check_bounds(side, names)
+        left, right = (build(side, names) for side in sides)
+        return left, right
+
+
+def uses_decimal(text: str) -> bool:
+    """Whether a decimal was typed (0.75, 1e-3). Raises ExpressionError if the text cannot be read."""
+    return any(is_decimal(token) for token in tokenize(text))
+
+
+def canonical_name(text: str) -> str:
+    """Return the plain spelling of one name: "ω_n" is "omega_n", "lambda" is "lamda". Raises ExpressionError."""
+    token, *others = tokenize(text)
+    if token.kind is not Kind.NAME or len(others) > 1:
+        raise ExpressionError("a name is expected: letters, digits and _", 0, len(text))
+    return token.text
+
+
+@contextmanager
+def _only_expression_errors(text: str) -> Iterator[None]:
+    """Turn what sympy may raise on a strange expression into an ExpressionError for the whole text."""
+    try:
+        yield
+    except ExpressionError:
+        raise
+    except Exception as error:  # the boundary: whatever the text, the reader of a file gets a place and a reason
+        raise ExpressionError("this expression cannot be evaluated", 0, len(text)) from error

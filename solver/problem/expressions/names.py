@@ -1,0 +1,44 @@
+"""What names mean in an expression."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Any
+
+from solver.problem.expressions.notation import CONSTANTS
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+
+@dataclass(frozen=True)
+class Names:
+    """What names mean; keys are in plain spelling (`lamda`, `omega_n`; see `canonical_name`).
+
+    A name is looked up in this order:
+    `variables`: names to which the task gives a meaning (`s`, `z`, `t`, `k`, `A`);
+    `functions`: functions of time, e.g. `x` is `Function("x")(t)`; only they take primes and arguments, x'' or x(k+2);
+    `values`: what to put in place of a name;
+    `symbols`: declared symbols with their assumptions;
+    then the constants. Any other name is a real symbol if `open`, and an error otherwise.
+    """
+
+    symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    variables: Mapping[str, Any] = field(default_factory=dict)
+    values: Mapping[str, Any] = field(default_factory=dict)
+    functions: Mapping[str, Any] = field(default_factory=dict)
+    open: bool = True
+
+    def declares(self, name: str) -> bool:
+        """Whether the problem or the task gives the name a meaning."""
+        return any(name in table for table in (self.variables, self.functions, self.values, self.symbols))
+
+    def known(self) -> list[str]:
+        """Return all names with a meaning, constants included, sorted."""
+        return sorted({*self.variables, *self.functions, *self.values, *self.symbols, *CONSTANTS})
+
+    def like(self, name: str) -> str:
+        """Return the known name most like this one, or an empty text."""
+        return next(iter(get_close_matches(name, self.known(), 1)), "")

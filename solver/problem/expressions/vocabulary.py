@@ -1,0 +1,84 @@
+"""Names in their place: which are known, and what was probably meant by those that are not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from difflib import get_close_matches
+
+from solver.problem.expressions.errors import ExpressionError
+from solver.problem.expressions.names import Names
+from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS, GREEK_NAMES, OTHER_CONSTANTS, OTHER_FUNCTIONS
+from solver.problem.expressions.tokens import Token
+
+
+def check_name(token: Token, names: Names) -> None:
+    """Raise an error unless the name has, or may be given, a meaning."""
+    name = token.text
+    if names.declares(name) or name in CONSTANTS:
+        return
+    length = token.end - token.at
+    if name in OTHER_CONSTANTS:
+        raise ExpressionError(f"{name} is no name of a symbol", token.at, length, OTHER_CONSTANTS[name])
+    if product := as_product(name, names):
+        message = f"{name} is not declared, and may be a product"
+        raise ExpressionError(message, token.at, length, product)
+    if not names.open:
+        raise ExpressionError(f"unknown name {name}", token.at, length, names.like(name))
+
+
+def refuse_call(token: Token, names: Names, following: Sequence[Token]) -> None:
+    """Raise an error where `name(` cannot well be a product; `following` are the two tokens after the bracket."""
+    name, length = token.text, token.end - token.at
+    if name in FUNCTIONS:
+        message = f"unclear: {name} is declared as a name, and is also a function"
+        raise ExpressionError(message, token.at, length, f"{name}*(...)")
+    inside = following[0].text if following[-1].text == ")" else ""
+    if inside in names.variables:
+        message = f"{name} is not a function of {inside} here"
+        suggestion = f"{name}*{inside}" if name != "u" else f"step({inside}) or u*{inside}"
+        raise ExpressionError(message, token.at, length, suggestion)
+    if not (names.declares(name) or name in CONSTANTS or is_single_symbol(name)):
+        raise ExpressionError(f"unknown function {name}", token.at, length, _function_like(name))
+
+
+def refuse_prime(token: Token, names: Names, end: int) -> ExpressionError:
+    """Return the error for a prime after what is not a function of time."""
+    message = f"a prime is a time derivative, and {token.text} is not a function of time here"
+    meant = get_close_matches(token.text, names.functions, 1)
+    return ExpressionError(message, token.at, end - token.at, f"{meant[0]}'" if meant else "")
+
+
+def is_single_symbol(name: str) -> bool:
+    """Whether the name is one letter, Latin or Greek, perhaps with an index: k, k_1, x10, omega_n."""
+    letter = name.partition("_")[0].rstrip("0123456789")
+    return len(letter) == 1 or letter in GREEK_NAMES
+
+
+def _function_like(name: str) -> str:
+    """What was meant by an unknown function, or that a product needs its sign."""
+    if known := OTHER_FUNCTIONS.get(name.lower()):
+        return known
+    return next(iter(get_close_matches(name.lower(), FUNCTIONS, 1)), f"{name}*(...)")
+
+
+def as_product(name: str, names: Names) -> str:
+    """Return "x*y" for an undeclared name xy that can be read as a product, else an empty text.
+
+    Its pieces are declared names or constants; or a letter before a variable of the task: Ts is T*s where s is one.
+    """
+    pieces = _pieces(name, set(names.known()))
+    if not pieces and names.open and name not in GREEK_NAMES:
+        variable = next((each for each in names.variables if name.endswith(each)), "")
+        factor = name.removesuffix(variable)
+        if variable and (factor in GREEK_NAMES or (len(factor) == 1 and factor.isalpha())):
+            pieces = [factor, variable]
+    return "*".join(pieces)
+
+
+def _pieces(name: str, known: set[str]) -> list[str]:
+    """The name cut into the fewest known names, at least two; empty if there is no such cut."""
+    best: list[list[str] | None] = [[]]
+    for end in range(1, len(name) + 1):
+        cuts = [[*head, name[at:end]] for at in range(end) if (head := best[at]) is not None and name[at:end] in known]
+        best.append(min(cuts, key=len, default=None))
+    return best[-1] or [] if name not in known else []
