@@ -1,0 +1,67 @@
+"""The command line's entry: commands, and the boundary at which every error becomes words and an exit code."""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+
+import click
+
+from solver import __version__
+from solver.cli.group import FileOrCommand
+from solver.cli.listing import check, new, schema, tasks
+from solver.cli.run import run
+
+INTERRUPTED = 130
+BROKEN_PIPE = 141
+
+EPILOG = """\b
+Exit codes:
+  0  every part is solved and every check passed
+  1  a part could not be solved, or a check failed
+  2  the input is at fault
+"""
+
+
+@click.group(cls=FileOrCommand, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="solve")
+def cli() -> None:
+    """Solve control-engineering problems step by step, and check every step.
+
+    `solve problem.yaml` writes the worked solution beside the file (see `solve run --help` for the options).
+    """
+
+
+for command in (run, tasks, new, schema, check):
+    cli.add_command(command)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code. No error ever leaves as a traceback."""
+    try:
+        result = cli.main(args=arguments, prog_name="solve", standalone_mode=False)
+        sys.stdout.flush()
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("interrupted", err=True)
+        return INTERRUPTED
+    except BrokenPipeError:  # the reader, `head` say, has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return BROKEN_PIPE
+    except Exception as bug:  # noqa: BLE001 - the outermost boundary: whatever is left is a bug of the program
+        return _report(bug)
+    return result if isinstance(result, int) else 0
+
+
+def _report(bug: Exception) -> int:
+    """Say that there is a bug, with its traceback if SOLVE_DEBUG is set."""
+    click.echo(f"internal error: {type(bug).__name__}: {bug}", err=True)
+    if os.environ.get("SOLVE_DEBUG"):
+        traceback.print_exception(bug)
+    else:
+        click.echo("This is a bug in solve; please report it with the output of the same command under SOLVE_DEBUG=1.", err=True)
+    return 1

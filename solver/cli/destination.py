@@ -1,0 +1,114 @@
+"""Where the solutions are written: names of the files, and writing them whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+SUFFIXES = {"html": ".html", "latex": ".tex", "pdf": ".pdf", "md": ".md", "json": ".json", "text": ".txt"}
+STANDARD = "-"
+NAMELESS = "solution"  # the stem of what is read from standard input
+
+
+@dataclass(frozen=True, slots=True)
+class Destination:
+    """Formats, and where they go: `folder` (None: beside each problem), one `file`, or standard output."""
+
+    formats: tuple[str, ...]
+    folder: Path | None = None
+    file: Path | None = None
+    standard_output: bool = False
+
+    @staticmethod
+    def named(output: str | None, formats: tuple[str, ...] | None, problems: tuple[str, ...]) -> Destination:
+        """Return what -o and -f mean for these problem files; raises click.UsageError if they don't fit together."""
+        if output == STANDARD:
+            return Destination._to_standard_output(formats or ("html",), problems)
+        place = Path(output) if output else None
+        if place is None or output is None:
+            destination = Destination(formats or ("html",))
+        elif _is_folder(output, place) or len(problems) > 1 or len(formats or ()) > 1:
+            destination = Destination(formats or ("html",), folder=place)
+        else:
+            destination = Destination(formats or (_format_of(place),), file=place)
+        destination._refuse_collisions(problems)
+        return destination
+
+    @staticmethod
+    def _to_standard_output(formats: tuple[str, ...], problems: tuple[str, ...]) -> Destination:
+        if len(formats) > 1 or len(problems) > 1:
+            raise click.UsageError("-o - writes one problem in one format: name one FILE and one format.")
+        if formats == ("pdf",) and click.get_text_stream("stdout").isatty():
+            raise click.UsageError("a PDF is not for a terminal: name a file with -o, or send the output to one.")
+        return Destination(formats, standard_output=True)
+
+    def paths(self, problem: str) -> dict[str, Path]:
+        """Return the file to be written for each format; none for standard output."""
+        if self.standard_output:
+            return {}
+        if self.file is not None:
+            return {self.formats[0]: self.file}
+        source = Path(NAMELESS) if problem == STANDARD else Path(problem)
+        stem = source.stem if source.suffix.lower() in (".yaml", ".yml") else source.name
+        folder = self.folder if self.folder is not None else source.parent
+        return {each: folder / (stem + SUFFIXES[each]) for each in self.formats}
+
+    def _refuse_collisions(self, problems: tuple[str, ...]) -> None:
+        """Refuse to write two solutions to one file, or a solution over a problem."""
+        writers: dict[Path, str] = {Path(problem).resolve(): problem for problem in problems if problem != STANDARD}
+        for problem in dict.fromkeys(problems):
+            for path in self.paths(problem).values():
+                other = writers.setdefault(path.resolve(), f"the solution of {problem}")
+                if other in problems:
+                    raise click.UsageError(f"{path} is a problem file; it will not be overwritten.")
+                if other != f"the solution of {problem}":
+                    raise click.UsageError(f"{other} and the solution of {problem} would both be written to {path}.")
+
+
+def _is_folder(output: str, place: Path) -> bool:
+    return output.endswith(("/", os.sep)) or place.is_dir()
+
+
+def _format_of(place: Path) -> str:
+    """Return the format that a file's ending means (html if it means none)."""
+    return next((each for each, suffix in SUFFIXES.items() if suffix == place.suffix.lower()), "html")
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Write a file so that it is either all there or unchanged; raises click.ClickException (exit code 2) in words."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        _replace(path, content)
+    except OSError as error:
+        problem = click.ClickException(f"cannot write {path}: {error.strerror or error}; say with -o where to write")
+        problem.exit_code = 2
+        raise problem from None
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Write beside the file, then put it in place; what is not a regular file (/dev/null, a pipe) is written to."""
+    if path.exists() and not path.is_file():
+        path.write_bytes(content)
+        return
+    target = path.resolve()  # a link stays a link
+    handle, scratch = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name[:50]}.")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        Path(scratch).chmod(target.stat().st_mode & 0o7777 if target.exists() else 0o666 & ~_umask())
+        Path(scratch).replace(target)
+    except BaseException:
+        with suppress(OSError):
+            Path(scratch).unlink()
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

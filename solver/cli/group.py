@@ -1,0 +1,37 @@
+"""The group of commands, where a file in place of a command means: solve it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+DEFAULT = "run"
+OWN_OPTIONS = ("-h", "--help", "--version")
+
+
+class FileOrCommand(click.Group):
+    """`solve problem.yaml` is `solve run problem.yaml`; a word that is neither a command nor a file is an error."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Take options in first place as those of `run`: `solve -f json problem.yaml`."""
+        if args and args[0].startswith("-") and args[0] not in OWN_OPTIONS:
+            args = [DEFAULT, *args]
+        return super().parse_args(ctx, args)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the command of that name, or `run` if the first word is a file."""
+        if self.get_command(ctx, args[0]) is None and looks_like_file(args[0]):
+            args = [DEFAULT, *args]
+        return super().resolve_command(ctx, args)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the commands in the order they were added: the order of use."""
+        return list(self.commands)
+
+
+def looks_like_file(word: str) -> bool:
+    """Whether a word means a file: by its ending, a separator, being "-", or because there is one of that name."""
+    return word == "-" or word.lower().endswith((".yaml", ".yml")) or "/" in word or "\\" in word or Path(word).exists()

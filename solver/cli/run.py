@@ -1,0 +1,68 @@
+"""`solve problem.yaml`: the options. The work is in `solving`, imported when it is wanted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+FORMATS = ("html", "latex", "pdf", "md", "json", "text")
+DETAILS = ("brief", "full", "tutor")
+
+
+class FormatList(click.ParamType):
+    """Some of the output formats, separated by commas."""
+
+    name = "formats"
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
+        """Return the formats named, each once; fails with the nearest name for an unknown one."""
+        words = list(dict.fromkeys(word.strip().lower() for word in value.split(",") if word.strip()))
+        for word in words:
+            if word not in FORMATS:
+                from difflib import get_close_matches
+
+                close = get_close_matches(word, FORMATS, n=1)
+                hint = f" Did you mean {close[0]}?" if close else ""
+                self.fail(f"no format {word!r}; there are {', '.join(FORMATS)}.{hint}", param, ctx)
+        if not words:
+            self.fail(f"no format named; there are {', '.join(FORMATS)}", param, ctx)
+        return tuple(words)
+
+
+@click.command(short_help="Solve problem files (what `solve problem.yaml` does).")
+@click.argument("files", nargs=-1, required=True, metavar="FILE...")
+@click.option("-f", "--format", "formats", type=FormatList(), help="html, latex, pdf, md, json, text: one or more.")
+@click.option("-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: beside FILE.")
+@click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much is written.")
+@click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
+              help="Templates that take precedence over the program's own.")  # fmt: skip
+@click.option("--open", "open_page", is_flag=True, help="Open the page in a browser.")
+@click.option("--time-limit", metavar="SECONDS", type=click.FloatRange(min=0, min_open=True, max=86400), default=60,
+              show_default=True, help="For each part by each method.")  # fmt: skip
+@click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
+              help="For each part by each method.")  # fmt: skip
+@click.option("-v", "--verbose", is_flag=True, help="List every check.")
+@click.pass_context
+def run(
+    ctx: click.Context,
+    files: tuple[str, ...],
+    formats: tuple[str, ...] | None,
+    output: str | None,
+    detail: str,
+    templates: Path | None,
+    open_page: bool,
+    time_limit: float,
+    memory_limit: int,
+    verbose: bool,
+) -> None:
+    """Solve each FILE and write the worked solution, beside the file unless -o says where.
+
+    FILE may be - for standard input. One bad file does not stop the rest; the worst exit code is returned.
+    """
+    from solver.cli.destination import Destination
+    from solver.cli.solving import Request, solve_files
+
+    destination = Destination.named(output, formats, files)
+    request = Request(files, destination, detail, templates, open_page, time_limit, memory_limit, verbose)
+    ctx.exit(solve_files(request))
