@@ -33,7 +33,7 @@ class Node:
 
     place: Place
 
-    def diagnostic(self, message: str, *, suggestion: str = "", note: str = "") -> Diagnostic:
+    def diagnostic(self, message: str, suggestion: str = "", note: str = "") -> Diagnostic:
         """Return an error at this place."""
         place = self.place
         return Diagnostic(message, place.line, place.column, place.length, suggestion, note)
@@ -140,9 +140,8 @@ class MappingNode(Node):
         return self.entries[key].value
 
     def get(self, key: str) -> Node | None:
-        """Return the value of the key; None if it is absent or has no value (`key:` or `key: null`)."""
-        value = self.entries[key].value if key in self.entries else None
-        return None if isinstance(value, ScalarNode) and value.is_null else value
+        """Return the value of the key, None if it is absent."""
+        return self.entries[key].value if key in self.entries else None
 
     def plain(self) -> dict[str, Any]:
         """Return the entries as plain values."""

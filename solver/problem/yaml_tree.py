@@ -118,6 +118,8 @@ class _Composer:
         if isinstance(event, yaml.AliasEvent):
             self._refuse(event, f"aliases (*{event.anchor}) are not read here", quote.format("*"))
             return
+        if not isinstance(event, (yaml.ScalarEvent, yaml.CollectionStartEvent)):
+            return
         if event.anchor is not None:
             self._refuse(event, f"anchors (&{event.anchor}) are not read here", quote.format("&"), 1)
         if event.tag is not None:
@@ -166,6 +168,8 @@ class _Composer:
 
 def _place(start: yaml.Event, end: yaml.Event | None = None) -> Place:
     first, last = start.start_mark, (end or start).end_mark
+    if first is None or last is None:
+        return Place()
     return Place(first.line + 1, first.column + 1, last.line + 1, last.column + 1)
 
 

@@ -1,0 +1,168 @@
+"""What names mean in one problem, and the reading of its values as expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+import sympy as sp
+
+from solver.problem.expressions import (
+    ExpressionError,
+    Names,
+    canonical_name,
+    parse_alternatives,
+    parse_expression,
+    uses_decimal,
+)
+from solver.problem.expressions.tokens import Kind, tokenize
+from solver.problem.nodes import MappingNode, Node, ScalarNode
+from solver.problem.source import Report, did_you_mean
+
+R = TypeVar("R")
+
+ASSUMPTIONS: Mapping[str, Mapping[str, bool]] = {
+    "positive": {"positive": True},
+    "negative": {"negative": True},
+    "nonzero": {"real": True, "nonzero": True},
+    "real": {"real": True},
+    "complex": {"complex": True},
+    "integer": {"integer": True},
+}
+
+MEANINGS = {
+    "s": "s is the variable of the Laplace transform",
+    "z": "z is the variable of the z-transform",
+    "t": "t is the time",
+    "lamda": "λ stands for eigenvalues",
+}
+"""Names that can't be parameters, since answers are written in them."""
+
+SAMPLES = {"k": "k counts the samples in discrete time"}
+
+
+@dataclass
+class Lexicon:
+    """The names of a problem; remembers which were used, and whether a decimal was typed.
+
+    `symbols` are declared ones with their assumptions, `values` what is put in place of a name; `found` all symbols
+    that occur in what was read, by name.
+    """
+
+    symbols: dict[str, sp.Symbol] = field(default_factory=dict)
+    values: dict[str, sp.Expr] = field(default_factory=dict)
+    found: dict[str, sp.Symbol] = field(default_factory=dict)
+    used: set[str] = field(default_factory=set)
+    decimals: bool = False
+
+    def expression(self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = MEANINGS) -> sp.Expr:
+        """Return a value as a finite exact expression, in which the `variables` may occur and the `barred` may not."""
+        value: sp.Expr = self._read(parse_expression, scalar(node), variables, barred)
+        _check_finite(node, value)
+        return value
+
+    def alternatives(self, node: Node, barred: Mapping[str, str] = MEANINGS) -> tuple[sp.Expr, ...]:
+        """Return the one value, or the two of "-3 ± 2j"."""
+        values: tuple[sp.Expr, ...] = self._read(parse_alternatives, scalar(node), (), barred)
+        for value in values:
+            _check_finite(node, value)
+        return values
+
+    def _read(
+        self, parse: Callable[[str, Names], R], node: ScalarNode, variables: Collection[str], barred: Mapping[str, str]
+    ) -> R:
+        text = node.text
+        names = Names(self.symbols, {name: sp.Symbol(name) for name in variables}, self.values, open=True)
+        try:
+            for token in tokenize(text):
+                if token.text in barred and token.text not in variables and token.kind is Kind.NAME:
+                    message = f"'{text[token.at : token.end]}' cannot stand here: {barred[token.text]}"
+                    raise ExpressionError(message, token.at, token.end - token.at)
+            value = parse(text, names)
+        except ExpressionError as error:
+            note = f"write {error.suggestion}" if error.suggestion else ""
+            raise node.fault_inside(error.message, error.at, error.length, note=note) from None
+        self._remember(text, value if isinstance(value, tuple) else (value,), variables)
+        return value
+
+    def _remember(self, text: str, values: Collection[object], variables: Collection[str]) -> None:
+        self.used.update(token.text for token in tokenize(text) if token.kind is Kind.NAME)
+        self.decimals = self.decimals or uses_decimal(text)
+        for value in values:
+            for symbol in getattr(value, "free_symbols", ()):
+                if symbol.name not in variables:
+                    self.found[symbol.name] = symbol
+
+
+def scalar(node: Node) -> ScalarNode:
+    """Return the node if it holds a text or number; raises Fault otherwise."""
+    if not isinstance(node, ScalarNode) or node.is_null or node.truth is not None:
+        raise node.fault(f"a number or an expression is expected here, not {node.what}")
+    return node
+
+
+def exact_number(node: Node) -> sp.Rational:
+    """Return a value that must be a rational number, such as marks; it is no part of the problem's mathematics."""
+    value = Lexicon().expression(node)
+    if not isinstance(value, sp.Rational):
+        raise node.fault(f"a number is expected here, not {node.what}")
+    return sp.Rational(value.p, value.q)
+
+
+def name_of(node: ScalarNode) -> str:
+    """Return the plain spelling of a name (`lamda` for λ); raises Fault if it is none."""
+    try:
+        return canonical_name(node.text)
+    except ExpressionError as error:
+        raise node.fault_inside(error.message, error.at, error.length) from None
+
+
+def read_lexicon(parameters: Node | None, assume: Node | None, report: Report) -> Lexicon:
+    """Return the names that the problem declares. What is wrong with some of them goes to the report."""
+    lexicon = Lexicon()
+    for entry in assume if isinstance(assume, MappingNode) else ():
+        with report:
+            name = _declared(entry.key, lexicon.symbols)
+            assumption = ASSUMPTIONS[scalar(entry.value).text]
+            lexicon.symbols[name] = sp.Symbol(name, **assumption)
+    if isinstance(parameters, MappingNode):
+        _read_values(parameters, lexicon, report)
+    lexicon.used.clear()
+    return lexicon
+
+
+def _read_values(parameters: MappingNode, lexicon: Lexicon, report: Report) -> None:
+    """Read the parameters in their order; a value may refer to those before it."""
+    later = {entry.key.text: "its value is given further down" for entry in parameters}
+    read = dict.fromkeys(later)
+    for entry in parameters:
+        with report:
+            del read[entry.key.text]
+            barred = MEANINGS | {name: later[name] for name in (*read, entry.key.text)}
+            name = _declared(entry.key, lexicon.values)
+            lexicon.values[name] = lexicon.expression(entry.value, barred=barred)
+
+
+def _declared(key: ScalarNode, others: Collection[str]) -> str:
+    """Return the name that a key declares."""
+    name = name_of(key)
+    if name in MEANINGS:
+        raise key.fault(f"'{key.text}' cannot be a parameter: {MEANINGS[name]}")
+    if name in others:
+        raise key.fault(f"'{key.text}' is given twice: it is the same name as '{name}'")
+    return name
+
+
+def check_used(parameters: Node | None, lexicon: Lexicon, report: Report) -> None:
+    """Report parameters that occur nowhere: probably misspelt."""
+    for entry in parameters if isinstance(parameters, MappingNode) else ():
+        if name_of(entry.key) not in lexicon.used:
+            suggestion = did_you_mean(entry.key.text, lexicon.found)
+            message = f"the parameter '{entry.key.text}' occurs nowhere"
+            report.diagnostics.append(entry.key.diagnostic(message, suggestion))
+
+
+def _check_finite(node: Node, value: object) -> None:
+    if isinstance(value, sp.Basic) and value.has(sp.oo, -sp.oo, sp.zoo, sp.nan):
+        raise node.fault("a finite value is expected here")

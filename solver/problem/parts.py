@@ -1,0 +1,194 @@
+"""Reading the parts of a problem: the task, its methods, its options, and whether the system has what it needs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from solver.derivation import Choice, Flag, Option, Task
+from solver.problem.lexicon import Lexicon, exact_number, scalar
+from solver.problem.model import Part
+from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of
+from solver.problem.options import Context, read_option
+from solver.problem.source import Fault, Report, did_you_mean
+from solver.problem.systems import NOTHING, described, provided
+from solver.systems import StateSpace, System
+
+OWN_KEYS = ("task", "method", "marks", "prompt", "system")
+
+
+class PlantOf(NamedTuple):
+    """The system of a part. It is None if there is none, or, when not `known`, if it could not be read."""
+
+    system: System | None
+    known: bool = True
+
+    @property
+    def discrete(self) -> bool:
+        """Whether it is known to be in discrete time."""
+        return self.system is not None and self.system.discrete
+
+
+class PartReader:
+    """Reads the parts one after the other; knows the earlier ones, to which later ones may refer."""
+
+    def __init__(self, catalogue: Mapping[str, Task], lexicon: Lexicon) -> None:
+        self.catalogue = catalogue
+        self.lexicon = lexicon
+        self.earlier: dict[str, tuple[Task, str] | None] = {}
+
+    def skip(self, name: str) -> Part:
+        """Remember a part that can't be read, and raise a fault without words: it is reported already."""
+        self.earlier[name] = None
+        raise Fault
+
+    def read(self, entry: Entry, plant: PlantOf) -> Part:
+        """Return the part of an entry under `find`; raises Fault with all that is wrong with it."""
+        name, node = entry.key.text, entry.value
+        context = Context(self.lexicon, plant.system, plant.discrete, dict(self.earlier))
+        self.earlier[name] = None
+        bare = {"task": Entry(ScalarNode(node.place, "task"), node)}
+        mapping = node if isinstance(node, MappingNode) else MappingNode(node.place, bare)
+        task = self._task(mapping["task"])
+        methods = _methods(mapping, task, plant)
+        self.earlier[name] = (task, methods[0])
+        reader = _OptionsReader(task, methods, mapping, context)
+        report = Report()
+        options: dict[str, Any] = {}
+        with report:
+            options = reader.options()
+        with report:
+            _check_needs(task, plant, reader.given, mapping["task"])
+        with report:
+            marks = exact_number(mapping["marks"]) if "marks" in mapping else None
+            if marks is not None and marks < 0:
+                raise mapping["marks"].fault("marks can't be negative")
+        report.conclude()
+        return Part(
+            id=name,
+            task=task.name,
+            methods=methods,
+            system=plant.system or NOTHING,
+            options=options,
+            prompt=scalar(mapping["prompt"]).text.strip() if "prompt" in mapping else "",
+            marks=marks,
+            own_system="system" in mapping,
+        )
+
+    def _task(self, node: Node) -> Task:
+        word = scalar(node).text
+        if word not in self.catalogue:
+            note = "`solve tasks` lists what can be asked"
+            raise node.fault(
+                f"there is no task '{word[:60]}'", suggestion=did_you_mean(word, self.catalogue), note=note
+            )
+        return self.catalogue[word]
+
+
+def _methods(part: MappingNode, task: Task, plant: PlantOf) -> tuple[str, ...]:
+    """Return the methods asked for, in their order; without any the first for the system's kind of time."""
+    known = plant.known
+    fitting = task.methods_for(plant.discrete) if known else list(task.methods)
+    time = "discrete" if plant.discrete else "continuous"
+    if not fitting:
+        raise part["task"].fault(f"{task.name} cannot be asked of a system in {time} time")
+    if "method" not in part:
+        return (fitting[0],)
+    node = part["method"]
+    if list(task.methods) == [task.name]:
+        raise part.entries["method"].key.fault(f"{task.name} has one method only; leave out 'method'")
+    items = node.items if isinstance(node, SequenceNode) else (node,)
+    if not items:
+        raise node.fault("the list of methods is empty")
+    report, methods = Report(), [scalar(item).text for item in items]
+    for position, (item, method) in enumerate(zip(items, methods, strict=True)):
+        with report:
+            if method not in task.methods:
+                note = f"its methods are: {', '.join(fitting)}"
+                message = f"{task.name} has no method '{method[:60]}'"
+                raise item.fault(message, suggestion=did_you_mean(method, fitting), note=note)
+            if method not in fitting:
+                note = f"in {time} time there is: {', '.join(fitting)}"
+                raise item.fault(f"the method {method} is not for systems in {time} time", note=note)
+            if method in methods[:position]:
+                raise item.fault(f"the method {method} is given twice")
+    report.conclude()
+    return tuple(methods)
+
+
+class _OptionsReader:
+    """Reads the options of one part; `given` are the names of those in the file."""
+
+    def __init__(self, task: Task, methods: tuple[str, ...], part: MappingNode, context: Context) -> None:
+        self.task = task
+        self.methods = methods
+        self.part = part
+        self.context = context
+        self.takes = {name: option for method in methods for name, option in task.options_for(method).items()}
+        self.given = {entry.key.text for entry in part if entry.key.text not in OWN_KEYS}
+
+    def options(self) -> dict[str, Any]:
+        """Return the options given and the defaults of the others; raises Fault with all that is wrong."""
+        report = Report()
+        values: dict[str, Any] = {}
+        for entry in self.part:
+            if entry.key.text in self.given:
+                with report:
+                    option = self._option(entry.key)
+                    values[option.name] = read_option(option, entry.value, self.context)
+        for option in self.takes.values():
+            if option.name not in self.given:
+                with report:
+                    values |= self._default(option)
+        if "gain" in self.given:
+            with report:
+                self._check_plant()
+        report.conclude()
+        return values
+
+    def _option(self, key: ScalarNode) -> Option:
+        name = key.text
+        if name in self.takes:
+            return self.takes[name]
+        if name in self.task.options:
+            of = ", ".join(self.task.options[name].methods)
+            raise key.fault(f"'{name}' is an option of the method {of}, not of {', '.join(self.methods)}")
+        known = [*self.takes, *(own for own in OWN_KEYS if own not in self.part)]
+        note = f"it takes: {', '.join(self.takes)}"
+        message = f"{self.task.name} has no option '{name[:60]}'"
+        raise key.fault(message, suggestion=did_you_mean(name, known), note=note)
+
+    def _default(self, option: Option) -> dict[str, Any]:
+        """Return the value of an option that is not given, if it has one."""
+        value = option.default
+        if option.required:
+            message = f"{self.task.name} needs the option '{option.name}': {option.doc}"
+            raise self.part["task"].fault(message)
+        if value is None and isinstance(option.kind, Choice):
+            value = option.kind.words[0]
+        if value is None and isinstance(option.kind, Flag):
+            value = False
+        if value is None:
+            return {}
+        return {option.name: read_option(option, node_of(value, self.part["task"].place), self.context)}
+
+    def _check_plant(self) -> None:
+        """Refuse a gain where there is nothing to feed back to."""
+        system = self.context.system
+        if system is not None and (not isinstance(system, StateSpace) or system.B is None):
+            raise self.part.entries["gain"].key.fault(f"a gain needs A and B; {described(system)}")
+
+
+def _check_needs(task: Task, plant: PlantOf, given: set[str], node: Node) -> None:
+    """Raise Fault if the question is about a matrix that neither the system nor an option gives."""
+    if not plant.known:
+        return
+    has = (provided(plant.system) if plant.system is not None else frozenset()) | given
+    missing = [need for need in task.needs if need not in has]
+    if not missing:
+        return
+    if plant.system is None:
+        raise node.fault(
+            f"{task.name} is about a system, and there is none", note="add 'system:' to the problem or the part"
+        )
+    raise node.fault(f"{task.name} needs {' and '.join(missing)}; {described(plant.system)}")

@@ -1,0 +1,134 @@
+"""From the text of a problem file to a `Problem`, or to everything that is wrong with it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import PurePath
+
+from solver.derivation import Integer, Task
+from solver.problem.files import load
+from solver.problem.lexicon import check_used, read_lexicon, scalar
+from solver.problem.model import Display, Part, Problem
+from solver.problem.nodes import MappingNode, Node, ScalarNode
+from solver.problem.options import read_integer
+from solver.problem.parts import PartReader, PlantOf
+from solver.problem.shape_check import check_shape
+from solver.problem.source import InputError, Report, Source
+from solver.problem.systems import read_system
+from solver.problem.yaml_tree import parse_yaml
+from solver.systems import System
+
+MAX_DECIMALS = 30
+MODES = {"exact": "exact", "both": "both", "decimals": "decimal"}
+
+
+def read_problem(source: Source, catalogue: Mapping[str, Task]) -> Problem:
+    """Return the problem of a source; raises InputError with all that is wrong with it, in the order of the file."""
+    root = parse_yaml(source)
+    if not isinstance(root, MappingNode):
+        message = f"a problem is a mapping with the keys 'system' and 'find', not {_what(root)}"
+        raise InputError(source, [root.diagnostic(message)])
+    return _ProblemReader(source, root, catalogue).problem()
+
+
+def _what(node: Node) -> str:
+    return node.what if len(node.what) < 40 else "a text"
+
+
+class _ProblemReader:
+    """Reads one file. Sections whose shape is wrong are reported and left out; the others are still read."""
+
+    def __init__(self, source: Source, root: MappingNode, catalogue: Mapping[str, Task]) -> None:
+        self.source = source
+        self.root = root
+        self.catalogue = catalogue
+        self.misshapen = check_shape(root)
+        self.report = Report([wrong.diagnostic for wrong in self.misshapen])
+        parameters, assume = (self.section(key) for key in ("parameters", "assume"))
+        self.lexicon = read_lexicon(parameters, assume, self.report)
+
+    def section(self, *path: str) -> Node | None:
+        """Return the value at a path if it is there and its shape is right."""
+        node: Node = self.root
+        for key in path:
+            if not isinstance(node, MappingNode) or key not in node:
+                return None
+            node = node[key]
+        return None if self.spoilt(*path) else node
+
+    def problem(self) -> Problem:
+        """Return the problem; raises InputError."""
+        system, display = self.system("system"), self.display()
+        parts = self.parts(system)
+        if not self.report.diagnostics:
+            check_used(self.section("parameters"), self.lexicon, self.report)
+        if self.report.diagnostics:
+            raise InputError(self.source, self.report.diagnostics)
+        name = file_stem(self.source.name)
+        return Problem(
+            name=name,
+            title=self.text("title") or name.replace("-", " ").replace("_", " ").capitalize(),
+            parts=tuple(parts),
+            system=system,
+            source=self.text("source"),
+            statement=self.text("statement"),
+            display=Display(display.mode, display.digits, self.lexicon.decimals),
+            parameters=dict(self.lexicon.values),
+            symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
+        )
+
+    def spoilt(self, *path: str) -> bool:
+        """Whether the shape of what stands at a path is wrong."""
+        return any(wrong.spoils(path) for wrong in self.misshapen)
+
+    def text(self, key: str) -> str:
+        """Return a text of the problem, or ""."""
+        node = self.section(key)
+        return node.text.strip() if isinstance(node, ScalarNode) else ""
+
+    def system(self, *path: str) -> System | None:
+        """Return the system at a path; None if it is absent or wrong."""
+        node = self.section(*path)
+        system: System | None = None
+        if isinstance(node, MappingNode):
+            with self.report:
+                system = read_system(node, self.lexicon)
+        return system
+
+    def parts(self, common: System | None) -> list[Part]:
+        """Return the parts in order, without those that are wrong; `common` is the system of all parts."""
+        reader = PartReader(self.catalogue, self.lexicon)
+        parts: list[Part] = []
+        find = self.root.get("find")
+        for entry in find if isinstance(find, MappingNode) else ():
+            name, system, known = entry.key.text, common, common is not None or "system" not in self.root
+            if isinstance(entry.value, MappingNode) and "system" in entry.value:
+                system = self.system("find", name, "system")
+                known = system is not None
+            with self.report:
+                readable = not any(wrong.spoils_part(name) for wrong in self.misshapen)
+                parts.append(reader.read(entry, PlantOf(system, known)) if readable else reader.skip(name))
+        return parts
+
+    def display(self) -> Display:
+        """Return how numbers are shown."""
+        node = self.section("display")
+        if isinstance(node, ScalarNode):
+            return Display(MODES[node.text])
+        display = Display()
+        with self.report:
+            if isinstance(node, MappingNode):
+                mode = MODES[scalar(node["mode"]).text] if "mode" in node else "decimal"
+                digits = (
+                    read_integer(Integer(1, MAX_DECIMALS), node["decimals"], "decimals") if "decimals" in node else 5
+                )
+                display = Display(mode, digits)
+        return display
+
+
+def file_stem(name: str) -> str:
+    """Return the name of a problem from the name of its source: of a file without folder and suffix."""
+    return "problem" if name.startswith("<") else PurePath(name).stem or "problem"
+
+
+__all__ = ["load", "read_problem"]

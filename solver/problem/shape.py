@@ -1,0 +1,226 @@
+"""The shape of a problem file: one set of models validates files and gives the JSON Schema.
+
+Scalars arrive as text (see `yaml_tree`), so `Value` is a string here and a number or a string in the schema.
+What stands in the values, and the options of a part, is read elsewhere: it depends on the catalogue.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, StringConstraints, Tag
+from pydantic import WithJsonSchema as Schema
+from pydantic_core import PydanticCustomError
+
+from solver.problem.source import did_you_mean
+
+MAX_STATES = 12
+MAX_PARTS = 60
+PART_ID = r"^[\w.()-]{1,32}$"
+
+KINDS = {
+    "A": "state_space",
+    "transfer_function": "transfer_function",
+    "transfer_matrix": "transfer_matrix",
+    "matrix": "matrix",
+}
+"""The key that tells the kind of a system."""
+
+RESERVED = ("equations", "lagrangian", "circuit", "functional", "model")
+"""Kinds of system that are known but can't be read yet."""
+
+
+def kind_of_value(value: Any) -> str | None:
+    """Return "value", "list" or "mapping"; None for anything else."""
+    if isinstance(value, str):
+        return "value"
+    return "list" if isinstance(value, list) else "mapping" if isinstance(value, dict) else None
+
+
+def kind_of_system(value: Any) -> str | None:
+    """Return the kind that the keys of a system tell."""
+    if not isinstance(value, dict):
+        return None
+    return next((kind for key, kind in KINDS.items() if key in value), "state_space")
+
+
+def _either(expected: str) -> Discriminator:
+    """Choose among alternatives by the kind of value; say what is expected where none fits."""
+    return Discriminator(kind_of_value, custom_error_type="expected", custom_error_message=expected)
+
+
+Text = Annotated[str, Schema({"type": ["string", "number"]})]
+Value = Annotated[str, Schema({"type": ["number", "string"]})]
+Values = Annotated[
+    Annotated[Value, Tag("value")] | Annotated[list[Value], Tag("list")],
+    _either("a value or a list of values"),
+]
+Row = Annotated[
+    Annotated[Value, Tag("value")] | Annotated[list[Value], Tag("list")],
+    _either("a row of numbers or expressions"),
+]
+Matrix = Annotated[
+    Annotated[Value, Tag("value")] | Annotated[list[Row], Tag("list"), Field(min_length=1)],
+    _either("a matrix: a list of rows [[..], [..]]"),
+]
+
+
+def optional(description: str) -> Any:
+    """Return a field that may be absent."""
+    return Field(default=None, description=description)
+
+
+class Shape(BaseModel):
+    """A mapping with known keys only."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class ZerosPolesGain(Shape):
+    """G = gain (s − z₁)…/((s − p₁)…)."""
+
+    zeros: Values = optional("zeros; none if absent")
+    poles: Values = optional("poles; none if absent")
+    gain: Value = optional("the factor in front; 1 if absent")
+
+
+class Fraction(Shape):
+    """Coefficients, the highest power first."""
+
+    numerator: Values = Field(description="coefficients of the numerator, highest power first")
+    denominator: Values = Field(description="coefficients of the denominator, highest power first")
+
+
+def _kind_of_transfer_function(value: Any) -> str | None:
+    if isinstance(value, dict):
+        return "fraction" if "numerator" in value or "denominator" in value else "zeros_poles_gain"
+    return "value" if isinstance(value, str) else None
+
+
+Rational = Annotated[
+    Annotated[Value, Tag("value")]
+    | Annotated[ZerosPolesGain, Tag("zeros_poles_gain")]
+    | Annotated[Fraction, Tag("fraction")],
+    Discriminator(
+        _kind_of_transfer_function,
+        custom_error_type="expected",
+        custom_error_message="an expression, {zeros, poles, gain} or {numerator, denominator}",
+    ),
+]
+
+
+class AnySystem(Shape):
+    """What may stand beside any kind of system."""
+
+    time: Literal["continuous", "discrete"] = Field(default="continuous", description="continuous or discrete time")
+    sample_time: Value = optional("sampling period in discrete time")
+    inputs: Values = optional("names of the inputs")
+    outputs: Values = optional("names of the outputs")
+
+
+class StateSpaceShape(AnySystem):
+    """x' = A x + B u, y = C x + D u."""
+
+    A: Matrix = Field(description="system matrix, n×n")
+    B: Matrix = optional("input matrix, n×m; a flat list is a column")
+    C: Matrix = optional("output matrix, p×n; a flat list is a row")
+    D: Matrix = optional("feedthrough, p×m; zero if absent")
+    initial_state: Matrix = optional("x(0), n values")
+    states: Values = optional("names of the states")
+
+
+class TransferFunctionShape(AnySystem):
+    """G(s), in discrete time G(z)."""
+
+    transfer_function: Rational = Field(
+        description="an expression in s (discrete: z), {zeros, poles, gain} or {numerator, denominator}"
+    )
+
+
+class TransferMatrixShape(AnySystem):
+    """G(s) of several inputs or outputs."""
+
+    transfer_matrix: list[Annotated[list[Rational], Field(min_length=1)]] = Field(
+        min_length=1, description="rows of transfer functions: one row an output, one column an input"
+    )
+
+
+class MatrixShape(AnySystem):
+    """A bare matrix, for questions of linear algebra."""
+
+    matrix: Matrix = Field(description="a matrix")
+
+
+def _known_kind(value: Any) -> Any:
+    """Refuse, in words, a system whose keys tell no kind that can be read."""
+    if not isinstance(value, dict) or any(key in value for key in KINDS):
+        return value
+    for key in RESERVED:
+        if key in value:
+            message = "'{key}' cannot be read yet; give A, B, C, D or a transfer_function"
+            raise PydanticCustomError("at_key", message, {"key": key})
+    known = [*StateSpaceShape.model_fields, *KINDS, *RESERVED]
+    for key in value:
+        if key not in known:
+            context = {"key": key, "suggestion": did_you_mean(key, known)}
+            raise PydanticCustomError("at_key", "unknown key '{key}' in a system", context)
+    return value
+
+
+System = Annotated[
+    Annotated[StateSpaceShape, Tag("state_space")]
+    | Annotated[TransferFunctionShape, Tag("transfer_function")]
+    | Annotated[TransferMatrixShape, Tag("transfer_matrix")]
+    | Annotated[MatrixShape, Tag("matrix")],
+    Discriminator(
+        kind_of_system,
+        custom_error_type="expected",
+        custom_error_message="a system: a mapping such as {A: [[0, 1], [-2, -3]], B: [0, 1]}",
+    ),
+    BeforeValidator(_known_kind),
+]
+
+
+class PartShape(BaseModel):
+    """One question with its options; the other keys are options of the task."""
+
+    model_config = ConfigDict(extra="allow", strict=True)
+
+    task: Text = Field(description="what is asked; `solve tasks` lists the names")
+    method: Values = optional("one method of the task, or several")
+    marks: Value = optional("marks of the part")
+    prompt: Text = optional("own wording of the question, in Markdown")
+    system: System = optional("the part's own system")
+
+
+class DisplayShape(Shape):
+    """How numbers are shown."""
+
+    mode: Literal["exact", "decimals", "both"] = Field(default="decimals", description="how numbers are shown")
+    decimals: Value = optional("significant digits of decimals")
+
+
+Display = Annotated[
+    Annotated[Literal["exact", "decimals", "both"], Tag("value")] | Annotated[DisplayShape, Tag("mapping")],
+    _either("exact, both or {decimals: 4}"),
+]
+Assumption = Literal["positive", "negative", "nonzero", "real", "complex", "integer"]
+Find = Annotated[
+    Annotated[Text, Tag("value")] | Annotated[PartShape, Tag("mapping")],
+    _either("a task's name or a mapping {task: .., ..}"),
+]
+
+
+class ProblemShape(Shape):
+    """A problem: a system and what is asked about it."""
+
+    title: Text = optional("printed on top")
+    source: Text = optional("where the problem is from; printed under the title")
+    statement: Text = optional("the problem in words: Markdown with $math$")
+    parameters: dict[str, Value] = optional("values of symbols that occur in the expressions")
+    assume: dict[str, Assumption] = optional("what is known of symbols without a value")
+    display: Display = optional("how numbers are shown")
+    system: System = optional("the system of all parts without their own")
+    find: dict[Annotated[str, StringConstraints(pattern=PART_ID)], Find] = Field(
+        min_length=1, max_length=MAX_PARTS, description="what is asked, in order, by the part's name as printed"
+    )
