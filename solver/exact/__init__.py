@@ -1,1 +1,43 @@
-"""Exact kernels."""
+"""The exact kernels: algebra on matrices over a field, with no prose and no floats."""
+
+from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
+from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
+from solver.exact.fields import NotExact
+from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
+from solver.exact.interpolation import Condition, interpolation
+from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
+from solver.exact.row_reduction import RowReduction, null_space, row_reduce
+from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
+from solver.exact.transforms import partial_fractions, resolvent, transform_pairs
+
+__all__ = [
+    "Condition",
+    "Eigenspace",
+    "Eigenstructure",
+    "FaddeevLeVerrier",
+    "Factor",
+    "MatrixFunction",
+    "NotExact",
+    "Root",
+    "RowReduction",
+    "Spectrum",
+    "determinant_and_adjugate",
+    "eigenstructure",
+    "exponential",
+    "factored",
+    "faddeev_leverrier",
+    "interpolation",
+    "interpolation_coefficients",
+    "inverse",
+    "multiply",
+    "null_space",
+    "partial_fractions",
+    "power",
+    "powers",
+    "resolvent",
+    "row_reduce",
+    "spectrum",
+    "taylor",
+    "transform_pairs",
+    "truncated_series",
+]

@@ -1,0 +1,199 @@
+"""Eigenvectors, chains of generalized eigenvectors and Jordan form, exactly, one computation for each factor of χ.
+
+Over L = K[x]/(p) the root x of p is an eigenvalue, so null spaces of powers of A − xI are found by row reduction in L
+and then instantiated at each root of p.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache, reduce
+from typing import Any
+
+import sympy as sp
+
+from solver.exact.fields import Algebraic, Modulus, domain_matrix
+from solver.exact.instances import element_at, matrix_of_rows
+from solver.exact.row_reduction import RowReduction, Rows, null_space, row_reduce
+from solver.exact.spectrum import Factor, Root, Spectrum, spectrum
+
+Vector = tuple[Any, ...]
+Chain = tuple[sp.ImmutableMatrix, ...]
+
+
+@dataclass(frozen=True)
+class Eigenspace:
+    """One eigenvalue: chains of column vectors n×1, each chain from its eigenvector up; (A − λI) c_{j+1} = c_j.
+
+    `reduction` is the row reduction of λI − A where λ lies in K itself, else None. `nullities` are the dimensions of
+    the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay.
+    """
+
+    root: Root
+    chains: tuple[Chain, ...]
+    nullities: tuple[int, ...]
+    reduction: RowReduction | None
+
+    @property
+    def algebraic(self) -> int:
+        """Algebraic multiplicity."""
+        return self.root.multiplicity
+
+    @property
+    def geometric(self) -> int:
+        """Geometric multiplicity: the number of independent eigenvectors."""
+        return len(self.chains)
+
+
+@dataclass(frozen=True)
+class Eigenstructure:
+    """All eigenspaces of A, in the order of the spectrum."""
+
+    spectrum: Spectrum
+    eigenspaces: tuple[Eigenspace, ...]
+    left_eigenspaces: tuple[Eigenspace, ...]
+
+    @property
+    def eigenvalues(self) -> list[sp.Expr]:
+        """The diagonal of J."""
+        return [space.root.value for space in self.eigenspaces for _ in range(space.algebraic)]
+
+    @property
+    def diagonalizable(self) -> bool:
+        """Whether there are n independent eigenvectors."""
+        return all(space.geometric == space.algebraic for space in self.eigenspaces)
+
+    @cached_property
+    def right(self) -> sp.ImmutableMatrix:
+        """V (n×n): the chains as columns, A V = V J."""
+        return sp.ImmutableMatrix(sp.Matrix.hstack(*(v for s in self.eigenspaces for chain in s.chains for v in chain)))
+
+    @cached_property
+    def jordan_form(self) -> sp.ImmutableMatrix:
+        """J (n×n): the eigenvalues on the diagonal, a one above it inside each chain."""
+        blocks = [(space.root.value, len(chain)) for space in self.eigenspaces for chain in space.chains]
+        return sp.ImmutableMatrix(sp.diag(*(_block(value, size) for value, size in blocks)))
+
+    @cached_property
+    def left(self) -> sp.ImmutableMatrix:
+        """M (n×n): rows with M A = J M; the last row of a chain is a left eigenvector."""
+        rows = [v.T for s in self.left_eigenspaces for chain in s.chains for v in reversed(chain)]
+        return sp.ImmutableMatrix(sp.Matrix.vstack(*rows))
+
+
+def _block(value: sp.Expr, size: int) -> sp.Matrix:
+    return sp.Matrix(size, size, lambda i, j: value if i == j else sp.Integer(int(j == i + 1)))
+
+
+@lru_cache(maxsize=64)
+def eigenstructure(A: sp.ImmutableMatrix) -> Eigenstructure:
+    """The eigenstructure of A (n×n). The chains of Aᵀ, turned round, are the left chains of A."""
+    found = spectrum(A)
+    right = tuple(space for factor in found.factors for space in _eigenspaces(A, factor))
+    left = tuple(space for factor in found.factors for space in _eigenspaces(sp.ImmutableMatrix(A.T), factor))
+    return Eigenstructure(found, right, left)
+
+
+def _eigenspaces(A: sp.ImmutableMatrix, factor: Factor) -> list[Eigenspace]:
+    p = factor.modulus
+    pencil = _pencil(A, p)
+    reduction = row_reduce(pencil)
+    chains, nullities = _chains(pencil, reduction, factor.multiplicity)
+    shown = reduction if p.degree == 1 else None
+    return [
+        Eigenspace(
+            root,
+            tuple(
+                tuple(matrix_of_rows([[element_at(c, root)] for c in vector]) for vector in chain) for chain in chains
+            ),
+            nullities,
+            shown,
+        )
+        for root in factor.roots
+    ]
+
+
+def _pencil(A: sp.ImmutableMatrix, p: Modulus) -> Rows:
+    """The matrix xI − A over L."""
+    M, K = domain_matrix(A), p.domain
+    d = p.degree
+    x = [-p.low[0]] if d == 1 else [K.zero, K.one, *[K.zero] * (d - 2)]
+
+    def entry(i: int, j: int, a: Any) -> Algebraic:
+        constant = [-K.convert(a, M.domain), *[K.zero] * (d - 1)]
+        return Algebraic([c + y for c, y in zip(constant, x, strict=True)] if i == j else constant, p)
+
+    return tuple(tuple(entry(i, j, a) for j, a in enumerate(row)) for i, row in enumerate(M.to_list()))
+
+
+def _chains(pencil: Rows, reduction: RowReduction, multiplicity: int) -> tuple[list[list[Vector]], tuple[int, ...]]:
+    """Chains of N = A − xI = −pencil, the longest first, and the nullities of the powers of N."""
+    one = _one(pencil)
+    kernels = [null_space(reduction, one)]
+    if len(kernels[0]) == multiplicity:
+        return [[_cleared(v)] for v in kernels[0]], (multiplicity,)
+    N = tuple(tuple(-a for a in row) for row in pencil)
+    power = N
+    while len(kernels[-1]) < multiplicity:
+        power = _product(power, N)
+        kernels.append(null_space(row_reduce(power), one))
+    return _build(N, kernels), tuple(len(kernel) for kernel in kernels)
+
+
+def _build(N: Rows, kernels: list[list[Vector]]) -> list[list[Vector]]:
+    """From the largest power down, start a chain at each vector that the longer chains do not reach."""
+    chains: list[list[Vector]] = []  # from the top vector down to the eigenvector
+    for level in range(len(kernels), 0, -1):
+        below = kernels[level - 2] if level > 1 else []
+        reached = [chain[len(chain) - level] for chain in chains if len(chain) >= level]
+        for candidate in kernels[level - 1]:
+            if _independent([*below, *reached, candidate]):
+                top = _cleared(candidate)
+                chain = [top]
+                for _ in range(level - 1):
+                    chain.append(_times(N, chain[-1]))
+                chains.append(chain)
+                reached.append(top)
+    return [_without_common_factor(list(reversed(chain))) for chain in chains]
+
+
+def _independent(vectors: Sequence[Vector]) -> bool:
+    return len(row_reduce(tuple(vectors)).pivots) == len(vectors)
+
+
+def _times(N: Rows, v: Vector) -> Vector:
+    return tuple(reduce(lambda a, b: a + b, (n * c for n, c in zip(row, v, strict=True))) for row in N)
+
+
+def _product(left: Rows, right: Rows) -> Rows:
+    columns = list(zip(*right, strict=True))
+    return tuple(tuple(_times((row,), column)[0] for column in columns) for row in left)
+
+
+def _one(rows: Rows) -> Algebraic:
+    p = rows[0][0].modulus
+    return Algebraic([p.domain.one, *[p.domain.zero] * (p.degree - 1)], p)
+
+
+def _cleared(v: Vector) -> Vector:
+    """V times the factor that makes its coefficients integers (polynomials) without a common divisor, lead positive."""
+    return _without_common_factor([v])[0]
+
+
+def _without_common_factor(chain: list[Vector]) -> list[Vector]:
+    """A chain times one factor of K, so that its coefficients are coprime integers or polynomials."""
+    p = chain[0][0].modulus
+    K = p.domain
+    coefficients = [c for v in chain for a in v for c in a.coefficients if c]
+    if not (K.is_QQ or K.is_FractionField):
+        return chain
+    R = K.get_ring()
+    denominator = reduce(R.lcm, (R.convert(K.denom(c)) if K.is_QQ else K.denom(c) for c in coefficients))
+    numerators = [K.numer(c * K.convert(denominator, R)) for c in coefficients]
+    divisor = reduce(R.gcd, numerators)
+    factor = K.convert(denominator, R) / K.convert(divisor, R)
+    first = next(c for v in chain for a in v for c in reversed(a.coefficients) if c)
+    if K.is_QQ and first < 0:
+        factor = -factor
+    return [tuple(Algebraic((c * factor for c in a.coefficients), p) for a in v) for v in chain]

@@ -1,0 +1,195 @@
+"""Fields that the entries of a matrix live in, and polynomials over them modulo an irreducible one.
+
+Notation: K is the field of the entries (QQ, QQ(parameters), QQ<√d>, …); p is irreducible and monic over K;
+L = K[x]/(p) is the field got by adjoining a root x of p. An element of L is the list of its coefficients over K,
+lowest power first. So one exact computation serves all conjugate roots of p at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+Element = Any
+"""An element of a field: of K (a sympy domain element) or of L (an `Algebraic`)."""
+
+
+class NotExact(Exception):  # noqa: N818 - like Unsolved: the algebra ends here, nothing went wrong
+    """The algebra has no exact form for this; the message says why, in words (Markdown with $math$)."""
+
+
+def domain_matrix(M: sp.MatrixBase) -> DomainMatrix:
+    """Return M over the smallest field K found for its entries; raises NotExact if there is none.
+
+    Sines and cosines of an angle θ are written as rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K.
+    """
+    matrix = DomainMatrix.from_Matrix(_half_angles(M), extension=True).to_field().to_dense()
+    if matrix.domain.is_EXRAW or matrix.domain.is_EX:
+        raise NotExact("the entries mix roots and parameters in a way that has no exact arithmetic here")
+    if not matrix.domain.is_Exact:
+        raise NotExact("the entries are not exact numbers")
+    return matrix
+
+
+def _half_angles(M: sp.MatrixBase) -> sp.MatrixBase:
+    angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}
+    substitution = {}
+    for angle in angles:
+        u = sp.tan(angle / 2)
+        substitution |= {sp.cos(angle): (1 - u**2) / (1 + u**2), sp.sin(angle): 2 * u / (1 + u**2)}
+    return M.xreplace(substitution) if substitution else M
+
+
+def expression(K: Any, element: Element) -> sp.Expr:
+    """The element of K as an expression, with sines and cosines in place of half-angle tangents."""
+    found: sp.Expr = K.to_sympy(element)
+    for tangent in found.atoms(sp.tan) if K.is_Composite else ():
+        found = _whole_angle(found, tangent)
+    return found
+
+
+def expressions(matrix: DomainMatrix) -> list[sp.Expr]:
+    """The entries of a matrix over K as expressions, row by row."""
+    K = matrix.domain
+    return [expression(K, c) if c else sp.Integer(0) for c in matrix.to_list_flat()]
+
+
+def matrix_of(matrix: DomainMatrix) -> sp.ImmutableMatrix:
+    """A matrix over K as a matrix of expressions."""
+    return sp.ImmutableMatrix(*matrix.shape, expressions(matrix))
+
+
+def _whole_angle(found: sp.Expr, tangent: sp.Expr) -> sp.Expr:
+    """A rational function of tan(θ/2) as (P(cos θ) + Q(cos θ) sin θ)/R(cos θ)."""
+    angle = 2 * tangent.args[0]
+    c, s = sp.Dummy("c"), sp.Dummy("s")
+    numerator, denominator = sp.fraction(sp.together(found.xreplace({tangent: s / (1 + c)})))
+    a, b = _linear_in(denominator, s, c)
+    numerator, denominator = numerator * (a - b * s), a**2 - b**2 * (1 - c**2)
+    p, q = _linear_in(numerator, s, c)
+    whole = sp.cancel(p / denominator) + sp.cancel(q / denominator) * s
+    return sp.expand(whole.xreplace({c: sp.cos(angle), s: sp.sin(angle)}))
+
+
+def _linear_in(polynomial: sp.Expr, s: sp.Symbol, c: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+    """The polynomial as a + b s, by s² = 1 − c²."""
+    a, b = sp.Integer(0), sp.Integer(0)
+    for (power,), coefficient in sp.Poly(polynomial, s).terms():
+        reduced = coefficient * (1 - c**2) ** (power // 2)
+        a, b = (a, b + reduced) if power % 2 else (a + reduced, b)
+    return sp.expand(a), sp.expand(b)
+
+
+def square_root(radicand: sp.Expr) -> sp.Expr:
+    """√radicand with squares taken out, as a person writes it: √12 = 2√3, √(4k/m) = 2√(k/m)."""
+    if radicand.is_Rational or not radicand.free_symbols:
+        return sp.sqrt(radicand)
+    outside, inside = sp.Integer(1), sp.Integer(1)
+    for factor, exponent in sp.factor(_in_sines(radicand)).as_powers_dict().items():
+        if factor.free_symbols and exponent.is_Integer:
+            outside *= factor ** (exponent // 2)
+            inside *= factor ** (exponent % 2)
+        else:
+            inside *= factor**exponent
+    return outside * sp.sqrt(inside)
+
+
+def _in_sines(radicand: sp.Expr) -> sp.Expr:
+    """The radicand with cos² = 1 − sin², which turns cos²θ − 1 into a square."""
+    squares = {f**2: 1 - sp.sin(f.args[0]) ** 2 for f in radicand.atoms(sp.cos)}
+    return sp.expand(radicand).subs(squares) if squares else radicand
+
+
+def is_negative(radicand: sp.Expr) -> bool | None:
+    """Whether the radicand is negative (for general parameters); None where the assumptions do not decide."""
+    factored = sp.factor(_in_sines(radicand)) if radicand.free_symbols else radicand
+    if factored.is_nonpositive:
+        return True
+    return False if factored.is_nonnegative else None
+
+
+@dataclass(frozen=True, slots=True)
+class Modulus:
+    """The monic irreducible p = x^d + c_{d−1} x^{d−1} + … + c_0 over K; `low` lists c_0 … c_{d−1}."""
+
+    low: tuple[Element, ...]
+    domain: Any
+
+    @property
+    def degree(self) -> int:
+        """The degree d of p."""
+        return len(self.low)
+
+    def reduce(self, coefficients: Sequence[Any]) -> list[Any]:
+        """Return a polynomial (low first; coefficients in K or matrices over K) modulo p, as d coefficients."""
+        rest, d = list(coefficients), self.degree
+        for top in range(len(rest) - 1, d - 1, -1):
+            lead = rest.pop()
+            for i, c in enumerate(self.low):
+                if c:
+                    rest[top - d + i] = rest[top - d + i] - lead * c
+        return rest + [rest[0] * self.domain.zero] * (d - len(rest)) if rest else [self.domain.zero] * d
+
+
+class Algebraic:
+    """An element of L = K[x]/(p), with the arithmetic of a field."""
+
+    __slots__ = ("coefficients", "modulus")
+
+    def __init__(self, coefficients: Iterable[Element], modulus: Modulus) -> None:
+        self.coefficients = tuple(coefficients)
+        self.modulus = modulus
+
+    def __bool__(self) -> bool:
+        return any(self.coefficients)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Algebraic) and self.coefficients == other.coefficients
+
+    def __hash__(self) -> int:
+        return hash(self.coefficients)
+
+    def __neg__(self) -> Algebraic:
+        return Algebraic((-c for c in self.coefficients), self.modulus)
+
+    def __add__(self, other: Algebraic) -> Algebraic:
+        return Algebraic((a + b for a, b in zip(self.coefficients, other.coefficients, strict=True)), self.modulus)
+
+    def __sub__(self, other: Algebraic) -> Algebraic:
+        return Algebraic((a - b for a, b in zip(self.coefficients, other.coefficients, strict=True)), self.modulus)
+
+    def __mul__(self, other: Algebraic) -> Algebraic:
+        a, b = self.coefficients, other.coefficients
+        long = [self.modulus.domain.zero] * (2 * len(a) - 1)
+        for i, left in enumerate(a):
+            if left:
+                for j, right in enumerate(b):
+                    long[i + j] += left * right
+        return Algebraic(self.modulus.reduce(long), self.modulus)
+
+    def __truediv__(self, other: Algebraic) -> Algebraic:
+        return self * other.inverse()
+
+    def __pow__(self, exponent: int) -> Algebraic:
+        result = self
+        for _ in range(exponent - 1):
+            result = result * self
+        return result
+
+    def inverse(self) -> Algebraic:
+        """1/a, by solving a·b = 1 for the coefficients of b; raises ZeroDivisionError for a = 0."""
+        if not self:
+            raise ZeroDivisionError("inverse of zero")
+        d, K = self.modulus.degree, self.modulus.domain
+        if d == 1:
+            return Algebraic((K.one / self.coefficients[0],), self.modulus)
+        basis = [Algebraic([K.one if i == j else K.zero for i in range(d)], self.modulus) for j in range(d)]
+        columns = [(self * e).coefficients for e in basis]
+        system = DomainMatrix([[columns[j][i] for j in range(d)] for i in range(d)], (d, d), K)
+        unit = DomainMatrix([[K.one if i == 0 else K.zero] for i in range(d)], (d, 1), K)
+        solution = system.lu_solve(unit).to_list_flat()
+        return Algebraic(solution, self.modulus)

@@ -1,0 +1,114 @@
+"""Row reduction with its operations recorded, over any field; null spaces, column and row spaces.
+
+Rows are numbered from 0. Entries are elements of K (sympy domain elements) or of L = K[x]/(p) (`Algebraic`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+Rows = tuple[tuple[Any, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Swap:
+    """R_i ↔ R_j."""
+
+    i: int
+    j: int
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """R_i ← c R_i."""
+
+    i: int
+    factor: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Add:
+    """R_i ← R_i + c R_j."""
+
+    i: int
+    j: int
+    factor: Any
+
+
+Operation = Swap | Scale | Add
+
+
+@dataclass(frozen=True)
+class RowReduction:
+    """The reduced row echelon form, its pivot columns, and how it was reached: `stages[k]` is before `operations[k]`."""
+
+    reduced: Rows
+    pivots: tuple[int, ...]
+    operations: tuple[Operation, ...]
+    stages: tuple[Rows, ...]
+
+
+def row_reduce(rows: Rows) -> RowReduction:
+    """Gauss–Jordan elimination; of the possible pivots it takes ±1 first, for shorter arithmetic with a pen."""
+    M = [list(row) for row in rows]
+    columns = len(M[0]) if M else 0
+    operations: list[Operation] = []
+    stages: list[Rows] = [_frozen(M)]
+    pivots: list[int] = []
+
+    def apply(operation: Operation) -> None:
+        _carry_out(M, operation)
+        operations.append(operation)
+        stages.append(_frozen(M))
+
+    for column in range(columns):
+        r = len(pivots)
+        candidates = [i for i in range(r, len(M)) if M[i][column]]
+        if not candidates:
+            continue
+        pivot = min(candidates, key=lambda i: (not _is_unit(M[i][column]), i))
+        if pivot != r:
+            apply(Swap(r, pivot))
+        if M[r][column] != M[r][column] / M[r][column]:
+            apply(Scale(r, M[r][column] / M[r][column] / M[r][column]))
+        for i in range(len(M)):
+            if i != r and M[i][column]:
+                apply(Add(i, r, -M[i][column]))
+        pivots.append(column)
+        if len(pivots) == len(M):
+            break
+    return RowReduction(_frozen(M), tuple(pivots), tuple(operations), tuple(stages))
+
+
+def _is_unit(a: Any) -> bool:
+    one = a / a
+    return bool(a == one or a == -one)
+
+
+def _frozen(M: list[list[Any]]) -> Rows:
+    return tuple(tuple(row) for row in M)
+
+
+def _carry_out(M: list[list[Any]], operation: Operation) -> None:
+    match operation:
+        case Swap(i, j):
+            M[i], M[j] = M[j], M[i]
+        case Scale(i, factor):
+            M[i] = [factor * a for a in M[i]]
+        case Add(i, j, factor):
+            M[i] = [a + factor * b for a, b in zip(M[i], M[j], strict=True)]
+
+
+def null_space(reduction: RowReduction, one: Any) -> list[tuple[Any, ...]]:
+    """A basis of {v : M v = 0}, one vector a free column; `one` is the one of the field."""
+    columns = len(reduction.reduced[0]) if reduction.reduced else 0
+    zero = one - one
+    basis = []
+    for free in (j for j in range(columns) if j not in reduction.pivots):
+        vector = [zero] * columns
+        vector[free] = one
+        for row, pivot in enumerate(reduction.pivots):
+            vector[pivot] = -reduction.reduced[row][free]
+        basis.append(tuple(vector))
+    return basis
