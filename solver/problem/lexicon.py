@@ -36,6 +36,7 @@ MEANINGS = {
     "z": "z is the variable of the z-transform",
     "t": "t is the time",
     "lamda": "λ stands for eigenvalues",
+    "NaN": "it is not a number",
 }
 """Names that can't be parameters, since answers are written in them."""
 
@@ -107,7 +108,8 @@ def exact_number(node: Node) -> sp.Rational:
     value = Lexicon().expression(node)
     if not isinstance(value, sp.Rational):
         raise node.fault(f"a number is expected here, not {node.what}")
-    return sp.Rational(value.p, value.q)
+    number: sp.Rational = value
+    return number
 
 
 def name_of(node: ScalarNode) -> str:
@@ -139,7 +141,7 @@ def _read_values(parameters: MappingNode, lexicon: Lexicon, report: Report) -> N
     for entry in parameters:
         with report:
             del read[entry.key.text]
-            barred = MEANINGS | {name: later[name] for name in (*read, entry.key.text)}
+            barred = MEANINGS | {name: later[name] for name in read} | {entry.key.text: "it is what is defined"}
             name = _declared(entry.key, lexicon.values)
             lexicon.values[name] = lexicon.expression(entry.value, barred=barred)
 

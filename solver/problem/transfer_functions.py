@@ -12,7 +12,7 @@ from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, scalar
 from solver.problem.matrices import MAX_SIZE
 from solver.problem.nodes import MappingNode, Node, SequenceNode
 from solver.problem.poles import read_conjugate_list
-from solver.problem.source import Report
+from solver.problem.source import Report, did_you_mean
 
 MAX_TERMS = 500
 MAX_DEGREE = 80
@@ -42,8 +42,10 @@ def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool) -> tupl
     if not isinstance(node, MappingNode):
         given = _from_expression(node, lexicon, variable, discrete)
     elif "numerator" in node or "denominator" in node:
+        _expect_keys(node, ("numerator", "denominator"), required=True)
         given = _from_coefficients(node, lexicon, variable)
     else:
+        _expect_keys(node, ("zeros", "poles", "gain"), required=False)
         given = _from_zeros(node, lexicon, variable)
     zeros, poles = given.numerator.degree(), given.denominator.degree()
     if zeros > poles:
@@ -54,12 +56,20 @@ def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool) -> tupl
     return given.cancelled(), given.text
 
 
+def _expect_keys(node: MappingNode, keys: Sequence[str], required: bool) -> None:
+    """Raise Fault for other keys, and for missing ones where all are required."""
+    for entry in node:
+        if entry.key.text not in keys:
+            raise entry.key.fault(f"unknown key '{entry.key.text[:60]}'", suggestion=did_you_mean(entry.key.text, keys))
+    for key in keys:
+        if required and key not in node:
+            raise node.fault(f"'{key}' is missing here")
+
+
 def _from_expression(node: Node, lexicon: Lexicon, variable: str, discrete: bool) -> Rational:
     other = "s" if discrete else "z"
     barred = {name: MEANINGS[name] for name in (other, "t", "lamda")} | (SAMPLES if discrete else {})
-    barred[other] = f"a transfer function is written in {variable} here" + (
-        "" if discrete else ", or add time: discrete"
-    )
+    barred[other] = f"in {'discrete' if discrete else 'continuous'} time a transfer function is written in {variable}"
     expression = lexicon.expression(node, (variable,), barred)
     x = sp.Symbol(variable)
     top, bottom = _bounds(expression, x)
