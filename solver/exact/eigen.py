@@ -27,13 +27,15 @@ class Eigenspace:
     """One eigenvalue: chains of column vectors n×1, each chain from its eigenvector up; (A − λI) c_{j+1} = c_j.
 
     `reduction` is the row reduction of λI − A where λ lies in K itself, else None. `nullities` are the dimensions of
-    the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay.
+    the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay. `dual` (no chains longer than one only) are the rows of
+    V⁻¹ that belong to these columns of V.
     """
 
     root: Root
     chains: tuple[Chain, ...]
     nullities: tuple[int, ...]
     reduction: RowReduction | None
+    dual: tuple[sp.ImmutableMatrix, ...] = ()
 
     @property
     def algebraic(self) -> int:
@@ -186,7 +188,7 @@ def _without_common_factor(chain: list[Vector]) -> list[Vector]:
     p = chain[0][0].modulus
     K = p.domain
     coefficients = [c for v in chain for a in v for c in a.coefficients if c]
-    if not (K.is_QQ or K.is_FractionField):
+    if not (K.is_QQ or K.is_FractionField) or (K.is_FractionField and any(g.has(sp.tan) for g in K.symbols)):
         return chain
     R = K.get_ring()
     denominator = reduce(R.lcm, (R.convert(K.denom(c)) if K.is_QQ else K.denom(c) for c in coefficients))

@@ -47,7 +47,12 @@ def _half_angles(M: sp.MatrixBase) -> sp.MatrixBase:
 def expression(K: Any, element: Element) -> sp.Expr:
     """The element of K as an expression, with sines and cosines in place of half-angle tangents."""
     found: sp.Expr = K.to_sympy(element)
-    for tangent in found.atoms(sp.tan) if K.is_Composite else ():
+    return whole_angles(found) if K.is_Composite else found
+
+
+def whole_angles(found: sp.Expr) -> sp.Expr:
+    """The expression with cos θ and sin θ in place of tan(θ/2)."""
+    for tangent in found.atoms(sp.tan):
         found = _whole_angle(found, tangent)
     return found
 
@@ -64,15 +69,30 @@ def matrix_of(matrix: DomainMatrix) -> sp.ImmutableMatrix:
 
 
 def _whole_angle(found: sp.Expr, tangent: sp.Expr) -> sp.Expr:
-    """A rational function of tan(θ/2) as (P(cos θ) + Q(cos θ) sin θ)/R(cos θ)."""
+    """A rational function of tan(θ/2) in cos θ and sin θ."""
     angle = 2 * tangent.args[0]
+    return trigonometric(found.xreplace({tangent: sp.sin(angle) / (1 + sp.cos(angle))}), angle)
+
+
+def trigonometric(found: sp.Expr, angle: sp.Expr) -> sp.Expr:
+    """A rational function of cos θ and sin θ as P(cos θ) + Q(cos θ) sin θ, by sin² = 1 − cos²."""
     c, s = sp.Dummy("c"), sp.Dummy("s")
-    numerator, denominator = sp.fraction(sp.together(found.xreplace({tangent: s / (1 + c)})))
+    numerator, denominator = sp.fraction(sp.together(found.xreplace({sp.cos(angle): c, sp.sin(angle): s})))
     a, b = _linear_in(denominator, s, c)
-    numerator, denominator = numerator * (a - b * s), a**2 - b**2 * (1 - c**2)
-    p, q = _linear_in(numerator, s, c)
+    p, q = _linear_in(numerator * (a - b * s), s, c)
+    denominator = a**2 - b**2 * (1 - c**2)
     whole = sp.cancel(p / denominator) + sp.cancel(q / denominator) * s
     return sp.expand(whole.xreplace({c: sp.cos(angle), s: sp.sin(angle)}))
+
+
+def collected(found: sp.Expr) -> sp.Expr:
+    """The expression in the form shown: numbers multiplied out, parameters factored, sines and cosines reduced."""
+    if not found.free_symbols:
+        return sp.expand(found)
+    angles = {f.args[0] for f in found.atoms(sp.sin, sp.cos)}
+    for angle in angles:
+        found = trigonometric(found, angle)
+    return found if angles else sp.factor(found)
 
 
 def _linear_in(polynomial: sp.Expr, s: sp.Symbol, c: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
@@ -89,7 +109,7 @@ def square_root(radicand: sp.Expr) -> sp.Expr:
     if radicand.is_Rational or not radicand.free_symbols:
         return sp.sqrt(radicand)
     outside, inside = sp.Integer(1), sp.Integer(1)
-    for factor, exponent in sp.factor(_in_sines(radicand)).as_powers_dict().items():
+    for factor, exponent in sp.factor(in_sines(radicand)).as_powers_dict().items():
         if factor.free_symbols and exponent.is_Integer:
             outside *= factor ** (exponent // 2)
             inside *= factor ** (exponent % 2)
@@ -98,15 +118,15 @@ def square_root(radicand: sp.Expr) -> sp.Expr:
     return outside * sp.sqrt(inside)
 
 
-def _in_sines(radicand: sp.Expr) -> sp.Expr:
-    """The radicand with cos² = 1 − sin², which turns cos²θ − 1 into a square."""
+def in_sines(radicand: sp.Expr) -> sp.Expr:
+    """The expression with cos² = 1 − sin², which turns cos²θ − 1 into a square."""
     squares = {f**2: 1 - sp.sin(f.args[0]) ** 2 for f in radicand.atoms(sp.cos)}
     return sp.expand(radicand).subs(squares) if squares else radicand
 
 
 def is_negative(radicand: sp.Expr) -> bool | None:
     """Whether the radicand is negative (for general parameters); None where the assumptions do not decide."""
-    factored = sp.factor(_in_sines(radicand)) if radicand.free_symbols else radicand
+    factored = sp.factor(in_sines(radicand)) if radicand.free_symbols else radicand
     if factored.is_nonpositive:
         return True
     return False if factored.is_nonnegative else None

@@ -13,7 +13,7 @@ from math import factorial
 
 import sympy as sp
 
-from solver.exact.fields import Algebraic, NotExact, expressions
+from solver.exact.fields import Algebraic, NotExact, collected, expressions
 from solver.exact.residues import (
     FactorResidues,
     Residue,
@@ -162,14 +162,10 @@ def _instances(factor: Factor, Z: Residue) -> Iterator[tuple[Root, list[sp.Expr]
     elif factor.degree == 2 and first.kind != "surd":
         upper = first if first.kind == "complex" else factor.roots[1]
         constant, linear = parts
-        real = [_collected(a + b * upper.sigma) for a, b in zip(constant, linear, strict=True)]
-        yield upper, real, [_collected(b * upper.shift) for b in linear]
+        real = [collected(a + b * upper.sigma) for a, b in zip(constant, linear, strict=True)]
+        yield upper, real, [collected(b * upper.shift) for b in linear]
     else:
         yield from _one_by_one(factor, parts)
-
-
-def _collected(value: sp.Expr) -> sp.Expr:
-    return sp.factor(value) if value.free_symbols else sp.expand(value)
 
 
 def _one_by_one(

@@ -13,7 +13,7 @@ import mpmath
 import sympy as sp
 
 from solver.exact.faddeev import faddeev_leverrier
-from solver.exact.fields import Modulus, NotExact, expression, is_negative, square_root
+from solver.exact.fields import Modulus, NotExact, expression, in_sines, is_negative, square_root, whole_angles
 
 DIGITS = 30
 """Decimal digits carried for the roots of factors of degree ≥ 3."""
@@ -184,5 +184,6 @@ def _vanishing_factors(condition: sp.Expr) -> list[sp.Expr]:
     """The factors of the numerator that contain parameters and are not known to differ from zero."""
     if not condition.free_symbols:
         return []
+    condition = in_sines(whole_angles(condition))
     factors = sp.factor(sp.numer(sp.together(condition))).as_powers_dict()
     return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.derivation.stated import Stated, product, quotient
 from solver.exact.faddeev import faddeev_leverrier
-from solver.exact.fields import Algebraic, Modulus, expression, expressions, matrix_of
+from solver.exact.fields import Algebraic, Modulus, collected, expression, expressions, matrix_of
 from solver.exact.functions import closed_form
 from solver.exact.instances import value_at
 from solver.exact.residues import (
@@ -21,7 +22,7 @@ from solver.exact.residues import (
     residues_at,
     resolvent_residues,
 )
-from solver.exact.spectrum import Factor, Root, Spectrum, spectrum
+from solver.exact.spectrum import Factor, Root, spectrum
 
 
 def resolvent(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.ImmutableMatrix:
@@ -116,21 +117,30 @@ def residue_at(Z: Residue, root: Root, shape: tuple[int, int]) -> sp.ImmutableMa
     return sp.ImmutableMatrix(*shape, entries)
 
 
-def transform_pairs(found: Spectrum, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> list[tuple[sp.Expr, sp.Expr]]:
+def transform_pairs(
+    A: sp.ImmutableMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
+) -> list[tuple[sp.Expr, sp.Expr]]:
     """Pairs (image, function of time) for the partial fractions; in discrete time the images carry the factor z."""
     pairs: list[tuple[sp.Expr, sp.Expr]] = []
-    carried = x if discrete else sp.Integer(1)
-    for factor in found.factors:
-        for j in range(1, factor.multiplicity + 1):
-            if _keeps_quadratic(factor):
-                numerators = [[-factor.roots[0].sigma, sp.Integer(1)], [sp.Integer(1)]]
-                p = factor.polynomial(x)
-                for numerator in numerators:
-                    image = carried * sum(c * x**i for i, c in enumerate(numerator)) / p**j
-                    pairs.append((image, _scalar(factor, j, numerator, time, discrete=discrete)))
-            else:
-                pairs += _linear_pairs(factor, j, x, time, discrete=discrete)
+    for each in resolvent_residues(A):
+        highest = max(j for j, Z in enumerate(each.residues, 1) if any(any(M.to_list_flat()) for M in Z))
+        for j in range(1, highest + 1):
+            of_factor = _quadratic_pairs if _keeps_quadratic(each.factor) else _linear_pairs
+            pairs += of_factor(each.factor, j, x, time, discrete=discrete)
     return pairs
+
+
+def _quadratic_pairs(
+    factor: Factor, j: int, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
+) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """The pairs of (x − σ)/pʲ and of ω/p or 1/pʲ."""
+    K, low = factor.modulus.domain, factor.modulus.low
+    p, root = factor.polynomial(x), factor.roots[-1 if factor.roots[0].kind == "symbolic" else 0]
+    carried = x if discrete else sp.Integer(1)
+    scale = root.shift if j == 1 else sp.Integer(1)
+    yield carried * (x - root.sigma) / p**j, _scalar(factor, j, [low[1] / 2, K.one], time, discrete=discrete)
+    sine = _scalar(factor, j, [K.one], time, discrete=discrete)
+    yield carried * scale / p**j, collected(scale * sine) if j == 1 and not scale.free_symbols else scale * sine
 
 
 def _linear_pairs(
@@ -146,11 +156,11 @@ def _linear_pairs(
             yield 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * sp.exp(root.value * time)
 
 
-def _scalar(factor: Factor, j: int, numerator: list[sp.Expr], time: sp.Symbol, *, discrete: bool) -> sp.Expr:
+def _scalar(factor: Factor, j: int, numerator: list[Any], time: sp.Symbol, *, discrete: bool) -> sp.Expr:
     """The function of time with the image numerator/pʲ (times z in discrete time)."""
     K = factor.modulus.domain
     p = sp.Poly([K.one, *reversed(factor.modulus.low)], sp.Dummy("x"), domain=K)
     alone = Factor(factor.modulus, j, factor.roots)
-    coefficients = [DomainMatrix([[K.from_sympy(c)]], (1, 1), K) for c in numerator]
+    coefficients = [DomainMatrix([[c]], (1, 1), K) for c in numerator]
     residues = residues_at(coefficients, (p**j).rep.to_list()[::-1], alone)
     return closed_form((1, 1), [residues], time, discrete=discrete).matrix[0]
