@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
-from mpmath import libmp
+from mpmath.libmp import libmpf
 
 if TYPE_CHECKING:
     from solver.problem.model import Display
@@ -95,13 +95,13 @@ def _mpf(number: Any) -> Any:
         return number._mpf_
     if isinstance(number, sp.Rational | Fraction | int):
         fraction = Fraction(int(number.p), int(number.q)) if isinstance(number, sp.Rational) else Fraction(number)
-        return libmp.from_rational(fraction.numerator, fraction.denominator, 200, "n")
-    return libmp.from_float(float(number))
+        return libmpf.from_rational(fraction.numerator, fraction.denominator, 200, "n")
+    return libmpf.from_float(float(number))
 
 
 @lru_cache(maxsize=4096)
 def _decimal_parts(mpf: Any, digits: int) -> tuple[str, int]:
-    text = libmp.to_str(mpf, digits, strip_zeros=True, min_fixed=FIXED_POINT[0] - 1, max_fixed=FIXED_POINT[1])
+    text = libmpf.to_str(mpf, digits, strip_zeros=True, min_fixed=FIXED_POINT[0] - 1, max_fixed=FIXED_POINT[1])
     mantissa, _, exponent = text.partition("e")
     mantissa = mantissa.removesuffix(".0")
     return ("0" if mantissa == "-0" else mantissa), int(exponent or 0)

@@ -1,0 +1,221 @@
+r"""Exact objects as LaTeX in a small dialect that MathML, TeX and people read alike.
+
+`tex` is the only way from a value to a formula. Differences from sympy's own printer: terms in the order of a person,
+`e^{-2t}`, `(t)` without `\left`, one decision about decimals (`NumberFormat`), square brackets around matrices, j for
+the imaginary unit. Sums are printed directly, term by term, without sympy's general (and slow) route.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+
+from solver.derivation.stated import Stated
+from solver.render.latex_objects import FUNCTIONS, ObjectPrinter
+from solver.render.numbers import NumberFormat
+from solver.render.order import ordered_terms
+from solver.render.pieces import as_base, as_factor, joined, parenthesized, summed
+from solver.render.symbols import name_tex
+from solver.render.terms import Term, common_fraction, split
+
+
+class Printer(ObjectPrinter):
+    """Prints one value; made by `tex`. What is not overridden here is printed by sympy."""
+
+    def __init__(self, numbers: NumberFormat) -> None:
+        LatexPrinter.__init__(self, {"imaginary_unit": "j", "ln_notation": True, "mat_str": "bmatrix", "mat_delim": ""})
+        self.numbers = numbers
+        self._memo: dict[tuple[Any, bool], str] = {}
+
+    def _print(self, expr: Any, **kwargs: Any) -> str:
+        if not isinstance(expr, sp.Expr) or isinstance(expr, sp.MatrixExpr):
+            return str(super()._print(expr, **kwargs))
+        key = (expr, self._inline)
+        known = self._memo.get(key)
+        if known is None:
+            known = self._memo[key] = str(super()._print(expr, **kwargs))
+        return known
+
+    def doprint_value(self, value: Any) -> str:
+        """Print a value from the start: nothing is remembered of the one before."""
+        self._memo.clear()
+        self._inline = False
+        return self._print(sp.Float(value) if isinstance(value, float) else value)
+
+    # Sums, products and powers
+
+    def _print_Add(self, expr: Any, _order: Any = None) -> str:
+        if expr.is_number:
+            return self._constant_sum(expr)
+        terms = list(expr.args)
+        if self.numbers.all_decimal:
+            constants = [term for term in terms if term.is_number]
+            if len(constants) > 1:
+                terms = [term for term in terms if not term.is_number] + [_evaluated(sp.Add(*constants))]
+        return summed([self._print(term) for term in ordered_terms(terms)])
+
+    def _constant_sum(self, expr: Any) -> str:
+        if self.numbers.all_decimal or expr.has(sp.Float):
+            value = _evaluated(expr)
+            return summed([self._print(part) for part in value.args]) if value.is_Add else self._print(value)
+        fraction = common_fraction(expr)
+        if fraction is not None:
+            return self._print_Mul(fraction)
+        return summed([self._print(term) for term in ordered_terms(expr.args)])
+
+    def _print_Mul(self, expr: Any) -> str:
+        return self._term(split(expr))
+
+    def _print_Pow(self, expr: Any) -> str:
+        return self._term(split(expr))
+
+    def _print_exp(self, expr: Any, exp: Any = None) -> str:
+        exponent = expr.args[0] if exp is None else None
+        if exponent is None:
+            return f"{parenthesized(self._print(expr))}^{{{exp}}}"
+        return f"e^{{{self._exponent(exponent)}}}"
+
+    def _print_ExpBase(self, expr: Any, exp: Any = None) -> str:
+        return self._print_exp(expr, exp)
+
+    def _term(self, term: Term) -> str:
+        """Write a product: sign, number, fraction, functions."""
+        sign = "-" if term.negative else ""
+        decimal = self._decimal_constant(term)
+        if decimal is None:
+            above, below = self._constants(term)
+        else:
+            above, below = [decimal] if decimal != "1" else [], []
+        j = ["j"] if term.imaginary else []
+        variables = [self._power(*factor) for factor in term.above]
+        functions = [self._power(*factor) for factor in term.functions]
+        if term.below:
+            below += [self._power(*factor) for factor in term.below]
+            return sign + joined([self._fraction([*above, *j, *variables], below), *self._factors(functions, 2)])
+        rest = j + variables + functions
+        if below:
+            if self._inline:
+                return sign + self._fraction([*above, *rest], below)
+            rest = [self._fraction(above, below), *rest]
+        elif term.imaginary and term.roots and decimal is None:
+            numbers = above[: -len(term.roots)]
+            rest = [*numbers, *j, *above[len(numbers) :], *variables, *functions]
+        else:
+            rest = above + rest
+        return sign + (joined(self._factors(rest, len(rest))) or "1")
+
+    def _decimal_constant(self, term: Term) -> str | None:
+        """Return the whole constant as a decimal, if that is how it is shown."""
+        number, roots = term.number, term.roots or term.roots_below
+        if roots and (self.numbers.all_decimal or number.is_Float):
+            above = sp.Mul(*(base**exponent for base, exponent in term.roots))
+            value = _evaluated(number * above / sp.Mul(*(base**exponent for base, exponent in term.roots_below)))
+            if value.is_Float:
+                term.negative, value = term.negative != bool(value < 0), abs(value)
+                return self.numbers.decimal(value)
+            return as_factor(self._print(value))
+        kept = bool(roots or term.below) and not self.numbers.all_decimal
+        if number.is_Float or (not kept and number.is_Rational and self.numbers.shows_decimal(number)):
+            return self.numbers.decimal(number)
+        return None
+
+    def _constants(self, term: Term) -> tuple[list[str], list[str]]:
+        """Return the factors of the exact constant above and below the bar; 1 is left out."""
+        above, below = [], [self._power(*factor) for factor in term.roots_below]
+        number = term.number
+        if number.is_Rational:
+            above += [str(number.p)] * (number.p != 1)
+            below = [str(number.q)] * (number.q != 1) + below
+        else:
+            above.append(self._print(number))
+        return above + [self._power(*factor) for factor in term.roots], below
+
+    def _fraction(self, above: list[str], below: list[str]) -> str:
+        numerator = joined(self._factors(above, len(above))) or "1"
+        denominator = joined(self._factors(below, len(below)))
+        if not self._inline:
+            return rf"\frac{{{numerator}}}{{{denominator}}}"
+        over = denominator if len(below) == 1 and as_base(denominator) == denominator else f"({denominator})"
+        return f"{as_factor(numerator) if len(above) == 1 else numerator}/{over}"
+
+    @staticmethod
+    def _factors(factors: list[str], count: int) -> list[str]:
+        """Put the sums among several factors in parentheses."""
+        return [as_factor(factor) for factor in factors] if count > 1 else factors
+
+    def _power(self, base: Any, exponent: Any) -> str:
+        if exponent is sp.S.One:
+            return self._print(base)
+        if exponent.is_Rational and exponent.p == 1 and not self._inline:
+            root = "" if exponent.q == 2 else f"[{exponent.q}]"
+            return rf"\sqrt{root}{{{self._print(base)}}}"
+        if exponent == sp.S.Half:
+            return rf"\sqrt{{{self._print(base)}}}"
+        above = self._exponent(exponent)
+        name = type(base).__name__
+        if name in FUNCTIONS and FUNCTIONS[name].startswith("\\") and len(base.args) == 1 and exponent.is_Integer:
+            return rf"{FUNCTIONS[name]}^{{{above}}}{self._arguments(base)}"
+        return f"{as_base(self._print(base))}^{{{above}}}"
+
+    def _exponent(self, exponent: Any) -> str:
+        outside, self._inline = self._inline, True
+        try:
+            return self._print(exponent)
+        finally:
+            self._inline = outside
+
+    # Numbers and names
+
+    def _print_Integer(self, expr: Any) -> str:
+        return str(expr)
+
+    def _print_Rational(self, expr: Any) -> str:
+        return self._term(split(expr)) if expr.q != 1 else str(expr.p)
+
+    def _print_Float(self, expr: Any) -> str:
+        return self.numbers.decimal(expr)
+
+    def _print_Exp1(self, expr: Any, exp: Any = None) -> str:
+        tex = self.numbers.decimal(expr.evalf(30)) if self.numbers.all_decimal else "e"
+        return f"{tex}^{{{exp}}}" if exp else tex
+
+    def _print_Pi(self, expr: Any) -> str:
+        return self.numbers.decimal(expr.evalf(30)) if self.numbers.all_decimal else r"\pi"
+
+    def _print_ImaginaryUnit(self, _expr: Any) -> str:
+        return "j"
+
+    def _print_Symbol(self, expr: Any, _style: str = "plain") -> str:
+        return name_tex(expr.name)
+
+    def _print_ComplexRootOf(self, expr: Any) -> str:
+        return self._print(_evaluated(expr))
+
+    def _print_Stated(self, expr: Stated) -> str:
+        from solver.render.stated_latex import stated_tex  # noqa: PLC0415 - it prints operands by this printer
+
+        return stated_tex(expr, self._print)
+
+
+def _evaluated(constant: Any) -> Any:
+    """Return a constant as a Float, or as a sum of Floats with j."""
+    return constant.evalf(30, chop=True)
+
+
+@lru_cache(maxsize=16)
+def _printer(numbers: NumberFormat) -> Printer:
+    return Printer(numbers)
+
+
+DEFAULT = NumberFormat()
+
+
+def tex(value: Any, numbers: NumberFormat = DEFAULT) -> str:
+    """Return LaTeX (without dollar signs) of an expression, matrix, list, condition, truth value, text or formula.
+
+    A Python truth value is "yes" or "no"; a condition that sympy found true or false is "always" or "never".
+    """
+    return _printer(numbers).doprint_value(value)

@@ -1,0 +1,192 @@
+"""The order in which a person writes terms and factors.
+
+Polynomials by falling power; partial fractions and exponentials by decay, the slowest first; cos before sin; terms
+with parameters before numbers; a leading minus only where it can't be helped (or would upset a polynomial).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+
+from solver.render.symbols import natural
+
+MAIN = frozenset({"s", "z", "lamda"})
+"""Variables of polynomials and transfer functions."""
+
+TIME = frozenset({"t", "k", "tau"})
+"""Variables of functions of time."""
+
+
+def ordered_terms(terms: Iterable[Any]) -> list[Any]:
+    """Return the terms of a sum in the order of a person."""
+    ranks = sorted(((_rank(term), term) for term in terms), key=lambda pair: pair[0].key)
+    ordered = [term for _, term in ranks]
+    if not is_negative(ordered[0]):
+        return ordered
+    positive = next((i for i, term in enumerate(ordered) if not is_negative(term)), None)
+    if positive is None or all(term.is_number for term in ordered):
+        return ordered
+    if len(ordered) > 2 and all(rank.polynomial for rank, _ in ranks):
+        keep = any(rank.main_degree for rank, _ in ranks) or is_negative(ordered[-1])
+        return ordered if keep else ordered[::-1]
+    return [ordered[positive], *ordered[:positive], *ordered[positive + 1 :]]
+
+
+def is_negative(term: Any) -> bool:
+    """Whether the term is written with a minus: its numerical coefficient is negative."""
+    coefficient = term.as_coeff_Mul()[0]
+    return bool(coefficient.is_negative)
+
+
+@dataclass(slots=True)
+class _Rank:
+    """What decides the place of a term in a sum."""
+
+    main_degree: float = 0
+    fraction: int = 0
+    rate: float = 0.0
+    rate_name: str = ""
+    multiplicity: float = 0
+    time_degree: float = 0
+    degree: float = 0
+    names: list[Any] = field(default_factory=list)
+    frequency: float = 0.0
+    function: int = 0
+    number: int = 0
+
+    @property
+    def key(self) -> tuple[Any, ...]:
+        return (
+            0 if self.fraction else -self.main_degree,
+            self.fraction,
+            self.rate_name != "",
+            -self.rate,
+            self.rate_name,
+            self.multiplicity,
+            -self.main_degree,
+            -self.time_degree,
+            -self.degree,
+            sorted(self.names),
+            self.frequency,
+            self.function,
+            self.number,
+        )
+
+    @property
+    def polynomial(self) -> bool:
+        return not (self.fraction or self.rate or self.rate_name or self.function)
+
+
+_FUNCTIONS = {"cos": 1, "sin": 2}
+
+
+def _rank(term: Any) -> _Rank:
+    rank = _Rank()
+    for factor in sp.Mul.make_args(term):
+        _add_factor(rank, factor)
+    return rank
+
+
+def _add_factor(rank: _Rank, factor: Any) -> None:
+    if factor.is_Number:
+        return
+    if factor is sp.I:
+        rank.number = 2
+    elif isinstance(factor, sp.exp):
+        _add_rate(rank, *_linear(factor.args[0]))
+    elif factor.is_number:
+        rank.number = max(rank.number, 2 if factor.has(sp.I) else 1)
+    elif factor.is_Symbol:
+        _add_symbol(rank, factor, 1)
+    elif factor.is_Pow:
+        _add_power(rank, factor.base, factor.exp)
+    elif factor.is_Function:
+        rank.function = max(rank.function, _FUNCTIONS.get(type(factor).__name__, 3))
+        if type(factor).__name__ in _FUNCTIONS:
+            rank.frequency = abs(_linear(factor.args[0])[0])
+
+
+def _add_symbol(rank: _Rank, symbol: Any, power: float) -> None:
+    if symbol.name in MAIN:
+        rank.main_degree += power
+    elif symbol.name == "t":
+        rank.time_degree += power
+    else:
+        rank.degree += power
+        rank.names += [natural(symbol.name)] * max(1, math.floor(power))
+
+
+def _add_power(rank: _Rank, base: Any, exponent: Any) -> None:
+    if not exponent.is_Rational:
+        _add_rate(rank, *_logarithmic_rate(base, exponent))
+    elif base.is_Symbol and (exponent > 0 or base.name not in MAIN):
+        _add_symbol(rank, base, float(exponent))
+    elif exponent < 0:
+        rank.fraction = 1
+        rank.multiplicity -= float(exponent)
+        _add_rate(rank, *_mean_root(base))
+    else:
+        _add_factor(rank, base)
+
+
+def _add_rate(rank: _Rank, rate: float, name: str) -> None:
+    rank.rate += rate
+    rank.rate_name += name
+
+
+@lru_cache(maxsize=4096)
+def _linear(argument: Any) -> tuple[float, str]:
+    """Return the real part of c of an argument c t, and the name of a c with parameters."""
+    time = next((symbol for symbol in argument.free_symbols if symbol.name in TIME), None)
+    return _real(argument.coeff(time)) if time is not None else (0.0, "")
+
+
+@lru_cache(maxsize=4096)
+def _logarithmic_rate(base: Any, exponent: Any) -> tuple[float, str]:
+    """Return ln |b| c of a power b^(c k)."""
+    growth, name = _linear(exponent)
+    modulus = abs(complex(base)) if base.is_number else 0.0
+    if name or not modulus:
+        return 0.0, name or str(base)
+    return growth * math.log(modulus), ""
+
+
+@lru_cache(maxsize=4096)
+def _mean_root(base: Any) -> tuple[float, str]:
+    """Return the mean of the roots of a denominator in s or z: the real part, for a linear factor or a pair."""
+    variable = next((symbol for symbol in base.free_symbols if symbol.name in MAIN), None)
+    if variable is None or not base.is_polynomial(variable):
+        return 0.0, ""
+    poly = sp.Poly(base, variable)
+    if not poly.degree():
+        return 0.0, ""
+    return _real(-poly.coeff_monomial(variable ** (poly.degree() - 1)) / (poly.degree() * poly.LC()))
+
+
+def _real(number: Any) -> tuple[float, str]:
+    if number.is_number:
+        return complex(number).real, ""
+    return 0.0, str(number)
+
+
+def has_variable(expression: Any) -> bool:
+    """Whether it depends on s, z, λ or t, not on parameters alone."""
+    return any(symbol.name in MAIN or symbol.name == "t" for symbol in expression.free_symbols)
+
+
+def factor_rank(base: Any) -> tuple[Any, ...]:
+    """Return a key that puts the factors of a product in order: parameters, s, t, powers, sums, e^…, cos, sin."""
+    if base.is_Symbol:
+        place = 2 if base.name in MAIN else 3 if base.name == "t" else 0
+        return (place, natural(base.name))
+    if base.is_Add:
+        return (4, (-_mean_root(base)[0],)) if has_variable(base) else (1, ())
+    if isinstance(base, sp.exp) or base.is_number or base.is_Pow:
+        return (5, ())
+    return (6, ((_FUNCTIONS.get(type(base).__name__, 3), 0, ""),))

@@ -1,0 +1,56 @@
+"""Names as LaTeX: Greek letters, subscripts, upright words."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+_SPELLED = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa mu nu xi pi rho sigma tau upsilon phi chi psi omega "
+    "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega varphi vartheta varepsilon"
+)
+
+GREEK = {
+    **{name: f"\\{name}" for name in _SPELLED.split()},
+    "lamda": r"\lambda",
+    "lambda": r"\lambda",
+    "Lamda": r"\Lambda",
+    "omicron": "o",
+}
+"""Words that stand for a Greek letter. `lamda` is the spelling that is no keyword of Python."""
+
+_WITH_DIGITS = re.compile(r"([A-Za-z]+?)(\d+)\Z")
+_CHUNKS = re.compile(r"(\d+)")
+
+
+@lru_cache(maxsize=2048)
+def name_tex(name: str) -> str:
+    r"""Return a name as LaTeX: `x10` is x_{10}, `omega_n` \omega_n, `Vin` \mathrm{Vin}, `K_co` K_{\mathrm{co}}."""
+    base, *subscripts = [part for part in name.split("_") if part] or [name]
+    digits = _WITH_DIGITS.match(base)
+    if digits and (len(digits[1]) == 1 or digits[1] in GREEK):
+        base, subscripts = digits[1], [digits[2], *subscripts]
+    if not subscripts:
+        return _word(base)
+    below = ",".join(_word(part) for part in subscripts)
+    return f"{_word(base)}_{below}" if len(below) == 1 or below in GREEK.values() else f"{_word(base)}_{{{below}}}"
+
+
+def _word(word: str) -> str:
+    if word in GREEK:
+        return GREEK[word]
+    if len(word) == 1 or not word.isascii() or not word.isalnum() or word.isdigit():
+        return _escaped(word)
+    return rf"\mathrm{{{word}}}"
+
+
+def _escaped(word: str) -> str:
+    r"""Return a name that came from elsewhere than a problem file (`t'`, `\beta`), without what TeX would act on."""
+    return "".join(letter for letter in word if letter.isalnum() or letter in "'.,*") or "?"
+
+
+@lru_cache(maxsize=2048)
+def natural(name: str) -> tuple[tuple[int, int, str], ...]:
+    """Return a key that sorts names as people do: k_2 before k_10."""
+    chunks = (chunk for chunk in _CHUNKS.split(name) if chunk)
+    return tuple((0, int(chunk), "") if chunk.isdigit() else (1, 0, chunk) for chunk in chunks)

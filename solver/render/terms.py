@@ -1,0 +1,123 @@
+"""A product taken apart the way it is written: sign, number, numerator, denominator, functions of time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import lcm
+from typing import Any
+
+import sympy as sp
+
+from solver.render.order import factor_rank, has_variable, is_negative
+
+Factor = tuple[Any, Any]
+"""A base and its exponent."""
+
+
+@dataclass(slots=True)
+class Term:
+    """A product ± c · j · (numbers) · (numerator)/(denominator) · (functions).
+
+    `number` is c ≥ 0, rational or a Float; `roots` and `roots_below` are further constants such as √3 and π above and
+    below the fraction bar; `functions` are the factors written after the fraction: e^{-2t}, cos t.
+    """
+
+    negative: bool = False
+    number: Any = sp.S.One
+    imaginary: bool = False
+    roots: list[Factor] = field(default_factory=list)
+    roots_below: list[Factor] = field(default_factory=list)
+    above: list[Factor] = field(default_factory=list)
+    below: list[Factor] = field(default_factory=list)
+    functions: list[Factor] = field(default_factory=list)
+
+
+def split(product: Any) -> Term:
+    """Take a product apart. Its value is unchanged; the factors of each group are in the order of writing."""
+    term = Term()
+    number, imaginary = sp.S.One, 0
+    for factor in sp.Mul.make_args(product):
+        if factor.is_Number:
+            number = number * factor
+        elif factor is sp.I:
+            imaginary += 1
+        elif factor.is_number:
+            number = number * _place_constant(term, factor)
+        else:
+            _place(term, *_base_and_exponent(factor))
+    if imaginary > 1:
+        number = number * (-1) ** (imaginary // 2)
+    term.imaginary = imaginary % 2 == 1
+    term.negative, term.number = bool(number.is_negative), abs(number)
+    _arrange(term)
+    return term
+
+
+def _base_and_exponent(factor: Any) -> Factor:
+    return (factor.base, factor.exp) if factor.is_Pow else (factor, sp.S.One)
+
+
+def _place_constant(term: Term, constant: Any) -> Any:
+    """Put a constant above or below; return the rational factor taken out of a sum of roots: (1 + √5)/2 gives 1/2."""
+    base, exponent = _base_and_exponent(constant)
+    if exponent.is_Rational and exponent < 0:
+        term.roots_below.append((base, -exponent))
+        return sp.S.One
+    if exponent is sp.S.One and base.is_Add:
+        factor, base = _without_denominator(base)
+        term.roots.append((base, exponent))
+        return factor
+    term.roots.append((base, exponent))
+    return sp.S.One
+
+
+def _without_denominator(constant: Any) -> Factor:
+    """Return a rational factor and the rest of a real constant sum; the rest has no denominators, and a plus in it."""
+    if constant.has(sp.I, sp.Float):
+        return sp.S.One, constant
+    parts = [part.as_coeff_Mul() for part in constant.args]
+    denominator = lcm(*(coefficient.q for coefficient, _ in parts))
+    sign = -1 if all(coefficient < 0 for coefficient, _ in parts) else 1
+    if denominator == 1 and sign == 1:
+        return sp.S.One, constant
+    whole = sp.Add(*(coefficient * denominator * sign * rest for coefficient, rest in parts))
+    return sp.Rational(sign, denominator), whole
+
+
+def common_fraction(constant: Any) -> Any | None:
+    """Return (1 + √5)/2 as an unevaluated product of 1/2 and 1 + √5; None if the terms have different denominators."""
+    if constant.has(sp.I, sp.Float):
+        return None
+    denominators = {part.as_coeff_Mul()[0].q for part in constant.args}
+    if denominators == {1} or len(denominators) > 1:
+        return None
+    factor, whole = _without_denominator(constant)
+    return sp.Mul(factor, whole, evaluate=False)
+
+
+def _place(term: Term, base: Any, exponent: Any) -> None:
+    if exponent.is_Rational and exponent < 0:
+        term.below.append((base, -exponent))
+    elif base.is_Function or not exponent.is_number:
+        term.functions.append(_as_growth(base, exponent))
+    else:
+        term.above.append((base, exponent))
+
+
+def _as_growth(base: Any, exponent: Any) -> Factor:
+    """Return (1/2)^k for what sympy keeps as 2^(-k)."""
+    if base.is_Integer and base > 1 and exponent.is_Mul and exponent.args[0] is sp.S.NegativeOne:
+        return sp.Rational(1, base), -exponent
+    return base, exponent
+
+
+def _arrange(term: Term) -> None:
+    """Sort the groups; functions stay in the numerator unless the denominator has only parameters."""
+    for group in (term.above, term.below, term.functions):
+        group.sort(key=lambda factor: factor_rank(factor[0]))
+    term.roots.sort(key=lambda factor: factor[0].is_Add)
+    if any(base.has(sp.Function) or has_variable(base) for base, _ in term.below):
+        term.above, term.functions = term.above + term.functions, []
+
+
+__all__ = ["Factor", "Term", "common_fraction", "is_negative", "split"]
