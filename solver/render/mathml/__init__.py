@@ -9,13 +9,14 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 from html import escape
+from itertools import zip_longest
 from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 from latex2mathml.converter import convert_to_element
 
-from solver.render.mathml_source import MathError, normalised
-from solver.render.mathml_tree import repair
+from solver.render.mathml.source import MathError, normalised
+from solver.render.mathml.tree import repair
 
 __all__ = ["Formula", "MathError", "formula", "mathml"]
 
@@ -83,21 +84,21 @@ def _width(element: Element) -> float:
     """Estimate the width in em: enough to know which formulas may not fit on a narrow screen."""
     widths = [_width(child) for child in element]
     match element.tag:
-        case "mo":
-            return 0.9 if "stretchy" not in element.attrib else 0.4
         case "mi" | "mn" | "mtext":
-            return 0.5 * len(element.text or "")
+            width = 0.5 * len(element.text or "")
+        case "mo":
+            width = 0.4 if "stretchy" in element.attrib else 0.9
         case "mspace":
-            return float((element.get("width") or "0").rstrip("emx") or 0)
+            width = float((element.get("width") or "0").rstrip("emx"))
         case "mfrac" | "munder" | "mover" | "munderover":
-            return max(widths, default=0.0)
+            width = max(widths)
         case "msub" | "msup" | "mroot":
-            return widths[0] + 0.7 * widths[1]
+            width = widths[0] + 0.7 * widths[1]
         case "msubsup":
-            return widths[0] + 0.7 * max(widths[1:])
+            width = widths[0] + 0.7 * max(widths[1:])
         case "mtable":
-            rows = [[_width(cell) for cell in row] for row in element]
-            columns = max((len(row) for row in rows), default=0)
-            return sum(0.8 + max(row[column] for row in rows if column < len(row)) for column in range(columns))
+            columns = zip_longest(*([_width(cell) for cell in row] for row in element), fillvalue=0.0)
+            width = sum(0.8 + max(column) for column in columns)
         case _:
-            return sum(widths)
+            width = sum(widths)
+    return width
