@@ -22,7 +22,9 @@ def ask(task: str, plant: StateSpace, method: str = "", **options: Any) -> PartR
     """The result of one part by one method (the first that fits, if none is named)."""
     declared = catalogue()[task]
     method = method or declared.methods_for(plant.discrete)[0]
-    filled = {name: option.default for name, option in declared.options_for(method).items() if option.default is not None}
+    filled = {
+        name: option.default for name, option in declared.options_for(method).items() if option.default is not None
+    }
     return solve_part(Part("a", task, (method,), plant, {**filled, **options}), {})[0]
 
 

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.fields import Algebraic, Modulus, domain_matrix
-from solver.exact.instances import element_at, matrix_of_rows
+from solver.exact.instances import element_at
 from solver.exact.row_reduction import RowReduction, Rows, null_space, row_reduce
 from solver.exact.spectrum import Factor, Root, Spectrum, spectrum
 
@@ -27,8 +27,8 @@ class Eigenspace:
     """One eigenvalue: chains of column vectors n×1, each chain from its eigenvector up; (A − λI) c_{j+1} = c_j.
 
     `reduction` is the row reduction of λI − A where λ lies in K itself, else None. `nullities` are the dimensions of
-    the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay. `dual` (no chains longer than one only) are the rows of
-    V⁻¹ that belong to these columns of V.
+    the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay. `dual` are the rows of V⁻¹ for
+    these columns of V, written as columns; there are none where a chain is longer than one.
     """
 
     root: Root
@@ -72,6 +72,16 @@ class Eigenstructure:
         return sp.ImmutableMatrix(sp.Matrix.hstack(*(v for s in self.eigenspaces for chain in s.chains for v in chain)))
 
     @cached_property
+    def right_inverse(self) -> sp.ImmutableMatrix:
+        """V⁻¹ (n×n), for a diagonalizable A."""
+        return sp.ImmutableMatrix(sp.Matrix.hstack(*(d for s in self.eigenspaces for d in s.dual)).T)
+
+    @cached_property
+    def left_inverse(self) -> sp.ImmutableMatrix:
+        """M⁻¹ (n×n), for a diagonalizable A."""
+        return sp.ImmutableMatrix(sp.Matrix.hstack(*(d for s in self.left_eigenspaces for d in s.dual)))
+
+    @cached_property
     def jordan_form(self) -> sp.ImmutableMatrix:
         """J (n×n): the eigenvalues on the diagonal, a one above it inside each chain."""
         blocks = [(space.root.value, len(chain)) for space in self.eigenspaces for chain in space.chains]
@@ -92,25 +102,56 @@ def _block(value: sp.Expr, size: int) -> sp.Matrix:
 def eigenstructure(A: sp.ImmutableMatrix) -> Eigenstructure:
     """The eigenstructure of A (n×n). The chains of Aᵀ, turned round, are the left chains of A."""
     found = spectrum(A)
-    right = tuple(space for factor in found.factors for space in _eigenspaces(A, factor))
-    left = tuple(space for factor in found.factors for space in _eigenspaces(sp.ImmutableMatrix(A.T), factor))
-    return Eigenstructure(found, right, left)
+    right: list[Eigenspace] = []
+    left: list[Eigenspace] = []
+    for factor in found.factors:
+        V, W = _basis(A, factor), _basis(sp.ImmutableMatrix(A.T), factor)
+        right += _at_roots(factor, V, _dual(V, W))
+        left += _at_roots(factor, W, _dual(W, V))
+    return Eigenstructure(found, tuple(right), tuple(left))
 
 
-def _eigenspaces(A: sp.ImmutableMatrix, factor: Factor) -> list[Eigenspace]:
-    p = factor.modulus
-    pencil = _pencil(A, p)
+@dataclass(frozen=True)
+class _Basis:
+    """Chains over L, the nullities of the powers of A − xI, and the row reduction of xI − A."""
+
+    chains: list[list[Vector]]
+    nullities: tuple[int, ...]
+    reduction: RowReduction
+
+
+def _basis(A: sp.ImmutableMatrix, factor: Factor) -> _Basis:
+    pencil = _pencil(A, factor.modulus)
     reduction = row_reduce(pencil)
-    chains, nullities = _chains(pencil, reduction, factor.multiplicity)
-    shown = reduction if p.degree == 1 else None
+    return _Basis(*_chains(pencil, reduction, factor.multiplicity), reduction)
+
+
+def _dual(basis: _Basis, other: _Basis) -> list[Vector]:
+    """Rows D with D V = I for eigenvectors V and eigenvectors W of the transpose: D = (Wᵀ V)⁻¹ Wᵀ; none for chains."""
+    if len(basis.nullities) > 1:
+        return []
+    V, W = ([chain[0] for chain in each.chains] for each in (basis, other))
+    one = _one((V[0],))
+    zero = one - one
+    augmented = tuple(
+        (*(_times((w,), v)[0] for v in V), *(one if i == j else zero for j in range(len(W)))) for i, w in enumerate(W)
+    )
+    inverted = [row[len(V) :] for row in row_reduce(augmented).reduced]
+    columns = list(zip(*W, strict=True))
+    return [tuple(_times((row,), column)[0] for column in columns) for row in inverted]
+
+
+def _at_roots(factor: Factor, basis: _Basis, dual: list[Vector]) -> list[Eigenspace]:
+    def column(vector: Vector, root: Root) -> sp.ImmutableMatrix:
+        return sp.ImmutableMatrix([[element_at(c, root)] for c in vector])
+
     return [
         Eigenspace(
-            root,
-            tuple(
-                tuple(matrix_of_rows([[element_at(c, root)] for c in vector]) for vector in chain) for chain in chains
-            ),
-            nullities,
-            shown,
+            root=root,
+            chains=tuple(tuple(column(vector, root) for vector in chain) for chain in basis.chains),
+            nullities=basis.nullities,
+            reduction=basis.reduction if factor.degree == 1 else None,
+            dual=tuple(column(row, root) for row in dual),
         )
         for root in factor.roots
     ]

@@ -37,7 +37,7 @@ def domain_matrix(M: sp.MatrixBase) -> DomainMatrix:
 
 def _half_angles(M: sp.MatrixBase) -> sp.MatrixBase:
     angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}
-    substitution = {}
+    substitution: dict[sp.Expr, sp.Expr] = {}
     for angle in angles:
         u = sp.tan(angle / 2)
         substitution |= {sp.cos(angle): (1 - u**2) / (1 + u**2), sp.sin(angle): 2 * u / (1 + u**2)}
@@ -70,7 +70,7 @@ def matrix_of(matrix: DomainMatrix) -> sp.ImmutableMatrix:
 
 def _whole_angle(found: sp.Expr, tangent: sp.Expr) -> sp.Expr:
     """A rational function of tan(θ/2) in cos θ and sin θ."""
-    angle = 2 * tangent.args[0]
+    angle = sp.Mul(2, tangent.args[0])
     return trigonometric(found.xreplace({tangent: sp.sin(angle) / (1 + sp.cos(angle))}), angle)
 
 
@@ -108,13 +108,12 @@ def square_root(radicand: sp.Expr) -> sp.Expr:
     """√radicand with squares taken out, as a person writes it: √12 = 2√3, √(4k/m) = 2√(k/m)."""
     if radicand.is_Rational or not radicand.free_symbols:
         return sp.sqrt(radicand)
-    outside, inside = sp.Integer(1), sp.Integer(1)
-    for factor, exponent in sp.factor(in_sines(radicand)).as_powers_dict().items():
-        if factor.free_symbols and exponent.is_Integer:
-            outside *= factor ** (exponent // 2)
-            inside *= factor ** (exponent % 2)
-        else:
-            inside *= factor**exponent
+    number, rest = sp.factor(in_sines(radicand)).as_coeff_Mul()
+    outside, inside = sp.sqrt(number), sp.Integer(1)
+    for factor, exponent in rest.as_powers_dict().items():
+        whole = exponent // 2 if exponent.is_Integer else 0
+        outside *= factor**whole
+        inside *= factor ** (exponent - 2 * whole)
     return outside * sp.sqrt(inside)
 
 

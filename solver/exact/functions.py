@@ -14,6 +14,7 @@ from math import factorial
 import sympy as sp
 
 from solver.exact.fields import Algebraic, NotExact, collected, expressions
+from solver.exact.instances import value_at
 from solver.exact.residues import (
     FactorResidues,
     Residue,
@@ -21,7 +22,6 @@ from solver.exact.residues import (
     multiply_by,
     resolvent_residues,
 )
-from solver.exact.instances import value_at
 from solver.exact.spectrum import Factor, Root
 
 Term = tuple[sp.Expr, list[sp.Expr]]
@@ -76,7 +76,7 @@ def power(A: sp.ImmutableMatrix, k: sp.Symbol) -> MatrixFunction:
 @lru_cache(maxsize=64)
 def interpolation_coefficients(A: sp.ImmutableMatrix, x: sp.Symbol, *, discrete: bool) -> tuple[sp.Expr, ...]:
     """α₀ … αₙ₋₁ with e^{At} = Σ αᵢ(t) Aⁱ (in discrete time Aᵏ = Σ αᵢ(k) Aⁱ)."""
-    return tuple(closed_form((A.rows, 1), interpolation_residues(A), x, discrete=discrete).matrix)
+    return tuple(closed_form((A.rows, 1), interpolation_residues(A), x, discrete=discrete).matrix.flat())
 
 
 def closed_form(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import sympy as sp
 
 from solver.exact.fields import Algebraic, expression
@@ -27,8 +25,3 @@ def value_at(coefficients: list[sp.Expr], root: Root) -> sp.Expr:
     if value.free_symbols:
         return sp.expand(sp.cancel(value)) if value.is_rational_function() else value
     return value
-
-
-def matrix_of_rows(rows: list[list[Any]]) -> sp.ImmutableMatrix:
-    """An immutable matrix from rows of expressions."""
-    return sp.ImmutableMatrix(rows)

@@ -1,4 +1,4 @@
-"""The conditions of the Cayley–Hamilton method: f(λ) = Σ αᵢ λⁱ at the eigenvalues, with λ-derivatives at repeated ones."""
+"""The conditions of the Cayley–Hamilton method: f(λ) = Σ αᵢ λⁱ at the eigenvalues, and its λ-derivatives."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Residues of N(x)/χ(x) at a root of each irreducible factor of χ, in exact arithmetic over L = K[x]/(p).
 
-At a root λ of multiplicity m the partial fractions are Σ_j Z_j/(x − λ)^j, j = 1 … m, with the Z_j from the Taylor series
-of N(x)·(x − λ)^m/χ(x) at λ. Written in L, one computation gives the Z_j of all conjugate roots of p; nothing is inverted
-but one element of L.
+At a root λ of multiplicity m the partial fractions are Σ_j Z_j/(x − λ)^j, j = 1 … m, with the Z_j from the Taylor
+series of N(x)·(x − λ)^m/χ(x) at λ. Written in L, one computation gives the Z_j of all conjugate roots of p; nothing is
+inverted but one element of L.
 """
 
 from __future__ import annotations

@@ -41,7 +41,7 @@ Operation = Swap | Scale | Add
 
 @dataclass(frozen=True)
 class RowReduction:
-    """The reduced row echelon form, its pivot columns, and how it was reached: `stages[k]` is before `operations[k]`."""
+    """The reduced row echelon form, its pivot columns and its history: `stages[k]` stands before `operations[k]`."""
 
     reduced: Rows
     pivots: tuple[int, ...]
@@ -83,7 +83,7 @@ def row_reduce(rows: Rows) -> RowReduction:
 
 def _is_unit(a: Any) -> bool:
     one = a / a
-    return bool(a == one or a == -one)
+    return a in (one, -one)
 
 
 def _frozen(M: list[list[Any]]) -> Rows:

@@ -11,7 +11,7 @@ from sympy.polys.matrices import DomainMatrix
 from solver.derivation.stated import Stated, product, quotient
 from solver.exact.faddeev import faddeev_leverrier
 from solver.exact.fields import Algebraic, Modulus, collected, expression, expressions, matrix_of
-from solver.exact.functions import closed_form
+from solver.exact.functions import closed_form, polar
 from solver.exact.instances import value_at
 from solver.exact.residues import (
     FactorResidues,
@@ -96,18 +96,14 @@ def _digits(A: sp.ImmutableMatrix, factor: Factor) -> list[Residue]:
 def _linear_terms(each: FactorResidues, shape: tuple[int, int], x: sp.Symbol) -> Iterator[Stated]:
     """Z_j/(x − λ)ʲ for each root; a simple pair of decimal roots is put over its real quadratic."""
     for root in each.factor.roots:
-        pair = root.kind == "decimal" and root.shift != 0 and root.multiplicity == 1
-        if pair and root.shift < 0:
-            continue
         for j, Z in enumerate(each.residues, 1):
             matrix = residue_at(Z, root, shape)
-            if pair:
-                X, Y = matrix.applyfunc(sp.re), matrix.applyfunc(sp.im)
-                denominator = x**2 - 2 * root.sigma * x + (root.sigma**2 + root.shift**2)
-                numerator = 2 * X * x - 2 * (root.sigma * X + root.shift * Y)
-                yield product(quotient(sp.Integer(1), denominator), sp.ImmutableMatrix(numerator))
-            else:
+            if not _is_simple_decimal_pair(root):
                 yield product(quotient(sp.Integer(1), (x - root.value) ** j), matrix)
+            elif root.shift > 0:
+                X, Y = matrix.applyfunc(sp.re), matrix.applyfunc(sp.im)
+                numerator = 2 * X * x - 2 * (root.sigma * X + root.shift * Y)
+                yield product(quotient(sp.Integer(1), _decimal_quadratic(root, x)), sp.ImmutableMatrix(numerator))
 
 
 def residue_at(Z: Residue, root: Root, shape: tuple[int, int]) -> sp.ImmutableMatrix:
@@ -146,14 +142,37 @@ def _quadratic_pairs(
 def _linear_pairs(
     factor: Factor, j: int, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
 ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """The pairs of 1/(x − λ)ʲ; of a simple pair of decimal roots, those of its real quadratic."""
     for root in factor.roots:
-        if discrete and root.value == 0:
+        if _is_simple_decimal_pair(root):
+            if root.shift > 0:
+                yield from _decimal_pairs(root, x, time, discrete=discrete)
+        elif discrete and root.value == 0:
             yield x ** (1 - j), sp.KroneckerDelta(time, j - 1)
         elif discrete:
-            shifted = root.value ** (time - j + 1) if j > 1 else root.value**time
-            yield x / (x - root.value) ** j, sp.expand(sp.ff(time, j - 1)) / sp.factorial(j - 1) * shifted
+            binomial = sp.expand(sp.ff(time, j - 1)) / sp.factorial(j - 1)
+            yield x / (x - root.value) ** j, binomial * root.value ** (time - j + 1)
         else:
             yield 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * sp.exp(root.value * time)
+
+
+def _is_simple_decimal_pair(root: Root) -> bool:
+    return root.kind == "decimal" and root.shift != 0 and root.multiplicity == 1
+
+
+def _decimal_pairs(root: Root, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    if discrete:
+        r, theta = polar(root)
+        envelope, angle = r**time, theta * time
+    else:
+        envelope, angle = sp.exp(root.sigma * time), root.shift * time
+    carried, p = x if discrete else sp.Integer(1), _decimal_quadratic(root, x)
+    yield carried * (x - root.sigma) / p, envelope * sp.cos(angle)
+    yield carried * root.shift / p, envelope * sp.sin(angle)
+
+
+def _decimal_quadratic(root: Root, x: sp.Symbol) -> sp.Expr:
+    return x**2 - 2 * root.sigma * x + (root.sigma**2 + root.shift**2)
 
 
 def _scalar(factor: Factor, j: int, numerator: list[Any], time: sp.Symbol, *, discrete: bool) -> sp.Expr:

@@ -54,7 +54,9 @@ def test_the_expansion_uses_the_row_with_most_zeros():
     assert list(expansion.claims) == ["stated", "minors", "value"]
 
 
-@pytest.mark.parametrize("corrupt", [lambda p: -p, lambda p: p + 1, lambda p: p.subs(x, -x), lambda p: 2 * p, lambda p: p * x])
+@pytest.mark.parametrize(
+    "corrupt", [lambda p: -p, lambda p: p + 1, lambda p: p.subs(x, -x), lambda p: 2 * p, lambda p: p * x]
+)
 def test_corrupted_answers_are_rejected(corrupt):
     plant = system([[0, 1], [-2, -3]])
     polynomial = ask("characteristic_polynomial", plant).answers["polynomial"]

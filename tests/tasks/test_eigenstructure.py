@@ -87,7 +87,10 @@ def test_corrupted_answers_are_rejected(rows):
     answers = dict(ask("eigenstructure", plant).answers)
     assert not rejected("eigenstructure", plant, answers)
     for corrupted in corruptions(answers):
-        frozen = {name: sp.ImmutableMatrix(value) if isinstance(value, sp.MatrixBase) else value for name, value in corrupted.items()}
+        frozen = {
+            name: sp.ImmutableMatrix(value) if isinstance(value, sp.MatrixBase) else value
+            for name, value in corrupted.items()
+        }
         assert rejected("eigenstructure", plant, {**answers, **frozen}), corrupted
 
 
@@ -97,7 +100,9 @@ def test_any_scale_and_order_of_eigenvectors_is_right():
     swap = sp.Matrix([[0, 1], [1, 0]])
     answers["eigenvalues"] = answers["eigenvalues"][::-1]
     answers["right_eigenvectors"] = sp.ImmutableMatrix(answers["right_eigenvectors"] * swap * sp.diag(3, -7))
-    answers["left_eigenvectors"] = sp.ImmutableMatrix(sp.diag(2, sp.Rational(1, 3)) * swap * answers["left_eigenvectors"])
+    answers["left_eigenvectors"] = sp.ImmutableMatrix(
+        sp.diag(2, sp.Rational(1, 3)) * swap * answers["left_eigenvectors"]
+    )
     answers["jordan_form"] = sp.ImmutableMatrix(swap * answers["jordan_form"] * swap)
     assert not rejected("eigenstructure", plant, answers)
 

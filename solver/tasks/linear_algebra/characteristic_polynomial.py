@@ -39,7 +39,7 @@ def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeV
     resolvent = exact.faddeev_leverrier(A)
     chi = resolvent.characteristic_polynomial(x)
     yield Step("expansion", claims=_expansion(pencil, resolvent.adjugate(x), chi), x=x, n=A.rows, **_shape(pencil))
-    factored = exact.factored(chi, x)
+    factored = exact.factored(A, x)
     if factored != chi:
         yield Step("factors", claims={"factors": Claim(chi, factored, "factors of the characteristic polynomial")}, x=x)
     return resolvent
@@ -64,7 +64,7 @@ def _expansion(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) ->
             "value": Claim(product(*diagonal), chi, says),
         }
     if pencil.rows == 2:
-        a, b, c, d = pencil
+        a, b, c, d = pencil.flat()
         stated = difference(product(a, d), product(b, c))
         return {"stated": Claim(determinant(pencil), stated, says), "value": Claim(stated, chi, says)}
     return _cofactors(pencil, adjugate, chi)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
-from solver.derivation.stated import difference, power, product, value_at
+from solver.derivation.stated import power, product, value_at
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
@@ -52,16 +52,16 @@ def eigenvalues_of(A: ImmutableMatrix) -> Derivation[exact.Spectrum]:
 
 def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
     """The quadratic formula, or decimals for a factor that has no such formula of degree two."""
-    p = factor.polynomial(x)
-    claims = {
-        f"root{i}": Claim(value_at(p, x, root.value), sp.Integer(0), "the root put into its factor")
-        for i, root in enumerate(factor.roots, 1)
-    }
-    values: dict[str, Any] = {"p": p, "x": x, "roots": [root.value for root in factor.roots]}
+    p, roots = factor.polynomial(x), [root.value for root in factor.roots]
     if factor.degree > 2:
-        return Step("decimal_roots", claims=claims, degree=factor.degree, **values)
+        split = Claim(p, product(*(x - root for root in roots)), "the factor written with its decimal roots")
+        return Step("decimal_roots", claims={"split": split}, p=p, roots=roots, degree=factor.degree)
+    claims = {
+        f"root{i}": Claim(value_at(p, x, root), sp.Integer(0), "the root put into its factor")
+        for i, root in enumerate(roots, 1)
+    }
     _, b, c = factor.coefficients
-    return Step("quadratic", claims=claims, b=b, c=c, kind=factor.roots[0].kind, **values)
+    return Step("quadratic", claims=claims, p=p, roots=roots, b=b, c=c, root_kind=factor.roots[0].kind)
 
 
 @lemma("eigenvectors")
@@ -179,12 +179,11 @@ def holds_column_by_column(given: Given, answers: Answers) -> Iterable[Check]:
     yield Check.that(r"$A$ is diagonalizable as stated", "inspection of $J$", answers["diagonalizable"] == expected)
 
 
-def _is_jordan(J: ImmutableMatrix, spectrum: list[Expr]) -> bool:
+def _is_jordan(J: ImmutableMatrix, spectrum: Sequence[Expr]) -> bool:
     """Eigenvalues on the diagonal, ones or zeros above it (ones only between equal eigenvalues), zeros elsewhere."""
     n = J.rows
-    diagonal = all(J[i, i] == spectrum[i] for i in range(n))
-    above = all(J[i, i + 1] == 0 or (J[i, i + 1] == 1 and spectrum[i] == spectrum[i + 1]) for i in range(n - 1))
-    return diagonal and above and all(J[i, j] == 0 for i in range(n) for j in range(n) if j not in (i, i + 1))
-
-
-__all__ = ["difference", "eigenstructure", "eigenvalues_of", "left_eigenvectors_of", "right_eigenvectors_of"]
+    if [J[i, i] for i in range(n)] != list(spectrum):
+        return False
+    links = [J[i, i + 1] for i in range(n - 1)]
+    linked = all(link == 0 or (link == 1 and a == b) for link, a, b in zip(links, spectrum, spectrum[1:], strict=False))
+    return linked and all(J[i, j] == 0 for i in range(n) for j in range(n) if j not in (i, i + 1))

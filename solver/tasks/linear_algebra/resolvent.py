@@ -19,7 +19,7 @@ def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatr
     """(xI − A)⁻¹ = adj(xI − A)/det(xI − A); returns it with cancelled entries."""
     resolvent = yield from determinant_of(A, x)
     pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
-    adj, chi = resolvent.adjugate(x), exact.factored(resolvent.characteristic_polynomial(x), x)
+    adj, chi = resolvent.adjugate(x), exact.factored(A, x)
     yield Step(
         "adjugate",
         claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
@@ -56,7 +56,7 @@ def partial_fractions_of(A: ImmutableMatrix, x: Symbol) -> Derivation[Any]:
 @lemma("resolvent")
 def transform_pairs_of(A: ImmutableMatrix, x: Symbol, time: Symbol, *, discrete: bool) -> Derivation[None]:
     """List the transform pairs that the partial fractions need; in discrete time the images carry the factor z."""
-    pairs = exact.transform_pairs(exact.spectrum(A), x, time, discrete=discrete)
+    pairs = exact.transform_pairs(A, x, time, discrete=discrete)
     invert = inverse_z if discrete else inverse_laplace
     yield Step(
         "pairs",

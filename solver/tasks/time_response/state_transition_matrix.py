@@ -123,7 +123,7 @@ def by_power_series(given: Given) -> Derivation[Answers]:
             )
             for i in range(terms)
         },
-        expansions=[(function, exact.taylor(function, t, terms)) for function in exact.mode_functions(Phi)],
+        expansions=[(function, exact.taylor(function, t, terms)) for function in Phi.functions],
         Phi=Phi.matrix,
         terms=terms,
     )
@@ -196,7 +196,7 @@ def by_modal_matrix(given: Given) -> Derivation[Answers]:
         structure = yield from right_eigenvectors_of(A)
         _require_diagonalizable(structure)
         modal = structure.right
-    inverted = exact.inverse(modal)
+    inverted = structure.left_inverse if left else structure.right_inverse
     yield Step(
         "inverse",
         claims={"inverse": Claim(inverse(modal), inverted, "inverse of the modal matrix")},
