@@ -11,11 +11,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from solver.problem.expressions.bounds import check_bounds
+from solver.problem.expressions.bounds import check_numbers
 from solver.problem.expressions.build import build
 from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.grammar import parse, parse_sides
 from solver.problem.expressions.names import Names
+from solver.problem.expressions.shape import check_shape
+from solver.problem.expressions.syntax import Node
 from solver.problem.expressions.tokens import Kind, is_decimal, tokenize
 
 if TYPE_CHECKING:
@@ -36,7 +38,7 @@ def parse_expression(text: str, names: Names) -> sp.Expr:
     """Return the expression, exact: "0.75" is 3/4. Raises ExpressionError."""
     with _only_expression_errors(text):
         node = parse(text, names)
-        check_bounds(node, names)
+        _check(node, names)
         return build(node, names)
 
 
@@ -44,7 +46,7 @@ def parse_alternatives(text: str, names: Names) -> tuple[sp.Expr, ...]:
     """Return the values of an expression that may hold one ±: "-3 ± 2j" has two, + first. Raises ExpressionError."""
     with _only_expression_errors(text):
         node = parse(text, names, alternatives=True)
-        check_bounds(node, names)
+        _check(node, names)
         signs = (1, -1) if "±" in text else (1,)
         return tuple(build(node, names, sign) for sign in signs)
 
@@ -54,7 +56,7 @@ def parse_equation(text: str, names: Names) -> tuple[sp.Expr, sp.Expr]:
     with _only_expression_errors(text):
         sides = parse_sides(text, names)
         for side in sides:
-            check_bounds(side, names)
+            _check(side, names)
         left, right = (build(side, names) for side in sides)
         return left, right
 
@@ -70,6 +72,12 @@ def canonical_name(text: str) -> str:
     if token.kind is not Kind.NAME or len(others) > 1:
         raise ExpressionError("a name is expected: letters, digits and _", 0, len(text))
     return token.text
+
+
+def _check(node: Node, names: Names) -> None:
+    """Raise ExpressionError unless the expression can be built, and worked with, in reasonable time."""
+    check_shape(node, names)
+    check_numbers(node, names)
 
 
 @contextmanager

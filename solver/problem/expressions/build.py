@@ -1,6 +1,6 @@
 """The syntax tree as a sympy expression: exact, evaluated as sympy does by itself, never expanded.
 
-Only trees that passed `check_bounds` may come here.
+Only trees that passed `check_shape` and `check_numbers` may come here.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.names import Names
 from solver.problem.expressions.syntax import Call, Name, Node, Number, Power, Product, Signal, Sum
 
-_SMALL = 12
-"""Arguments of this many operations are small enough to look for their absolute value."""
+_SHORT = 12
+"""The number of operations up to which an absolute value is looked for."""
 
 
 def build(node: Node, names: Names, plus_minus: int = 1) -> sp.Expr:
@@ -100,9 +100,9 @@ class _Builder:
 
 
 def _absolute(argument: Any) -> Any:
-    """|x|; of a long complex expression it is only stated, since sympy would multiply out x times its conjugate."""
-    evaluate = argument.is_extended_real or argument.count_ops() <= _SMALL
-    return sp.Abs(argument) if evaluate else sp.Abs(argument, evaluate=False)
+    """|x|, found where x is a short polynomial; else stated, since sympy would multiply x by its conjugate."""
+    short = argument.count_ops() <= _SHORT and not argument.has(sp.Function)
+    return sp.Abs(argument) if short else sp.Abs(argument, evaluate=False)
 
 
 _CONSTANTS = {"pi": "pi", "e": "E", "j": "I", "inf": "oo"}

@@ -35,6 +35,10 @@ class Names:
         """Whether the problem or the task gives the name a meaning."""
         return any(name in table for table in (self.variables, self.functions, self.values, self.symbols))
 
+    def is_constant(self, name: str) -> bool:
+        """Whether the name is a constant of the notation: pi, e, j, inf, unless the problem declares it."""
+        return name in CONSTANTS and not self.declares(name)
+
     def known(self) -> list[str]:
         """Return all names with a meaning, constants included, sorted."""
         return sorted({*self.variables, *self.functions, *self.values, *self.symbols, *CONSTANTS})

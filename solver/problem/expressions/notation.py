@@ -38,7 +38,7 @@ GREEK = {
 GREEK_NAMES = frozenset(GREEK.values()) | {"omicron"}
 
 OPERATORS = {sign: sign for sign in "+-*/^()=,±'"} | {
-    **{"−": "-", "·": "*", "⋅": "*", "×": "*", "∗": "*", "∕": "/", "÷": "/"},  # noqa: RUF100
+    **{"−": "-", "·": "*", "⋅": "*", "×": "*", "∗": "*", "∕": "/", "÷": "/"},
     **{"′": "'", "’": "'", "″": "''", "‴": "'''"},
 }
 """Signs and the operator they stand for (a double prime is two)."""

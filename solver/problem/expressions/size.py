@@ -19,7 +19,7 @@ _NODES = 1000
 class Size:
     """Upper bounds for one part of an expression.
 
-    `bits`: of the numerators and denominators that may occur in it; `degree`: as a polynomial in its symbols;
+    `bits`: of the numerators and denominators that may occur in it;
     `value`: the number itself, where it is rational; `constant`: whether it holds no symbol; `estimate`: roughly its
     value where it is constant, None where that is not known; `weight`: the sum of the sizes of its coefficients,
     which are what exponents are made of; `reach`: the weight of the largest exponent of e in it;
@@ -27,7 +27,6 @@ class Size:
     """
 
     bits: int = 0
-    degree: int = 0
     value: Fraction | None = None
     constant: bool = False
     estimate: complex | None = None
@@ -46,7 +45,7 @@ class Size:
         return max(self.weight, self.magnitude) if self.constant else self.weight
 
 
-SYMBOL = Size(degree=1)
+SYMBOL = Size()
 
 
 def bits_of(value: Fraction) -> int:
@@ -86,7 +85,7 @@ def of_value(value: Any) -> Size:
     estimate = attempt(lambda: complex(value)) if constant else None
     weight = max(1.0, abs(estimate)) if estimate is not None else _power(2.0, bits)
     logs = any(type(part).__name__ == "log" for part in parts)
-    return Size(bits, 0 if constant else 1, None, constant, estimate, weight, weight, logs)
+    return Size(bits, None, constant, estimate, weight, weight, logs)
 
 
 def _parts(value: Any) -> Iterator[Any]:
@@ -110,7 +109,6 @@ def plus(terms: Sequence[tuple[str, Size]]) -> Size:
         estimate = None  # the terms cancel: what is left may be rounding noise
     return Size(
         max(size.bits for size in sizes) + len(terms).bit_length(),
-        max(size.degree for size in sizes),
         None,
         constant,
         estimate,
@@ -130,7 +128,6 @@ def times(sizes: Sequence[Size]) -> Size:
     numbers = [size.estimate for size in sizes if size.estimate is not None]
     return Size(
         bits,
-        sum(size.degree for size in sizes),
         None,
         constant,
         attempt(lambda: math.prod(numbers, start=complex(1))) if len(numbers) == len(sizes) else None,
@@ -164,7 +161,6 @@ def integer_power(base: Size, n: int) -> Size:
     return replace(
         base,
         bits=bits,
-        degree=base.degree * n,
         value=None,
         estimate=attempt(lambda: estimate**n) if estimate is not None else None,
         weight=_power(base.weight, n),
@@ -178,7 +174,6 @@ def power(base: Size, exponent: Size) -> Size:
     x, y = base.estimate, exponent.estimate
     return Size(
         (2 * base.bits + 2) * growth + exponent.bits,
-        max(base.degree * growth, exponent.degree),
         None,
         base.constant and exponent.constant,
         attempt(lambda: x**y) if x is not None and y is not None else None,
@@ -197,7 +192,6 @@ def function(name: str, argument: Size, evaluate: Callable[[complex], complex]) 
         argument = integer_power(replace(argument, value=None), math.ceil(argument.as_exponent))
     return Size(
         2 * argument.bits + 2,
-        argument.degree,
         None,
         argument.constant,
         estimate,

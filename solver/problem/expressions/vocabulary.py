@@ -26,13 +26,13 @@ def check_name(token: Token, names: Names) -> None:
         raise ExpressionError(f"unknown name {name}", token.at, length, names.like(name))
 
 
-def refuse_call(token: Token, names: Names, following: Sequence[Token]) -> None:
+def check_call(token: Token, names: Names, following: Sequence[Token]) -> None:
     """Raise an error where `name(` cannot well be a product; `following` are the two tokens after the bracket."""
     name, length = token.text, token.end - token.at
     if name in FUNCTIONS:
         message = f"unclear: {name} is declared as a name, and is also a function"
         raise ExpressionError(message, token.at, length, f"{name}*(...)")
-    inside = following[0].text if following[-1].text == ")" else ""
+    inside = following[0].text if len(following) == 2 and following[1].text == ")" else ""
     if inside in names.variables:
         message = f"{name} is not a function of {inside} here"
         suggestion = f"{name}*{inside}" if name != "u" else f"step({inside}) or u*{inside}"
@@ -41,7 +41,7 @@ def refuse_call(token: Token, names: Names, following: Sequence[Token]) -> None:
         raise ExpressionError(f"unknown function {name}", token.at, length, _function_like(name))
 
 
-def refuse_prime(token: Token, names: Names, end: int) -> ExpressionError:
+def prime_refused(token: Token, names: Names, end: int) -> ExpressionError:
     """Return the error for a prime after what is not a function of time."""
     message = f"a prime is a time derivative, and {token.text} is not a function of time here"
     meant = get_close_matches(token.text, names.functions, 1)
