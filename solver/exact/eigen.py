@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, reduce
+from functools import cached_property, lru_cache, partial, reduce
 from typing import Any
 
 import sympy as sp
@@ -26,7 +26,7 @@ Chain = tuple[sp.ImmutableMatrix, ...]
 class Eigenspace:
     """One eigenvalue: chains of column vectors n×1, each chain from its eigenvector up; (A − λI) c_{j+1} = c_j.
 
-    `reduction` is the row reduction of λI − A where λ lies in K itself, else None. `nullities` are the dimensions of
+    `reduction` is the row reduction of λI − A (None for decimal λ). `nullities` are the dimensions of
     the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay. `dual` are the rows of V⁻¹ for
     these columns of V, written as columns; there are none where a chain is longer than one.
     """
@@ -150,7 +150,7 @@ def _at_roots(factor: Factor, basis: _Basis, dual: list[Vector]) -> list[Eigensp
             root=root,
             chains=tuple(tuple(column(vector, root) for vector in chain) for chain in basis.chains),
             nullities=basis.nullities,
-            reduction=basis.reduction if factor.degree == 1 else None,
+            reduction=basis.reduction.mapped(partial(element_at, root=root)) if factor.degree < 3 else None,
             dual=tuple(column(row, root) for row in dual),
         )
         for root in factor.roots

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
+import mpmath
 import sympy as sp
 
 from solver.exact.fields import Algebraic, expression
-from solver.exact.spectrum import Root
+from solver.exact.spectrum import DIGITS, Root
 
 
 def element_at(a: Algebraic, root: Root) -> sp.Expr:
@@ -17,11 +21,28 @@ def element_at(a: Algebraic, root: Root) -> sp.Expr:
     return value_at(coefficients, root)
 
 
-def value_at(coefficients: list[sp.Expr], root: Root) -> sp.Expr:
-    """Σ cᵢ rootⁱ, multiplied out (numbers) or over one denominator (parameters); decimals keep 30 digits."""
+def value_at(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
+    """Σ cᵢ rootⁱ, multiplied out (numbers) or over one denominator (parameters); of a decimal root in decimals."""
+    if root.kind == "decimal":
+        return _decimal_value(coefficients, root)
     value: sp.Expr = sp.Integer(0)
     for c in reversed(coefficients):
-        value = sp.expand(value * root.value + (sp.N(c, 40) if root.kind == "decimal" else c))
-    if value.free_symbols:
-        return sp.expand(sp.cancel(value)) if value.is_rational_function() else value
+        value = sp.expand(value * root.value + c)
+    if value.free_symbols and value.is_rational_function():
+        return sp.expand(sp.cancel(value))
     return value
+
+
+def _decimal_value(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
+    """Horner's rule with guard digits; the result has as many digits as the root."""
+    with mpmath.workdps(DIGITS + 15):
+        x = mpmath.mpc(mpmath.mpmathify(root.sigma), mpmath.mpmathify(root.shift))
+        value = mpmath.polyval([_number(c) for c in reversed(coefficients)], x)
+        real = sp.Float(mpmath.re(value), DIGITS)
+        return real if root.shift == 0 else real + sp.I * sp.Float(mpmath.im(value), DIGITS)
+
+
+def _number(c: sp.Expr) -> Any:
+    if c.is_Rational:
+        return mpmath.mpf(int(c.p)) / int(c.q)
+    return mpmath.mpmathify(sp.N(c, DIGITS + 15))

@@ -5,8 +5,9 @@ Rows are numbered from 0. Entries are elements of K (sympy domain elements) or o
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
 
 Rows = tuple[tuple[Any, ...], ...]
 
@@ -15,6 +16,7 @@ Rows = tuple[tuple[Any, ...], ...]
 class Swap:
     """R_i ↔ R_j."""
 
+    kind: ClassVar[str] = "swap"
     i: int
     j: int
 
@@ -23,6 +25,7 @@ class Swap:
 class Scale:
     """R_i ← c R_i."""
 
+    kind: ClassVar[str] = "scale"
     i: int
     factor: Any
 
@@ -31,6 +34,7 @@ class Scale:
 class Add:
     """R_i ← R_i + c R_j."""
 
+    kind: ClassVar[str] = "add"
     i: int
     j: int
     factor: Any
@@ -47,6 +51,18 @@ class RowReduction:
     pivots: tuple[int, ...]
     operations: tuple[Operation, ...]
     stages: tuple[Rows, ...]
+
+    def mapped(self, convert: Callable[[Any], Any]) -> RowReduction:
+        """The same reduction with every element converted, to expressions say."""
+
+        def rows(M: Rows) -> Rows:
+            return tuple(tuple(convert(a) for a in row) for row in M)
+
+        operations = tuple(
+            operation if isinstance(operation, Swap) else replace(operation, factor=convert(operation.factor))
+            for operation in self.operations
+        )
+        return RowReduction(rows(self.reduced), self.pivots, operations, tuple(rows(M) for M in self.stages))
 
 
 def row_reduce(rows: Rows) -> RowReduction:
@@ -70,8 +86,9 @@ def row_reduce(rows: Rows) -> RowReduction:
         pivot = min(candidates, key=lambda i: (not _is_unit(M[i][column]), i))
         if pivot != r:
             apply(Swap(r, pivot))
-        if M[r][column] != M[r][column] / M[r][column]:
-            apply(Scale(r, M[r][column] / M[r][column] / M[r][column]))
+        one = M[r][column] / M[r][column]
+        if M[r][column] != one:
+            apply(Scale(r, one / M[r][column]))
         for i in range(len(M)):
             if i != r and M[i][column]:
                 apply(Add(i, r, -M[i][column]))

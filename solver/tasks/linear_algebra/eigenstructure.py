@@ -101,14 +101,17 @@ def _eigenspace_step(A: ImmutableMatrix, space: exact.Eigenspace, i: int, conjug
 
 
 def _reduction(pencil: ImmutableMatrix, reduction: exact.RowReduction) -> Step:
+    """The row operations, one by one, and the unknowns they leave free (numbered from 1)."""
     return Step(
         "row_reduction",
         detail="tutor",
-        unclaimed="row operations are checked by the vectors they lead to",
-        pencil=pencil,
-        stages=reduction.stages,
-        operations=reduction.operations,
-        free=[j for j in range(1, pencil.cols + 1) if j - 1 not in reduction.pivots],
+        unclaimed="the row operations are checked by the vectors they lead to",
+        start=pencil,
+        stages=[
+            (operation, sp.ImmutableMatrix(stage))
+            for operation, stage in zip(reduction.operations, reduction.stages[1:], strict=True)
+        ],
+        free=[j + 1 for j in range(pencil.cols) if j not in reduction.pivots],
     )
 
 

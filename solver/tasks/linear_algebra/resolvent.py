@@ -49,6 +49,7 @@ def partial_fractions_of(A: ImmutableMatrix, x: Symbol) -> Derivation[Any]:
         claims={"expansion": Claim(inverse(pencil), expansion, "partial fractions of the inverse")},
         x=x,
         terms=terms,
+        exceptions=exact.spectrum(A).exceptions,
     )
     return expansion
 
@@ -65,4 +66,5 @@ def transform_pairs_of(A: ImmutableMatrix, x: Symbol, time: Symbol, *, discrete:
             for i, (image, original) in enumerate(pairs, 1)
         },
         discrete=discrete,
+        undecided=any(root.kind == "symbolic" and root.shift != 0 for root in exact.spectrum(A).roots),
     )
