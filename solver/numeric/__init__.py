@@ -1,1 +1,38 @@
-"""Oracles."""
+"""The oracles: formulas and answers judged by numbers, on their own algorithms; nothing exact is imported here.
+
+scipy is imported by the functions that need it.
+"""
+
+from solver.numeric.claims import check_claim, check_residual, check_steps
+from solver.numeric.compare import TOLERANCE
+from solver.numeric.eigen import (
+    chain_residual,
+    eigenpair_residual,
+    independent,
+    left_residual,
+    polynomial_residual,
+    spectrum_residual,
+)
+from solver.numeric.evaluate import evaluate
+from solver.numeric.exponential import equality_residual, exponential_residual, power_residual
+from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
+
+__all__ = [
+    "TOLERANCE",
+    "NotEvaluable",
+    "ShapeMismatch",
+    "Undefined",
+    "chain_residual",
+    "check_claim",
+    "check_residual",
+    "check_steps",
+    "eigenpair_residual",
+    "equality_residual",
+    "evaluate",
+    "exponential_residual",
+    "independent",
+    "left_residual",
+    "polynomial_residual",
+    "power_residual",
+    "spectrum_residual",
+]

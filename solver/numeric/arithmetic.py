@@ -1,0 +1,179 @@
+"""Two arithmetics with one face: numpy's complex doubles and mpmath's complex numbers of many digits.
+
+Both work on a batch of P points: scalars are arrays (P,), matrices (P, n, m); with many digits the arrays hold
+mpmath numbers as objects. Constants are plain Python (mpmath) numbers that broadcast.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.numeric import multiple_precision
+from solver.numeric.values import Undefined
+
+Array = NDArray[Any]
+
+NUMPY_NAMES = {
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "asinh": "arcsinh",
+    "acosh": "arccosh",
+    "atanh": "arctanh",
+    "re": "real",
+    "im": "imag",
+    "arg": "angle",
+}
+
+
+class Double:
+    """Complex doubles: numpy, and scipy for the matrix exponential."""
+
+    eps = 2.0**-52
+    digits = 15
+    dtype: Any = np.complex128
+
+    def rational(self, numerator: int, denominator: int = 1) -> Any:
+        """p/q, correctly rounded."""
+        return complex(numerator / denominator)
+
+    def constant(self, name: str) -> Any:
+        """`pi` or `e`."""
+        return complex(getattr(np, name))
+
+    def imaginary(self) -> Any:
+        """√−1."""
+        return 1j
+
+    def number(self, value: Any) -> Any:
+        """Return a Python number, or an mpmath number, in this arithmetic."""
+        return complex(value)
+
+    def array(self, values: Any) -> Array:
+        """Return Python numbers as an array of this arithmetic."""
+        return np.asarray(values, dtype=np.complex128)
+
+    def size(self, value: Any) -> Any:
+        """Return absolute values as floats."""
+        return np.abs(value)
+
+    def approximate(self, value: Any) -> Any:
+        """Return values as complex doubles."""
+        return value
+
+    def apply(self, name: str, value: Any) -> Any:
+        """Return an elementary function, by its name in mpmath, of each value."""
+        result: Any = getattr(np, NUMPY_NAMES.get(name, name))(value)
+        return result + 0j
+
+    def power(self, base: Any, exponent: Any) -> Any:
+        """Return the principal value of base^exponent, 0⁰ = 1."""
+        return np.power(base, exponent)
+
+    def determinant(self, M: Array) -> Array:
+        """Det M at each point, by numpy's LU decomposition."""
+        return np.asarray(np.linalg.det(M))
+
+    def inverse(self, M: Array) -> Array:
+        """M⁻¹ at each point; raises Undefined where M is singular."""
+        try:
+            return np.asarray(np.linalg.inv(M))
+        except np.linalg.LinAlgError as singular:
+            raise Undefined("the matrix to invert is singular") from singular
+
+    def exponential(self, M: Array) -> tuple[Array, Array]:
+        """e^M at each point and its magnitude, by scipy.linalg.expm."""
+        from scipy.linalg import expm  # noqa: PLC0415 - 150 ms that most checks do not need
+
+        if not np.all(np.isfinite(M)):
+            raise Undefined("the exponent is not finite")
+        return expm(M), np.abs(expm(np.abs(M))) * (1.0 + np.abs(M).sum(axis=(1, 2)))[:, None, None]
+
+
+class Multiple:
+    """Complex numbers of a given number of decimal digits: mpmath, and algorithms of our own on matrices."""
+
+    dtype: Any = object
+
+    def __init__(self, digits: int) -> None:
+        self.digits = digits
+        self.context = mpmath.mp.clone()
+        self.context.dps = digits
+        self.eps = float(self.context.eps)
+
+    def rational(self, numerator: int, denominator: int = 1) -> Any:
+        """p/q."""
+        return self.context.mpc(self.context.mpf(numerator) / denominator)
+
+    def constant(self, name: str) -> Any:
+        """`pi` or `e`."""
+        return self.context.mpc(getattr(self.context, name))
+
+    def imaginary(self) -> Any:
+        """√−1."""
+        return self.context.mpc(0, 1)
+
+    def number(self, value: Any) -> Any:
+        """Return a Python number, or an mpmath number of any context, in this arithmetic."""
+        return self.context.mpc(value)
+
+    def array(self, values: Any) -> Array:
+        """Return Python numbers, taken as exact, as an array of this arithmetic."""
+        return np.asarray(self._each(self.context.mpc)(np.asarray(values, dtype=object)), dtype=object)
+
+    def size(self, value: Any) -> Any:
+        """Return absolute values as floats."""
+        return np.asarray(abs(value), dtype=float)
+
+    def approximate(self, value: Any) -> Any:
+        """Return values as complex doubles."""
+        return np.asarray(value, dtype=np.complex128)
+
+    def apply(self, name: str, value: Any) -> Any:
+        """Return an elementary function, by its name in mpmath, of each value."""
+        function = getattr(self.context, name)
+        return self._each(lambda each: self.context.mpc(function(each)))(value)
+
+    def power(self, base: Any, exponent: Any) -> Any:
+        """Return the principal value of base^exponent, 0⁰ = 1; a whole exponent is taken by multiplication."""
+        return np.frompyfunc(self._power, 2, 1)(base, exponent)
+
+    def _power(self, base: Any, exponent: Any) -> Any:
+        exponent = self.context.mpc(exponent)
+        if exponent.imag == 0 and exponent.real == int(exponent.real):
+            return base ** int(exponent.real)
+        return base**exponent if base != 0 else self.context.mpc(0)
+
+    def determinant(self, M: Array) -> Array:
+        """Det M at each point, by elimination."""
+        return np.array([multiple_precision.determinant(each) for each in M], dtype=object)
+
+    def inverse(self, M: Array) -> Array:
+        """M⁻¹ at each point, by elimination; raises Undefined where M is singular."""
+        return np.stack([multiple_precision.inverse(each) for each in M])
+
+    def exponential(self, M: Array) -> tuple[Array, Array]:
+        """e^M at each point and its magnitude, by the Taylor series in whole numbers."""
+        pairs = [multiple_precision.exponential(each, self.context) for each in M]
+        values = np.stack([value for value, _ in pairs])
+        return values, np.stack([error for _, error in pairs]) / self.eps + self.size(values)
+
+    def _each(self, function: Callable[[Any], Any]) -> Any:
+        return np.frompyfunc(function, 1, 1)
+
+
+Arithmetic = Double | Multiple
+
+DOUBLE = Double()
+
+
+@cache
+def multiple(digits: int) -> Multiple:
+    """Return the arithmetic of that many digits (made once)."""
+    return Multiple(digits)

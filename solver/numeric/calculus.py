@@ -1,0 +1,157 @@
+"""Derivatives, integrals and values at a point of formulas as stated."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import factorial
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array, multiple
+from solver.numeric.contour import unit_roots
+from solver.numeric.environment import Environment
+from solver.numeric.stated import operation
+from solver.numeric.values import NotEvaluable, Value
+from solver.numeric.walk import walk
+
+RADII = (1.0, 0.25, 0.0625, 2.0**-6, 2.0**-8, 2.0**-12, 2.0**-18)
+PANELS = 4
+
+
+@operation
+def value_at(environment: Environment, function: Any, variable: Any, value: Any) -> Value:
+    """F(x) at x = value."""
+    return walk(function, environment.having({variable: walk(value, environment).value}))
+
+
+@operation
+def derivative(environment: Environment, function: Any, variable: Any, order: Any = 1) -> Value:
+    """dᵐf/dxᵐ by Cauchy's integral formula on the largest of some circles in which f is analytic.
+
+    Raises NotEvaluable where f is not analytic near x.
+    """
+    m = int(order)
+    if m == 0:
+        return walk(function, environment)
+    arithmetic = environment.arithmetic
+    count = 64 if arithmetic is DOUBLE else 16 * (arithmetic.digits // 5)
+    x = environment.full(walk(variable, environment).value)
+    roots = unit_roots(count, arithmetic)
+    for radius in RADII:
+        scale = arithmetic.rational(1, round(1 / radius))
+        samples = walk(function, environment.spread(variable, x[:, None] + scale * roots[None, :]))
+        value, magnitude = _samples(samples, environment.points, count)
+        if _analytic(np.asarray(arithmetic.approximate(value)), magnitude):
+            weights = (arithmetic.power(roots, arithmetic.number(-m)) * factorial(m)).reshape(
+                (1, count, *(1 for _ in value.shape[2:]))
+            )
+            # the division by scale^m comes last: in doubles it is exact, scale being a power of two
+            result = (value * weights).sum(axis=1) / count / scale**m
+            return Value(result, magnitude.sum(axis=1) / count * factorial(m) / radius**m)
+    raise NotEvaluable("the function to differentiate is not analytic near the point")
+
+
+def _samples(samples: Value, points: int, count: int) -> tuple[Array, Array]:
+    """Return values and magnitudes as arrays (P, N, …)."""
+    tail = np.shape(samples.value)[1:]
+    value = np.broadcast_to(samples.value, (points * count, *tail)).reshape((points, count, *tail))
+    magnitude = np.broadcast_to(samples.magnitude, (points * count, *tail)).reshape((points, count, *tail))
+    return value, magnitude
+
+
+def _analytic(values: Array, magnitude: Array) -> bool:
+    """Whether samples on circles (P, N, …) have no negative and no high positive powers in their Laurent series.
+
+    Negative powers tell of a pole or cut inside, high ones that N nodes are too few.
+    """
+    count = values.shape[1]
+    if not np.all(np.isfinite(values)):
+        return False
+    laurent = np.abs(np.fft.fft(values, axis=1)) / count
+    allowed = 1e-13 * np.abs(values).max(axis=1, keepdims=True) + 1e-14 * magnitude.max(axis=1, keepdims=True)
+    return bool(np.all(laurent[:, count // 2 - 4 :] <= allowed))
+
+
+@operation
+def integral(environment: Environment, integrand: Any, variable: Any, lower: Any, upper: Any) -> Value:
+    """∫ f dx by the rule of Gauss and Legendre on some panels; the difference of two refinements is the error.
+
+    Limits are finite, or the upper one is ∞ and the integrand decays.
+    """
+    a = environment.full(walk(lower, environment).value)
+    if upper == sp.oo:
+        return _to_infinity(environment, integrand, variable, a)
+    b = environment.full(walk(upper, environment).value)
+    edges = np.linspace(0.0, 1.0, PANELS + 1)
+    coarse, fine = (_panels(environment, integrand, variable, (a, b - a), each) for each in (edges, _halved(edges)))
+    return _with_error(coarse, fine, environment.arithmetic)
+
+
+def _to_infinity(environment: Environment, integrand: Any, variable: Any, a: Array) -> Value:
+    """∫ from a to ∞ on panels whose lengths double, from 1/64 to 1024; refused unless the integrand has died away."""
+    edges = np.array([0.0, *(2.0**i for i in range(-6, 11))])
+    one = environment.full(1)
+    coarse, fine = (_panels(environment, integrand, variable, (a, one), each) for each in (edges, _halved(edges)))
+    last = _panels(environment, integrand, variable, (a, one), edges[-2:])
+    size = environment.arithmetic.size
+    if np.any(size(last.value) > 1e-12 * size(fine.value) + 1e-15 * fine.magnitude):
+        raise NotEvaluable("the integrand of an integral to infinity decays too slowly")
+    return _with_error(coarse, fine, environment.arithmetic)
+
+
+def _halved(edges: Array) -> Array:
+    return np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
+
+
+def _panels(environment: Environment, integrand: Any, variable: Any, span: tuple[Array, Array], edges: Array) -> Value:
+    """∫ of f(a + w u) w du over the panels between the edges of u."""
+    arithmetic = environment.arithmetic
+    x, w = legendre(arithmetic)
+    half = arithmetic.array((edges[1:] - edges[:-1]) / 2)[:, None]
+    middle = arithmetic.array((edges[1:] + edges[:-1]) / 2)[:, None]
+    u = (middle + half * x[None, :]).reshape(-1)
+    weights = (half * w[None, :]).reshape(-1)
+    start, width = span
+    samples = walk(integrand, environment.spread(variable, start[:, None] + width[:, None] * u[None, :]))
+    value, magnitude = _samples(samples, environment.points, len(u))
+    factor = (width[:, None] * weights[None, :]).reshape((environment.points, len(u), *(1 for _ in value.shape[2:])))
+    return Value((value * factor).sum(axis=1), (magnitude * arithmetic.size(factor)).sum(axis=1))
+
+
+def _with_error(coarse: Value, fine: Value, arithmetic: Arithmetic) -> Value:
+    """Return the finer value; the difference counts as its error."""
+    error = arithmetic.size(fine.value - coarse.value)
+    if np.any(error > 1e-6 * (arithmetic.size(fine.value) + fine.magnitude)):
+        raise NotEvaluable("the integrand is not smooth enough for the quadrature")
+    return Value(fine.value, fine.magnitude + error / arithmetic.eps)
+
+
+@cache
+def legendre(arithmetic: Arithmetic) -> tuple[Array, Array]:
+    """Return nodes and weights of Gauss and Legendre on [−1, 1]: 20 in doubles, 60 with many digits."""
+    if arithmetic is DOUBLE:
+        x, w = np.polynomial.legendre.leggauss(20)
+        return x, w
+    count = 60
+    many = multiple(arithmetic.digits).context
+    nodes = [_refined(many.mpf(float(x)), count) for x in np.polynomial.legendre.leggauss(count)[0]]
+    weights = [2 / ((1 - x * x) * _legendre(x, count)[1] ** 2) for x in nodes]
+    return arithmetic.array(nodes), arithmetic.array(weights)
+
+
+def _refined(x: Any, count: int) -> Any:
+    """Return the zero of P_n next to x, by Newton's method."""
+    for _ in range(8):
+        value, slope = _legendre(x, count)
+        x = x - value / slope
+    return x
+
+
+def _legendre(x: Any, count: int) -> tuple[Any, Any]:
+    """P_n(x) and P_n'(x), by the recurrence of three terms."""
+    before, value = x * 0 + 1, x
+    for k in range(2, count + 1):
+        before, value = value, ((2 * k - 1) * x * value - (k - 1) * before) / k
+    return value, count * (x * value - before) / (x * x - 1)

@@ -1,0 +1,89 @@
+"""Whether two values agree: entry by entry, each by its own size, and no further than the arithmetic can tell.
+
+The residual of an entry is |l − r| / max(|l|, |r|, n/τ) with n the noise that rounding explains and τ the tolerance;
+so it is at most τ if and only if the entry agrees to τ relative to its own size, or the difference is mere noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array, multiple
+from solver.numeric.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, shape_of
+
+TOLERANCE = 1e-9
+QUIET = 1e-12
+"""Noise up to this absolute size lets doubles decide that a zero is a zero."""
+
+Point = dict[Any, complex]
+Sides = Callable[[Sequence[Point], Arithmetic], tuple[Value, Value]]
+"""Evaluates both sides of an equality at some points; raises Undefined or NotEvaluable."""
+
+
+def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) -> tuple[Array, Array]:
+    """Return the largest residual at each point (P,), and whether doubles settle it (P,) or more digits are needed."""
+    l_shape, r_shape = shape_of(left) or (1, 1), shape_of(right) or (1, 1)
+    if l_shape != r_shape:
+        raise ShapeMismatch(f"the shapes differ: {'×'.join(map(str, l_shape))} and {'×'.join(map(str, r_shape))}")
+    if 0 in l_shape:
+        return np.zeros(points), np.ones(points, dtype=bool)
+    (l_value, l_size), (r_value, r_size) = _flat(left, points), _flat(right, points)
+    difference = arithmetic.size(l_value - r_value)
+    size = np.maximum(arithmetic.size(l_value), arithmetic.size(r_value))
+    noise = SAFETY * arithmetic.eps * (l_size + r_size)
+    scale = np.maximum(size, noise / TOLERANCE)
+    residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
+    settled = (difference <= TOLERANCE * size) | ((difference <= noise) & (noise <= QUIET))
+    if arithmetic is not DOUBLE and np.any((difference > TOLERANCE * size) & (noise > 1e-6 * np.maximum(size, 1.0))):
+        raise NotEvaluable("the decimals in the formula carry too few digits to judge the equality")
+    return residual.max(axis=1), settled.all(axis=1)
+
+
+def _flat(value: Value, points: int) -> tuple[Array, Array]:
+    """Return values and magnitudes as arrays (P, entries)."""
+    full = (points, *np.shape(value.value)[1:])
+    return np.broadcast_to(value.value, full).reshape(points, -1), np.broadcast_to(value.magnitude, full).reshape(
+        points, -1
+    )
+
+
+def worst_residual(sides: Sides, points: Sequence[Point]) -> tuple[float, int]:
+    """Return the largest residual over the points, and the number of digits that decided (15, 50 or 100).
+
+    Agreement in doubles is conclusive. What doubles leave open, disagreement included, is decided point by point
+    with 50 and, if rounding still could hide it, 100 digits. Raises Undefined if a side has no value somewhere.
+    """
+    with np.errstate(all="ignore"):
+        residual, settled = _in_doubles(sides, points)
+        digits = 15
+        for p in map(int, np.flatnonzero(~settled)):
+            residual[p], needed = _with_many_digits(sides, points[p])
+            digits = max(digits, needed)
+    return float(np.max(residual, initial=0.0)), digits
+
+
+def _in_doubles(sides: Sides, points: Sequence[Point]) -> tuple[Array, Array]:
+    left, right = sides(points, DOUBLE)
+    return residuals(left, right, len(points), DOUBLE)
+
+
+def _with_many_digits(sides: Sides, point: Point) -> tuple[float, int]:
+    for digits in (50, 100):
+        arithmetic = multiple(digits)
+        try:
+            left, right = sides([point], arithmetic)
+            residual, _ = residuals(left, right, 1, arithmetic)
+        except (ZeroDivisionError, OverflowError) as trouble:
+            raise Undefined(f"the formula is not defined here ({trouble})") from trouble
+        if digits == 100 or _loud_enough(left, right, float(residual[0]), arithmetic):
+            break
+    return float(residual[0]), digits
+
+
+def _loud_enough(left: Value, right: Value, residual: float, arithmetic: Arithmetic) -> bool:
+    """Whether more digits would change nothing: the sides differ, or the noise is low."""
+    noise = SAFETY * arithmetic.eps * max(float(np.max(left.magnitude)), float(np.max(right.magnitude)))
+    return residual > TOLERANCE or noise <= 1e-25

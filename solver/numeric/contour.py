@@ -1,0 +1,85 @@
+"""Inverse transforms by their defining contour integrals.
+
+ℒ⁻¹{F}(t) = (1/2πj) ∮ F(s) e^{st} ds and 𝒵⁻¹{F}(k) = (1/2πj) ∮ F(z) z^{k−1} dz around all poles. On a circle the
+trapezoid rule converges geometrically (Trefethen and Weideman, SIAM Review 56 (2014), section 2).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array
+from solver.numeric.environment import Environment
+from solver.numeric.poles import Circle, circle_around_poles
+from solver.numeric.stated import operation
+from solver.numeric.values import NotEvaluable, Value
+from solver.numeric.walk import walk
+
+REACH = 6.0
+"""radius · t up to which doubles lose less than three digits to e^{st}."""
+
+FARTHEST = 120.0
+"""radius · t beyond which 100 digits would not do."""
+
+
+def number_of_nodes(arithmetic: Arithmetic, growth: float) -> int:
+    """Return N with (1/2)^N and the tail of the series of e^{growth} below the roundoff of the arithmetic."""
+    return int(16 * np.ceil((arithmetic.digits * 3.4 + 12.0 + 4.0 * growth) / 16))
+
+
+def unit_roots(count: int, arithmetic: Arithmetic) -> Array:
+    """e^{2πj i/N} for i = 0 … N − 1."""
+    turns = [arithmetic.rational(2 * i, count) for i in range(count)]
+    angle = arithmetic.constant("pi") * arithmetic.imaginary()
+    return np.asarray(arithmetic.apply("exp", np.array([turn * angle for turn in turns], dtype=arithmetic.dtype)))
+
+
+@operation
+def inverse_laplace(environment: Environment, image: Any, s: Any, t: Any) -> Value:
+    """ℒ⁻¹{F(s)}(t) of a rational F."""
+    arithmetic = environment.arithmetic
+    circle = circle_around_poles(image, s, environment, centred=False)
+    time = environment.full(walk(t, environment).value)
+    growth = float(np.max(circle.radius * np.abs(arithmetic.approximate(time))))
+    limit = 25.0 if arithmetic is DOUBLE else FARTHEST
+    if growth > FARTHEST:
+        raise NotEvaluable("t is too large for the inversion integral to keep its digits")
+    roots = unit_roots(number_of_nodes(arithmetic, min(growth, limit)), arithmetic)
+    centre, radius = _columns(circle, arithmetic)
+    nodes = centre + radius * roots[None, :]
+    weights = arithmetic.apply("exp", nodes * time[:, None]) * radius * roots[None, :]
+    return _integrate(environment, image, s, nodes, weights)
+
+
+@operation
+def inverse_z(environment: Environment, image: Any, z: Any, k: Any) -> Value:
+    """𝒵⁻¹{F(z)}(k) of a rational F, k whole."""
+    arithmetic = environment.arithmetic
+    circle = circle_around_poles(image, z, environment, centred=True)
+    order = environment.full(walk(k, environment).value)
+    steps = np.asarray(arithmetic.approximate(order))
+    if np.any(steps != np.round(steps.real)) or np.any(np.abs(steps) > 100):
+        raise NotEvaluable("the inverse z-transform is evaluated at whole numbers k up to 100")
+    roots = unit_roots(number_of_nodes(arithmetic, float(np.max(np.abs(steps))) / 4 + 4), arithmetic)
+    _, radius = _columns(circle, arithmetic)
+    nodes = radius * roots[None, :]
+    return _integrate(environment, image, z, nodes, arithmetic.power(nodes, order[:, None]))
+
+
+def _columns(circle: Circle, arithmetic: Arithmetic) -> tuple[Array, Array]:
+    """Return centre and radius as columns (P, 1) of the arithmetic."""
+    return arithmetic.array(circle.centre)[:, None], arithmetic.array(circle.radius)[:, None]
+
+
+def _integrate(environment: Environment, image: Any, variable: Any, nodes: Array, weights: Array) -> Value:
+    """Return the mean over the nodes (P×N) of the image times the weights (P×N)."""
+    F = walk(image, environment.spread(variable, nodes))
+    shape = (*nodes.shape, *np.shape(F.value)[1:])
+    factor = weights.reshape((*nodes.shape, *(1 for _ in shape[2:])))
+    value = np.broadcast_to(F.value, (nodes.size, *shape[2:])).reshape(shape)
+    magnitude = np.broadcast_to(F.magnitude, (nodes.size, *shape[2:])).reshape(shape)
+    count = nodes.shape[1]
+    size = environment.arithmetic.size(factor)
+    return Value((value * factor).sum(axis=1) / count, (magnitude * size).sum(axis=1) / count)

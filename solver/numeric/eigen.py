@@ -1,0 +1,163 @@
+"""Eigenvalues, eigenvectors and chains judged by their defining equations.
+
+Eigenvalues in floats are no judge of multiple ones (an error ε moves them by ε^{1/m}); so spectra are compared by the
+values of the characteristic polynomial, which are well conditioned, with as many digits as that takes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from random import Random
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.derivation.stated import determinant, difference, product
+from solver.numeric.arithmetic import Array, multiple
+from solver.numeric.compare import Point
+from solver.numeric.environment import Environment
+from solver.numeric.evaluate import value_of
+from solver.numeric.exponential import equality_residual
+from solver.numeric.points import SEED, admissible, free_symbols
+
+SAME_SIZE = 4.0
+"""Eigenvalues whose sizes differ by less than this factor share a point of comparison."""
+
+
+def eigenpair_residual(A: Any, eigenvalues: Sequence[Any], V: Any) -> float:
+    """Return the largest entrywise relative difference in A vᵢ = λᵢ vᵢ, vᵢ the columns of V (n×k, k eigenvalues).
+
+    Infinite if the shapes do not fit or a column is zero.
+    """
+    if V.shape != (A.rows, len(eigenvalues)) or _has_zero_column(V):
+        return float("inf")
+    diagonal = sp.ImmutableMatrix(len(eigenvalues), len(eigenvalues), _diagonal(eigenvalues))
+    return equality_residual(product(A, V), product(V, diagonal), _points(A, V, diagonal))
+
+
+def _diagonal(entries: Sequence[Any]) -> list[Any]:
+    return [entries[i] if i == j else 0 for i in range(len(entries)) for j in range(len(entries))]
+
+
+def chain_residual(A: Any, V: Any, J: Any) -> float:
+    """Return the largest entrywise relative difference in A V = V J; infinite if shapes misfit or a column is zero.
+
+    That J is in Jordan form and that the columns are independent are questions of their own.
+    """
+    if _has_zero_column(V):
+        return float("inf")
+    return equality_residual(product(A, V), product(V, J), _points(A, V, J))
+
+
+def left_residual(A: Any, M: Any, J: Any) -> float:
+    """Return the largest entrywise relative difference in M A = J M; infinite if shapes misfit or a row is zero."""
+    if _has_zero_column(M.T):
+        return float("inf")
+    return equality_residual(product(M, A), product(J, M), _points(A, M, J))
+
+
+def _has_zero_column(V: Any) -> bool:
+    return any(all(V[i, j] == 0 for i in range(V.rows)) for j in range(V.cols))
+
+
+def spectrum_residual(A: Any, eigenvalues: Sequence[Any]) -> float:
+    """Return the largest relative difference of det(xI − A) and Π(x − λᵢ) at random x of the size of each eigenvalue.
+
+    Infinite if there are not n eigenvalues (each as often as its multiplicity).
+    """
+    if len(eigenvalues) != A.rows:
+        return float("inf")
+    x = sp.Dummy("x")
+    return _at_random_x(A, product(*(difference(x, value) for value in eigenvalues)), x)
+
+
+def polynomial_residual(A: Any, polynomial: Any, symbol: Any) -> float:
+    """Return the largest relative difference of det(xI − A) and p(x) at random x, p an expression in the symbol."""
+    return _at_random_x(A, polynomial, symbol)
+
+
+def _at_random_x(A: Any, formula: Any, x: Any) -> float:
+    pencil = difference(product(x, sp.eye(A.rows)), A)
+    points = [
+        {**point, x: size * direction}
+        for point in _points(A, formula, without=x)
+        for size, direction in _directions(_sizes(A, point))
+    ]
+    return equality_residual(determinant(pencil), formula, points)
+
+
+def _directions(sizes: list[float]) -> list[tuple[float, complex]]:
+    """Pair each size with random complex numbers of about unit size, three pairs at least."""
+    random = Random(SEED)  # noqa: S311 - nothing secret
+    each = -(-3 // len(sizes))
+    return [
+        (size, random.uniform(0.8, 1.6) * complex(np.exp(1j * random.uniform(0.3, 2.8))))
+        for size in sizes
+        for _ in range(each)
+    ]
+
+
+def _sizes(A: Any, point: Point) -> list[float]:
+    """Return the sizes of the eigenvalues of A at a point, those close to each other once."""
+    A_here = value_of(A, Environment.at([point])).value[0]
+    largest = float(np.max(np.abs(A_here), initial=0.0)) or 1.0
+    sizes: list[float] = []
+    for size in sorted((float(abs(value)) for value in np.linalg.eigvals(A_here)), reverse=True):
+        if size > 1e-12 * largest and (not sizes or size * SAME_SIZE < sizes[-1]):
+            sizes.append(size)
+    return sizes or [largest]
+
+
+def independent(V: Any) -> bool:
+    """Whether the columns of V (n×k, exact or decimals, parameters at random values) are linearly independent.
+
+    By the smallest singular value of V with columns of unit length; where that is small, by orthogonalization with
+    50 digits. Raises NotEvaluable.
+    """
+    if V.cols == 0:
+        return True
+    if V.cols > V.rows:
+        return False
+    return all(_independent_at(V, point) for point in _points(V))
+
+
+def _independent_at(V: Any, point: Point) -> bool:
+    values = value_of(V, Environment.at([point])).value[0]
+    lengths = np.linalg.norm(values, axis=0)
+    if np.all(lengths > 0) and np.linalg.svd(values / lengths, compute_uv=False)[-1] > 1e-6:
+        return True
+    many = multiple(50)
+    exact = value_of(V, Environment.at([point], many))
+    known = max(1e-30, float(np.max(exact.magnitude / np.maximum(many.size(exact.value), 1e-300))) * many.eps * 1e4)
+    return _smallest_remainder(exact.value[0]) > known
+
+
+def _smallest_remainder(V: Array) -> float:
+    """Return the smallest length that orthogonalization (largest first) leaves of a column of unit length."""
+    context = multiple(50).context
+    columns = [V[:, j] for j in range(V.shape[1])]
+    if any(all(entry == 0 for entry in column) for column in columns):
+        return 0.0
+    columns = [column / _length(column, context) for column in columns]
+    smallest = 1.0
+    while columns:
+        lengths = [_length(column, context) for column in columns]
+        largest = int(np.argmax(lengths))
+        smallest = min(smallest, float(lengths[largest]))
+        if smallest < 1e-40:
+            return smallest
+        q = columns.pop(largest) / lengths[largest]
+        conjugate = np.array([context.conj(entry) for entry in q], dtype=object)
+        columns = [column - q * (conjugate @ column) for column in columns]
+    return smallest
+
+
+def _length(column: Array, context: Any) -> Any:
+    return context.sqrt(sum(abs(entry) ** 2 for entry in column))
+
+
+def _points(*formulas: Any, without: Any = None) -> list[Any]:
+    """Return random values of the parameters at which all formulas have values."""
+    symbols = frozenset().union(*map(free_symbols, formulas)) - {without}
+    return list(admissible(symbols, 2))

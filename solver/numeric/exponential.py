@@ -1,0 +1,70 @@
+"""Is a given matrix Φ(t) the matrix exponential e^{At}, is Φ(k) the power Aᵏ? Judged by values, not by form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from solver.derivation.stated import exponential, power, product
+from solver.numeric.arithmetic import Arithmetic
+from solver.numeric.compare import Point, worst_residual
+from solver.numeric.environment import Environment
+from solver.numeric.evaluate import value_of
+from solver.numeric.points import admissible, free_symbols
+from solver.numeric.values import ShapeMismatch, Undefined, Value
+
+TIMES = (0.0, 0.37, 1.3, 2.9)
+"""Times in units of 1/ρ(A), the spectral radius."""
+
+LAST_EXPONENT = 8
+
+
+def exponential_residual(A: Any, Phi: Any, t: Any) -> float:
+    """Return the largest entrywise relative difference of Φ(t) (n×n in the symbol t) and e^{At} (scipy.linalg.expm).
+
+    At several t, 0 among them (there e^{A0} = I), suited to the fast and to the slow modes, and at random values of
+    parameters. Infinite if the shapes differ or Φ is not defined at such a t. Raises NotEvaluable.
+    """
+    points = [{**point, t: time} for point in _parameters(A, Phi, t) for time in _times(A, point)]
+    return equality_residual(exponential(product(t, A)), Phi, points)
+
+
+def power_residual(A: Any, Phi: Any, k: Any) -> float:
+    """Return the largest entrywise relative difference of Φ(k) (n×n in the symbol k) and Aᵏ for k = 0, 1, …, 8."""
+    points = [{**point, k: step} for point in _parameters(A, Phi, k) for step in range(LAST_EXPONENT + 1)]
+    return equality_residual(power(A, k), Phi, points)
+
+
+def equality_residual(left: Any, right: Any, points: Sequence[Point]) -> float:
+    """Return the largest residual of left = right at given points; infinite where a side is undefined or misshapen."""
+
+    def sides(some: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
+        environment = Environment.at(list(some), arithmetic)
+        return value_of(left, environment), value_of(right, environment)
+
+    try:
+        return worst_residual(sides, points)[0]
+    except (ShapeMismatch, Undefined):
+        return float("inf")
+
+
+def _parameters(A: Any, Phi: Any, variable: Any) -> list[Any]:
+    return admissible((free_symbols(A) | free_symbols(Phi)) - {variable}, 2)
+
+
+def _times(A: Any, point: Point) -> list[float]:
+    """Return times at which the modes of A, fast and slow, are neither dead nor out of range."""
+    A_here = value_of(A, Environment.at([point])).value[0]
+    eigenvalues = np.linalg.eigvals(A_here) if len(A_here) else np.zeros(0)
+    fast = float(np.max(np.abs(eigenvalues), initial=0.0))
+    if fast < 1e-6 * float(np.max(np.abs(A_here), initial=0.0)):  # nilpotent, up to the rounding of eigenvalues
+        fast = float(np.max(np.abs(A_here), initial=0.0))
+    if fast == 0.0:
+        return list(TIMES)
+    sizes = np.abs(eigenvalues)
+    slow = float(np.min(sizes[sizes > 1e-6 * fast], initial=fast))
+    growth = max(float(np.max(eigenvalues.real, initial=0.0)), 1e-6 * fast)
+    latest = min(1.7 / slow, 30.0 / growth, 300.0 / fast)
+    return [time / fast for time in TIMES] + ([latest] if latest > 5.0 / fast else [])

@@ -1,0 +1,125 @@
+"""Random points at which equalities are tried: always the same ones, and admissible for each symbol."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from random import Random
+from typing import Any
+
+import sympy as sp
+from sympy.functions.special.tensor_functions import KroneckerDelta
+from sympy.matrices.matrixbase import MatrixBase
+
+from solver.derivation import Stated
+
+SEED = 19_600_415  # the month of Kalman's paper; any constant will do
+COMPLEX_NAMES = frozenset({"s", "z", "lamda", "lambda"})
+"""Symbols without assumptions that stand for complex variables."""
+
+WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
+BOUND = {"inverse_laplace": 1, "inverse_z": 1, "integral": 1, "value_at": 1}
+"""Operations that bind a variable, and which operand it is; the image or function is operand 0."""
+
+
+def free_symbols(formula: Any) -> frozenset[Any]:
+    """Return the symbols whose values the formula needs."""
+    if isinstance(formula, Stated):
+        if formula.operation in BOUND:
+            body, variable, *others = formula.operands
+            return (free_symbols(body) - {variable}).union(*map(free_symbols, others))
+        return frozenset().union(*map(free_symbols, formula.operands))
+    if isinstance(formula, sp.Basic | MatrixBase):
+        return frozenset(formula.free_symbols)
+    if isinstance(formula, list | tuple):
+        return frozenset().union(*map(free_symbols, formula))
+    return frozenset()
+
+
+def whole_symbols(*formulas: Any, names: Collection[str] = ()) -> frozenset[Any]:
+    """Return the symbols that take whole numbers: by assumption, by name, or by the place where they stand.
+
+    Such places are the k of an inverse z-transform, the arguments of Kronecker's delta and of factorials, and the
+    exponent of a base that is not known to be positive (λᵏ; a parameter k in e^{kt} is none).
+    """
+    found: set[Any] = set()
+    for formula in formulas:
+        found.update(symbol for symbol in free_symbols(formula) if symbol.is_integer or symbol.name in names)
+        for node in nodes(formula):
+            found |= _whole_in(node)
+    return frozenset(found)
+
+
+def _whole_in(node: Any) -> set[Any]:
+    if isinstance(node, Stated):
+        if node.operation == "inverse_z":
+            return set(free_symbols(node.operands[2]))
+        if node.operation == "power" and isinstance(node.operands[0], MatrixBase):
+            return set(free_symbols(node.operands[1]))
+        return set()
+    if isinstance(node, WHOLE_ARGUMENTS):
+        return set(node.free_symbols)
+    if isinstance(node, sp.Pow) and not node.base.is_positive and isinstance(node.exp, sp.Symbol | sp.Add):
+        return {symbol for symbol in free_symbols(node.exp) if symbol.name == "k"}
+    return set()
+
+
+def nodes(formula: Any) -> Iterable[Any]:
+    """Return the formula and everything in it: stated formulas, expressions and their arguments."""
+    yield formula
+    if isinstance(formula, Stated):
+        parts: Iterable[Any] = formula.operands
+    elif isinstance(formula, MatrixBase):
+        parts = formula.flat()
+    elif isinstance(formula, sp.Basic):
+        parts = formula.args
+    else:
+        parts = formula if isinstance(formula, list | tuple) else ()
+    for part in parts:
+        yield from nodes(part)
+
+
+class PointSource:
+    """Draws points: a value for every symbol, respecting what is assumed of it. The same sequence in every run."""
+
+    def __init__(self, symbols: Iterable[Any], whole: Collection[Any] = frozenset()) -> None:
+        self.symbols = sorted(symbols, key=lambda symbol: (symbol.name, str(symbol.assumptions0)))
+        self.whole = whole
+        self.random = Random(SEED)  # noqa: S311 - nothing secret
+        self.drawn = 0
+
+    def draw(self) -> dict[Any, complex]:
+        """Return the next point."""
+        point = {symbol: self._value(symbol) for symbol in self.symbols}
+        self.drawn += 1
+        return point
+
+    def several(self, count: int) -> list[dict[Any, complex]]:
+        """Return the next points."""
+        return [self.draw() for _ in range(count)]
+
+    def _value(self, symbol: Any) -> complex:
+        if symbol in self.whole:
+            return self._whole_number(symbol)
+        if symbol.name == "t" and not symbol.is_negative:
+            return self.random.uniform(0.1, 1.5)
+        size, sign = self.random.uniform(0.3, 2.5), self.random.choice((-1, 1))
+        if symbol.is_nonnegative or symbol.is_nonpositive:
+            return size if symbol.is_nonnegative else -size
+        if symbol.is_imaginary:
+            return 1j * size
+        if symbol.is_real is None and (symbol.is_complex or symbol.name in COMPLEX_NAMES):
+            return complex(self.random.uniform(-2.5, 2.5), sign * size)
+        return size * sign
+
+    def _whole_number(self, symbol: Any) -> int:
+        """0, 1, then any up to 6 (small numbers are where δ(k) and nilpotent blocks show)."""
+        if symbol.is_negative:
+            return -self.random.randint(1, 6)
+        number = self.drawn if self.drawn < 2 else self.random.randint(2, 6)
+        return max(number, 1) if symbol.is_positive or symbol.is_zero is False else number
+
+
+def admissible(symbols: Iterable[Any], count: int) -> list[Mapping[Any, complex]]:
+    """Return some points for parameters of a matrix; one point if there are none."""
+    symbols = list(symbols)
+    return list(PointSource(symbols).several(count if symbols else 1))

@@ -1,0 +1,45 @@
+"""Numbers with what is known of their rounding: the value and the size of what was added up to get it.
+
+The oracles never trust a digit that cancellation may have spoiled. Every value carries a magnitude m: to first order
+its absolute error is a small multiple of ε m, ε the unit roundoff of the arithmetic (running error analysis, Higham,
+Accuracy and Stability of Numerical Algorithms, section 3.3).
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+SAFETY = 64.0
+"""Errors above SAFETY · ε · magnitude are not explained by rounding."""
+
+
+class NotEvaluable(ValueError):  # noqa: N818 - a refusal with its reason, in words
+    """The oracle has no sound way of evaluating a formula; the message says why."""
+
+
+class Undefined(NotEvaluable):
+    """The formula has no finite value at a point (division by zero, overflow); another point may do."""
+
+
+class ShapeMismatch(ValueError):  # noqa: N818 - the formula is wrong, not the program
+    """A formula joins matrices whose shapes do not fit."""
+
+
+class Value(NamedTuple):
+    """Values at P points: a scalar has shape () or (P,), a matrix (P, rows, columns), a list of k scalars (P, k).
+
+    `magnitude` has the shape of `value` or broadcasts to it; real numbers (floats), not negative.
+    """
+
+    value: Any
+    magnitude: Any
+
+    @property
+    def is_matrix(self) -> bool:
+        """Whether the value is a matrix at each point."""
+        return getattr(self.value, "ndim", 0) == 3
+
+
+def shape_of(value: Value) -> tuple[int, ...]:
+    """Shape of the value at one point: () for a scalar."""
+    return tuple(getattr(value.value, "shape", ()))[1:]
