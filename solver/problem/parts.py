@@ -15,6 +15,7 @@ from solver.problem.systems import NOTHING, described, provided
 from solver.systems import StateSpace, System
 
 OWN_KEYS = ("task", "method", "marks", "prompt", "system")
+IN_WORDS = {"transfer_function": "a transfer function", "matrix": "a matrix", "x0": "initial_state"}
 
 
 class PlantOf(NamedTuple):
@@ -191,4 +192,5 @@ def _check_needs(task: Task, plant: PlantOf, given: set[str], node: Node) -> Non
         raise node.fault(
             f"{task.name} is about a system, and there is none", note="add 'system:' to the problem or the part"
         )
-    raise node.fault(f"{task.name} needs {' and '.join(missing)}; {described(plant.system)}")
+    words = [IN_WORDS.get(need, need) for need in missing]
+    raise node.fault(f"{task.name} needs {' and '.join(words)}; {described(plant.system)}")

@@ -19,29 +19,29 @@ MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
 KINDS = {
-    "A": "state_space",
-    "transfer_function": "transfer_function",
-    "transfer_matrix": "transfer_matrix",
-    "matrix": "matrix",
+    "A": "<state_space>",
+    "transfer_function": "<transfer_function>",
+    "transfer_matrix": "<transfer_matrix>",
+    "matrix": "<matrix>",
 }
-"""The key that tells the kind of a system."""
+"""The key that tells the kind of a system. Names of alternatives stand in <> so that they are never taken for keys."""
 
 RESERVED = ("equations", "lagrangian", "circuit", "functional", "model")
 """Kinds of system that are known but can't be read yet."""
 
 
 def kind_of_value(value: Any) -> str | None:
-    """Return "value", "list" or "mapping"; None for anything else."""
+    """Return "<value>", "<list>" or "<mapping>"; None for anything else."""
     if isinstance(value, str):
-        return "value"
-    return "list" if isinstance(value, list) else "mapping" if isinstance(value, dict) else None
+        return "<value>"
+    return "<list>" if isinstance(value, list) else "<mapping>" if isinstance(value, dict) else None
 
 
 def kind_of_system(value: Any) -> str | None:
     """Return the kind that the keys of a system tell."""
     if not isinstance(value, dict):
         return None
-    return next((kind for key, kind in KINDS.items() if key in value), "state_space")
+    return next((kind for key, kind in KINDS.items() if key in value), "<state_space>")
 
 
 def _either(expected: str) -> Discriminator:
@@ -52,15 +52,15 @@ def _either(expected: str) -> Discriminator:
 Text = Annotated[str, Schema({"type": ["string", "number"]})]
 Value = Annotated[str, Schema({"type": ["number", "string"]})]
 Values = Annotated[
-    Annotated[Value, Tag("value")] | Annotated[list[Value], Tag("list")],
+    Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
     _either("a value or a list of values"),
 ]
 Row = Annotated[
-    Annotated[Value, Tag("value")] | Annotated[list[Value], Tag("list")],
+    Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
     _either("a row of numbers or expressions"),
 ]
 Matrix = Annotated[
-    Annotated[Value, Tag("value")] | Annotated[list[Row], Tag("list"), Field(min_length=1)],
+    Annotated[Value, Tag("<value>")] | Annotated[list[Row], Tag("<list>"), Field(min_length=1)],
     _either("a matrix: a list of rows [[..], [..]]"),
 ]
 
@@ -93,14 +93,14 @@ class Fraction(Shape):
 
 def _kind_of_transfer_function(value: Any) -> str | None:
     if isinstance(value, dict):
-        return "fraction" if "numerator" in value or "denominator" in value else "zeros_poles_gain"
-    return "value" if isinstance(value, str) else None
+        return "<fraction>" if "numerator" in value or "denominator" in value else "<zeros_poles_gain>"
+    return "<value>" if isinstance(value, str) else None
 
 
 Rational = Annotated[
-    Annotated[Value, Tag("value")]
-    | Annotated[ZerosPolesGain, Tag("zeros_poles_gain")]
-    | Annotated[Fraction, Tag("fraction")],
+    Annotated[Value, Tag("<value>")]
+    | Annotated[ZerosPolesGain, Tag("<zeros_poles_gain>")]
+    | Annotated[Fraction, Tag("<fraction>")],
     Discriminator(
         _kind_of_transfer_function,
         custom_error_type="expected",
@@ -168,10 +168,10 @@ def _known_kind(value: Any) -> Any:
 
 
 System = Annotated[
-    Annotated[StateSpaceShape, Tag("state_space")]
-    | Annotated[TransferFunctionShape, Tag("transfer_function")]
-    | Annotated[TransferMatrixShape, Tag("transfer_matrix")]
-    | Annotated[MatrixShape, Tag("matrix")],
+    Annotated[StateSpaceShape, Tag("<state_space>")]
+    | Annotated[TransferFunctionShape, Tag("<transfer_function>")]
+    | Annotated[TransferMatrixShape, Tag("<transfer_matrix>")]
+    | Annotated[MatrixShape, Tag("<matrix>")],
     Discriminator(
         kind_of_system,
         custom_error_type="expected",
@@ -201,12 +201,12 @@ class DisplayShape(Shape):
 
 
 Display = Annotated[
-    Annotated[Literal["exact", "decimals", "both"], Tag("value")] | Annotated[DisplayShape, Tag("mapping")],
+    Annotated[Literal["exact", "decimals", "both"], Tag("<value>")] | Annotated[DisplayShape, Tag("<mapping>")],
     _either("exact, both or {decimals: 4}"),
 ]
 Assumption = Literal["positive", "negative", "nonzero", "real", "complex", "integer"]
 Find = Annotated[
-    Annotated[Text, Tag("value")] | Annotated[PartShape, Tag("mapping")],
+    Annotated[Text, Tag("<value>")] | Annotated[PartShape, Tag("<mapping>")],
     _either("a task's name or a mapping {task: .., ..}"),
 ]
 

@@ -16,13 +16,13 @@ from solver.problem.source import Diagnostic, did_you_mean
 Path = tuple[str | int, ...]
 
 MODELS: Mapping[str | int, type[BaseModel]] = {
-    "state_space": shape.StateSpaceShape,
-    "transfer_function": shape.TransferFunctionShape,
-    "transfer_matrix": shape.TransferMatrixShape,
-    "matrix": shape.MatrixShape,
-    "zeros_poles_gain": shape.ZerosPolesGain,
-    "fraction": shape.Fraction,
-    "mapping": shape.DisplayShape,
+    "<state_space>": shape.StateSpaceShape,
+    "<transfer_function>": shape.TransferFunctionShape,
+    "<transfer_matrix>": shape.TransferMatrixShape,
+    "<matrix>": shape.MatrixShape,
+    "<zeros_poles_gain>": shape.ZerosPolesGain,
+    "<fraction>": shape.Fraction,
+    "<mapping>": shape.DisplayShape,
 }
 """The models by the names of alternatives, as these stand in the location of an error."""
 

@@ -85,7 +85,7 @@ def _names(node: MappingNode, key: str, number: int | None) -> tuple[str, ...]:
         if names[position] in names[:position]:
             raise item.fault(f"the name '{names[position]}' is given twice")
     if number is not None and len(names) != number:
-        raise listed.fault(f"there {'is' if number == 1 else 'are'} {number} {key}, but {len(names)} names")
+        raise listed.fault(f"{counted(number, key[:-1], key)} but {counted(len(names), 'name', 'names')}")
     return names
 
 

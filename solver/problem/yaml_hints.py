@@ -34,7 +34,7 @@ HINTS: tuple[tuple[str, str, str], ...] = (
     ("expected alphabetic or numeric", "a name is missing", "put a text that starts with '*' or '&' in quotes"),
     ("expected key", "this line does not fit what stands above it", INDENTATION),
     ("<block end>", "this line does not fit what stands above it", INDENTATION),
-    ("'-' indicator", "this line does not fit the list above it", INDENTATION),
+    ("'-' indicator", "this line does not fit what stands above it", INDENTATION),
     ("sequence entries", "a list cannot start here", "start it on a line of its own, or write [a, b]"),
     ("document start", "this does not fit what stands above it", INDENTATION),
     ("comment or line break", "nothing may follow '|' or '>' on its line", "start the text on the next line"),
@@ -58,6 +58,8 @@ def explain(error: yaml.YAMLError, source: Source) -> Diagnostic:
         return Diagnostic(f"a value cannot start with '{start}'", line, column, note="put the text in quotes")
     for piece, message, note in HINTS:
         if piece in problem:
+            if "escape" in problem and before.endswith("\\"):
+                column -= 1  # PyYAML points after the backslash, libyaml at it
             if note == INDENTATION and before:
                 return Diagnostic("this is not expected here", line, column, note="the value before it has ended")
             return Diagnostic(message, line, column, note=_glued(source, line) or note)
