@@ -32,13 +32,13 @@ def check_call(token: Token, names: Names, following: Sequence[Token]) -> None:
     if name in FUNCTIONS:
         message = f"unclear: {name} is declared as a name, and is also a function"
         raise ExpressionError(message, token.at, length, f"{name}*(...)")
+    if not (names.declares(name) or name in CONSTANTS or _is_single_symbol(token)):
+        raise ExpressionError(f"unknown function {name}", token.at, length, _function_like(name))
     inside = following[0].text if len(following) == 2 and following[1].text == ")" else ""
     if inside in names.variables:
         message = f"{name} is not a function of {inside} here"
         suggestion = f"{name}*{inside}" if name != "u" else f"step({inside}) or u*{inside}"
         raise ExpressionError(message, token.at, length, suggestion)
-    if not (names.declares(name) or name in CONSTANTS or is_single_symbol(name)):
-        raise ExpressionError(f"unknown function {name}", token.at, length, _function_like(name))
 
 
 def prime_refused(token: Token, names: Names, end: int) -> ExpressionError:
@@ -48,17 +48,17 @@ def prime_refused(token: Token, names: Names, end: int) -> ExpressionError:
     return ExpressionError(message, token.at, end - token.at, f"{meant[0]}'" if meant else "")
 
 
-def is_single_symbol(name: str) -> bool:
-    """Whether the name is one letter, Latin or Greek, perhaps with an index: k, k_1, x10, omega_n."""
-    letter = name.partition("_")[0].rstrip("0123456789")
-    return len(letter) == 1 or letter in GREEK_NAMES
+def _is_single_symbol(token: Token) -> bool:
+    """Whether one letter was typed, Latin or Greek, perhaps with an index: k, k_1, x10, ω_n, but not omega_n."""
+    letter = token.text.partition("_")[0].rstrip("0123456789")
+    return len(letter) == 1 or (letter in GREEK_NAMES and token.end - token.at < len(token.text))
 
 
 def _function_like(name: str) -> str:
     """What was meant by an unknown function, or that a product needs its sign."""
     if known := OTHER_FUNCTIONS.get(name.lower()):
         return known
-    return next(iter(get_close_matches(name.lower(), FUNCTIONS, 1)), f"{name}*(...)")
+    return next(iter(get_close_matches(name.lower(), FUNCTIONS, 1, cutoff=0.7)), f"{name}*(...)")
 
 
 def as_product(name: str, names: Names) -> str:
