@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any
 
 Rows = tuple[tuple[Any, ...], ...]
 
@@ -16,7 +16,6 @@ Rows = tuple[tuple[Any, ...], ...]
 class Swap:
     """R_i ↔ R_j."""
 
-    kind: ClassVar[str] = "swap"
     i: int
     j: int
 
@@ -25,7 +24,6 @@ class Swap:
 class Scale:
     """R_i ← c R_i."""
 
-    kind: ClassVar[str] = "scale"
     i: int
     factor: Any
 
@@ -34,7 +32,6 @@ class Scale:
 class Add:
     """R_i ← R_i + c R_j."""
 
-    kind: ClassVar[str] = "add"
     i: int
     j: int
     factor: Any

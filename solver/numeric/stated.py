@@ -107,10 +107,11 @@ def inverse(environment: Environment, matrix: Any) -> Value:
 
 
 def _inverse(M: Value, arithmetic: Arithmetic) -> Value:
-    """M⁻¹ with magnitude |M⁻¹| m |M⁻¹|."""
+    """M⁻¹ with magnitude |M⁻¹| m |M⁻¹|, m the largest magnitude in M: elimination spreads rounding to zeros too."""
     value = arithmetic.inverse(M.value)
     size = arithmetic.size(value)
-    return Value(value, size + size @ M.magnitude @ size)
+    largest = M.magnitude.max(axis=(1, 2), keepdims=True)
+    return Value(value, size + largest * size.sum(axis=2, keepdims=True) * size.sum(axis=1, keepdims=True))
 
 
 @operation
