@@ -32,7 +32,7 @@ ELEMENTS = {*CHILDREN, "math", "mrow", "mstyle", "msqrt", "mpadded", "mphantom",
 TRUTH = re.compile("true|false")
 LENGTH = re.compile(r"[+-]?\d*\.?\d+(em|px)?")
 ATTRIBUTES = {
-    **dict.fromkeys(("stretchy", "fence", "movablelimits", "largeop", "accent", "displaystyle"), TRUTH),
+    **dict.fromkeys(("stretchy", "fence", "movablelimits", "largeop", "accent", "accentunder", "displaystyle"), TRUTH),
     **dict.fromkeys(("lspace", "rspace", "minsize", "maxsize", "width", "height", "depth", "linethickness"), LENGTH),
     "form": re.compile("prefix|infix|postfix"),
     "mathvariant": re.compile("normal"),

@@ -34,7 +34,13 @@ STRUCTURES = """
 ESCAPES = {"\\" + character for character in "{}|%_&#$ ,:;!>"}
 COMMANDS = {"\\" + name for name in (FONTS + STRUCTURES).split()} | ESCAPES | set(FUNCTIONS)
 
-SPELLED = {r"\sim": "∼", r"\iff": r"\Leftrightarrow", r"\implies": r"\Rightarrow", r"\thinspace": r"\,"}
+SPELLED = {
+    r"\arg": r"\operatorname{arg}",
+    r"\sim": "∼",
+    r"\iff": r"\Leftrightarrow",
+    r"\implies": r"\Rightarrow",
+    r"\thinspace": r"\,",
+}
 r"""Rewritten, since latex2mathml draws something else: `\sim` as a tilde, long arrows as letters."""
 
 MATRICES = {"matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix", "smallmatrix", "cases"}

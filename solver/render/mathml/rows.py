@@ -17,8 +17,14 @@ CLOSING = set(")]}⟩⌋⌉!′″‴")
 LIMIT_NAMES = {"lim", "max", "min", "sup", "inf", "det", "gcd", "Pr"}
 LARGE_OPERATORS = set("∑∏⋃⋂")
 
-ACCENTS = {"^": "ˆ", "~": "˜", "―": "¯", "‾": "¯"}
-"""Shapes that sit right above a letter in place of those that do not."""
+ACCENTS = {"^": "ˆ", "~": "˜", "⃛": "˙˙˙"}
+"""Accents of one letter, in the shapes that sit right above it."""
+
+DOTS_ABOVE = "˙¨⃛"
+DOTLESS = {"i": "𝚤", "j": "𝚥"}
+
+WIDE = {"^": "\u0302", "~": "\u0303", "―": "‾", "̲": "_"}
+"""Accents of any width: math fonts have long shapes of these characters only."""
 
 
 def pair_bars(row: Element) -> None:
@@ -73,7 +79,9 @@ def space_function_names(row: Element) -> None:
 
 
 def _takes_space(element: Element) -> bool:
-    """Whether a function's name needs a space before it: not before a bracket, a sign or another space."""
+    """Whether a function's name keeps its distance from it: not from a bracket, a sign or another space."""
+    if _is_function(element) or element.find("mtable") is not None:
+        return True
     if element.tag in {"mrow", *SCRIPTS} and len(element):
         return _takes_space(element[0])
     return element.tag not in {"mo", "mspace"}
@@ -108,11 +116,16 @@ def set_accents(element: Element) -> None:
         return
     mark = element[1]
     text = mark.text or ""
-    if text in "⏞⏟→" or (text in "_̲" and element.tag == "munder"):
+    if text in "⏞⏟→":
         mark.attrib = {"stretchy": "true"}
-        mark.text = "_" if text == "̲" else text
-    elif text in "^~―¯˙¨⃛˘ˇ´`‾":
-        wide = text == "―" or (text in "^~" and element[0].tag == "mrow")
-        mark.attrib = {"stretchy": "true" if wide else "false"}
-        mark.text = ACCENTS.get(text, text)
-        element.set("accent", "true")
+    elif text in "―̲" or (text in "^~" and element[0].tag == "mrow"):
+        mark.text, mark.attrib = WIDE[text], {"stretchy": "true"}
+    elif text in "^~¯˙¨⃛˘ˇ´`":
+        mark.text, mark.attrib = ACCENTS.get(text, text), {"stretchy": "false"}
+        if text in DOTS_ABOVE:
+            mark.set("style", "padding-bottom:0.08em")  # else they touch the letter
+        element[0].text = DOTLESS.get(element[0].text or "", element[0].text)
+    else:
+        return
+    if text not in "⏞⏟":
+        element.set("accent" if element.tag == "mover" else "accentunder", "true")

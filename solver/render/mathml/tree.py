@@ -28,6 +28,8 @@ REFERENCE = re.compile(r"&#x([0-9A-Fa-f]{1,6});")
 SPACES = {"negativethinmathspace": "-0.167em", "thinmathspace": "0.167em", "thickmathspace": "0.278em"}
 """Names that MathML Core dropped."""
 
+PRIMES = {"′", "″", "‴"}
+
 BOX = "border:1px solid;padding:0.25em 0.4em"
 
 
@@ -79,6 +81,18 @@ def _box(element: Element) -> None:
         element.attrib = {"style": BOX}
 
 
+def _primes(element: Element) -> None:
+    """A prime stands after its letter: fonts draw it raised already, and too small in a superscript."""
+    if element.tag in {"msup", "msubsup"} and (element[-1].text or "") in PRIMES:
+        prime = element[-1]
+        prime.tag, prime.attrib = "mo", {"form": "postfix", "lspace": "0em", "rspace": "0em"}
+        if element.tag == "msubsup":
+            base = Element("msub")
+            base.extend(element[:2])
+            element[:2] = [base]
+        element.tag = "mrow"
+
+
 def _labelled_arrows(element: Element) -> None:
     r"""`\xrightarrow{a}`: the arrow is as long as its label and a little more."""
     if element.tag == "mover" and len(element) and element[0].tag == "mstyle" and len(element[0]) == 1:
@@ -102,6 +116,7 @@ VISITS: tuple[Callable[[Element], None], ...] = (
     _fence_matrices,
     _drop_empty_fences,
     _box,
+    _primes,
     _labelled_arrows,
     join_upright_letters,
     _flatten,
