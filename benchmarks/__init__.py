@@ -1,0 +1,1 @@
+"""Side-by-side timings with the peers named in the speed targets; run `python -m benchmarks`."""

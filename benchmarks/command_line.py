@@ -1,0 +1,81 @@
+"""The command line: what `solve --help` costs, a cold solution, and a warm one with checks and page."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from importlib import import_module
+from math import log
+from pathlib import Path
+from typing import Any
+
+from benchmarks.timing import Failure, Row, milliseconds, process
+
+PROBLEM = """\
+title: Benchmark
+system:
+  A: {A}
+find:
+  a: {{task: state_transition_matrix, method: laplace}}
+"""
+
+NO_SYMPY = "import sys; sys.argv = {argv}; from solver.cli import main\ntry:\n main()\nexcept SystemExit:\n pass\n"
+NO_SYMPY += "assert 'sympy' not in sys.modules, 'sympy was imported'"
+
+
+def companion_text(n: int) -> str:
+    """The companion matrix of (x + 1)…(x + n) as YAML."""
+    low = [1]
+    for root in range(1, n + 1):  # coefficients of the product, the constant term first, without the leading one
+        low = [a + root * b for a, b in zip([0, *low], [*low, 0], strict=True)]
+    rows = [[int(j == i + 1) for j in range(n)] for i in range(n - 1)]
+    return str([*rows, [-c for c in low[:-1]]])
+
+
+def problem_text(n: int) -> str:
+    """A problem file that asks for e^{At} of order n."""
+    return PROBLEM.format(A=companion_text(n))
+
+
+def rows() -> Iterator[Row | Failure]:
+    """Return the lines of the table."""
+    _, bare = process(["-c", "pass"])
+    for words in (["--help"], ["tasks"]):
+        yield from _guarded(f"solve {words[0]}: CPU above bare Python", lambda words=words: _startup(words, bare))
+    yield from _guarded("cold solve, n = 3, HTML, checks", _cold)
+    yield from _guarded("warm solve + check + HTML, n = 3", _warm)
+
+
+def _guarded(name: str, measure: Any) -> Iterator[Row | Failure]:
+    """Yield what is measured, or why it could not be: one missing part must not lose the other lines."""
+    try:
+        yield from measure()
+    except (RuntimeError, ImportError, AttributeError) as reason:
+        yield Failure(name, str(reason))
+
+
+def _startup(words: list[str], bare: float) -> Iterator[Row]:
+    process(["-c", NO_SYMPY.format(argv=["solve", *words])], repetitions=1)
+    _, cpu = process(["-m", "solver", *words])
+    yield Row(f"solve {words[0]}: CPU above bare Python", cpu - bare, at_most=150)
+
+
+def _cold() -> Iterator[Row]:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "problem.yaml"
+        path.write_text(problem_text(3), encoding="utf-8")
+        sympy_wall, _ = process(["-c", "import sympy"])
+        wall, _ = process(["-m", "solver", str(path), "-o", str(Path(folder) / "page.html")])
+    yield Row("cold solve, n = 3, HTML, checks", wall, "python -c 'import sympy'", sympy_wall, 1 / 2.5)
+
+
+def _warm() -> Iterator[Row]:
+    package = import_module("solver")  # only here, so that the rows above do not pay for it
+
+    def work(n: int) -> Any:
+        return package.solve(problem_text(n))._repr_html_()
+
+    three = milliseconds(lambda: work(3))
+    yield Row("warm solve + check + HTML, n = 3", three, at_most=30)
+    six = milliseconds(lambda: work(6), repetitions=3)
+    yield Row(f"warm, n = 6 (growth n^{log(six / three, 2):.1f})", six, at_most=three * 2**4)

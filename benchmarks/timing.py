@@ -1,0 +1,120 @@
+"""Timing with fresh caches, and the rows of the table.
+
+A repetition starts with every cache empty (sympy's, and ours), so it costs what the first such problem costs in a
+process that has the libraries loaded. Times are medians; ours and the peer's are measured in the same run.
+"""
+
+from __future__ import annotations
+
+import gc
+import resource
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from statistics import median
+from time import perf_counter
+from typing import Any
+
+from sympy.core.cache import clear_cache
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the table; times in milliseconds. A target bounds our time, the ratio peer/ours, or both."""
+
+    name: str
+    ours: float
+    peer_name: str = ""
+    peer: float | None = None
+    at_least: float | None = None
+    at_most: float | None = None
+
+    @property
+    def ratio(self) -> float | None:
+        """How many times faster than the peer we are."""
+        return None if self.peer is None else self.peer / self.ours
+
+    @property
+    def target(self) -> str:
+        """The target in words."""
+        bounds = [f"≥ {self.at_least:g}×"] if self.at_least is not None else []
+        bounds += [f"≤ {self.at_most:.4g} ms"] if self.at_most is not None else []
+        return ", ".join(bounds)
+
+    @property
+    def met(self) -> bool:
+        """Whether every bound holds."""
+        fast = self.at_most is None or self.ours <= self.at_most
+        return fast and (self.at_least is None or (self.ratio or 0.0) >= self.at_least)
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A row that could not be measured, with the reason; it counts as not met."""
+
+    name: str
+    reason: str
+    met: bool = False
+
+
+def forget() -> None:
+    """Empty sympy's caches and those of every function of the package."""
+    clear_cache()
+    for name, module in list(sys.modules.items()):
+        if name.split(".")[0] == "solver":
+            for value in list(vars(module).values()):
+                if callable(getattr(value, "cache_clear", None)):
+                    value.cache_clear()
+
+
+def milliseconds(work: Callable[[], Any], repetitions: int = 7) -> float:
+    """The median time of the work with caches emptied before each repetition."""
+    times = []
+    work()  # imports and one-time tables
+    for _ in range(repetitions):
+        forget()
+        gc.collect()
+        start = perf_counter()
+        work()
+        times.append(perf_counter() - start)
+    return 1000 * median(times)
+
+
+def once(work: Callable[[], Any]) -> float:
+    """The time of one run with caches empty: for peers that take seconds."""
+    forget()
+    start = perf_counter()
+    work()
+    return 1000 * (perf_counter() - start)
+
+
+def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: int = 7) -> tuple[float, float]:
+    """The medians of ours and of a peer, measured in turns so that both see the same load."""
+    times: tuple[list[float], list[float]] = ([], [])
+    for work in (ours, peer):
+        work()
+    for _ in range(repetitions):
+        for work, kept in zip((ours, peer), times, strict=True):
+            forget()
+            gc.collect()
+            start = perf_counter()
+            work()
+            kept.append(perf_counter() - start)
+    return 1000 * median(times[0]), 1000 * median(times[1])
+
+
+def process(arguments: Sequence[str], repetitions: int = 5) -> tuple[float, float]:
+    """The medians of wall time and CPU time (ms) of a Python process; raises RuntimeError if it fails."""
+    walls, cpus = [], []
+    for _ in range(repetitions):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        start = perf_counter()
+        finished = subprocess.run([sys.executable, *arguments], capture_output=True, text=True, check=False)
+        walls.append(perf_counter() - start)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        cpus.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+        if finished.returncode != 0:
+            lines = finished.stderr.strip().splitlines()
+            raise RuntimeError(lines[-1] if lines else f"exit code {finished.returncode}")
+    return 1000 * median(walls), 1000 * median(cpus)
