@@ -212,6 +212,9 @@ def _printer(numbers: NumberFormat) -> Printer:
 
 DEFAULT = NumberFormat()
 
+SHORT = 100
+"""A fraction of whole numbers up to this needs no decimal beside it."""
+
 
 def tex(value: Any, numbers: NumberFormat = DEFAULT) -> str:
     """Return LaTeX (without dollar signs) of an expression, matrix, list, condition, truth value, text or formula.
@@ -219,3 +222,25 @@ def tex(value: Any, numbers: NumberFormat = DEFAULT) -> str:
     A Python truth value is "yes" or "no"; a condition that sympy found true or false is "always" or "never".
     """
     return _printer(numbers).doprint_value(value)
+
+
+def tex_answer(value: Any, numbers: NumberFormat = DEFAULT) -> str:
+    """Return the value of an answer as LaTeX; in the mode "both" its decimals follow, unless they say nothing new."""
+    exact = tex(value, numbers)
+    if numbers.mode != "both" or not _wants_decimal(value):
+        return exact
+    decimal = tex(value, NumberFormat("decimal", numbers.digits))
+    return exact if decimal == exact else rf"{exact} \approx {decimal}"
+
+
+def _wants_decimal(value: Any) -> bool:
+    """Whether a value holds a constant that is hard to picture: a root, or a fraction with many digits."""
+    if isinstance(value, list | tuple):
+        return any(_wants_decimal(item) for item in value)
+    if isinstance(value, sp.MatrixBase):
+        return any(_wants_decimal(entry) for entry in value.flat())
+    if not isinstance(value, sp.Expr):
+        return False
+    roots = any(power.base.is_number and not power.exp.is_Integer for power in value.atoms(sp.Pow) if power.is_number)
+    long = any(number.q > SHORT or abs(number.p) > SHORT for number in value.atoms(sp.Rational) if number.q != 1)
+    return roots or long or bool(value.atoms(sp.NumberSymbol))

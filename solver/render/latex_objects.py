@@ -12,7 +12,7 @@ from solver.render.symbols import name_tex
 
 FUNCTIONS = {
     **{name: f"\\{name}" for name in ["sin", "cos", "tan", "sinh", "cosh", "tanh", "cot", "coth", "sec", "csc"]},
-    **{"asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "log": r"\ln", "arg": r"\arg"},
+    **{"asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "log": r"\ln", "arg": r"\operatorname{arg}"},
     **{name: rf"\operatorname{{{name}}}" for name in ["asinh", "acosh", "atanh", "atan2", "sinc"]},
     **{"sign": r"\operatorname{sgn}", "re": r"\operatorname{Re}", "im": r"\operatorname{Im}"},
     **{"Heaviside": r"\mathbf{1}", "DiracDelta": r"\delta", "Min": r"\min", "Max": r"\max"},
@@ -59,7 +59,7 @@ class ObjectPrinter(LatexPrinter):
         if len(expr.variable_count) == 1 and function.is_Function and function.args == (variable,) and order in {1, 2}:
             dot = {1: r"\dot", 2: r"\ddot"}[int(order)]
             return rf"{dot}{{{name_tex(type(function).__name__)}}}{self._arguments(function)}"
-        return str(super()._print_Derivative(expr))
+        return str(LatexPrinter._print_Derivative(self, expr))
 
     # Matrices, conditions, collections
 
@@ -98,7 +98,7 @@ class ObjectPrinter(LatexPrinter):
     def _print_BooleanFalse(self, _expr: Any) -> str:
         return r"\text{never}"
 
-    def _print_bool(self, expr: bool) -> str:
+    def _print_bool(self, expr: Any) -> str:
         return r"\text{yes}" if expr else r"\text{no}"
 
     def _print_NoneType(self, _expr: None) -> str:
@@ -132,4 +132,6 @@ def _chain(parts: list[Any]) -> list[Any] | None:
 
 def _text(words: str) -> str:
     r"""Return words as they stand in \text{..}: letters, digits and plain punctuation; anything else is left out."""
-    return "".join(letter for letter in words if letter.isalnum() or letter in " .,;:!?()[]+-/='*")
+    return "".join(
+        letter for letter in words if (letter.isascii() and letter.isalnum()) or letter in " .,;:!?()[]+-/='*"
+    )

@@ -1,0 +1,44 @@
+"""What a problem gives about a system, as Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from solver.render.displays import display
+from solver.render.width import LINE, width
+from solver.systems import StateSpace, System
+
+GAP = r",\qquad "
+
+
+def given_markdown(system: System, tex: Callable[[Any], str]) -> str:
+    """Return the equation of the system, where it has an input or output, and its matrices or transfer function."""
+    if not isinstance(system, StateSpace):
+        G = system.matrix[0, 0] if system.matrix.shape == (1, 1) else system.matrix
+        pieces = [f"G({tex(system.variable)}) = {tex(G)}"]
+    elif system.bare:
+        pieces = [f"A = {tex(system.A)}"]
+    else:
+        pieces = _state_space(system, tex)
+    if system.sample_time is not None:
+        pieces.append(f"T = {tex(system.sample_time)}")
+    return "".join(display(line) for line in _lines(pieces))
+
+
+def _state_space(system: StateSpace, tex: Callable[[Any], str]) -> list[str]:
+    D = None if system.D is None or system.D.is_zero_matrix else system.D
+    initial = "x(0)"
+    named = {"A": system.A, "B": system.B, "C": system.C, "D": D, initial: system.x0}
+    return [f"{name} = {tex(matrix)}" for name, matrix in named.items() if matrix is not None]
+
+
+def _lines(pieces: list[str]) -> list[str]:
+    """Put as many pieces on a line as fit."""
+    lines = [pieces[0]]
+    for piece in pieces[1:]:
+        if width(lines[-1] + GAP + piece) <= LINE:
+            lines[-1] += GAP + piece
+        else:
+            lines.append(piece)
+    return lines

@@ -1,0 +1,110 @@
+"""Markdown with `$math$` to HTML and to LaTeX: one parser, two writers.
+
+CommonMark with tables; no raw HTML, no images, links to the web and to mail only. Formulas pass the white list of
+`math_check`; one that does not is shown as the text it is, never handed on.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+from html import escape
+from typing import Any
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+from mdit_py_plugins.dollarmath import dollarmath_plugin
+
+from solver.render.math_check import MathProblem, check_math, find_problem
+from solver.render.prose_latex import latex_of
+
+__all__ = ["MathProblem", "check_math", "inline_html", "inline_latex", "math_problems", "plain", "to_html", "to_latex"]
+
+Math = Callable[[str, bool], str]
+"""Draws a formula (LaTeX, displayed or not) as HTML."""
+
+MATH_TOKENS = {"math_inline": False, "math_inline_double": True, "math_block": True}
+"""The parser's tokens for formulas, and whether they are displayed."""
+
+_ALLOWED_LINK = re.compile(r"(https?://|mailto:|#)", re.IGNORECASE)
+_MARKDOWN_SIGNS = re.compile(r"([\\`*_{}\[\]()#+\-.!|$<>~&])")
+_HIGHEST_HEADING = 3  # the page's title and the parts have the two above
+
+
+def to_html(markdown: str, math: Math) -> str:
+    """Return HTML; everything is escaped but the formulas, which `math` draws."""
+    return _html(_parser().parse(markdown), math)
+
+
+def inline_html(markdown: str, math: Math) -> str:
+    """Return HTML of one line (a title), without a paragraph around it."""
+    return _html(_parser().parseInline(markdown), math)
+
+
+def to_latex(markdown: str) -> str:
+    r"""Return LaTeX for a document that has booktabs, hyperref and the macro `\display` (see `latex_document`)."""
+    return latex_of(_parser().parse(markdown))
+
+
+def inline_latex(markdown: str) -> str:
+    """Return LaTeX of one line (a title)."""
+    return latex_of(_parser().parseInline(markdown))
+
+
+def math_problems(markdown: str) -> list[tuple[int, str]]:
+    """Return what is wrong with the formulas of a text: (offset in the text, message) for each bad one."""
+    problems = []
+    position = 0
+    for token in _flat(_parser().parse(markdown)):
+        if token.type in MATH_TOKENS:
+            formula = token.content
+            start = markdown.find(formula.strip(), position)
+            start = position if start < 0 else start
+            problem = find_problem(formula.strip())
+            if problem is not None:
+                problems.append((start + problem[0], problem[1]))
+            position = start + len(formula.strip())
+    return problems
+
+
+def plain(text: str) -> str:
+    """Return text whose signs mean nothing in Markdown."""
+    return _MARKDOWN_SIGNS.sub(r"\\\1", " ".join(text.split()))
+
+
+@cache
+def _parser() -> MarkdownIt:
+    parser = MarkdownIt("commonmark", {"html": False}).enable("table")
+    dollarmath_plugin(parser, allow_labels=False, allow_digits=False, allow_blank_lines=False, double_inline=True)
+    parser.disable(["image", "html_block", "html_inline"])
+    parser.validateLink = lambda url: bool(_ALLOWED_LINK.match(url))  # type: ignore[method-assign]  # its documented use
+    for kind, displayed in MATH_TOKENS.items():
+        parser.add_render_rule(kind, _drawer(displayed))
+    return parser
+
+
+def _drawer(displayed: bool) -> Callable[..., str]:
+    def draw(_renderer: Any, tokens: Sequence[Token], index: int, _options: Any, env: dict[str, Any]) -> str:
+        formula = tokens[index].content.strip()
+        if find_problem(formula) is not None:
+            return f"<code>{escape(formula)}</code>"
+        drawn: str = env["math"](formula, displayed)
+        return drawn
+
+    return draw
+
+
+def _html(tokens: list[Token], math: Math) -> str:
+    for token in tokens:
+        if token.type in {"heading_open", "heading_close"}:
+            token.tag = f"h{min(6, int(token.tag[1]) + _HIGHEST_HEADING - 1)}"
+    parser = _parser()
+    rendered: str = parser.renderer.render(tokens, parser.options, {"math": math})
+    return rendered
+
+
+def _flat(tokens: Sequence[Token]) -> Iterator[Token]:
+    for token in tokens:
+        yield token
+        yield from _flat(token.children or ())

@@ -1,0 +1,76 @@
+"""Plain text for TeX: its own signs escaped, Unicode as far as the usual fonts have it, the rest named."""
+
+from __future__ import annotations
+
+import unicodedata
+
+from solver.render.math_check import GREEK_LETTERS
+
+_SPECIAL = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "$": r"\$",
+    "&": r"\&",
+    "%": r"\%",
+    "#": r"\#",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+    '"': r"\textquotedbl{}",
+    "\n": "\n",
+    "\t": " ",
+    "\u00a0": "~",
+}
+
+_MATH = {
+    **{letter: f"\\{name}" for letter, name in GREEK_LETTERS.items()},
+    **{
+        "≤": r"\le",
+        "≥": r"\ge",
+        "≠": r"\ne",
+        "≈": r"\approx",
+        "→": r"\to",
+        "←": r"\leftarrow",
+        "↔": r"\leftrightarrow",
+    },
+    **{"−": "-", "·": r"\cdot", "∞": r"\infty", "√": r"\surd", "∈": r"\in", "∫": r"\int", "Σ": r"\Sigma", "Π": r"\Pi"},
+    **{"ℒ": r"\mathcal{L}", "𝒵": r"\mathcal{Z}", "ᵀ": "^{T}", "⁻": "^{-}", "′": "'", "∂": r"\partial", "⋯": r"\cdots"},
+    **{sign: f"^{{{digit}}}" for sign, digit in zip("⁰⁴⁵⁶⁷⁸⁹ⁿᵏᵐ", "0456789nkm", strict=True)},
+    **{sign: f"_{{{digit}}}" for sign, digit in zip("₀₁₂₃₄₅₆₇₈₉ₙₖᵢⱼ", "0123456789nkij", strict=True)},
+}
+
+_WITHOUT_GLYPH = frozenset("\u00ad¸ĦħĸĿŀŉŦŧſ")
+"""Letters up to U+017F that the encodings T1 and TS1 of TeX lack."""
+_PUNCTUATION = frozenset("–—‘’“”‚„†‡•…‰‹›€™")
+
+
+def escaped(text: str) -> str:
+    """Return text that TeX prints as it stands; a character that its fonts lack is replaced by its name."""
+    letters = "".join(_letter(letter) for letter in unicodedata.normalize("NFC", text))
+    return letters.replace("--", "-{}-")  # not a dash
+
+
+def _letter(letter: str) -> str:
+    if letter in _SPECIAL:
+        return _SPECIAL[letter]
+    if " " <= letter <= "~" or letter in _PUNCTUATION:
+        return letter
+    if letter in _MATH:
+        return f"\\ensuremath{{{_MATH[letter]}}}"
+    if "\u00a1" <= letter <= "\u017f" and letter not in _WITHOUT_GLYPH:
+        return letter
+    return _replacement(letter)
+
+
+def _replacement(letter: str) -> str:
+    base = unicodedata.normalize("NFKD", letter)[0]
+    if base != letter and base.isascii() and base.isprintable():
+        return _SPECIAL.get(base, base)
+    if unicodedata.category(letter)[0] in "CM":
+        return ""
+    name = unicodedata.name(letter, f"U+{ord(letter):04X}").lower()
+    return f"[{name.replace('_', ' ')}]"

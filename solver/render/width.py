@@ -1,0 +1,103 @@
+"""How wide a formula will be, roughly, and where a long one can be broken."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+LINE = 66.0
+"""Width, in letters, of what fits on a line of a page."""
+
+_TOKEN = re.compile(r"\\(begin|end)\{(\w+\*?)\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_WORDS = {r"\text", r"\operatorname", r"\mathrm", r"\mathbf", r"\mathcal"}
+_WIDTHS = {
+    **dict.fromkeys((r"\left", r"\right", r"\displaystyle", r"\!", "}"), 0.0),
+    **dict.fromkeys(("=", "+", "-", r"\approx", r"\le", r"\ge"), 2.0),
+    **dict.fromkeys((r"\det", r"\cos", r"\sin", r"\tan", r"\exp"), 3.0),
+    **{r"\quad": 2.0, r"\qquad": 4.0, r"\,": 0.3, r"\;": 0.6, r"\ ": 0.5},
+}
+_SIGNS = re.compile(r"\\(?:begin|left|right|end)\b|\\[{}]|[{}()\[\]]| (?=[+-] )")
+
+
+def width(tex: str) -> float:
+    """Return the width of a formula in letters; the tallest part decides nothing."""
+    return _row(_tokens(tex), None)
+
+
+def _tokens(tex: str) -> Iterator[str]:
+    return (match[0] for match in _TOKEN.finditer(tex))
+
+
+def _row(tokens: Iterator[str], end: str | None) -> float:
+    total = 0.0
+    for piece in tokens:
+        if piece == end:
+            break
+        total += _piece(piece, tokens)
+    return total
+
+
+def _piece(piece: str, tokens: Iterator[str]) -> float:
+    if piece.startswith(r"\begin{"):
+        return _matrix(tokens)
+    if piece == r"\frac":
+        return max(_argument(tokens), _argument(tokens)) + 0.4
+    if piece in {"^", "_"}:
+        return 0.7 * _argument(tokens)
+    if piece in _WORDS:
+        return _argument(tokens)
+    if piece == "{":
+        return _row(tokens, "}")
+    return 0.0 if piece.isspace() else _WIDTHS.get(piece, 1.0)
+
+
+def _argument(tokens: Iterator[str]) -> float:
+    for piece in tokens:
+        if not piece.isspace():
+            return _piece(piece, tokens)
+    return 0.0
+
+
+def _matrix(tokens: Iterator[str]) -> float:
+    columns: list[float] = [0.0]
+    column, cell = 0, 0.0
+    for piece in tokens:
+        at_end = piece.startswith(r"\end{")
+        if at_end or piece in {"&", r"\\"}:
+            columns.extend([0.0] * (column + 1 - len(columns)))
+            columns[column] = max(columns[column], cell)
+            column, cell = (column + 1 if piece == "&" else 0), 0.0
+            if at_end:
+                break
+        else:
+            cell += _piece(piece, tokens)
+    return sum(columns) + 1.6 * len(columns)
+
+
+def broken(tex: str, room: float = LINE) -> list[str]:
+    """Break a long sum before its signs so that the lines fit where they can; a short formula is one line."""
+    if width(tex) <= room:
+        return [tex]
+    lines = [""]
+    for term in _terms(tex):
+        if lines[-1] and width(lines[-1] + term) > room:
+            lines.append(term.lstrip())
+        else:
+            lines[-1] += term
+    return lines
+
+
+def _terms(tex: str) -> list[str]:
+    """Cut a formula before each sign that stands outside of all brackets."""
+    depth, start, terms = 0, 0, []
+    for match in _SIGNS.finditer(tex):
+        piece = match[0]
+        if piece == " ":
+            if depth == 0:
+                terms.append(tex[start : match.start()])
+                start = match.start()
+        elif piece in {r"\begin", r"\left", "{", "(", "[", r"\{"}:
+            depth += 1
+        else:
+            depth -= 1
+    return [*terms, tex[start:]]

@@ -1,0 +1,194 @@
+"""Steps in words: the macro of a step's kind, in `templates/wording/<folder>/<file>.md.jinja`, writes Markdown.
+
+A macro is called with the step's values `v` and claims `c`; its first line, `### `, is the title. It can use
+
+- `brief`, `full`, `tutor`: the level of detail (`full` holds at the levels full and tutor, `brief` only at brief),
+- `value|tex`: a value as LaTeX, in the problem's number format; `operation|operation`: a row operation;
+  `text|plain`: words of a user, with Markdown's signs made harmless,
+- `eq(a, b, ...)`: the display a = b = ...; texts are LaTeX as they stand, anything else is printed by `tex`,
+- `claim(c.name, prefix)`: both sides of a claim as a display; `align([[a, b], [c, d]])`: equations under each other,
+- `sym.Phi`, `sym.xdot`, ...: the symbols of the notation.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from jinja2 import FileSystemLoader, StrictUndefined, TemplateError, TemplateNotFound, TemplateSyntaxError
+from jinja2.environment import Template
+from jinja2.sandbox import ImmutableSandboxedEnvironment
+
+from solver import resources
+from solver.derivation import AnswerName, Claim, Step
+from solver.problem.model import Part
+from solver.render.displays import aligned, chain, display
+from solver.render.given import given_markdown
+from solver.render.latex import DEFAULT, tex, tex_answer
+from solver.render.notation import COURSE, NOTATIONS, answer_symbol
+from solver.render.numbers import NumberFormat
+from solver.render.pieces import is_sum, joined, parenthesized, summed
+from solver.render.prose import math_problems, plain
+from solver.systems import System
+
+SEAM = "\ue000"
+"""Marks the end of a printed value until it is known what follows; a character for private use."""
+
+SEAM_BEFORE_LETTER = re.compile(f"{SEAM}(?=[A-Za-z])")
+ENDS_IN_COMMAND = re.compile(r"\\[A-Za-z]+\Z")
+
+LEVELS = ("brief", "full", "tutor")
+
+
+class WordingError(Exception):
+    """A template is missing or wrong; the message names it and the macro."""
+
+
+@dataclass(frozen=True, slots=True)
+class WordedStep:
+    """A step in words: title and body are Markdown with `$math$`; `step` is the data it was made from."""
+
+    title: str
+    markdown: str
+    steps: tuple[WordedStep, ...]
+    step: Step
+
+
+@dataclass(frozen=True)
+class Wording:
+    """How a solution is worded: number format, level of detail, a folder of templates that come first, notation."""
+
+    numbers: NumberFormat = DEFAULT
+    detail: str = "full"
+    templates: Path | None = None
+    notation: str = COURSE
+
+    def words(self, steps: Iterable[Step]) -> tuple[WordedStep, ...]:
+        """Word those steps that are shown at this level of detail, with their substeps."""
+        return tuple(self.word(step) for step in steps if self.shows(step))
+
+    def shows(self, step: Step) -> bool:
+        """Whether the step is shown at this level of detail."""
+        return LEVELS.index(step.detail) <= LEVELS.index(self.detail)
+
+    def word(self, step: Step) -> WordedStep:
+        """Word a step. Raises WordingError if its macro is missing or wrong."""
+        text = self._macro(step.wording, step.kind, dict(step.values), dict(step.claims))
+        title, _, body = text.strip().partition("\n")
+        if not title.startswith("### "):
+            raise WordingError(f"{_place(step.wording, step.kind)} must begin with the title: ### ...")
+        return WordedStep(title.removeprefix("### ").strip(), _tidy(body), self.words(step.steps), step)
+
+    def question(self, part: Part) -> str:
+        """Return the question of a part in Markdown: its own prompt, or the task's."""
+        if part.prompt:
+            return part.prompt.strip()
+        return _tidy(self._macro(f"{part.task}/question", "question", part.system, dict(part.options)))
+
+    def given(self, system: System) -> str:
+        """Return what is given about a system in Markdown."""
+        return _tidy(given_markdown(system, self.tex))
+
+    def tex(self, value: Any) -> str:
+        """Return a value as LaTeX."""
+        return tex(value, self.numbers)
+
+    def answer(self, value: Any) -> str:
+        """Return the value of an answer as LaTeX, with its decimals beside it where the format says `both`."""
+        return tex_answer(value, self.numbers)
+
+    def symbol(self, answer: AnswerName) -> str:
+        """Return the LaTeX symbol of an answer."""
+        return answer_symbol(answer.name, answer.symbol, self.notation)
+
+    def _macro(self, wording: str, name: str, *arguments: Any) -> str:
+        place = _place(wording, name)
+        try:
+            macro = getattr(self._template(wording).module, name, None)
+            if macro is None:
+                raise WordingError(f"{place} is missing")
+            text = SEAM_BEFORE_LETTER.sub(" ", str(macro(*arguments))).replace(SEAM, "")
+        except TemplateNotFound as error:
+            raise WordingError(f"{place} is missing: there is no such file") from error
+        except TemplateSyntaxError as error:
+            raise WordingError(f"{place}, line {error.lineno}: {error.message}") from error
+        except (TemplateError, TypeError, ValueError, ArithmeticError, LookupError, AttributeError) as error:
+            raise WordingError(f"{place}: {error}") from error
+        problems = math_problems(text)
+        if problems:
+            raise WordingError(f"{place}: {problems[0][1]}")
+        return text
+
+    def _template(self, wording: str) -> Template:
+        return self._environment.get_template(f"{wording}.md.jinja")
+
+    @cached_property
+    def _environment(self) -> ImmutableSandboxedEnvironment:
+        own = [self.templates / "wording", self.templates] if self.templates else []
+        environment = ImmutableSandboxedEnvironment(
+            loader=FileSystemLoader([*own, resources.root("templates") / "wording"]),
+            undefined=StrictUndefined,
+            autoescape=False,  # this is Markdown; HTML is escaped where it is made, in `prose`
+            trim_blocks=True,
+            lstrip_blocks=True,
+        )
+        level = LEVELS.index(self.detail)
+        environment.filters.update(tex=self._filtered, operation=self._operation, plain=plain)
+        environment.globals.update(
+            brief=level == 0,
+            full=level >= 1,
+            tutor=level >= 2,
+            eq=self._eq,
+            claim=self._claim,
+            align=self._align,
+            sym=NOTATIONS[self.notation],
+        )
+        return environment
+
+    def _filtered(self, value: Any) -> str:
+        r"""Print for the filter `tex`; what the template writes after it must not run into a command (`\lambdaI`)."""
+        shown = self.tex(value)
+        return shown + SEAM if ENDS_IN_COMMAND.search(shown) else shown
+
+    def _side(self, value: Any) -> str:
+        return value if isinstance(value, str) else self.tex(value)
+
+    def _eq(self, *sides: Any, note: str = "", relation: str = "=") -> str:
+        return display(chain([self._side(side) for side in sides], relation, note))
+
+    def _claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:
+        return self._eq(prefix, claim.left, claim.right, note=note)
+
+    def _align(self, rows: Iterable[Iterable[Any]]) -> str:
+        return display(aligned(" &= ".join(self._side(side) for side in row) for row in rows))
+
+    def _operation(self, operation: Any) -> str:
+        """Return a row operation (`exact.row_reduction`: Swap, Scale or Add) as LaTeX; rows are counted from 1."""
+        row = f"R_{{{operation.i + 1}}}"
+        if not hasattr(operation, "factor"):
+            return rf"{row} \leftrightarrow R_{{{operation.j + 1}}}"
+        if not hasattr(operation, "j"):
+            return rf"{row} \leftarrow {self._multiple(operation.factor, row)}"
+        other = self._multiple(operation.factor, f"R_{{{operation.j + 1}}}")
+        return rf"{row} \leftarrow {summed([row, other])}"
+
+    def _multiple(self, factor: Any, row: str) -> str:
+        shown = self.tex(factor)
+        if shown in {"1", "-1"}:
+            return shown.replace("1", row)
+        return joined([shown if not is_sum(shown.removeprefix("-")) else parenthesized(shown), row])
+
+
+def _place(wording: str, macro: str) -> str:
+    return f"the macro {macro!r} of templates/wording/{wording}.md.jinja"
+
+
+def _tidy(markdown: str) -> str:
+    """Return Markdown without blanks at line ends and with at most one empty line in a row."""
+    lines = [line.rstrip() for line in markdown.strip().split("\n")]
+    kept = [line for i, line in enumerate(lines) if line or lines[i - 1]]
+    return "\n".join(kept)
