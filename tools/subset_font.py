@@ -86,6 +86,7 @@ def subset(font: Path, target: Path) -> int:
     options.drop_tables += ["DSIG"]
     with TTFont(font, recalcTimestamp=False) as source:
         narrow_roots(source)
+        source["OS/2"].fsSelection |= 1 << 7  # lines of text as high on Windows as elsewhere
         subsetter = Subsetter(options)
         subsetter.populate(unicodes=REPERTOIRE)
         subsetter.subset(source)

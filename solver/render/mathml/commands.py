@@ -58,6 +58,6 @@ def is_known(command: str) -> bool:
     if command in COMMANDS or (command.startswith(r"\operatorname") and command[-1] == "}"):
         return True
     code = convert_symbol(command)
-    return (
-        code is not None and command not in CONVERSION_MAP and unicodedata.category(chr(int(code, 16)))[0] not in "CMZ"
-    )
+    if code is None or command in CONVERSION_MAP:
+        return False
+    return unicodedata.category(chr(int(code, 16)))[0] not in "CMZ"  # no controls, accents or spaces

@@ -40,7 +40,7 @@ DEEPEST = 60
 
 LEXEME = re.compile(
     r"""\\(?:begin|end)\s*\{[A-Za-z]+\*?\}     # an environment
-      | \\operatorname\s*\*?\s*\{[A-Za-z ]+\}
+      | \\operatorname\s*\*?\s*\{[^{}$\\]*\}
       | \\\\(?:\s*\[\s*-?[\d.]+\s*[a-z]{2}\s*\])?  # a new line, perhaps with a gap
       | \\[A-Za-z]+
       | \\.
@@ -48,6 +48,7 @@ LEXEME = re.compile(
       | .""",
     re.VERBOSE | re.DOTALL,
 )
+OPERATOR_NAME = re.compile(r"\\operatorname\*?(\{[A-Za-z ]+\})?")
 COLUMNS = re.compile(r"\s*\{([lcr|\s]*)\}")
 UNIT = re.compile(r"(?<=\d)\s*(?=in|mm|cm|pt|em|ex|pc|bp|dd|cc|sp|mu)")
 
@@ -82,6 +83,8 @@ def _rewritten(latex: str) -> Iterator[str]:
         if lexeme in TEXTS:
             content, position = _argument(latex, position)
             yield from _text(lexeme, content)
+        elif lexeme.startswith(r"\operatorname") and not OPERATOR_NAME.fullmatch(lexeme):
+            yield r"\text" + lexeme[lexeme.find("{") :]  # latex2mathml takes letters only
         elif _is_environment(lexeme, "begin"):
             beginning, position = _begin(lexeme, latex, position)
             yield beginning

@@ -1,0 +1,151 @@
+"""A solution as one HTML page that needs nothing else: style, font and formulas are inside, no script, no request."""
+
+from __future__ import annotations
+
+import base64
+import re
+from collections.abc import Iterable
+from functools import lru_cache
+from html import escape
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from solver import resources
+from solver.derivation import CheckStatus
+from solver.render.mathml import MathError, formula
+from solver.render.prose import inline_html, to_html
+from solver.render.view import AnswerView, CheckRow, PartView, SolutionView
+
+FONT = "fonts/solve-math.woff2"
+
+POLICY = "default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src data:"
+"""Content security policy of a page: even markup that slipped through could not run or load anything."""
+
+NARROW = 14.0
+"""Width in em that fits on a phone; a wider formula gets a box that scrolls and can be reached by keyboard."""
+
+PAPER = 34.0, 52.0
+"""Widths in em beyond which a formula is printed smaller, and smaller still: paper does not scroll."""
+
+
+def render_page(
+    view: SolutionView, *, name: str = "", detail: str = "full", language: str = "en", templates: Path | None = None
+) -> str:
+    """Return the page of a solution, the same bytes for the same view.
+
+    `name` is the problem's file, `detail` the level of detail; both are named in the footer. `html/page.html.jinja`
+    and `html/style.css` of the folder `templates`, if it has them, come before the installed ones.
+    """
+    environment = _environment(templates)
+    style = environment.get_template("style.css").render(font=_font())
+    return environment.get_template("page.html.jinja").render(
+        view=view,
+        name=name,
+        detail=detail,
+        language=language,
+        version=_version(),
+        policy=POLICY,
+        style=Markup(style.replace("</", "<\\/")),  # noqa: S704 - our own file; nothing in it can end the element
+    )
+
+
+def drawn(latex: str, display: bool) -> str:
+    """Return a formula as MathML in its box; LaTeX that cannot be drawn is shown as it stands, and marked."""
+    try:
+        markup, width = formula(latex, display)
+    except MathError as error:
+        return f'<code class="not-drawn" title="{escape(str(error))}">{escape(latex)}</code>'
+    kinds = ["display" if display else "inline", *_size(width)]
+    reach = ' tabindex="0" role="group" aria-label="Formula"' if width > NARROW else ""
+    if not display and not reach:
+        return markup
+    return f'<span class="formula {" ".join(kinds)}"{reach}>{markup}</span>'
+
+
+def _size(width: float) -> list[str]:
+    wide, wider = PAPER
+    return ["wider"] if width > wider else ["wide"] if width > wide else []
+
+
+def prose(markdown: str) -> Markup:
+    """Return Markdown with `$math$` as HTML blocks."""
+    return Markup(to_html(markdown, drawn))  # noqa: S704 - `to_html` escapes all text, `drawn` all formulas
+
+
+def inline(markdown: str) -> Markup:
+    """Return one line of Markdown with `$math$` as HTML to stand inside a heading or a cell."""
+    return Markup(inline_html(markdown, drawn))  # noqa: S704 - as above
+
+
+def breakable(text: str) -> Markup:
+    """Return text such as numpy.linalg.eigvals, which may be broken after its dots and underscores."""
+    return Markup(re.sub(r"([._])(?=\w)", r"\1<wbr>", escape(text)))  # noqa: S704 - escaped
+
+
+def displayed(latex: str) -> Markup:
+    """Return LaTeX as a displayed formula."""
+    return Markup(drawn(latex, True))  # noqa: S704 - escaped by `drawn`
+
+
+def short(latex: str) -> Markup:
+    """Return LaTeX as a formula in a line."""
+    return Markup(drawn(latex, False))  # noqa: S704 - escaped by `drawn`
+
+
+def answer(view: AnswerView) -> Markup:
+    """Return an answer as the equation "symbol = value"."""
+    return displayed(f"{view.symbol} = {view.tex}" if view.symbol else view.tex)
+
+
+def tally(checks: Iterable[CheckRow]) -> str:
+    """Return how the checks of a part ended, in words: "5 passed, 1 skipped"."""
+    statuses = [check.status for check in checks]
+    counts = [(statuses.count(status), status) for status in CheckStatus]
+    return ", ".join(f"{count} {status}" for count, status in counts if count)
+
+
+def of_method(part: PartView) -> str:
+    """Return the title of the method where it says more than the task's."""
+    return "" if part.method_title == part.title else part.method_title
+
+
+@lru_cache
+def _environment(templates: Path | None) -> Environment:
+    own = [templates / "html", templates] if templates else []
+    environment = Environment(
+        loader=FileSystemLoader([*own, resources.root("templates") / "html"]),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    filters: dict[str, Any] = {
+        "prose": prose,
+        "inline": inline,
+        "breakable": breakable,
+        "displayed": displayed,
+        "short": short,
+        "answer": answer,
+        "tally": tally,
+        "of_method": of_method,
+    }
+    environment.filters.update(filters)
+    return environment
+
+
+@lru_cache
+def _font() -> str:
+    """Return the math font as a data URI."""
+    content = (resources.root("templates") / "html" / FONT).read_bytes()
+    return "data:font/woff2;base64," + base64.b64encode(content).decode("ascii")
+
+
+def _version() -> str:
+    try:
+        return version("solve-control")
+    except PackageNotFoundError:  # run from a checkout that is not installed
+        return ""
