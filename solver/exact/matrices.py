@@ -48,10 +48,10 @@ def truncated_series(A: sp.ImmutableMatrix, t: sp.Symbol, terms: int) -> sp.Immu
     return sp.ImmutableMatrix(M)
 
 
-def taylor(function: sp.Expr, t: sp.Symbol, terms: int) -> sp.Expr:
-    """The first `terms` terms of the Taylor series of a function of t at zero."""
-    total, derivative = sp.Integer(0), function
+def taylor(function: sp.Expr, t: sp.Symbol, terms: int) -> list[sp.Expr]:
+    """The first `terms` terms of the Taylor series of a function of t at zero, by rising power; zeros are left out."""
+    found, derivative = [], function
     for i in range(terms):
-        total += sp.expand(derivative.subs(t, 0)) * t**i / sp.factorial(i)
+        found.append(sp.expand(derivative.subs(t, 0)) * t**i / sp.factorial(i))
         derivative = sp.diff(derivative, t)
-    return total
+    return [term for term in found if term != 0] or [sp.Integer(0)]

@@ -66,38 +66,62 @@ def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
 
 @lemma("eigenvectors")
 def right_eigenvectors_of(A: ImmutableMatrix) -> Derivation[exact.Eigenstructure]:
-    """(λI − A) v = 0 for each eigenvalue; chains (A − λI) c_{j+1} = c_j where eigenvectors are too few."""
+    """(λI − A) ν = 0 for each eigenvalue; chains (A − λI) c_{j+1} = c_j where eigenvectors are too few."""
     structure = exact.eigenstructure(A)
-    seen: list[Any] = []
-    for i, space in enumerate(structure.eigenspaces, 1):
-        value = space.root.value
-        yield _eigenspace_step(A, space, i, conjugate=value.has(sp.I) and sp.conjugate(value) in seen)
-        seen.append(value)
+    yield from _eigenspace_steps(A, structure.eigenspaces, left=False)
     return structure
 
 
-def _eigenspace_step(A: ImmutableMatrix, space: exact.Eigenspace, i: int, conjugate: bool) -> Step:
-    value = space.root.value
-    pencil = sp.ImmutableMatrix(value * sp.eye(A.rows) - A)
+@lemma("left_eigenvectors")
+def left_eigenvectors_of(A: ImmutableMatrix, structure: exact.Eigenstructure) -> Derivation[ImmutableMatrix]:
+    """Solve w (λI − A) = 0 for each eigenvalue, i.e. rows of M with M A = J M; returns M (n×n)."""
+    yield from _eigenspace_steps(sp.ImmutableMatrix(A.T), structure.left_eigenspaces, left=True)
+    M, J = structure.left, structure.jordan_form
+    yield Step(
+        "modal_matrix",
+        claims={"rows": Claim(product(M, A), product(J, M), "$M A = J M$")},
+        M=M,
+        diagonalizable=structure.diagonalizable,
+    )
+    return M
+
+
+def _eigenspace_steps(A: ImmutableMatrix, spaces: Sequence[exact.Eigenspace], *, left: bool) -> Derivation[None]:
+    """One step for each eigenvalue of A (of the transpose, for left eigenvectors)."""
+    seen: list[Any] = []
+    for i, space in enumerate(spaces, 1):
+        value = space.root.value
+        mirrored = bool(value.has(sp.I)) and sp.conjugate(value) in seen
+        seen.append(value)
+        kind = "conjugate" if mirrored else "chains" if space.geometric < space.algebraic else "eigenspace"
+        pencil = sp.ImmutableMatrix(value * sp.eye(A.rows) - A)
+        reduction = None if mirrored else space.reduction
+        yield Step(
+            kind,
+            claims=_chain_claims(A, pencil, space, left=left),
+            steps=(_reduction(pencil, reduction),) if reduction else (),
+            i=i,
+            value=value,
+            pencil=pencil,
+            reduced=sp.ImmutableMatrix(reduction.reduced[: len(reduction.pivots)]) if reduction else None,
+            chains=[[v.T for v in chain] for chain in space.chains] if left else space.chains,
+            algebraic=space.algebraic,
+            geometric=space.geometric,
+        )
+
+
+def _chain_claims(
+    A: ImmutableMatrix, pencil: ImmutableMatrix, space: exact.Eigenspace, *, left: bool
+) -> dict[str, Claim]:
+    """A v = λ v for the first vector of each chain, (A − λI) c_{j+1} = c_j for the others."""
+    says, value = (r"$w A = \lambda w$" if left else r"$A \nu = \lambda \nu$"), space.root.value
     claims: dict[str, Claim] = {}
     for number, chain in enumerate(space.chains, 1):
-        claims[f"vector{number}"] = Claim(product(A, chain[0]), product(value, chain[0]), "$A v = \\lambda v$")
+        claims[f"vector{number}"] = Claim(product(A, chain[0]), product(value, chain[0]), says)
         for j in range(1, len(chain)):
-            says = "chain of generalized eigenvectors"
-            claims[f"chain{number}_{j}"] = Claim(product(sp.ImmutableMatrix(-pencil), chain[j]), chain[j - 1], says)
-    kind = "conjugate" if conjugate else "chains" if space.geometric < space.algebraic else "eigenspace"
-    reduction = () if conjugate or not space.reduction else (_reduction(pencil, space.reduction),)
-    return Step(
-        kind,
-        claims=claims,
-        steps=reduction,
-        i=i,
-        value=value,
-        pencil=pencil,
-        chains=space.chains,
-        algebraic=space.algebraic,
-        geometric=space.geometric,
-    )
+            nilpotent = sp.ImmutableMatrix(-pencil)
+            claims[f"chain{number}_{j}"] = Claim(product(nilpotent, chain[j]), chain[j - 1], "chain of vectors")
+    return claims
 
 
 def _reduction(pencil: ImmutableMatrix, reduction: exact.RowReduction) -> Step:
@@ -113,31 +137,6 @@ def _reduction(pencil: ImmutableMatrix, reduction: exact.RowReduction) -> Step:
         ],
         free=[j + 1 for j in range(pencil.cols) if j not in reduction.pivots],
     )
-
-
-@lemma("left_eigenvectors")
-def left_eigenvectors_of(A: ImmutableMatrix, structure: exact.Eigenstructure) -> Derivation[ImmutableMatrix]:
-    """Solve w (λI − A) = 0 for each eigenvalue, i.e. rows of M with M A = J M; returns M (n×n)."""
-    M, J = structure.left, structure.jordan_form
-    if structure.diagonalizable:
-        for i in range(A.rows):
-            w, value = sp.ImmutableMatrix(M.row(i)), J[i, i]
-            yield Step(
-                "left_eigenvector",
-                claims={"row": Claim(product(w, A), product(value, w), "$w A = \\lambda w$")},
-                i=i + 1,
-                value=value,
-                w=w,
-                pencil=sp.ImmutableMatrix(value * sp.eye(A.rows) - A),
-            )
-    yield Step(
-        "modal_matrix",
-        claims={"rows": Claim(product(M, A), product(J, M), "$M A = J M$")},
-        M=M,
-        J=J,
-        diagonalizable=structure.diagonalizable,
-    )
-    return M
 
 
 @eigenstructure.method(source="Lecture note, section 1.12")

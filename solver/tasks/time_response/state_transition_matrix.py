@@ -123,7 +123,7 @@ def by_power_series(given: Given) -> Derivation[Answers]:
             )
             for i in range(terms)
         },
-        expansions=[(function, exact.taylor(function, t, terms)) for function in Phi.functions],
+        expansions=[(function, total(*exact.taylor(function, t, terms))) for function in Phi.functions],
         Phi=Phi.matrix,
         terms=terms,
     )
