@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from html import escape
 from typing import Any
 
@@ -34,29 +34,29 @@ _HIGHEST_HEADING = 3  # the page's title and the parts have the two above
 
 def to_html(markdown: str, math: Math) -> str:
     """Return HTML; everything is escaped but the formulas, which `math` draws."""
-    return _html(_parser().parse(markdown), math)
+    return _html(_tokens(markdown), math)
 
 
 def inline_html(markdown: str, math: Math) -> str:
     """Return HTML of one line (a title), without a paragraph around it."""
-    return _html(_parser().parseInline(markdown), math)
+    return _html(_tokens(markdown, inline=True), math)
 
 
 def to_latex(markdown: str) -> str:
     r"""Return LaTeX for a document that has booktabs, hyperref and the macro `\display` (see `latex_document`)."""
-    return latex_of(_parser().parse(markdown))
+    return latex_of(_tokens(markdown))
 
 
 def inline_latex(markdown: str) -> str:
     """Return LaTeX of one line (a title)."""
-    return latex_of(_parser().parseInline(markdown))
+    return latex_of(_tokens(markdown, inline=True))
 
 
 def math_problems(markdown: str) -> list[tuple[int, str]]:
     """Return what is wrong with the formulas of a text: (offset in the text, message) for each bad one."""
     problems = []
     position = 0
-    for token in _flat(_parser().parse(markdown)):
+    for token in _flat(_tokens(markdown)):
         if token.type in MATH_TOKENS:
             formula = token.content
             start = markdown.find(formula.strip(), position)
@@ -71,6 +71,16 @@ def math_problems(markdown: str) -> list[tuple[int, str]]:
 def plain(text: str) -> str:
     """Return text whose signs mean nothing in Markdown."""
     return _MARKDOWN_SIGNS.sub(r"\\\1", " ".join(text.split()))
+
+
+@lru_cache(maxsize=1024)
+def _tokens(markdown: str, *, inline: bool = False) -> list[Token]:
+    """Return the parser's tokens; a text is parsed once for its check and its formats. They must not be changed."""
+    tokens = _parser().parseInline(markdown) if inline else _parser().parse(markdown)
+    for token in tokens:
+        if token.type in {"heading_open", "heading_close"}:
+            token.tag = f"h{min(6, int(token.tag[1]) + _HIGHEST_HEADING - 1)}"
+    return tokens
 
 
 @cache
@@ -96,9 +106,6 @@ def _drawer(displayed: bool) -> Callable[..., str]:
 
 
 def _html(tokens: list[Token], math: Math) -> str:
-    for token in tokens:
-        if token.type in {"heading_open", "heading_close"}:
-            token.tag = f"h{min(6, int(token.tag[1]) + _HIGHEST_HEADING - 1)}"
     parser = _parser()
     rendered: str = parser.renderer.render(tokens, parser.options, {"math": math})
     return rendered

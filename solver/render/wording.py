@@ -13,14 +13,14 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
-from jinja2 import FileSystemLoader, StrictUndefined, TemplateError, TemplateNotFound, TemplateSyntaxError
-from jinja2.environment import Template
+from jinja2 import FileSystemLoader, StrictUndefined, TemplateError, TemplateNotFound, TemplateSyntaxError, pass_context
+from jinja2.runtime import Context
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import resources
@@ -78,10 +78,13 @@ class Wording:
     def word(self, step: Step) -> WordedStep:
         """Word a step. Raises WordingError if its macro is missing or wrong."""
         text = self._macro(step.wording, step.kind, dict(step.values), dict(step.claims))
-        title, _, body = text.strip().partition("\n")
-        if not title.startswith("### "):
+        heading, _, body = text.strip().partition("\n")
+        if not heading.startswith("### "):
             raise WordingError(f"{_place(step.wording, step.kind)} must begin with the title: ### ...")
-        return WordedStep(title.removeprefix("### ").strip(), _tidy(body), self.words(step.steps), step)
+        title, markdown = heading.removeprefix("### ").strip(), _tidy(body)
+        for _, message in [*math_problems(title), *math_problems(markdown)]:
+            raise WordingError(f"{_place(step.wording, step.kind)}: {message}")
+        return WordedStep(title, markdown, self.words(step.steps), step)
 
     def question(self, part: Part) -> str:
         """Return the question of a part in Markdown: its own prompt, or the task's."""
@@ -108,46 +111,37 @@ class Wording:
     def _macro(self, wording: str, name: str, *arguments: Any) -> str:
         place = _place(wording, name)
         try:
-            macro = getattr(self._template(wording).module, name, None)
+            macro = getattr(self._module(wording), name, None)
             if macro is None:
                 raise WordingError(f"{place} is missing")
-            text = SEAM_BEFORE_LETTER.sub(" ", str(macro(*arguments))).replace(SEAM, "")
+            return SEAM_BEFORE_LETTER.sub(" ", str(macro(*arguments))).replace(SEAM, "")
         except TemplateNotFound as error:
             raise WordingError(f"{place} is missing: there is no such file") from error
         except TemplateSyntaxError as error:
             raise WordingError(f"{place}, line {error.lineno}: {error.message}") from error
         except (TemplateError, TypeError, ValueError, ArithmeticError, LookupError, AttributeError) as error:
             raise WordingError(f"{place}: {error}") from error
-        problems = math_problems(text)
-        if problems:
-            raise WordingError(f"{place}: {problems[0][1]}")
-        return text
 
-    def _template(self, wording: str) -> Template:
-        return self._environment.get_template(f"{wording}.md.jinja")
+    def _module(self, wording: str) -> Any:
+        """Return the macros of a file as attributes."""
+        if wording not in self._modules:
+            template = _environment(self.templates).get_template(f"{wording}.md.jinja")
+            self._modules[wording] = template.make_module(self._names)
+        return self._modules[wording]
 
     @cached_property
-    def _environment(self) -> ImmutableSandboxedEnvironment:
-        own = [self.templates / "wording", self.templates] if self.templates else []
-        environment = ImmutableSandboxedEnvironment(
-            loader=FileSystemLoader([*own, resources.root("templates") / "wording"]),
-            undefined=StrictUndefined,
-            autoescape=False,  # this is Markdown; HTML is escaped where it is made, in `prose`
-            trim_blocks=True,
-            lstrip_blocks=True,
-        )
+    def _modules(self) -> dict[str, Any]:
+        return {}
+
+    @cached_property
+    def _names(self) -> dict[str, Any]:
+        """What macros can use."""
         level = LEVELS.index(self.detail)
-        environment.filters.update(tex=self._filtered, operation=self._operation, plain=plain)
-        environment.globals.update(
-            brief=level == 0,
-            full=level >= 1,
-            tutor=level >= 2,
-            eq=self._eq,
-            claim=self._claim,
-            align=self._align,
-            sym=NOTATIONS[self.notation],
-        )
-        return environment
+        return {
+            **{"brief": level == 0, "full": level >= 1, "tutor": level >= 2},
+            **{"eq": self._eq, "claim": self._claim, "align": self._align, "sym": NOTATIONS[self.notation]},
+            **{"tex": self._filtered, "operation": self._operation},
+        }
 
     def _filtered(self, value: Any) -> str:
         r"""Print for the filter `tex`; what the template writes after it must not run into a command (`\lambdaI`)."""
@@ -181,6 +175,31 @@ class Wording:
         if shown in {"1", "-1"}:
             return shown.replace("1", row)
         return joined([shown if not is_sum(shown.removeprefix("-")) else parenthesized(shown), row])
+
+
+@lru_cache(maxsize=8)
+def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
+    """Return the environment that finds wording files; compiled templates are shared by all wordings."""
+    own = [templates / "wording", templates] if templates else []
+    environment = ImmutableSandboxedEnvironment(
+        loader=FileSystemLoader([*own, resources.root("templates") / "wording"]),
+        undefined=StrictUndefined,
+        autoescape=False,  # this is Markdown; HTML is escaped where it is made, in `prose`
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters.update(tex=_named("tex"), operation=_named("operation"), plain=plain)
+    return environment
+
+
+def _named(name: str) -> Callable[[Context, Any], str]:
+    """Return a filter that is the wording's function of that name."""
+
+    @pass_context
+    def call(context: Context, value: Any) -> str:
+        return str(context[name](value))
+
+    return call
 
 
 def _place(wording: str, macro: str) -> str:

@@ -1,0 +1,54 @@
+r"""A solution as a LaTeX document that compiles with the small TeX collections (base, recommended, lmodern).
+
+The layout is `templates/latex/document.tex.jinja`, with `\VAR{..}` and `\BLOCK{..}` for Jinja's braces. Texts pass
+the filters `text` (plain), `line` (one line of Markdown) and `prose` (Markdown); formulas come from our printer.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+from jinja2 import FileSystemLoader, StrictUndefined
+from jinja2.sandbox import ImmutableSandboxedEnvironment
+
+from solver import __version__, resources
+from solver.render.prose import inline_latex, to_latex
+from solver.render.tex_text import escaped
+from solver.render.view import AnswerView, SolutionView
+
+
+def latex_document(view: SolutionView, templates: Path | None = None) -> str:
+    """Return the source of the whole document. The same view gives the same text: it holds no date."""
+    template = _environment(templates).get_template("document.tex.jinja")
+    pdf_title = escaped("".join(letter for letter in view.title if letter.isascii()))
+    return template.render(view=view, version=__version__, pdf_title=pdf_title) + "\n"
+
+
+@lru_cache(maxsize=8)
+def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
+    own = [templates / "latex"] if templates else []
+    environment = ImmutableSandboxedEnvironment(
+        block_start_string=r"\BLOCK{",
+        block_end_string="}",
+        variable_start_string=r"\VAR{",
+        variable_end_string="}",
+        comment_start_string=r"\#{",
+        comment_end_string="}",
+        loader=FileSystemLoader([*own, resources.root("templates") / "latex"]),
+        undefined=StrictUndefined,
+        autoescape=False,  # this is TeX; every text passes a filter that escapes for TeX
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters.update(text=_line_of_text, line=inline_latex, prose=to_latex, equation=_equation)
+    return environment
+
+
+def _line_of_text(text: str) -> str:
+    return escaped(" ".join(str(text).split()))
+
+
+def _equation(answer: AnswerView) -> str:
+    """Return an answer as `symbol = value`."""
+    return f"{answer.symbol} = {answer.tex}" if answer.symbol else answer.tex

@@ -1,0 +1,68 @@
+"""A solution as Markdown with `$math$`, as notebooks and repositories show it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from solver.derivation import Status
+from solver.render.prose import plain
+from solver.render.view import CheckRow, PartView, SolutionView
+from solver.render.wording import WordedStep
+
+_TAG = re.compile(r"<(?=[A-Za-z/!?])")
+
+
+def markdown_of(view: SolutionView) -> str:
+    """Return the whole solution. Raw HTML in a user's text is made harmless."""
+    lines = [f"# {plain(view.title)}", plain(view.source), _harmless(view.statement), view.given]
+    for part in view.parts:
+        lines += _part(part)
+    return "\n\n".join(line.strip() for line in lines if line.strip()) + "\n"
+
+
+def _harmless(markdown: str) -> str:
+    """A blank after < keeps a tag from being one, and changes nothing in a formula."""
+    return _TAG.sub("< ", markdown)
+
+
+def _part(part: PartView) -> Iterator[str]:
+    marks = f" [{part.marks} marks]" if part.marks else ""
+    yield f"## ({plain(part.id)}) {plain(part.title)}{plain(marks)}"
+    yield _harmless(part.question)
+    yield part.given
+    if part.method_title != part.title or part.source:
+        source = f" ({plain(part.source)})" if part.source else ""
+        yield f"*Method: {plain(part.method_title)}*{source}"
+    if part.status is Status.FAILED:
+        yield f"> **Do not rely on this answer:** {part.reason}."
+    yield from _steps(part.steps, "###")
+    if part.status is Status.UNSOLVED:
+        yield f"> **Unsolved.** {part.reason}"
+    if part.answers:
+        yield "### Answer"
+        for answer in part.answers:
+            yield f"$$\n{answer.symbol + ' = ' if answer.symbol else ''}{answer.tex}\n$$"
+    if part.checks:
+        yield _table(part.checks)
+
+
+def _steps(steps: Iterable[WordedStep], level: str) -> Iterator[str]:
+    for number, step in enumerate(steps, 1):
+        yield f"{level} {f'{number}. ' if level == '###' else ''}{step.title}"
+        yield step.markdown
+        yield from _steps(step.steps, level + "#" if len(level) < 6 else level)
+
+
+def _table(rows: Iterable[CheckRow]) -> str:
+    lines = ["| Checked | By | Error | Result |", "|---|---|---|---|"]
+    for row in rows:
+        reason = f" ({row.reason})" if row.reason else ""
+        error = f"${row.residual}$" if row.residual else ""
+        status = f"**{row.status}**" if row.status == "failed" else row.status
+        lines.append(f"| {_cell(row.claim + reason)} | {_cell(plain(row.oracle))} | {error} | {status} |")
+    return "\n".join(lines)
+
+
+def _cell(markdown: str) -> str:
+    return " ".join(markdown.split()).replace("|", r"\|").replace(r"\\|", r"\|")
