@@ -63,5 +63,8 @@ def _report(bug: Exception) -> int:
     if os.environ.get("SOLVE_DEBUG"):
         traceback.print_exception(bug)
     else:
-        click.echo("This is a bug in solve; please report it with the output of the same command under SOLVE_DEBUG=1.", err=True)
+        click.echo(
+            "This is a bug in solve; please report it with the output of the same command under SOLVE_DEBUG=1.",
+            err=True,
+        )
     return 1

@@ -33,7 +33,9 @@ class FormatList(click.ParamType):
 @click.command(short_help="Solve problem files (what `solve problem.yaml` does).")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("-f", "--format", "formats", type=FormatList(), help="html, latex, pdf, md, json, text: one or more.")
-@click.option("-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: beside FILE.")
+@click.option(
+    "-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: beside FILE."
+)
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much is written.")
 @click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
               help="Templates that take precedence over the program's own.")  # fmt: skip

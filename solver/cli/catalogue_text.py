@@ -1,0 +1,135 @@
+"""The catalogue as plain text. Reads the declarations of the tasks; needs no algebra."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from textwrap import wrap
+
+from solver.derivation import (
+    AnswerName,
+    Channel,
+    Choice,
+    Expression,
+    ExpressionList,
+    Flag,
+    Integer,
+    MatrixOf,
+    Method,
+    Names,
+    Number,
+    Option,
+    OptionKind,
+    Poles,
+    Task,
+    TransferFunctionOption,
+)
+from solver.tasks import catalogue
+
+WIDTH = 100
+TIMES = {"continuous": "continuous time", "discrete": "discrete time", "both": ""}
+
+
+def overview() -> str:
+    """Return all tasks by group: name, title, methods."""
+    known = list(catalogue().values())
+    width = max((len(task.name) for task in known), default=0)
+    lines: list[str] = []
+    for group, members in groupby(known, key=lambda task: task.group):
+        lines += [group, *(f"  {task.name:{width}}  {_summary(task)}" for task in members), ""]
+    return "\n".join(
+        [*lines, "`solve tasks NAME` tells more of one; `solve new NAME` writes a problem file that asks it."]
+    )
+
+
+def _summary(task: Task) -> str:
+    methods = [name for name in task.methods if name != task.name]
+    return f"{task.title} ({', '.join(methods)})" if methods else task.title
+
+
+def one(task: Task) -> str:
+    """Return all about a task."""
+    needs = ", ".join(task.needs) if task.needs else "nothing"
+    lines = [task.name, f"  {task.title}.", *_wrapped(task.doc, "  "), f"  Needs {needs} of the system.", ""]
+    lines += ["Methods", *_table(_method_rows(task)), ""] if len(task.methods) > 1 else []
+    lines += ["Options", *_table(map(_option_row, task.options.values())), ""]
+    lines += ["Answers", *_table(map(_answer_row, task.answers.values()))]
+    return "\n".join(lines)
+
+
+def _method_rows(task: Task) -> Iterator[tuple[str, str]]:
+    for method in task.methods.values():
+        yield method.name, "; ".join(filter(None, [method.title, _when(method), method.source]))
+
+
+def _when(method: Method) -> str:
+    return TIMES[method.time]
+
+
+def _option_row(option: Option) -> tuple[str, str]:
+    facts = [described(option.kind)]
+    if option.required:
+        facts.append("required")
+    if option.default is not None:
+        facts.append(f"default {str(option.default).lower() if isinstance(option.default, bool) else option.default}")
+    return option.name, f"{option.doc} [{'; '.join(facts)}]{_only(option.methods)}"
+
+
+def _answer_row(answer: AnswerName) -> tuple[str, str]:
+    return answer.name, answer.doc + (" (where it makes sense)" if answer.optional else "") + _only(answer.methods)
+
+
+def _only(methods: tuple[str, ...]) -> str:
+    return f" (only {', '.join(methods)})" if methods else ""
+
+
+def described(kind: OptionKind) -> str:  # noqa: PLR0911 - one line a kind
+    """Return in words what an option of the kind takes."""
+    match kind:
+        case Integer(minimum, maximum):
+            return " ".join(["a whole number", *_bounds(minimum, maximum)])
+        case Choice(words):
+            return "one of " + ", ".join(words)
+        case Flag():
+            return "true or false"
+        case Number(percent):
+            return 'a number, or a percentage such as "14%"' if percent else "a number"
+        case Expression(variables):
+            return "an expression" + (f" in {', '.join(variables)}" if variables else "")
+        case ExpressionList(variables):
+            return "an expression or a list of them" + (f", in {', '.join(variables)}" if variables else "")
+        case Poles():
+            return 'a list of poles, "-3 ± 2j" for a pair'
+        case MatrixOf(rows, columns, flat):
+            size = "" if rows is None and columns is None else f" {_size(rows)}×{_size(columns)}"
+            return f"a matrix{size}; a flat list is a {flat}"
+        case Channel(of):
+            return f"an {of} by number from 1 or by name" if of != "state" else "a state by number from 1 or by name"
+        case Names():
+            return "a list of names"
+        case TransferFunctionOption():
+            return "a transfer function"
+
+
+def _size(size: int | str | None) -> str:
+    return "any" if size is None else str(size)
+
+
+def _bounds(minimum: int | None, maximum: int | None) -> list[str]:
+    if minimum is not None and maximum is not None:
+        return [f"from {minimum} to {maximum}"]
+    return [f"from {minimum}"] if minimum is not None else [f"up to {maximum}"] if maximum is not None else []
+
+
+def _table(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Yield two columns, the second wrapped."""
+    listed = list(rows)
+    width = max((len(name) for name, _ in listed), default=0)
+    for name, text in listed:
+        first, *rest = _wrapped(text, " " * (width + 4)) or [""]
+        yield f"  {name:{width}}  {first.lstrip()}"
+        yield from rest
+
+
+def _wrapped(text: str, indent: str) -> list[str]:
+    return wrap(text, WIDTH, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)
