@@ -97,10 +97,10 @@ def claim_residual(left: Any, right: Any, integers: frozenset[str] = frozenset()
     transforms = [formula for formula in stated if formula.operation == "inverse_laplace"]
 
     def sides(points: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
-        environment = Environment.at(list(points), arithmetic)
+        environment = Environment.at(points, arithmetic)
         return value_of(left, environment), value_of(right, environment)
 
-    points = [_in_reach(source.draw(), transforms) for _ in range(wanted)]
+    points = _in_reach(source.several(wanted), transforms)
     try:
         return worst_residual(sides, points)
     except Undefined:
@@ -114,7 +114,7 @@ def _point_by_point(
     results: list[tuple[float, int]] = []
     candidates = [*points, *(None for _ in range(REDRAWS if source.symbols else 0))]
     for candidate in candidates:
-        point = candidate if candidate is not None else _in_reach(source.draw(), transforms)
+        point = candidate if candidate is not None else _in_reach([source.draw()], transforms)[0]
         try:
             results.append(worst_residual(sides, [point]))
         except Undefined as undefined:
@@ -126,11 +126,12 @@ def _point_by_point(
     return max(residual for residual, _ in results), max(digits for _, digits in results)
 
 
-def _in_reach(point: Point, transforms: list[Stated]) -> Point:
+def _in_reach(points: list[Point], transforms: list[Stated]) -> list[Point]:
     """Scale t so that the inversion integrals keep their digits: radius · t between 0.4 and REACH."""
-    reach: dict[Any, float] = {}
+    reach: dict[Any, Any] = {}
     for image, s, t in (formula.operands for formula in transforms):
-        if t in point:
-            radius = float(circle_around_poles(image, s, Environment.at([point]), centred=False).radius[0])
-            reach[t] = min(reach.get(t, np.inf), REACH / radius)
-    return {**point, **{t: point[t] / 1.5 * largest for t, largest in reach.items()}}
+        if t in points[0]:
+            radius = circle_around_poles(image, s, Environment.at(points), centred=False).radius
+            reach[t] = np.minimum(reach.get(t, np.inf), REACH / radius)
+    scaled = [{t: point[t] / 1.5 * float(largest[p]) for t, largest in reach.items()} for p, point in enumerate(points)]
+    return [{**point, **times} for point, times in zip(points, scaled, strict=True)]

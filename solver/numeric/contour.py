@@ -6,6 +6,7 @@ trapezoid rule converges geometrically (Trefethen and Weideman, SIAM Review 56 (
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -29,6 +30,7 @@ def number_of_nodes(arithmetic: Arithmetic, growth: float) -> int:
     return int(16 * np.ceil((arithmetic.digits * 3.4 + 12.0 + 4.0 * growth) / 16))
 
 
+@cache
 def unit_roots(count: int, arithmetic: Arithmetic) -> Array:
     """e^{2πj i/N} for i = 0 … N − 1."""
     turns = [arithmetic.rational(2 * i, count) for i in range(count)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -23,7 +23,7 @@ class Environment:
         self.memo: dict[Any, Value] = {}
 
     @classmethod
-    def at(cls, points: list[Mapping[Any, complex]], arithmetic: Arithmetic = DOUBLE) -> Environment:
+    def at(cls, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic = DOUBLE) -> Environment:
         """Return the environment of some points, each a value for every symbol; the values are taken as exact."""
         symbols = list(points[0])
         values = {symbol: arithmetic.array([point[symbol] for point in points]) for symbol in symbols}

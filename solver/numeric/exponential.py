@@ -41,7 +41,7 @@ def equality_residual(left: Any, right: Any, points: Sequence[Point]) -> float:
     """Return the largest residual of left = right at given points; infinite where a side is undefined or misshapen."""
 
     def sides(some: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
-        environment = Environment.at(list(some), arithmetic)
+        environment = Environment.at(some, arithmetic)
         return value_of(left, environment), value_of(right, environment)
 
     try:

@@ -16,6 +16,9 @@ SEED = 19_600_415  # the month of Kalman's paper; any constant will do
 COMPLEX_NAMES = frozenset({"s", "z", "lamda", "lambda"})
 """Symbols without assumptions that stand for complex variables."""
 
+NEVER_WHOLE = COMPLEX_NAMES | {"t"}
+"""Symbols that by convention vary continuously."""
+
 WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
 BOUND = {"inverse_laplace": 1, "inverse_z": 1, "integral": 1, "value_at": 1}
 """Operations that bind a variable, and which operand it is; the image or function is operand 0."""
@@ -41,9 +44,11 @@ def whole_symbols(*formulas: Any, names: Collection[str] = ()) -> frozenset[Any]
     Such places are the k of an inverse z-transform, the arguments of Kronecker's delta and of factorials, and the
     exponent of a base that is not known to be positive (λᵏ; a parameter k in e^{kt} is none).
     """
-    found: set[Any] = set()
+    symbols = frozenset().union(*map(free_symbols, formulas))
+    found = {symbol for symbol in symbols if symbol.is_integer or symbol.name in names}
+    if all(symbol.name in NEVER_WHOLE for symbol in symbols - found):
+        return frozenset(found)
     for formula in formulas:
-        found.update(symbol for symbol in free_symbols(formula) if symbol.is_integer or symbol.name in names)
         for node in nodes(formula):
             found |= _whole_in(node)
     return frozenset(found)

@@ -16,6 +16,7 @@ from sympy.matrices.matrixbase import MatrixBase
 from solver.derivation import Stated
 from solver.numeric.arithmetic import Array
 from solver.numeric.environment import Environment
+from solver.numeric.points import free_symbols
 from solver.numeric.values import SAFETY, NotEvaluable, Value
 from solver.numeric.walk import walk
 
@@ -37,13 +38,14 @@ def circle_around_poles(image: Any, s: Any, environment: Environment, *, centred
     `centred` asks for centre 0. The poles lie within half the radius of the centre, up to rounding. Raises
     NotEvaluable if the image is not rational in s or a denominator may have lost its leading coefficient.
     """
-    environment = environment.approximate()
-    points = [environment] if environment.points == 1 else [_single(environment, p) for p in range(environment.points)]
+    alike = free_symbols(image) <= {s}  # no parameters: the same poles at each point
+    approximate = environment.approximate()
+    points = [_single(approximate, p) for p in range(1 if alike else environment.points)]
     poles = [np.concatenate([np.zeros(0), *poles_of(image, s, point)]) for point in points]
     centre = np.array([0.0 if centred or not len(each) else np.mean(each.real) for each in poles])
     spread = [np.max(np.abs(each - c), initial=0.0) for each, c in zip(poles, centre, strict=True)]
     radius = np.array([2.1 * r + 0.5 * abs(c) or 1.0 for r, c in zip(spread, centre, strict=True)])
-    return Circle(centre, radius)
+    return Circle(*(np.broadcast_to(each, (environment.points,)) for each in (centre, radius)))
 
 
 def _single(environment: Environment, p: int) -> Environment:
@@ -160,6 +162,8 @@ def _zeros_of_rational(expression: Any, s: Any, point: Environment) -> Array:
         kept.pop()
     if not kept:
         raise NotEvaluable("a denominator is zero")
+    if len(kept) == 2:
+        return np.array([-kept[0].value / kept[1].value])
     coefficients = np.array([c.value for c in reversed(kept)])
     return np.asarray(np.roots(coefficients / np.max(np.abs(coefficients))))
 
