@@ -130,7 +130,6 @@ def read_lexicon(parameters: Node | None, assume: Node | None, report: Report) -
             lexicon.symbols[name] = sp.Symbol(name, **assumption)
     if isinstance(parameters, MappingNode):
         _read_values(parameters, lexicon, report)
-    lexicon.used.clear()
     return lexicon
 
 

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
@@ -21,69 +19,23 @@ from solver.derivation import (
     Number,
     Option,
     Poles,
-    Task,
     TransferFunctionOption,
 )
-from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, scalar
+from solver.problem.context import Context
+from solver.problem.lexicon import scalar
 from solver.problem.matrices import expect_shape, is_flat, read_matrix
 from solver.problem.model import Reference
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.problem.poles import read_conjugate_list
 from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.transfer_functions import read_transfer_function
-from solver.systems import StateSpace, System, TransferFunction
+from solver.systems import StateSpace
 
 REFERABLE = (MatrixOf, Poles, Expression, ExpressionList, Number, TransferFunctionOption)
 """Kinds of option whose value can be the answer of an earlier part."""
 
 DEFAULT_ANSWERS = {"gain": "K", "observer_gain": "L"}
 """The answer that `{from: part}` takes for an option; for others the one of the option's own name."""
-
-OTHER_TIME = {True: {"t": "k", "s": "z"}, False: {"k": "t", "z": "s"}}
-"""By whether time is discrete: variables of the other kind of time, and the ones that take their place."""
-
-
-@dataclass(frozen=True)
-class Context:
-    """What the options of a part are read in.
-
-    `system` is None where it could not be read; then what depends on its size is not checked. `earlier` has the task
-    and the first method of each part before this one, or None for a part that could not be read.
-    """
-
-    lexicon: Lexicon
-    system: System | None
-    discrete: bool = False
-    earlier: Mapping[str, tuple[Task, str] | None] = field(default_factory=dict)
-
-    def size(self, of: int | str | None) -> int | None:
-        """Return a number of rows or columns: itself, or that of "n" states, "m" inputs, "p" outputs if known."""
-        if not isinstance(of, str):
-            return of
-        if isinstance(self.system, TransferFunction):
-            return {"m": int(self.system.matrix.cols), "p": int(self.system.matrix.rows)}.get(of)
-        if self.system is None:
-            return None
-        B, C = self.system.B, self.system.C
-        sizes = {"n": self.system.order, "m": B.cols if B is not None else None, "p": C.rows if C is not None else None}
-        return sizes[of]
-
-    def names(self, of: str) -> tuple[str, ...]:
-        """Return the names of the system's inputs, outputs or states, if it gives them."""
-        if not isinstance(self.system, StateSpace):
-            return ()
-        named = {"input": self.system.input_names, "output": self.system.output_names, "state": self.system.state_names}
-        return named[of]
-
-    def variables(self, declared: Collection[str]) -> tuple[str, ...]:
-        """Return the variables of an expression without those of the other kind of time."""
-        other = OTHER_TIME[self.discrete]
-        return tuple(name for name in declared if other.get(name) not in declared)
-
-    @property
-    def barred(self) -> Mapping[str, str]:
-        """Names that can't stand in a value, but for the variables it is declared to have."""
-        return MEANINGS | SAMPLES if self.discrete else MEANINGS
 
 
 def read_option(option: Option, node: Node, context: Context) -> Any:

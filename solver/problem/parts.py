@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from solver.derivation import Choice, Flag, Option, Task
+from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number, scalar
 from solver.problem.model import Part
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of
-from solver.problem.options import Context, read_option
+from solver.problem.options import read_option
 from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.systems import NOTHING, described, provided
 from solver.systems import StateSpace, System

@@ -51,4 +51,5 @@ def _same(a: sp.Expr, b: sp.Expr) -> bool:
     difference = sp.expand(a - b)
     if difference == 0 or difference.free_symbols:
         return bool(difference == 0)
-    return bool(abs(sp.N(difference, 30)) < sp.Rational(1, 10**20) * (1 + abs(sp.N(a, 30))))
+    scale = 1.0 if a.free_symbols else 1.0 + abs(complex(sp.N(a, 30)))
+    return bool(abs(complex(sp.N(difference, 30))) < 1e-20 * scale)

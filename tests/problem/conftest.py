@@ -98,7 +98,9 @@ def complaints(read) -> Callable[[str], list[str]]:
     def complain(text: str) -> list[str]:
         with pytest.raises(InputError) as caught:
             read(text)
-        return [f"{each.line}:{each.column}-{each.column + each.length} {each.message}" for each in caught.value.diagnostics]
+        return [
+            f"{each.line}:{each.column}-{each.column + each.length} {each.message}" for each in caught.value.diagnostics
+        ]
 
     return complain
 

@@ -2,6 +2,8 @@ from __future__ import annotations
 
 import pytest
 
+from solver.problem.source import InputError
+
 SYSTEM = "system: {A: [[0, 1], [-2, -3]]}\n"
 FIND = "find: {a: stability}\n"
 
@@ -101,8 +103,6 @@ def test_kinds_of_system_still_to_come_are_known_but_refused(complaints, kind):
     ],
 )
 def test_a_misspelt_word_brings_the_right_one(read, text, suggestion):
-    from solver.problem.source import InputError
-
     with pytest.raises(InputError, match=f"did you mean '{suggestion}'"):
         read(text)
 

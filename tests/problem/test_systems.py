@@ -6,6 +6,7 @@ import sympy as sp
 from solver.systems import StateSpace, TransferFunction
 
 s, z = sp.symbols("s z")
+three_quarters = sp.Rational(3, 4)
 M = sp.ImmutableMatrix
 
 
@@ -60,7 +61,7 @@ def test_a_state_space_system_with_everything(system):
         ("A: [[1, 2], [3, 4]], B: [[1, 2], [3, 4]], C: [1, 0], D: 0", "D", M([[0, 0]])),
         ("A: [[1, 2], [3, 4]], B: [[1, 2], [3, 4]], C: [1, 0], D: [5, 6]", "D", M([[5, 6]])),
         ("A: [[1, 2], [3, 4]], B: [1, 0], C: [[1, 2], [3, 4]], D: [5, 6]", "D", M([[5], [6]])),
-        ("A: [[0.1, 1e-3], [3/4, '3/4']]", "A", M(2, 2, [sp.Rational(1, 10), sp.Rational(1, 1000), *[sp.Rational(3, 4)] * 2])),
+        ("A: [[0.1, 1e-3], [3/4, '3/4']]", "A", M([[sp.Rational(1, 10), sp.Rational(1, 1000)], [three_quarters] * 2])),
         ("A: [[sqrt(2), exp(1)], [pi, 2j]]", "A", M([[sp.sqrt(2), sp.E], [sp.pi, 2 * sp.I]])),
         ("matrix: [[1, 2]]", "A", None),
     ],
@@ -160,7 +161,9 @@ def test_twelve_states_can_be_read(system):
 
 
 def test_a_part_may_have_its_own_system(read):
-    problem = read("find:\n  a: {task: stability, system: {A: 1}}\n  b: {task: stability, system: {A: 2, time: discrete}}\n")
+    problem = read(
+        "find:\n  a: {task: stability, system: {A: 1}}\n  b: {task: stability, system: {A: 2, time: discrete}}\n"
+    )
     assert [part.system.A[0, 0] for part in problem.parts] == [1, 2]
     assert [part.own_system for part in problem.parts] == [True, True]
     assert problem.system is None
@@ -180,7 +183,8 @@ def test_a_part_may_have_its_own_system(read):
         ("transfer_function: 0.5", sp.Rational(1, 2)),
         ("transfer_function: s/(s + sqrt(2))", s / (s + sp.sqrt(2))),
         ("transfer_function: (s^2 - 2)/(s + sqrt(2))^2", (s - sp.sqrt(2)) / (s + sp.sqrt(2))),
-        ("transfer_function: {zeros: [-1], poles: [-2, -3 ± 2j], gain: 5}", 5 * (s + 1) / ((s + 2) * (s**2 + 6 * s + 13))),
+        ("transfer_function: {zeros: [-1], poles: [-2, -3 ± 2j], gain: 5}",
+         5 * (s + 1) / ((s + 2) * (s**2 + 6 * s + 13))),
         ("transfer_function: {poles: [0, 0]}", 1 / s**2),
         ("transfer_function: {zeros: -1, poles: [-1, -2]}", 1 / (s + 2)),
         ("transfer_function: {numerator: [1, 3], denominator: [1, 3, 2]}", (s + 3) / (s**2 + 3 * s + 2)),
@@ -213,7 +217,9 @@ def test_a_transfer_function_in_discrete_time(transfer, complaints):
 
 
 def test_a_transfer_matrix(transfer):
-    found = transfer("transfer_matrix: [[1/s, 2], [{poles: [-1]}, {numerator: 1, denominator: [1, 1]}]], inputs: [u, v]")
+    found = transfer(
+        "transfer_matrix: [[1/s, 2], [{poles: [-1]}, {numerator: 1, denominator: [1, 1]}]], inputs: [u, v]"
+    )
     assert found.matrix == M([[1 / s, 2], [1 / (s + 1), 1 / (s + 1)]])
 
 
@@ -222,7 +228,8 @@ def test_a_transfer_matrix(transfer):
     [
         ("transfer_function: (s^2+1)/(s+1)",
          ["1:29-42 the transfer function is improper: its numerator has degree 2, its denominator 1"]),
-        ("transfer_function: s", ["1:29-30 the transfer function is improper: its numerator has degree 1, its denominator 0"]),
+        ("transfer_function: s",
+         ["1:29-30 the transfer function is improper: its numerator has degree 1, its denominator 0"]),
         ("transfer_function: {zeros: [1, 2], poles: [3]}",
          ["1:29-56 the transfer function is improper: its numerator has degree 2, its denominator 1"]),
         ("transfer_function: {numerator: [1], denominator: [0, 0]}", ["1:59-65 the denominator is zero"]),
@@ -233,7 +240,8 @@ def test_a_transfer_matrix(transfer):
         ("transfer_function: 1/(s - s)", ["1:31-38 division by zero"]),
         ("transfer_function: exp(-s)/s", ["1:29-38 a quotient of polynomials in s is expected here"]),
         ("transfer_function: 1/(sqrt(s) + 1)", ["1:29-44 a quotient of polynomials in s is expected here"]),
-        ("transfer_function: 1/z", ["1:31-32 'z' cannot stand here: in continuous time a transfer function is written in s"]),
+        ("transfer_function: 1/z",
+         ["1:31-32 'z' cannot stand here: in continuous time a transfer function is written in s"]),
         ("transfer_function: 1/(s+1)^13", ["1:29-39 the transfer function has order 13; at most 12 can be read"]),
         ("transfer_function: {poles: [-1+j, -2]}", ["1:38-42 the pole -1+j has no conjugate"]),
         ("transfer_function: {zeros: [j], poles: [1, 2]}", ["1:38-39 the zero j has no conjugate"]),
