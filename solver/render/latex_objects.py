@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import sympy as sp
@@ -17,6 +18,8 @@ FUNCTIONS = {
     **{"sign": r"\operatorname{sgn}", "re": r"\operatorname{Re}", "im": r"\operatorname{Im}"},
     **{"Heaviside": r"\mathbf{1}", "DiracDelta": r"\delta", "Min": r"\min", "Max": r"\max"},
 }
+
+_FRACTION_OF_LETTERS = re.compile(r"\\frac(\{(?:[^{}]|\{[^{}]*\})*\}\{[^{}]*[A-Za-z])")
 
 
 class ObjectPrinter(LatexPrinter):
@@ -66,8 +69,13 @@ class ObjectPrinter(LatexPrinter):
     def _print_MatrixBase(self, expr: Any) -> str:
         if 0 in expr.shape:
             return r"\text{empty}"
-        rows = r" \\ ".join(" & ".join(self._print(entry) for entry in row) for row in expr.tolist())
+        rows = r" \\ ".join(" & ".join(self._cell(entry) for entry in row) for row in expr.tolist())
         return rf"\begin{{bmatrix}}{rows}\end{{bmatrix}}"
+
+    def _cell(self, entry: Any) -> str:
+        """Print an entry; a fraction with letters below the bar is not made small, as TeX would."""
+        cell = self._print(entry)
+        return _FRACTION_OF_LETTERS.sub(r"\\dfrac\1", cell) if r"\frac" in cell else cell
 
     def _print_PolyBase(self, expr: Any) -> str:
         terms = (

@@ -1,0 +1,83 @@
+"""Exact objects as plain text: what `sympy.sympify` reads back exactly, and two-dimensional text for a terminal."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from sympy.printing.str import StrPrinter
+
+from solver.derivation.stated import Stated
+from solver.render.latex import DEFAULT, tex
+from solver.render.numbers import NumberFormat
+from solver.render.unicode_math import drawn
+
+DIGITS = 15
+"""Significant digits of decimals in data."""
+
+
+def unicode_text(value: Any, numbers: NumberFormat = DEFAULT) -> str:
+    """Return a value as lines of Unicode text, with the numbers and the order of terms of the printed page."""
+    return "\n".join(drawn(tex(value, numbers)))
+
+
+def sympy_text(value: Any) -> str:
+    """Return a value as text for `sympy.sympify(text, locals={name: Symbol(name), ...})`.
+
+    Matrices are `Matrix([[..]])`, an empty basis `Matrix(n, 0, [])`, lists `[..]`, truth values `True` and `False`,
+    decimals have 15 digits. A text stands for itself; a `Stated` formula is its operation with its operands.
+    """
+    return value if isinstance(value, str) else _PRINTER.text(_data(value))
+
+
+def _data(value: Any) -> Any:
+    """Return floats and tuples as sympy has them; the numbers in lists too."""
+    if isinstance(value, list | tuple):
+        return [_data(item) for item in value]
+    if isinstance(value, float):
+        return sp.Float(value, DIGITS)
+    return value
+
+
+class _Printer(StrPrinter):
+    """sympy's own text, with matrices and collections spelled the way they are read back."""
+
+    def __init__(self) -> None:
+        StrPrinter.__init__(self, {"order": "none"})  # sympy's canonical order: sorting again takes long
+
+    def text(self, value: Any) -> str:
+        return str(StrPrinter.doprint(self, value))
+
+    def _print_MatrixBase(self, expr: Any) -> str:
+        if 0 in expr.shape:
+            return f"Matrix({expr.rows}, {expr.cols}, [])"
+        return f"Matrix({self._print(expr.tolist())})"
+
+    _print_ImmutableDenseMatrix = _print_MutableDenseMatrix = _print_DenseMatrix = _print_MatrixBase
+
+    def _print_PolyBase(self, expr: Any) -> str:
+        return self._print(expr.as_expr())
+
+    _print_Poly = _print_PolyBase
+
+    def _print_Relational(self, expr: Any) -> str:
+        if isinstance(expr, sp.Eq | sp.Ne):
+            return f"{'Eq' if isinstance(expr, sp.Eq) else 'Ne'}({self._print(expr.lhs)}, {self._print(expr.rhs)})"
+        return f"{self._print(expr.lhs)} {expr.rel_op} {self._print(expr.rhs)}"
+
+    def _print_Float(self, expr: Any) -> str:
+        return str(sp.Float(expr, DIGITS)) if expr.is_finite else str(expr)
+
+    def _print_Tuple(self, expr: Any) -> str:
+        return self._print(list(expr))
+
+    _print_FiniteSet = _print_Tuple
+
+    def _print_str(self, expr: str) -> str:
+        return expr
+
+    def _print_Stated(self, expr: Stated) -> str:
+        return f"{expr.operation}({', '.join(self._print(operand) for operand in expr.operands)})"
+
+
+_PRINTER = _Printer()
