@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 import traceback
@@ -40,6 +41,9 @@ for command in (run, tasks, new, schema, check):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code. No error ever leaves as a traceback."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a terminal without Unicode shows ? instead of nothing
     try:
         result = cli.main(args=arguments, prog_name="solve", standalone_mode=False)
         sys.stdout.flush()
@@ -53,13 +57,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return BROKEN_PIPE
     except Exception as bug:  # noqa: BLE001 - the outermost boundary: whatever is left is a bug of the program
-        return _report(bug)
+        return report_bug(bug)
     return result if isinstance(result, int) else 0
 
 
-def _report(bug: Exception) -> int:
-    """Say that there is a bug, with its traceback if SOLVE_DEBUG is set."""
-    click.echo(f"internal error: {type(bug).__name__}: {bug}", err=True)
+def report_bug(bug: Exception, file: str = "") -> int:
+    """Say that there is a bug, with its traceback if SOLVE_DEBUG is set; return the exit code."""
+    place = f"{file}: " if file else ""
+    click.echo(f"{place}internal error: {type(bug).__name__}: {bug}", err=True)
     if os.environ.get("SOLVE_DEBUG"):
         traceback.print_exception(bug)
     else:

@@ -45,9 +45,10 @@ def schema() -> None:
     """Print the JSON Schema of problem files, for editors that complete and check YAML."""
     import json
 
-    from solver.problem.schema import problem_schema
+    from solver.problem.schema import json_schema
+    from solver.tasks import catalogue
 
-    click.echo(json.dumps(problem_schema(), indent=2, ensure_ascii=False))
+    click.echo(json.dumps(json_schema(catalogue()), indent=2, ensure_ascii=False))
 
 
 @click.command(short_help="Mark a student's answers (not available yet).")

@@ -1,4 +1,4 @@
-"""Markdown with `$math$` to HTML and to LaTeX: one parser, two writers.
+"""Markdown with `$math$` to HTML, to LaTeX and to plain text: one parser, three writers.
 
 CommonMark with tables; no raw HTML, no images, links to the web and to mail only. Formulas pass the white list of
 `math_check`; one that does not is shown as the text it is, never handed on.
@@ -18,8 +18,12 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 from solver.render.math_check import MathProblem, check_math, find_problem
 from solver.render.prose_latex import latex_of
+from solver.render.prose_text import inline_text, text_of
 
-__all__ = ["MathProblem", "check_math", "inline_html", "inline_latex", "math_problems", "plain", "to_html", "to_latex"]
+__all__ = [
+    *("MathProblem", "check_math", "math_problems", "plain"),
+    *("inline_as_text", "inline_html", "inline_latex", "to_html", "to_latex", "to_text"),
+]
 
 Math = Callable[[str, bool], str]
 """Draws a formula (LaTeX, displayed or not) as HTML."""
@@ -50,6 +54,16 @@ def to_latex(markdown: str) -> str:
 def inline_latex(markdown: str) -> str:
     """Return LaTeX of one line (a title)."""
     return latex_of(_tokens(markdown, inline=True))
+
+
+def to_text(markdown: str, width: int) -> str:
+    """Return plain text for a terminal, its lines at most `width` cells long where formulas allow it."""
+    return text_of(_tokens(markdown), width)
+
+
+def inline_as_text(markdown: str) -> str:
+    """Return one line of Markdown (a title, a reason) as plain text."""
+    return " ".join(inline_text(token.children or []) for token in _tokens(markdown, inline=True))
 
 
 def math_problems(markdown: str) -> list[tuple[int, str]]:

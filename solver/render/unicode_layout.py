@@ -7,13 +7,16 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from solver.render.boxes import Box, beside, enclosed, fraction, grid, scripted, text_box
+from solver.render.boxes import Box, beside, enclosed, fraction, grid, scripted, stacked, text_box
 from solver.render.unicode_symbols import SUBSCRIPTS, SUPERSCRIPTS
 
 MATRICES = {"bmatrix": "[]", "pmatrix": "()", "vmatrix": "||", "Vmatrix": "‖‖", "Bmatrix": "{}", "matrix": "..",
             "smallmatrix": "..", "cases": "{.", "dcases": "{.", "array": "..", "aligned": "..", "align": "..",
             "align*": "..", "split": "..", "gathered": "..", "gather": "..", "gather*": ".."}  # fmt: skip
 ALIGNED = {"aligned", "align", "align*", "split"}
+LIMITS = {"Σ", "Π", "lim"}
+"""Their scripts stand above and below in display."""
+
 FACTORS = {"ordinary", "word", "operator", "opening", "closing", "fraction"}
 
 
@@ -36,7 +39,8 @@ def spaced(atoms: Sequence[Atom]) -> list[Box]:
             kind = "sign"
         if kind == "fraction" and box.height == 1 and (after in FACTORS or before in FACTORS):
             box = enclosed(box, "(", ")")
-        if _apart(before, kind):
+        tall = "fraction" in {before, kind} and box.height > 1 and {before, kind} <= FACTORS
+        if tall or _apart(before, kind):
             boxes.append(text_box(" "))
         boxes.append(box)
         before, visible = kind, visible if kind == "space" else kind
@@ -82,6 +86,9 @@ def accented(box: Box, mark: str) -> Box:
 def with_scripts(atom: Atom, scripts: dict[str, Box], display: bool) -> Atom:
     """Return an atom with scripts: as small letters where Unicode has them, else raised, or `^(…)` in a line."""
     base, kind = atom.box, "ordinary" if atom.kind == "fraction" else atom.kind
+    if display and base.flat in LIMITS:
+        above, below = scripts.get("^", text_box("")), scripts.get("_", text_box(""))
+        return Atom(stacked([above, base, below], above.height), "operator")
     tables = {"^": SUPERSCRIPTS, "_": SUBSCRIPTS}
     left: dict[str, Box] = {}
     for mark in ("_", "^"):

@@ -1,0 +1,183 @@
+"""The work of `solve problem.yaml`: read, solve within limits, write, report; one file after the other."""
+
+from __future__ import annotations
+
+import os
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from solver.cli.destination import STANDARD, Destination, write_whole
+from solver.cli.progress import Meter
+from solver.problem.source import Diagnostic, InputError, Source
+
+if TYPE_CHECKING:
+    from solver.cli.formats import Document
+    from solver.engine import Solution
+
+SOLVED, UNSOLVED, AT_FAULT = 0, 1, 2
+SINGLE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What the command line asks for."""
+
+    files: tuple[str, ...]
+    destination: Destination
+    detail: str
+    templates: Path | None
+    open_page: bool
+    time_limit: float
+    memory_limit: int
+    verbose: bool
+
+
+def solve_files(request: Request) -> int:
+    """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
+    for name in SINGLE_THREAD:  # the matrices are small, and a process with threads should not fork
+        os.environ.setdefault(name, "1")
+    from solver.limits import end_children_on_termination
+
+    end_children_on_termination()
+    meter = Meter(len(request.files))
+    return max(_guarded(request, file, meter) for file in request.files)
+
+
+def _guarded(request: Request, file: str, meter: Meter) -> int:
+    """Solve one file; whatever goes wrong becomes words on standard error and an exit code."""
+    from solver.cli.app import report_bug
+
+    try:
+        return _solve(request, file, meter)
+    except InputError as error:
+        click.echo(error.render(), err=True)
+        return AT_FAULT
+    except click.ClickException as error:
+        click.echo(f"{file}: error: {error.format_message()}", err=True)
+        return error.exit_code
+    except OSError:
+        raise  # a closed pipe concerns all files
+    except Exception as bug:  # noqa: BLE001 - the boundary of a file: a bug in one must not stop the rest
+        return report_bug(bug, file)
+    finally:
+        meter.next_file()
+
+
+def _solve(request: Request, file: str, meter: Meter) -> int:
+    from solver.engine import solve_problem
+    from solver.limits import Limits, in_child
+    from solver.problem.reader import read_problem
+    from solver.tasks import catalogue
+
+    problem = read_problem(_source(file), catalogue())
+    limits = Limits(request.time_limit, request.memory_limit)
+    with meter.file(file) as notify:
+        solution = solve_problem(problem, in_child(limits, notify, meanwhile=_load_renderers))
+    return _deliver(request, file, solution)
+
+
+def _load_renderers() -> None:
+    """Import what writes the solution, while the child solves."""
+    import solver.cli.formats
+    import solver.render.page  # noqa: F401
+
+
+def _source(file: str) -> Source:
+    """Return the text of a file, or of standard input for "-"."""
+    from solver.problem.files import MAX_BYTES, load
+
+    if file != STANDARD:
+        return load(file)
+    content = sys.stdin.buffer.read(MAX_BYTES + 1)
+    source = Source("<standard input>", content.decode("utf-8-sig", "replace"))
+    if len(content) > MAX_BYTES:
+        raise InputError(source, [Diagnostic(f"the input is larger than {MAX_BYTES // 1024} KB")])
+    if "\ufffd" in source.text:
+        raise InputError(source, [Diagnostic("it is not a text in UTF-8")])
+    return source
+
+
+def _deliver(request: Request, file: str, solution: Solution) -> int:
+    """Write the solution in all formats and print the summary; return the exit code."""
+    from solver.cli.formats import Document
+
+    document = Document(solution, request.detail, request.templates, "" if file == STANDARD else file)
+    if request.destination.standard_output:
+        sys.stdout.buffer.write(_rendered(document, request.destination.formats[0]))
+        sys.stdout.flush()
+        _tell_what_is_wrong(solution)
+        return _code(solution)
+    written: list[Path] = []
+    failures: list[click.ClickException] = []
+    for format_, path in request.destination.paths(file).items():
+        try:
+            write_whole(path, _rendered(document, format_))
+            written.append(path)
+        except click.ClickException as failure:
+            failures.append(failure)
+    _print_summary(document, written, verbose=request.verbose)
+    if request.open_page:
+        _open(written)
+    for failure in failures[1:]:
+        click.echo(f"{file}: error: {failure.format_message()}", err=True)
+    if failures:
+        raise failures[0]
+    return _code(solution)
+
+
+def _rendered(document: Document, format_: str) -> bytes:
+    """Return the document in a format; a fault of templates or TeX becomes an error in words (exit code 2)."""
+    from jinja2 import TemplateError
+
+    from solver.render.pdf import PdfUnavailable
+    from solver.render.wording import WordingError
+
+    try:
+        return document.rendered(format_)
+    except (PdfUnavailable, WordingError, TemplateError) as error:
+        raise AtFault(f"no {format_}: {error}") from error
+
+
+class AtFault(click.ClickException):
+    """Something outside of the program keeps it from writing a format."""
+
+    exit_code = AT_FAULT
+
+
+def _code(solution: Solution) -> int:
+    from solver.derivation import Status
+
+    return SOLVED if solution.status is Status.VERIFIED else UNSOLVED
+
+
+def _tell_what_is_wrong(solution: Solution) -> None:
+    """Say on standard error which parts are not verified."""
+    from solver.derivation import Status
+
+    for part in solution.parts:
+        if part.status is not Status.VERIFIED:
+            click.echo(f"part {part.id} ({part.method}): {part.status}: {part.reason}", err=True)
+
+
+def _print_summary(document: Document, written: list[Path], *, verbose: bool) -> None:
+    from rich.console import Console
+
+    from solver.render.terminal import WIDTH, print_summary
+
+    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH, soft_wrap=False)
+    print_summary(document.view, console, verbose=verbose)
+    for path in written:
+        click.echo(f"wrote {path}")
+
+
+def _open(written: list[Path]) -> None:
+    """Open the page (or the first file written) in a browser."""
+    import webbrowser
+
+    pages = [path for path in written if path.suffix == ".html"] or written
+    if pages and not webbrowser.open(pages[0].resolve().as_uri()):
+        click.echo(f"no browser could be started; open {pages[0]} yourself", err=True)

@@ -1,0 +1,135 @@
+"""A solution on a terminal: a summary of answers and checks, and the whole solution as plain text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from solver.derivation import CheckStatus, Status
+from solver.render.prose import inline_as_text, to_text
+from solver.render.prose_text import INDENT, display_lines, indented, wrapped
+from solver.render.unicode_math import flat
+from solver.render.view import AnswerView, CheckRow, PartView, SolutionView
+from solver.render.wording import WordedStep
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+WIDTH = 100
+"""Cells of a line where there is no terminal to ask."""
+
+COLOURS = {
+    **{Status.VERIFIED: "green", Status.UNSOLVED: "yellow", Status.FAILED: "bold red"},
+    **{CheckStatus.PASSED: "green", CheckStatus.SKIPPED: "yellow", CheckStatus.FAILED: "bold red"},
+}
+
+
+def print_summary(view: SolutionView, console: Console, *, verbose: bool = False) -> None:
+    """Print each part's answers and how they were checked; the table of checks if verbose or if one failed."""
+    console.rule(_plain(view.title), align="left", style="dim")
+    for part in view.parts:
+        console.print()
+        _print_part(part, console)
+        if part.checks and (verbose or part.status is Status.FAILED):
+            console.print(_table(part.checks))
+    console.print()
+
+
+def _print_part(part: PartView, console: Console) -> None:
+    from rich.text import Text  # noqa: PLC0415 - rich is needed only to print, not to write text
+
+    head = Text(f"{part.id}  ", style="bold")
+    head.append(heading(part))
+    console.print(head)
+    for answer in part.answers:
+        console.print(Text("\n".join(indented(answer_lines(answer, console.width)))))
+    verdict = Text(INDENT + verdict_of(part))
+    verdict.stylize(COLOURS[part.status], len(INDENT), len(INDENT) + len(part.status))
+    console.print(verdict)
+
+
+def _table(rows: Iterable[CheckRow]) -> Table:
+    from rich.table import Table  # noqa: PLC0415 - as above
+    from rich.text import Text  # noqa: PLC0415
+
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+    for name in ("    checked", "by", "residual", "tolerance", ""):
+        table.add_column(name)
+    for row in rows:
+        cells = [Text(cell) for cell in _cells(row)]
+        cells[-1].stylize(COLOURS[row.status])
+        table.add_row(*cells)
+    return table
+
+
+def _cells(row: CheckRow) -> tuple[str, ...]:
+    claim = INDENT + inline_as_text(row.claim)
+    if row.reason:
+        claim += f" ({inline_as_text(row.reason)})"
+    return claim, row.oracle, flat(row.residual), flat(row.tolerance), str(row.status)
+
+
+def heading(part: PartView) -> str:
+    """Return task and method of a part in words."""
+    method = "" if part.method_title == part.title else f": {part.method_title}"
+    marks = f" [{part.marks} marks]" if part.marks else ""
+    return f"{part.title}{method}{marks}"
+
+
+def verdict_of(part: PartView) -> str:
+    """Return how the part ended: "verified: 12 of 12 checks passed", "unsolved: time limit of 60 s"."""
+    passed = sum(row.status is CheckStatus.PASSED for row in part.checks)
+    checks = f"{passed} of {len(part.checks)} checks passed" if part.checks else ""
+    reason = inline_as_text(part.reason)
+    return f"{part.status}: {'; '.join(filter(None, [reason, checks]))}"
+
+
+def answer_lines(answer: AnswerView, width: int = WIDTH) -> list[str]:
+    """Return an answer as `symbol = value`, drawn in two dimensions where it fits."""
+    equation = f"{answer.symbol} = {answer.tex}" if answer.symbol else answer.tex
+    return [line.removeprefix(INDENT) for line in display_lines(equation, width - len(INDENT))]
+
+
+def text_document(view: SolutionView, width: int = WIDTH) -> str:
+    """Return the whole worked solution as plain text."""
+    title = _plain(view.title)
+    blocks = [f"{title}\n{'=' * len(title)}", _plain(view.source), to_text(view.statement, width)]
+    blocks += [to_text(view.given, width), *(block for part in view.parts for block in _blocks(part, width))]
+    return "\n\n".join(block.rstrip() for block in blocks if block.strip()) + "\n"
+
+
+def _blocks(part: PartView, width: int) -> Iterator[str]:
+    head = f"({part.id}) {heading(part)}"
+    yield f"{head}\n{'-' * len(head)}"
+    yield to_text(part.question, width)
+    yield to_text(part.given, width)
+    if part.source:
+        yield f"[{part.source}]"
+    yield from _step_blocks(part.steps, "", width)
+    for answer in part.answers:
+        yield f"Answer: {answer.doc}\n\n" + "\n".join(indented(answer_lines(answer, width)))
+    yield "\n".join(wrapped(verdict_of(part), width))
+    if part.checks:
+        yield "\n".join(_check_lines(part.checks))
+
+
+def _step_blocks(steps: Sequence[WordedStep], number: str, width: int) -> Iterator[str]:
+    for index, step in enumerate(steps, start=1):
+        place = f"{number}{index}."
+        yield f"{place} {inline_as_text(step.title)}"
+        yield "\n".join(indented(to_text(step.markdown, width - len(INDENT)).split("\n")))
+        yield from _step_blocks(step.steps, place, width)
+
+
+def _check_lines(rows: Iterable[CheckRow]) -> Iterator[str]:
+    for row in rows:
+        claim, oracle, residual, tolerance, status = _cells(row)
+        bound = f", residual {residual} ≤ {tolerance}" if residual and row.status is CheckStatus.PASSED else ""
+        bound = f", residual {residual}, tolerance {tolerance}" if residual and not bound else bound
+        yield f"{INDENT}{status}: {claim.strip()} [{oracle}{bound}]"
+
+
+def _plain(text: str) -> str:
+    """Return a user's text on one line, without characters that would act on the terminal."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
