@@ -1,3 +1,21 @@
-"""Worked, verified solutions of control-engineering problems."""
+"""Worked, verified solutions of control-engineering problems: `solver.solve(path_or_text)`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 __version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from solver.api import WorkedSolution, solve
+
+__all__ = ["WorkedSolution", "__version__", "solve"]
+
+
+def __getattr__(name: str) -> Any:
+    """Import the interface, and with it sympy, when it is first used."""
+    if name in {"solve", "WorkedSolution"}:
+        from solver import api  # noqa: PLC0415 - see above
+
+        return getattr(api, name)
+    raise AttributeError(f"module 'solver' has no attribute {name!r}")

@@ -224,13 +224,21 @@ def _cleared(v: Vector) -> Vector:
     return _without_common_factor([v])[0]
 
 
+def _has_nice_multiples(p: Modulus) -> bool:
+    """Whether a vector gets simpler when denominators are cleared: not with decimals, surds or half-angle tangents."""
+    K = p.domain
+    if K.is_FractionField and any(generator.has(sp.tan) for generator in K.symbols):
+        return False
+    return p.degree < 3 and (K.is_QQ or K.is_FractionField)
+
+
 def _without_common_factor(chain: list[Vector]) -> list[Vector]:
     """A chain times one factor of K, so that its coefficients are coprime integers or polynomials."""
     p = chain[0][0].modulus
     K = p.domain
-    coefficients = [c for v in chain for a in v for c in a.coefficients if c]
-    if not (K.is_QQ or K.is_FractionField) or (K.is_FractionField and any(g.has(sp.tan) for g in K.symbols)):
+    if not _has_nice_multiples(p):
         return chain
+    coefficients = [c for v in chain for a in v for c in a.coefficients if c]
     R = K.get_ring()
     denominator = reduce(R.lcm, (R.convert(K.denom(c)) if K.is_QQ else K.denom(c) for c in coefficients))
     numerators = [K.numer(c * K.convert(denominator, R)) for c in coefficients]

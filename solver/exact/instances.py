@@ -43,6 +43,6 @@ def _decimal_value(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
 
 
 def _number(c: sp.Expr) -> Any:
-    if c.is_Rational:
+    if isinstance(c, sp.Rational):
         return mpmath.mpf(int(c.p)) / int(c.q)
     return mpmath.mpmathify(sp.N(c, DIGITS + 15))

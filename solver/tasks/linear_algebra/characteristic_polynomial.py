@@ -79,7 +79,8 @@ def _cofactors(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) ->
     for j in columns:
         entry = pencil[i, j] if (i + j) % 2 == 0 else -pencil[i, j]
         with_minors.append(product(entry, determinant(pencil.minor_submatrix(i, j))))
-        multiplied.append(product(pencil[i, j], adjugate[j, i]))
+        if adjugate[j, i] != 0:
+            multiplied.append(product(pencil[i, j], adjugate[j, i]))
     says = f"determinant expanded along row {i + 1}"
     return {
         "stated": Claim(determinant(pencil), total(*with_minors), says),
