@@ -1,0 +1,166 @@
+"""The page as a browser draws it: Chromium at two widths, in light and dark, with no network."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sample_pages import SHORT, TALL, hostile, sample
+
+from solver.render.page import render_page
+
+FLAGS = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--disable-extensions",
+)
+VIEWS = [(width, scheme) for width in (1280, 400) for scheme in ("light", "dark")]
+
+FORMULAS = """() => [...document.querySelectorAll('math')].map(math => {
+    const box = math.getBoundingClientRect();
+    return [math.getAttribute('alttext'), box.width, box.height];
+})"""
+BRACKET = """latex => {
+    const math = [...document.querySelectorAll('math')].find(math => math.getAttribute('alttext').endsWith(latex));
+    const [left, right] = [...math.querySelectorAll('mo')].filter(mo => '[]'.includes(mo.textContent)).map(mo =>
+        mo.getBoundingClientRect().height);
+    return [left, right, math.querySelector('mtable').getBoundingClientRect().height];
+}"""
+CUT_OFF = """() => [...document.querySelectorAll('body *')].filter(element => {
+    const box = element.getBoundingClientRect();
+    const scrolls = element.closest('.formula, .scroll');
+    return box.right > innerWidth + 1 && (!scrolls || scrolls === element);
+}).map(element => element.outerHTML.slice(0, 200))"""
+HIDDEN = """() => [...document.querySelectorAll('details > :not(summary), details > :not(summary) *')].filter(element =>
+    !element.checkVisibility({contentVisibilityAuto: true})).length"""
+
+
+def unavailable(reason: str) -> None:
+    """Skip where a browser is a matter of luck, fail where it is promised."""
+    if os.environ.get("CI") == "true":
+        pytest.fail(reason)
+    pytest.skip(reason)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    try:
+        from playwright.sync_api import sync_playwright  # noqa: PLC0415 - optional
+    except ImportError:
+        unavailable("playwright is not installed")
+    names = (os.environ.get("CHROMIUM", ""), "chromium", "chromium-browser", "google-chrome")
+    found = next((path for name in names if name and (path := shutil.which(name))), None)
+    if found is None:
+        unavailable("Chromium is not installed")
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=found, args=FLAGS)
+        yield chromium
+        chromium.close()
+
+
+class Visit:
+    """A page opened from a file, with what it asked for and complained of."""
+
+    def __init__(self, browser: Any, file: Path, width: int, scheme: str) -> None:
+        self.context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme)
+        self.page = self.context.new_page()
+        self.requests: list[str] = []
+        self.complaints: list[str] = []
+        self.page.on("request", lambda request: self.requests.append(request.url))
+        self.page.on("console", lambda message: self.complaints.append(message.text))
+        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.page.goto(file.as_uri())
+        self.page.evaluate("document.fonts.ready.then(() => null)")
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("page") / "sample.html"
+    path.write_text(render_page(sample(), name="sample.yaml"), encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module", params=VIEWS, ids=lambda view: f"{view[0]}-{view[1]}")
+def visit(request: pytest.FixtureRequest, browser: Any, file: Path) -> Iterator[Visit]:
+    opened = Visit(browser, file, *request.param)
+    yield opened
+    opened.context.close()
+
+
+def test_every_formula_has_a_box(visit: Visit) -> None:
+    formulas = visit.page.evaluate(FORMULAS)
+    assert len(formulas) > 30
+    assert [source for source, width, height in formulas if width < 3 or height < 5] == []
+
+
+def test_brackets_stretch_to_their_matrix(visit: Visit) -> None:
+    for latex in (SHORT, TALL):
+        left, right, body = visit.page.evaluate(BRACKET, latex)
+        assert left == pytest.approx(right)
+        assert left > 0.8 * body
+    assert visit.page.evaluate(BRACKET, TALL)[0] > 4 * visit.page.evaluate(BRACKET, SHORT)[0]
+
+
+def test_the_font_of_formulas_is_the_one_on_the_page(visit: Visit) -> None:
+    fonts = "[...document.fonts].map(font => [font.family.replaceAll('\"', ''), font.status])"
+    assert visit.page.evaluate(fonts) == [["Solve Math", "loaded"]]
+    family = "getComputedStyle(document.querySelector('math')).fontFamily"
+    assert visit.page.evaluate(family).startswith('"Solve Math"')
+
+
+def test_nothing_is_wider_than_the_page(visit: Visit) -> None:
+    assert visit.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    assert visit.page.evaluate(CUT_OFF) == []
+
+
+def test_no_request_leaves_the_page_and_nothing_is_complained_of(visit: Visit, file: Path) -> None:
+    assert [url for url in visit.requests if not url.startswith("data:")] == [file.as_uri()]
+    assert visit.complaints == []
+
+
+def test_nothing_serious_is_in_the_way_of_anyone(visit: Visit) -> None:
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright")
+    violations = axe.Axe().run(visit.page).response["violations"]
+    serious = [
+        (each["id"], [node["html"][:200] for node in each["nodes"][:3]])
+        for each in violations
+        if each["impact"] in {"serious", "critical"}
+    ]
+    assert serious == []
+
+
+def test_boxes_that_scroll_can_be_reached_by_keyboard(visit: Visit) -> None:
+    unreachable = """() => [...document.querySelectorAll('.formula, .scroll')].filter(box =>
+        box.scrollWidth > box.clientWidth + 1 && getComputedStyle(box).overflowX === 'auto' && box.tabIndex < 0
+    ).map(box => box.outerHTML.slice(0, 200))"""
+    assert visit.page.evaluate(unreachable) == []
+
+
+def test_on_paper_steps_that_were_closed_are_open(visit: Visit) -> None:
+    visit.page.evaluate("document.querySelectorAll('details').forEach(step => step.open = false)")
+    assert visit.page.evaluate(HIDDEN) > 0
+    visit.page.emulate_media(media="print")
+    visit.page.wait_for_function(f"({HIDDEN})() === 0", timeout=10_000)
+    visit.page.emulate_media(media="screen")
+    visit.page.evaluate("document.querySelectorAll('details').forEach(step => step.open = true)")
+
+
+def test_hostile_text_does_nothing(browser: Any, tmp_path: Path) -> None:
+    path = tmp_path / "hostile.html"
+    path.write_text(render_page(hostile()), encoding="utf-8")
+    visit = Visit(browser, path, 800, "light")
+    dialogs: list[str] = []
+    visit.page.on("dialog", lambda dialog: dialogs.append(dialog.message))
+    visit.page.wait_for_timeout(200)
+    assert dialogs == []
+    assert visit.page.evaluate("document.querySelectorAll('script, img, svg, [onclick], [onerror]').length") == 0
+    assert [url for url in visit.requests if not url.startswith("data:")] == [path.as_uri()]
+    visit.context.close()
