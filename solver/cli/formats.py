@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from solver.engine import Solution
-from solver.render.data import solution_json
+from solver.render.data import render_json
 from solver.render.numbers import NumberFormat
 from solver.render.terminal import text_document
 from solver.render.view import SolutionView, view_of
@@ -68,7 +68,7 @@ def _text(document: Document) -> bytes:
 
 
 def _json(document: Document) -> bytes:
-    return solution_json(document.solution, document.view).encode()
+    return render_json(document.solution, document.view).encode()
 
 
 WRITERS: dict[str, Callable[[Document], bytes]] = {
