@@ -74,12 +74,12 @@ class _Builder:
         factor = self.build(node)
         if operator == "*":
             return factor
-        if factor.is_zero:
+        if factor == 0:
             raise ExpressionError("division by zero", node.at, node.end - node.at)
         return 1 / factor
 
     def power(self, node: Power) -> Any:
-        return sp.Pow(self.build(node.base), self.build(node.exponent))
+        return _power(self.build(node.base), self.build(node.exponent))
 
     def call(self, node: Call) -> Any:
         argument = self.build(node.argument)
@@ -87,6 +87,8 @@ class _Builder:
             return self.distribution(node, argument)
         if node.function == "abs":
             return _absolute(argument)
+        if node.function == "sqrt":
+            return _power(argument, sp.S.Half)
         return getattr(sp, node.function)(argument)  # the parser lets only names of the table through
 
     def distribution(self, node: Call, argument: Any) -> Any:
@@ -97,6 +99,12 @@ class _Builder:
             raise ExpressionError(message, place.at, place.end - place.at)
         function = sp.Heaviside if node.function == "step" else sp.DiracDelta
         return function(argument) if argument.is_extended_real else function(argument, evaluate=False)
+
+
+def _power(base: Any, exponent: Any) -> Any:
+    """A power; roots of functions of functions are only stated, since sympy would look for the signs of all factors."""
+    nested = any(function.args[0].has(sp.Function) for function in base.atoms(sp.Function))
+    return sp.Pow(base, exponent, evaluate=bool(exponent.is_Integer or not nested))
 
 
 def _absolute(argument: Any) -> Any:
