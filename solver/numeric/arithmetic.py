@@ -32,6 +32,18 @@ NUMPY_NAMES = {
 }
 
 
+def equilibration(M: Array) -> tuple[Array, Array]:
+    """Return factors of rows and columns, powers of two, that bring the entries of M (P, n, n) to about unit size."""
+    size = np.abs(M)
+    rows = _powers_of_two(size.max(axis=2))
+    return rows, _powers_of_two((size * rows[:, :, None]).max(axis=1))
+
+
+def _powers_of_two(sizes: Array) -> Array:
+    """Return 2^−round(log₂ x), 1 for x = 0."""
+    return np.asarray(np.exp2(-np.round(np.log2(np.where(sizes > 0, sizes, 1.0)))))
+
+
 class Double:
     """Complex doubles: numpy, and scipy for the matrix exponential."""
 
@@ -83,9 +95,14 @@ class Double:
     def inverse(self, M: Array) -> Array:
         """M⁻¹ at each point; raises Undefined where M is singular."""
         try:
-            return np.asarray(np.linalg.inv(M))
+            rows, columns = equilibration(M)
+            return (
+                np.asarray(np.linalg.inv(M * rows[:, :, None] * columns[:, None, :]) * columns[:, :, None])
+                * rows[:, None, :]
+            )
         except np.linalg.LinAlgError as singular:
             raise Undefined("the matrix to invert is singular") from singular
+        return np.asarray(scaled * columns[:, :, None] * rows[:, None, :])
 
     def exponential(self, M: Array) -> tuple[Array, Array]:
         """e^M at each point and its magnitude, by scipy.linalg.expm."""
@@ -109,23 +126,24 @@ class Multiple:
 
     def rational(self, numerator: int, denominator: int = 1) -> Any:
         """p/q."""
-        return self.context.mpc(self.context.mpf(numerator) / denominator)
+        return self.context.mpf(numerator) / denominator
 
     def constant(self, name: str) -> Any:
         """`pi` or `e`."""
-        return self.context.mpc(getattr(self.context, name))
+        return +getattr(self.context, name)
 
     def imaginary(self) -> Any:
         """√−1."""
         return self.context.mpc(0, 1)
 
     def number(self, value: Any) -> Any:
-        """Return a Python number, or an mpmath number of any context, in this arithmetic."""
-        return self.context.mpc(value)
+        """Return a Python number, or an mpmath number of any context, in this arithmetic; a real one as real."""
+        number = self.context.mpc(value)
+        return number if number.imag else number.real
 
     def array(self, values: Any) -> Array:
         """Return Python numbers, taken as exact, as an array of this arithmetic."""
-        return np.asarray(self._each(self.context.mpc)(np.asarray(values, dtype=object)), dtype=object)
+        return np.asarray(self._each(self.number)(np.asarray(values, dtype=object)), dtype=object)
 
     def size(self, value: Any) -> Any:
         """Return absolute values as floats."""
@@ -137,18 +155,16 @@ class Multiple:
 
     def apply(self, name: str, value: Any) -> Any:
         """Return an elementary function, by its name in mpmath, of each value."""
-        function = getattr(self.context, name)
-        return self._each(lambda each: self.context.mpc(function(each)))(value)
+        return self._each(getattr(self.context, name))(value)
 
     def power(self, base: Any, exponent: Any) -> Any:
         """Return the principal value of base^exponent, 0⁰ = 1; a whole exponent is taken by multiplication."""
         return np.frompyfunc(self._power, 2, 1)(base, exponent)
 
     def _power(self, base: Any, exponent: Any) -> Any:
-        exponent = self.context.mpc(exponent)
         if exponent.imag == 0 and exponent.real == int(exponent.real):
             return base ** int(exponent.real)
-        return base**exponent if base != 0 else self.context.mpc(0)
+        return base**exponent
 
     def determinant(self, M: Array) -> Array:
         """Det M at each point, by elimination."""

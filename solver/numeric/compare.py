@@ -15,8 +15,8 @@ from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array, multiple
 from solver.numeric.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, shape_of
 
 TOLERANCE = 1e-9
-QUIET = 1e-12
-"""Noise up to this absolute size lets doubles decide that a zero is a zero."""
+QUIET = 1e-10
+"""Noise up to this absolute size is low enough to tell that a zero is a zero."""
 
 Point = dict[Any, complex]
 Sides = Callable[[Sequence[Point], Arithmetic], tuple[Value, Value]]
@@ -24,7 +24,7 @@ Sides = Callable[[Sequence[Point], Arithmetic], tuple[Value, Value]]
 
 
 def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) -> tuple[Array, Array]:
-    """Return the largest residual at each point (P,), and whether doubles settle it (P,) or more digits are needed."""
+    """Return the largest residual at each point (P,), and whether that settles it (P,) or takes more digits."""
     l_shape, r_shape = shape_of(left) or (1, 1), shape_of(right) or (1, 1)
     if l_shape != r_shape:
         raise ShapeMismatch(f"the shapes differ: {'×'.join(map(str, l_shape))} and {'×'.join(map(str, r_shape))}")
@@ -75,15 +75,9 @@ def _with_many_digits(sides: Sides, point: Point) -> tuple[float, int]:
         arithmetic = multiple(digits)
         try:
             left, right = sides([point], arithmetic)
-            residual, _ = residuals(left, right, 1, arithmetic)
+            residual, settled = residuals(left, right, 1, arithmetic)
         except (ZeroDivisionError, OverflowError) as trouble:
             raise Undefined(f"the formula is not defined here ({trouble})") from trouble
-        if digits == 100 or _loud_enough(left, right, float(residual[0]), arithmetic):
+        if settled[0] or residual[0] > TOLERANCE:  # more digits would change nothing
             break
     return float(residual[0]), digits
-
-
-def _loud_enough(left: Value, right: Value, residual: float, arithmetic: Arithmetic) -> bool:
-    """Whether more digits would change nothing: the sides differ, or the noise is low."""
-    noise = SAFETY * arithmetic.eps * max(float(np.max(left.magnitude)), float(np.max(right.magnitude)))
-    return residual > TOLERANCE or noise <= 1e-25

@@ -6,15 +6,17 @@ trapezoid rule converges geometrically (Trefethen and Weideman, SIAM Review 56 (
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Callable
+from functools import cache, reduce
 from typing import Any
 
 import numpy as np
 
 from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array
 from solver.numeric.environment import Environment
+from solver.numeric.linear_terms import linear_terms
 from solver.numeric.poles import Circle, circle_around_poles
-from solver.numeric.stated import operation
+from solver.numeric.stated import add, multiply, operation
 from solver.numeric.values import NotEvaluable, Value
 from solver.numeric.walk import walk
 
@@ -25,9 +27,14 @@ FARTHEST = 120.0
 """radius · t beyond which 100 digits would not do."""
 
 
+def accuracy(arithmetic: Arithmetic) -> float:
+    """Return the relative error the trapezoid rule may have: the roundoff of doubles, two thirds of many digits."""
+    return arithmetic.eps if arithmetic is DOUBLE else 10.0 ** (-0.65 * arithmetic.digits)
+
+
 def number_of_nodes(arithmetic: Arithmetic, growth: float) -> int:
-    """Return N with (1/2)^N and the tail of the series of e^{growth} below the roundoff of the arithmetic."""
-    return int(16 * np.ceil((arithmetic.digits * 3.4 + 12.0 + 4.0 * growth) / 16))
+    """Return N with (1/2)^N and the tail of the series of e^{growth} below the accuracy."""
+    return int(16 * np.ceil((-np.log2(accuracy(arithmetic)) + 4.0 * growth) / 16))
 
 
 @cache
@@ -40,7 +47,20 @@ def unit_roots(count: int, arithmetic: Arithmetic) -> Array:
 
 @operation
 def inverse_laplace(environment: Environment, image: Any, s: Any, t: Any) -> Value:
-    """ℒ⁻¹{F(s)}(t) of a rational F."""
+    """ℒ⁻¹{F(s)}(t) of a rational F, term by term where F is stated as a sum."""
+    return _combined(environment, image, s, lambda core: _laplace_integral(environment, core, s, t))
+
+
+def _combined(environment: Environment, image: Any, variable: Any, transform: Callable[[Any], Value]) -> Value:
+    """Return the transform of a sum of terms L f(s) R with constant L and R: Σ L (transform of f) R."""
+    parts = []
+    for term in linear_terms(image, variable):
+        factors = (*(walk(each, environment) for each in term.left), transform(term.core))
+        parts.append(reduce(multiply, (*factors, *(walk(each, environment) for each in term.right))))
+    return reduce(add, parts)
+
+
+def _laplace_integral(environment: Environment, image: Any, s: Any, t: Any) -> Value:
     arithmetic = environment.arithmetic
     circle = circle_around_poles(image, s, environment, centred=False)
     time = environment.full(walk(t, environment).value)
@@ -57,7 +77,11 @@ def inverse_laplace(environment: Environment, image: Any, s: Any, t: Any) -> Val
 
 @operation
 def inverse_z(environment: Environment, image: Any, z: Any, k: Any) -> Value:
-    """𝒵⁻¹{F(z)}(k) of a rational F, k whole."""
+    """𝒵⁻¹{F(z)}(k) of a rational F, k whole, term by term where F is stated as a sum."""
+    return _combined(environment, image, z, lambda core: _z_integral(environment, core, z, k))
+
+
+def _z_integral(environment: Environment, image: Any, z: Any, k: Any) -> Value:
     arithmetic = environment.arithmetic
     circle = circle_around_poles(image, z, environment, centred=True)
     order = environment.full(walk(k, environment).value)
@@ -78,10 +102,11 @@ def _columns(circle: Circle, arithmetic: Arithmetic) -> tuple[Array, Array]:
 def _integrate(environment: Environment, image: Any, variable: Any, nodes: Array, weights: Array) -> Value:
     """Return the mean over the nodes (P×N) of the image times the weights (P×N)."""
     F = walk(image, environment.spread(variable, nodes))
+    arithmetic = environment.arithmetic
     shape = (*nodes.shape, *np.shape(F.value)[1:])
     factor = weights.reshape((*nodes.shape, *(1 for _ in shape[2:])))
     value = np.broadcast_to(F.value, (nodes.size, *shape[2:])).reshape(shape)
     magnitude = np.broadcast_to(F.magnitude, (nodes.size, *shape[2:])).reshape(shape)
     count = nodes.shape[1]
-    size = environment.arithmetic.size(factor)
+    size = arithmetic.size(factor) * (accuracy(arithmetic) / arithmetic.eps)
     return Value((value * factor).sum(axis=1) / count, (magnitude * size).sum(axis=1) / count)

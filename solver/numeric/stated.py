@@ -137,7 +137,7 @@ def multiply(left: Value, right: Value) -> Value:
             raise ShapeMismatch(f"a product of matrices {_text(left)} and {_text(right)}")
         return Value(left.value @ right.value, left.magnitude @ right.magnitude)
     left, right = aligned(left, right)
-    return Value(left.value * right.value, left.magnitude * right.magnitude)
+    return Value(np.multiply(left.value, right.value), left.magnitude * right.magnitude)
 
 
 def aligned(left: Value, right: Value) -> tuple[Value, Value]:
@@ -173,7 +173,7 @@ def add(left: Value, right: Value) -> Value:
     if (shape_of(left) or (1, 1)) != (shape_of(right) or (1, 1)):
         raise ShapeMismatch(f"a sum of matrices {_text(left)} and {_text(right)}")
     left, right = aligned(left, right)
-    return Value(left.value + right.value, left.magnitude + right.magnitude)
+    return Value(np.add(left.value, right.value), left.magnitude + right.magnitude)
 
 
 @operation

@@ -110,7 +110,7 @@ def _add(expression: Any, environment: Environment) -> Value:
     magnitude: Any = 0.0
     for term in expression.args:
         part = walk(term, environment)
-        value = value + part.value
+        value = part.value + value  # in this order: a constant of mpmath on the left of an array is slow
         magnitude = magnitude + part.magnitude
     return Value(value, magnitude)
 
@@ -121,7 +121,7 @@ def _multiply(expression: Any, environment: Environment) -> Value:
     magnitude: Any = 1.0
     for factor in expression.args:
         part = walk(factor, environment)
-        value = value * part.value
+        value = part.value * value
         magnitude = magnitude * part.magnitude
     return Value(value, magnitude)
 
