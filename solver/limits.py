@@ -21,12 +21,18 @@ from pathlib import Path
 from time import monotonic
 from types import FrameType
 
+try:
+    import resource
+except ImportError:  # Windows
+    resource = None  # type: ignore[assignment]  # checked before it is used
+
 from solver.derivation import PartResult, Status
 from solver.engine import Earlier, Runner, solve_part
 from solver.problem.model import Part, Problem
 
 TICK = 0.1  # seconds between two reports of progress
-METHODS = ("fork", "spawn") if sys.platform.startswith("linux") else ("spawn",)  # fork is unsafe on macOS
+FORKS = sys.platform.startswith("linux")  # fork is unsafe on macOS and unknown on Windows
+)  # fork is unsafe on macOS
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,8 +109,8 @@ class _Supervisor:
     def _wait(self, start: float, child: _Child) -> PartResult | str:
         """Return the child's next result, or the reason why there is none."""
         if self.meanwhile is not None:
-            self.meanwhile, meanwhile = None, self.meanwhile
-            meanwhile()
+            self.meanwhile()
+            self.meanwhile = None
         end = start + self.limits.seconds
         while not child.ready(min(TICK, max(0.0, end - monotonic()))):
             if monotonic() >= end:
@@ -125,7 +131,7 @@ class _Child:
     """A process that solves some units in order."""
 
     def __init__(self, units: list[Unit], known: Earlier, limits: Limits) -> None:
-        context = multiprocessing.get_context(METHODS[0])
+        context = multiprocessing.get_context("fork") if FORKS else multiprocessing.get_context("spawn")
         self.channel, its_end = context.Pipe(duplex=False)
         self.process = context.Process(target=_work, args=(units, dict(known), limits, its_end), daemon=True)
         self.process.start()
@@ -208,9 +214,9 @@ def _as_bug(bug: Exception) -> str:
 
 def _restrict(limits: Limits, units: int) -> None:
     """Limit this process's memory, and its time in case the parent is gone and can't end it."""
-    with suppress(ImportError, OSError, ValueError):  # where a system has no such limits, time still ends the child
-        import resource
-
+    if resource is None:
+        return
+    with suppress(OSError, ValueError):  # where a system has no such limits, time still ends the child
         seconds = 10 + math.ceil(2 * limits.seconds * units)
         _lower(resource.RLIMIT_CPU, seconds)
         _lower(resource.RLIMIT_AS, _address_space() + limits.megabytes * 2**20)
@@ -218,8 +224,6 @@ def _restrict(limits: Limits, units: int) -> None:
 
 def _lower(limit: int, value: int) -> None:
     """Lower a limit of this process to a value."""
-    import resource
-
     _, hard = resource.getrlimit(limit)
     resource.setrlimit(limit, (value if hard == resource.RLIM_INFINITY else min(value, hard), hard))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import tempfile
 from contextlib import suppress
 from dataclasses import dataclass
@@ -13,6 +14,12 @@ import click
 SUFFIXES = {"html": ".html", "latex": ".tex", "pdf": ".pdf", "md": ".md", "json": ".json", "text": ".txt"}
 STANDARD = "-"
 NAMELESS = "solution"  # the stem of what is read from standard input
+
+
+class AtFault(click.ClickException):
+    """Something outside of the program keeps it from writing a solution; exit code 2."""
+
+    exit_code = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +35,7 @@ class Destination:
     def named(output: str | None, formats: tuple[str, ...] | None, problems: tuple[str, ...]) -> Destination:
         """Return what -o and -f mean for these problem files; raises click.UsageError if they don't fit together."""
         if output == STANDARD:
-            return Destination._to_standard_output(formats or ("html",), problems)
+            return _to_standard_output(formats or ("html",), problems)
         place = Path(output) if output else None
         if place is None or output is None:
             destination = Destination(formats or ("html",))
@@ -38,14 +45,6 @@ class Destination:
             destination = Destination(formats or (_format_of(place),), file=place)
         destination._refuse_collisions(problems)
         return destination
-
-    @staticmethod
-    def _to_standard_output(formats: tuple[str, ...], problems: tuple[str, ...]) -> Destination:
-        if len(formats) > 1 or len(problems) > 1:
-            raise click.UsageError("-o - writes one problem in one format: name one FILE and one format.")
-        if formats == ("pdf",) and click.get_text_stream("stdout").isatty():
-            raise click.UsageError("a PDF is not for a terminal: name a file with -o, or send the output to one.")
-        return Destination(formats, standard_output=True)
 
     def paths(self, problem: str) -> dict[str, Path]:
         """Return the file to be written for each format; none for standard output."""
@@ -70,6 +69,14 @@ class Destination:
                     raise click.UsageError(f"{other} and the solution of {problem} would both be written to {path}.")
 
 
+def _to_standard_output(formats: tuple[str, ...], problems: tuple[str, ...]) -> Destination:
+    if len(formats) > 1 or len(problems) > 1:
+        raise click.UsageError("-o - writes one problem in one format: name one FILE and one format.")
+    if formats == ("pdf",) and sys.stdout.isatty():
+        raise click.UsageError("a PDF is not for a terminal: name a file with -o, or send the output to one.")
+    return Destination(formats, standard_output=True)
+
+
 def _is_folder(output: str, place: Path) -> bool:
     return output.endswith(("/", os.sep)) or place.is_dir()
 
@@ -80,14 +87,12 @@ def _format_of(place: Path) -> str:
 
 
 def write_whole(path: Path, content: bytes) -> None:
-    """Write a file so that it is either all there or unchanged; raises click.ClickException (exit code 2) in words."""
+    """Write a file so that it is either all there or unchanged; raises AtFault in words."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         _replace(path, content)
     except OSError as error:
-        problem = click.ClickException(f"cannot write {path}: {error.strerror or error}; say with -o where to write")
-        problem.exit_code = 2
-        raise problem from None
+        raise AtFault(f"cannot write {path}: {error.strerror or error}; say with -o where to write") from None
 
 
 def _replace(path: Path, content: bytes) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -40,7 +39,7 @@ def _html(document: Document) -> bytes:
     from solver.render.page import render_page
 
     page = render_page(
-        document.view, name=os.path.basename(document.name), detail=document.detail, templates=document.templates
+        document.view, name=Path(document.name).name, detail=document.detail, templates=document.templates
     )
     return page.encode()
 

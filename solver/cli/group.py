@@ -27,7 +27,7 @@ class FileOrCommand(click.Group):
             args = [DEFAULT, *args]
         return super().resolve_command(ctx, args)
 
-    def list_commands(self, ctx: click.Context) -> list[str]:
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - click's signature
         """Return the commands in the order they were added: the order of use."""
         return list(self.commands)
 

@@ -66,6 +66,6 @@ def _found(name: str) -> Task:
     known = catalogue()
     if name in known:
         return known[name]
-    close = did_you_mean(name, known)
+    close = did_you_mean(name, known) or next((each for each in known if name.lower() in each), "")
     hint = f" Did you mean '{close}'?" if close else " `solve tasks` lists them."
     raise click.UsageError(f"there is no task '{name}'.{hint}")

@@ -10,7 +10,7 @@ FORMATS = ("html", "latex", "pdf", "md", "json", "text")
 DETAILS = ("brief", "full", "tutor")
 
 
-class FormatList(click.ParamType):
+class FormatList(click.ParamType[tuple[str, ...]]):
     """Some of the output formats, separated by commas."""
 
     name = "formats"
@@ -46,7 +46,7 @@ class FormatList(click.ParamType):
               help="For each part by each method.")  # fmt: skip
 @click.option("-v", "--verbose", is_flag=True, help="List every check.")
 @click.pass_context
-def run(
+def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     ctx: click.Context,
     files: tuple[str, ...],
     formats: tuple[str, ...] | None,

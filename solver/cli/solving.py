@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from solver.cli.destination import STANDARD, Destination, write_whole
+from solver.cli.destination import STANDARD, AtFault, Destination, write_whole
 from solver.cli.progress import Meter
 from solver.problem.source import Diagnostic, InputError, Source
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from solver.cli.formats import Document
     from solver.engine import Solution
 
-SOLVED, UNSOLVED, AT_FAULT = 0, 1, 2
+SOLVED, UNSOLVED, INPUT_AT_FAULT = 0, 1, 2
 SINGLE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -55,7 +55,7 @@ def _guarded(request: Request, file: str, meter: Meter) -> int:
         return _solve(request, file, meter)
     except InputError as error:
         click.echo(error.render(), err=True)
-        return AT_FAULT
+        return INPUT_AT_FAULT
     except click.ClickException as error:
         click.echo(f"{file}: error: {error.format_message()}", err=True)
         return error.exit_code
@@ -88,7 +88,8 @@ def _load_renderers() -> None:
 
 def _source(file: str) -> Source:
     """Return the text of a file, or of standard input for "-"."""
-    from solver.problem.files import MAX_BYTES, load
+    from solver.problem.files import load
+    from solver.problem.yaml_tree import MAX_BYTES
 
     if file != STANDARD:
         return load(file)
@@ -122,11 +123,9 @@ def _deliver(request: Request, file: str, solution: Solution) -> int:
     _print_summary(document, written, verbose=request.verbose)
     if request.open_page:
         _open(written)
-    for failure in failures[1:]:
-        click.echo(f"{file}: error: {failure.format_message()}", err=True)
-    if failures:
-        raise failures[0]
-    return _code(solution)
+    for each in failures:
+        click.echo(f"{file}: error: {each.format_message()}", err=True)
+    return max([_code(solution), *(each.exit_code for each in failures)])
 
 
 def _rendered(document: Document, format_: str) -> bytes:
@@ -140,12 +139,6 @@ def _rendered(document: Document, format_: str) -> bytes:
         return document.rendered(format_)
     except (PdfUnavailable, WordingError, TemplateError) as error:
         raise AtFault(f"no {format_}: {error}") from error
-
-
-class AtFault(click.ClickException):
-    """Something outside of the program keeps it from writing a format."""
-
-    exit_code = AT_FAULT
 
 
 def _code(solution: Solution) -> int:

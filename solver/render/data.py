@@ -125,4 +125,4 @@ def _names(values: Iterable[Any]) -> Iterator[str]:
         elif isinstance(value, Stated):
             yield from _names(value.operands)
         elif isinstance(value, sp.Basic | sp.MatrixBase):
-            yield from (symbol.name for symbol in value.free_symbols)
+            yield from (str(symbol) for symbol in value.free_symbols)

@@ -21,8 +21,16 @@ from solver.render.prose_latex import latex_of
 from solver.render.prose_text import inline_text, text_of
 
 __all__ = [
-    *("MathProblem", "check_math", "math_problems", "plain"),
-    *("inline_as_text", "inline_html", "inline_latex", "to_html", "to_latex", "to_text"),
+    "MathProblem",
+    "check_math",
+    "inline_as_text",
+    "inline_html",
+    "inline_latex",
+    "math_problems",
+    "plain",
+    "to_html",
+    "to_latex",
+    "to_text",
 ]
 
 Math = Callable[[str, bool], str]

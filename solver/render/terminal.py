@@ -19,9 +19,13 @@ if TYPE_CHECKING:
 WIDTH = 100
 """Cells of a line where there is no terminal to ask."""
 
-COLOURS = {
-    **{Status.VERIFIED: "green", Status.UNSOLVED: "yellow", Status.FAILED: "bold red"},
-    **{CheckStatus.PASSED: "green", CheckStatus.SKIPPED: "yellow", CheckStatus.FAILED: "bold red"},
+COLOURS: dict[Status | CheckStatus, str] = {
+    Status.VERIFIED: "green",
+    Status.UNSOLVED: "yellow",
+    Status.FAILED: "bold red",
+    CheckStatus.PASSED: "green",
+    CheckStatus.SKIPPED: "yellow",
+    CheckStatus.FAILED: "bold red",
 }
 
 

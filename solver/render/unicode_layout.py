@@ -114,7 +114,7 @@ def _script(mark: str, text: str) -> str:
 
 def tabular(name: str, columns: str, rows: list[list[Box]], display: bool) -> Box:
     """Lay out a matrix or an aligned block."""
-    left, right = MATRICES[name]
+    left, right = tuple(MATRICES[name])
     count = len(rows[0])
     if not display and name in ALIGNED:
         return text_box("; ".join(" ".join(" ".join(box.flat for box in row).split()) for row in rows))
