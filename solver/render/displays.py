@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 from solver.render.width import LINE, broken, width
@@ -33,9 +34,33 @@ def chain(sides: Sequence[str], relation: str = "=", note: str = "") -> str:
     return aligned([*rows[:-1], rows[-1] + note])
 
 
+READABLE = 1.6
+"""A matrix may be this many lines wide: it is shrunk, or scrolls. A wider one is listed entry by entry."""
+
+_SIMPLE_NAME = re.compile(r"(\\?[A-Za-z]+)(\([a-z]\))?\Z")
+
+
+def entry_name(name: str, index: str) -> str:
+    r"""Return the name of an entry: \Phi_{11}(t) of \Phi(t), and [name]_{11} of any other."""
+    simple = _SIMPLE_NAME.match(name)
+    return f"{simple[1]}_{{{index}}}{simple[2] or ''}" if simple else rf"\left[{name}\right]_{{{index}}}"
+
+
+def entries(name: str, stated: Sequence[str], cells: Sequence[Sequence[str]]) -> str:
+    """Return the entries of a matrix one under the other, Φ_{11} = ..., below Φ = `stated`."""
+    single = len(cells) == 1 or len(cells[0]) == 1
+    rows = [f"{name} &= {side}" for side in stated]
+    for i, row in enumerate(cells, 1):
+        for j, cell in enumerate(row, 1):
+            index = f"{max(i, j)}" if single else f"{i}{j}" if len(cells) < 10 and len(row) < 10 else f"{i},{j}"
+            first, *others = broken(cell, LINE - width(name) - 3)
+            rows += [f"{entry_name(name, index)} &= {first}", *(rf"&\quad {line}" for line in others)]
+    return aligned(rows)
+
+
 def _rows(side: str, relation: str, room: float) -> list[str]:
     first, *others = broken(side, room)
-    return [f"{relation} {first}", *(rf"\quad {line}" if line[0] in "+-" else line for line in others)]
+    return [f"{relation} {first}", *(rf"\quad {line}" for line in others)]
 
 
 def aligned(rows: Iterable[str]) -> str:

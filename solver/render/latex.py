@@ -52,9 +52,7 @@ class Printer(ObjectPrinter):
             return self._constant_sum(expr)
         terms = list(expr.args)
         if self.numbers.all_decimal:
-            constants = [term for term in terms if term.is_number]
-            if len(constants) > 1:
-                terms = [term for term in terms if not term.is_number] + [_evaluated(sp.Add(*constants))]
+            terms = _like_terms_added(terms)
         return summed([self._print(term) for term in ordered_terms(terms)])
 
     def _constant_sum(self, expr: Any) -> str:
@@ -83,8 +81,8 @@ class Printer(ObjectPrinter):
 
     def _term(self, term: Term) -> str:
         """Write a product: sign, number, fraction, functions."""
+        decimal = self._decimal_constant(term)  # it knows the sign of a sum of roots
         sign = "-" if term.negative else ""
-        decimal = self._decimal_constant(term)
         if decimal is None:
             above, below = self._constants(term)
         else:
@@ -198,6 +196,19 @@ class Printer(ObjectPrinter):
         from solver.render.stated_latex import stated_tex  # noqa: PLC0415 - it prints operands by this printer
 
         return stated_tex(expr, self._print)
+
+
+def _like_terms_added(terms: list[Any]) -> list[Any]:
+    """Add the constants of terms that differ in these only: e^t/2 + √5 e^t has one coefficient in decimals.
+
+    Coefficients with roots become Floats, so that their sign is known when the terms are put in order.
+    """
+    constants: dict[Any, list[Any]] = {}
+    for term in terms:
+        constant, rest = term.as_independent(*term.free_symbols, as_Add=False)
+        constants.setdefault(rest, []).append(constant)
+    added = ((sp.Add(*each), rest) for rest, each in constants.items())
+    return [(constant if constant.is_Rational else _evaluated(constant)) * rest for constant, rest in added]
 
 
 def _evaluated(constant: Any) -> Any:

@@ -15,7 +15,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 from solver import __version__, resources
 from solver.render.prose import inline_latex, to_latex
 from solver.render.tex_text import escaped
-from solver.render.view import AnswerView, SolutionView
+from solver.render.view import SolutionView
 
 
 def latex_document(view: SolutionView, templates: Path | None = None) -> str:
@@ -41,14 +41,9 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(text=_line_of_text, line=inline_latex, prose=to_latex, equation=_equation)
+    environment.filters.update(text=_line_of_text, line=inline_latex, prose=to_latex)
     return environment
 
 
 def _line_of_text(text: str) -> str:
     return escaped(" ".join(str(text).split()))
-
-
-def _equation(answer: AnswerView) -> str:
-    """Return an answer as `symbol = value`."""
-    return f"{answer.symbol} = {answer.tex}" if answer.symbol else answer.tex

@@ -42,7 +42,7 @@ def _part(part: PartView) -> Iterator[str]:
     if part.answers:
         yield "### Answer"
         for answer in part.answers:
-            yield f"$$\n{answer.symbol + ' = ' if answer.symbol else ''}{answer.tex}\n$$"
+            yield f"$$\n{answer.equation}\n$$"
     if part.checks:
         yield _table(part.checks)
 
@@ -60,7 +60,7 @@ def _table(rows: Iterable[CheckRow]) -> str:
         reason = f" ({row.reason})" if row.reason else ""
         error = f"${row.residual}$" if row.residual else ""
         status = f"**{row.status}**" if row.status == "failed" else row.status
-        lines.append(f"| {_cell(row.claim + reason)} | {_cell(plain(row.oracle))} | {error} | {status} |")
+        lines.append(f"| {_cell(row.claim + reason)} | {_cell(row.oracle)} | {error} | {status} |")
     return "\n".join(lines)
 
 

@@ -53,8 +53,9 @@ def _product(show: Print, *factors: Any) -> str:
         return first
     if first == "-1":
         return f"-{joined([as_factor(factor) for factor in others])}"
-    head = first if first.startswith("-") and not is_sum(first[1:]) else as_factor(first)
-    return joined([head, *(as_factor(factor) for factor in others)])
+    rest = [as_factor(factor) for factor in others]
+    alone = first.startswith("-") and not is_sum(first[1:]) and not rest[0].startswith("(-")
+    return joined([first if alone else as_factor(first), *rest])
 
 
 def _is_one(factor: Any) -> bool:

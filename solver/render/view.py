@@ -21,18 +21,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class AnswerView:
-    """One answer: its name, LaTeX of its symbol and value (no dollar signs), its meaning, and the exact object."""
+    """One answer: its name, LaTeX of its symbol and value (no dollar signs), its meaning, and the exact object.
+
+    `equation` is LaTeX of symbol = value laid out for a page: broken over lines, or entry by entry, where it is wide.
+    """
 
     name: str
     symbol: str
     tex: str
     doc: str
     value: Any
+    equation: str
 
 
 @dataclass(frozen=True, slots=True)
 class CheckRow:
-    """One line of the table of checks. `claim` and `reason` are Markdown; numbers are LaTeX, "" where there is none.
+    """One line of the table of checks: `claim`, `oracle`, `reason` are Markdown, numbers LaTeX or "" for none.
 
     The equalities of one step are one line: `residual` and `tolerance` are then those nearest to failing.
     """
@@ -130,10 +134,12 @@ def _part(result: PartResult, part: Part, again: bool, wording: Wording) -> Part
 
 def _answers(result: PartResult, wording: Wording) -> list[AnswerView]:
     declared = catalogue()[result.task].answers
-    return [
-        AnswerView(name, wording.symbol(declared[name]), wording.answer(value), declared[name].doc, value)
-        for name, value in result.answers.items()
-    ]
+    views = []
+    for name, value in result.answers.items():
+        symbol = wording.symbol(declared[name])
+        equation = wording.equation(symbol, value)
+        views.append(AnswerView(name, symbol, wording.answer(value), declared[name].doc, value, equation))
+    return views
 
 
 def check_rows(result: PartResult) -> list[CheckRow]:

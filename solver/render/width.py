@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-LINE = 66.0
+LINE = 76.0
 """Width, in letters, of what fits on a line of a page."""
 
 _TOKEN = re.compile(r"\\(begin|end)\{(\w+\*?)\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
@@ -75,15 +75,29 @@ def _matrix(tokens: Iterator[str]) -> float:
 
 
 def broken(tex: str, room: float = LINE) -> list[str]:
-    """Break a long sum before its signs so that the lines fit where they can; a short formula is one line."""
+    """Break a long sum before its signs, a long product of matrices before a matrix; a short formula is one line.
+
+    The lines fit into `room` where they can. Each line but the first begins with the sign it was broken at.
+    """
     if width(tex) <= room:
         return [tex]
-    lines = [""]
-    for term in _terms(tex):
-        if lines[-1] and width(lines[-1] + term) > room:
-            lines.append(term.lstrip())
+    lines = _filled(_terms(tex), "", room)
+    return [piece for line in lines for piece in _filled(line.split(_SEAM), _SEAM, room)]
+
+
+_SEAM = r"\end{bmatrix}\begin{bmatrix}"
+
+
+def _filled(pieces: list[str], seam: str, room: float) -> list[str]:
+    """Put as many pieces on each line as fit; a seam is what stood between them."""
+    end, begin = (r"\end{bmatrix}", r"\begin{bmatrix}") if seam else ("", "")
+    lines = [pieces[0]]
+    for piece in pieces[1:]:
+        if width(lines[-1] + seam + piece) > room:
+            lines[-1] += end
+            lines.append((r"\cdot " if seam else "") + begin + piece.lstrip())
         else:
-            lines[-1] += term
+            lines[-1] += seam + piece
     return lines
 
 

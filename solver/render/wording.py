@@ -13,12 +13,13 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
+import sympy as sp
 from jinja2 import FileSystemLoader, StrictUndefined, TemplateError, TemplateNotFound, TemplateSyntaxError, pass_context
 from jinja2.runtime import Context
 from jinja2.sandbox import ImmutableSandboxedEnvironment
@@ -26,13 +27,14 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 from solver import resources
 from solver.derivation import AnswerName, Claim, Step
 from solver.problem.model import Part
-from solver.render.displays import aligned, chain, display
+from solver.render.displays import READABLE, aligned, chain, display, entries
 from solver.render.given import given_markdown
 from solver.render.latex import DEFAULT, tex, tex_answer
 from solver.render.notation import COURSE, NOTATIONS, answer_symbol
 from solver.render.numbers import NumberFormat
 from solver.render.pieces import is_sum, joined, parenthesized, summed
 from solver.render.prose import math_problems, plain
+from solver.render.width import LINE, width
 from solver.systems import System
 
 SEAM = "\ue000"
@@ -148,17 +150,30 @@ class Wording:
         shown = self.tex(value)
         return shown + SEAM if ENDS_IN_COMMAND.search(shown) else shown
 
-    def _side(self, value: Any) -> str:
-        return value if isinstance(value, str) else self.tex(value)
+    def equation(self, symbol: str, value: Any) -> str:
+        """Return an answer as `symbol = value`, laid out for a page."""
+        return self._laid_out([symbol, value], self.answer)
+
+    def _laid_out(self, sides: Sequence[Any], show: Callable[[Any], str], relation: str = "=", note: str = "") -> str:
+        """Return `a = b = ...`, broken over lines where it is long; a very wide matrix at its end entry by entry."""
+        shown = [side if isinstance(side, str) else show(side) for side in sides]
+        matrix = sides[-1]
+        too_wide = isinstance(matrix, sp.MatrixBase) and width(shown[-1]) > READABLE * LINE
+        if not (too_wide and shown[0] and isinstance(sides[0], str)):
+            return chain(shown, relation, note)
+        cells = [[show(entry) for entry in row] for row in matrix.tolist()]
+        return entries(shown[0], shown[1:-1], cells)
 
     def _eq(self, *sides: Any, note: str = "", relation: str = "=") -> str:
-        return display(chain([self._side(side) for side in sides], relation, note))
+        return display(self._laid_out(sides, self.tex, relation, note))
 
     def _claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:
         return self._eq(prefix, claim.left, claim.right, note=note)
 
     def _align(self, rows: Iterable[Iterable[Any]]) -> str:
-        return display(aligned(" &= ".join(self._side(side) for side in row) for row in rows))
+        return display(
+            aligned(" &= ".join(side if isinstance(side, str) else self.tex(side) for side in row) for row in rows)
+        )
 
     def _operation(self, operation: Any) -> str:
         """Return a row operation (`exact.row_reduction`: Swap, Scale or Add) as LaTeX; rows are counted from 1."""
