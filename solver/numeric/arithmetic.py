@@ -96,10 +96,7 @@ class Double:
         """M⁻¹ at each point; raises Undefined where M is singular."""
         try:
             rows, columns = equilibration(M)
-            return (
-                np.asarray(np.linalg.inv(M * rows[:, :, None] * columns[:, None, :]) * columns[:, :, None])
-                * rows[:, None, :]
-            )
+            scaled = np.linalg.inv(M * rows[:, :, None] * columns[:, None, :])
         except np.linalg.LinAlgError as singular:
             raise Undefined("the matrix to invert is singular") from singular
         return np.asarray(scaled * columns[:, :, None] * rows[:, None, :])

@@ -126,18 +126,20 @@ def product(environment: Environment, *factors: Any) -> Value:
     """F₁ F₂ … from left to right."""
     result = Value(environment.arithmetic.number(1), 1.0)
     for factor in factors:
-        result = multiply(result, walk(factor, environment))
+        result = multiply(result, walk(factor, environment), environment.arithmetic)
     return result
 
 
-def multiply(left: Value, right: Value) -> Value:
+def multiply(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
     """Return the product of matrices, or of a scalar and anything."""
     if left.is_matrix and right.is_matrix:
         if left.value.shape[2] != right.value.shape[1]:
             raise ShapeMismatch(f"a product of matrices {_text(left)} and {_text(right)}")
-        return Value(left.value @ right.value, left.magnitude @ right.magnitude)
+        magnitude = arithmetic.size(left.value) @ right.magnitude + left.magnitude @ arithmetic.size(right.value)
+        return Value(left.value @ right.value, magnitude)
     left, right = aligned(left, right)
-    return Value(np.multiply(left.value, right.value), left.magnitude * right.magnitude)
+    magnitude = arithmetic.size(left.value) * right.magnitude + left.magnitude * arithmetic.size(right.value)
+    return Value(np.multiply(left.value, right.value), magnitude)
 
 
 def aligned(left: Value, right: Value) -> tuple[Value, Value]:

@@ -117,13 +117,17 @@ def _add(expression: Any, environment: Environment) -> Value:
 
 @rule(sp.Mul)
 def _multiply(expression: Any, environment: Environment) -> Value:
-    value: Any = 1
-    magnitude: Any = 1.0
-    for factor in expression.args:
-        part = walk(factor, environment)
-        value = part.value * value
-        magnitude = magnitude * part.magnitude
-    return Value(value, magnitude)
+    first, *others = expression.args
+    result = walk(first, environment)
+    for factor in others:
+        result = times(walk(factor, environment), result, environment.arithmetic)
+    return result
+
+
+def times(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
+    """Return the product of scalars; an error of one is multiplied by the size, not by the error, of the other."""
+    l_size, r_size = arithmetic.size(left.value), arithmetic.size(right.value)
+    return Value(left.value * right.value, l_size * right.magnitude + left.magnitude * r_size)
 
 
 @rule(sp.Pow)
@@ -140,7 +144,8 @@ def _power(expression: Any, environment: Environment) -> Value:
 def whole_power(base: Value, exponent: int, arithmetic: Arithmetic) -> Value:
     """Bⁿ of a scalar and a whole n."""
     if exponent >= 0:
-        return Value(base.value**exponent, max(1, exponent) * base.magnitude**exponent)
+        rest = arithmetic.size(base.value) ** max(0, exponent - 1)
+        return Value(base.value**exponent, max(1, exponent) * base.magnitude ** min(1, exponent) * rest)
     value = base.value**exponent
     relative = base.magnitude / floored(base, arithmetic)
     return Value(value, arithmetic.size(value) * (1.0 - exponent * relative))
