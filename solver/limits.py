@@ -32,7 +32,6 @@ from solver.problem.model import Part, Problem
 
 TICK = 0.1  # seconds between two reports of progress
 FORKS = sys.platform.startswith("linux")  # fork is unsafe on macOS and unknown on Windows
-)  # fork is unsafe on macOS
 
 
 @dataclass(frozen=True, slots=True)
