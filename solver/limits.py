@@ -12,12 +12,14 @@ import multiprocessing
 import os
 import signal
 import sys
+import threading
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
 from pathlib import Path
+from pickle import PickleError
 from time import monotonic
 from types import FrameType
 
@@ -101,6 +103,8 @@ class _Supervisor:
         if isinstance(result, str):
             self.stop()
             result = _unsolved((part, method), result, monotonic() - start)
+        elif self.child.exhausted:
+            self.stop()
         self.done += 1
         self.known.setdefault(part.id, result)
         return result
@@ -135,6 +139,7 @@ class _Child:
         self.process = context.Process(target=_work, args=(units, dict(known), limits, its_end), daemon=True)
         self.process.start()
         its_end.close()
+        self.exhausted = False  # whether it can solve no more, because its memory is full
 
     def ready(self, seconds: float) -> bool:
         """Whether there is something to receive, a result or the child's death, within some seconds."""
@@ -143,7 +148,8 @@ class _Child:
     def receive(self) -> PartResult | str:
         """Return a result, or how the child died."""
         try:
-            result: PartResult = self.channel.recv()
+            result: PartResult
+            result, self.exhausted = self.channel.recv()
         except (EOFError, OSError):
             self.process.join(1.0)
             return _cause_of_death(self.process.exitcode)
@@ -170,8 +176,8 @@ def _work(units: list[Unit], known: dict[str, PartResult], limits: Limits, chann
     for unit in units:
         result, exhausted = _solve_guarded(unit, known, limits)
         known.setdefault(result.id, result)
-        _send(result, unit, channel)
-        if exhausted:  # a fresh child goes on: this one holds what filled the memory
+        _send(result, exhausted, channel)
+        if exhausted:
             return
 
 
@@ -189,19 +195,23 @@ def _solve_guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[PartResu
     return _unsolved(unit, reason), True
 
 
-def _send(result: PartResult, unit: Unit, channel: Connection) -> None:
+def _send(result: PartResult, exhausted: bool, channel: Connection) -> None:
     """Send a result, or say that it can't be sent (too deeply nested, too large, or not picklable)."""
     try:
-        channel.send(result)
+        channel.send((result, exhausted))
     except (RecursionError, MemoryError):
-        channel.send(_unsolved(unit, "its result is too large"))
-    except (TypeError, AttributeError, ValueError, LookupError, ArithmeticError) as bug:
-        channel.send(_unsolved(unit, _as_bug(bug)))
+        channel.send((_without_answers(result, "its result is too large"), exhausted))
+    except (PickleError, TypeError, AttributeError, ValueError) as bug:
+        channel.send((_without_answers(result, _as_bug(bug)), exhausted))
 
 
 def _unsolved(unit: Unit, reason: str, seconds: float = 0.0) -> PartResult:
     part, method = unit
     return PartResult(part.id, part.task, method, Status.UNSOLVED, reason=reason, seconds=seconds)
+
+
+def _without_answers(result: PartResult, reason: str) -> PartResult:
+    return PartResult(result.id, result.task, result.method, Status.UNSOLVED, reason=reason, seconds=result.seconds)
 
 
 def _as_bug(bug: Exception) -> str:
@@ -241,5 +251,5 @@ def _ended(number: int, frame: FrameType | None) -> None:  # noqa: ARG001 - the 
 def end_children_on_termination() -> None:
     """Make SIGTERM and SIGHUP end this process in an orderly way (by default they leave the child behind)."""
     for name in ("SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):
+        if hasattr(signal, name) and threading.current_thread() is threading.main_thread():
             signal.signal(getattr(signal, name), _ended)

@@ -1,0 +1,43 @@
+# The environment is made in .venv by whichever target runs first; PYTHON chooses the interpreter it is made from.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+PROBLEM ?= problems/course/ch1/ch1-ex02.yaml
+TESTS ?=
+WORKERS ?= auto
+
+.DEFAULT_GOAL := help
+.PHONY: help solve test lint bench clean
+
+help:  ## Say what there is to make.
+	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
+
+$(READY): pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+		{ echo "Python 3.11 or newer is needed; name one: make PYTHON=python3.12 ..."; exit 1; }
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --editable '.[dev]'
+	touch $@
+
+solve: $(READY)  ## Solve a problem of the course (PROBLEM=path for another) and say where its page is.
+	@mkdir -p build
+	@$(BIN)/solve $(PROBLEM) -o build/
+	@echo "The page: $(abspath build)/$(basename $(notdir $(PROBLEM))).html"
+
+test: $(READY)  ## Run the tests (TESTS="-k pattern" or paths for some of them).
+	$(BIN)/python -m pytest -n $(WORKERS) $(TESTS)
+
+lint: $(READY)  ## Check style, types, who imports whom, and calls that are forbidden.
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/python tools/forbidden_calls.py solver
+
+bench: $(READY)  ## Print the table of speed targets beside their peers.
+	$(BIN)/python -m benchmarks
+
+clean:  ## Remove what was made, but not the environment.
+	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	find solver tests benchmarks tools -name __pycache__ -type d -prune -exec rm -rf {} +

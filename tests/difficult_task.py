@@ -1,0 +1,109 @@
+"""A task whose methods misbehave in every way that the limits must contain; registered by the tests that need it."""
+
+import os
+import signal
+
+import sympy as sp
+
+from solver.derivation import AnswerName, Answers, Check, Task, Unsolved
+
+difficult = Task(
+    "difficult",
+    group="Design",
+    title="A difficult question",
+    doc="Never asked by a user.",
+    needs=("A",),
+    answers=[AnswerName("F", "F", "the matrix itself")],
+)
+
+
+def method(name):
+    """Register a method that has no steps: a function of what is given, to its answers."""
+
+    def register(function):
+        def derive(given):
+            yield from ()
+            return function(given)
+
+        return difficult.method(name, title=name)(derive)
+
+    return register
+
+
+@method("easy")
+def easy(given):
+    return Answers(F=given.system.A)
+
+
+@method("endless")
+def endless(given):
+    if path := os.environ.get("DIFFICULT_PID_FILE"):
+        with open(path, "w", encoding="ascii") as file:  # noqa: PTH123 - so that it is written at once
+            file.write(str(os.getpid()))
+    while True:
+        pass
+
+
+@method("greedy")
+def greedy(given):
+    hoard = []
+    while True:
+        hoard.append(bytearray(8 * 2**20))
+
+
+@method("bottomless")
+def bottomless(given):
+    return bottomless_sum(given.system.A)
+
+
+def bottomless_sum(x):
+    return x + bottomless_sum(x)
+
+
+@method("deadly")
+def deadly(given):
+    os.kill(os.getpid(), signal.SIGSEGV)
+
+
+@method("quitting")
+def quitting(given):
+    os._exit(0)
+
+
+@method("buggy")
+def buggy(given):
+    raise KeyError("a bug")
+
+
+@method("unsolvable")
+def unsolvable(given):
+    raise Unsolved("it has no answer")
+
+
+@method("unpicklable")
+def unpicklable(given):
+    return Answers(F=lambda: None)
+
+
+@method("deep")
+def deep(given):
+    x = sp.Symbol("x")
+    for _ in range(5000):
+        x = sp.Function("f")(x)
+    return Answers(F=x)
+
+
+@method("wrong")
+def wrong(given):
+    return Answers(F=2 * given.system.A)
+
+
+@difficult.verification
+def is_the_matrix(given, answers):
+    yield Check.that("$F = A$", "comparison", answers["F"] == given.system.A or given.method in {"unpicklable", "deep"})
+
+
+def problem_text(*methods, matrix="[[1, 2], [3, 4]]"):
+    """Return a problem that asks for each method in a part of its own."""
+    parts = [f"  {chr(97 + i)}: {{task: difficult, method: {name}, prompt: Do it.}}" for i, name in enumerate(methods)]
+    return "\n".join(["title: Difficult", f"system: {{A: {matrix}}}", "find:", *parts, ""])

@@ -1,0 +1,125 @@
+"""A part that takes too long, too much memory, or the process down costs nothing but itself."""
+
+import sys
+
+import pytest
+from difficult_task import difficult, problem_text
+
+from solver.derivation import Status
+from solver.engine import solve_problem
+from solver.limits import Limits, in_child
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.tasks import catalogue
+
+LIMITS = Limits(seconds=1.0, megabytes=200)
+
+pytestmark = pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="the task is known to forked children only"
+)
+
+
+@pytest.fixture(autouse=True)
+def registered(monkeypatch):
+    monkeypatch.setitem(catalogue(), "difficult", difficult)
+
+
+def solved(*methods, limits=LIMITS, **options):
+    problem = read_problem(Source("<test>", problem_text(*methods)), catalogue())
+    return solve_problem(problem, in_child(limits, **options)).parts
+
+
+@pytest.mark.parametrize(
+    ("method", "reason"),
+    [
+        ("endless", "time limit of 1 s"),
+        ("greedy", "memory limit of 200 MB"),
+        ("bottomless", "its expressions are nested too deeply"),
+        ("deadly", "its computation was ended by the system (signal SIGSEGV)"),
+        ("quitting", "its computation ended unexpectedly"),
+        ("buggy", "internal error: KeyError: 'a bug'; please report it"),
+        ("unsolvable", "it has no answer"),
+    ],
+)
+def test_only_the_part_itself_is_unsolved_and_says_why(method, reason):
+    before, part, after = solved("easy", method, "easy")
+    assert (part.status, part.reason) == (Status.UNSOLVED, reason)
+    assert before.status is after.status is Status.VERIFIED
+    assert before.answers == after.answers
+    assert not part.answers
+
+
+@pytest.mark.parametrize("method", ["unpicklable", "deep"])
+def test_a_result_that_cannot_be_sent_is_unsolved(method):
+    part, after = solved(method, "easy")
+    assert part.status is Status.UNSOLVED
+    assert part.reason.startswith(("internal error", "its result is too large"))
+    assert after.status is Status.VERIFIED
+
+
+def test_one_stuck_method_of_a_part_does_not_lose_the_others():
+    text = problem_text("easy").replace("method: easy", "method: [endless, easy]")
+    problem = read_problem(Source("<test>", text), catalogue())
+    stuck, easy = solve_problem(problem, in_child(Limits(seconds=0.5))).parts
+    assert (stuck.id, stuck.method, stuck.status) == ("a", "endless", Status.UNSOLVED)
+    assert (easy.id, easy.method, easy.status) == ("a", "easy", Status.VERIFIED)
+
+
+def test_each_part_has_the_whole_time_and_a_new_child_each_time():
+    parts = solved("endless", "endless", "easy", limits=Limits(seconds=0.4))
+    assert [part.status for part in parts] == [Status.UNSOLVED, Status.UNSOLVED, Status.VERIFIED]
+    assert all(0.4 <= part.seconds < 5 for part in parts[:2])
+
+
+def test_a_wrong_answer_is_failed_and_not_mistaken_for_unsolved():
+    (part,) = solved("wrong")
+    assert part.status is Status.FAILED
+
+
+def test_progress_is_told_while_a_part_is_being_solved():
+    seen = []
+    solved("easy", "endless", limits=Limits(seconds=0.5), notify=seen.append)
+    assert {(each.part, each.method, each.index, each.total) for each in seen} >= {("b", "endless", 1, 2)}
+
+
+def test_what_is_done_meanwhile_is_done_once():
+    calls = []
+    solved("easy", "easy", meanwhile=lambda: calls.append(1))
+    assert calls == [1]
+
+
+def test_results_through_a_child_are_those_without_one(read_example):
+    problem = read_example("two-methods")
+    plain, through = solve_problem(problem), solve_problem(problem, in_child())
+    assert [(part.id, part.method, part.status, part.answers) for part in plain.parts] == [
+        (part.id, part.method, part.status, part.answers) for part in through.parts
+    ]
+    assert [[check.claim for check in part.checks] for part in plain.parts] == [
+        [check.claim for check in part.checks] for part in through.parts
+    ]
+
+
+def test_answers_of_earlier_parts_reach_a_new_child():
+    text = problem_text("easy", "deadly", "easy")
+    text += "  d: {task: characteristic_polynomial, gain: {from: a, answer: F}}\n"
+    text = text.replace("system: {A: [[1, 2], [3, 4]]}", "system: {A: [[1, 2], [3, 4]], B: [[1, 0], [0, 1]]}")
+    parts = solve_problem(read_problem(Source("<test>", text), catalogue()), in_child(LIMITS)).parts
+    assert parts[1].status is Status.UNSOLVED
+    assert (parts[3].status, str(parts[3].answers["polynomial"])) == (Status.VERIFIED, "lamda**2")
+
+
+@pytest.fixture
+def read_example():
+    from solver.problem.files import load  # noqa: PLC0415 - only here
+    from solver.resources import root  # noqa: PLC0415
+
+    return lambda name: read_problem(load(root("problems") / "examples" / f"{name}.yaml"), catalogue())
+
+
+@pytest.mark.slow
+def test_a_spawned_child_gives_the_same_results(read_example, monkeypatch):
+    monkeypatch.setattr("solver.limits.FORKS", False)
+    problem = read_example("two-methods")
+    parts = solve_problem(problem, in_child()).parts
+    assert [part.status for part in parts] == [Status.VERIFIED] * len(parts)
+    assert [part.answers for part in parts] == [part.answers for part in solve_problem(problem).parts]
