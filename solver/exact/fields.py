@@ -27,12 +27,29 @@ def domain_matrix(M: sp.MatrixBase) -> DomainMatrix:
 
     Sines and cosines of an angle θ are written as rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K.
     """
-    matrix = DomainMatrix.from_Matrix(_half_angles(M), extension=True).to_field().to_dense()
+    written = _half_angles(M)
+    matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
     if matrix.domain.is_EXRAW or matrix.domain.is_EX:
-        raise NotExact("the entries mix roots and parameters in a way that has no exact arithmetic here")
+        matrix = _over_surds_and_parameters(written)
     if not matrix.domain.is_Exact:
         raise NotExact("the entries are not exact numbers")
     return matrix
+
+
+def _over_surds_and_parameters(M: sp.MatrixBase) -> DomainMatrix:
+    """M over QQ<√d, …>(parameters), which sympy does not find by itself."""
+    surds = sorted(
+        (power for power in M.atoms(sp.Pow) if power.base.is_Rational and power.exp == sp.Rational(1, 2)), key=str
+    )
+    parameters = sorted(M.free_symbols, key=str)
+    try:
+        K = sp.QQ.algebraic_field(*surds).frac_field(*parameters)
+        rows = [[K.from_sympy(sp.expand(M[i, j])) for j in range(M.cols)] for i in range(M.rows)]
+    except (sp.CoercionFailed, ValueError, NotImplementedError) as failure:
+        raise NotExact(
+            "The entries mix functions and parameters in a way that has no exact arithmetic here."
+        ) from failure
+    return DomainMatrix(rows, M.shape, K)
 
 
 def _half_angles(M: sp.MatrixBase) -> sp.MatrixBase:
@@ -68,9 +85,9 @@ def matrix_of(matrix: DomainMatrix) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix(*matrix.shape, expressions(matrix))
 
 
-def _whole_angle(found: sp.Expr, tangent: sp.Expr) -> sp.Expr:
+def _whole_angle(found: sp.Expr, tangent: Any) -> sp.Expr:
     """A rational function of tan(θ/2) in cos θ and sin θ."""
-    angle = sp.Mul(2, tangent.args[0])
+    angle = 2 * tangent.args[0]
     return trigonometric(found.xreplace({tangent: sp.sin(angle) / (1 + sp.cos(angle))}), angle)
 
 

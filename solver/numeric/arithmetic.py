@@ -144,7 +144,8 @@ class Multiple:
 
     def size(self, value: Any) -> Any:
         """Return absolute values as floats."""
-        return np.asarray(abs(value), dtype=float)
+        size = abs(value)
+        return size.astype(float) if isinstance(size, np.ndarray) else np.float64(size)
 
     def approximate(self, value: Any) -> Any:
         """Return values as complex doubles."""

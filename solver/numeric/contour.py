@@ -7,7 +7,7 @@ trapezoid rule converges geometrically (Trefethen and Weideman, SIAM Review 56 (
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, reduce
+from functools import cache, partial, reduce
 from typing import Any
 
 import numpy as np
@@ -56,7 +56,8 @@ def _combined(environment: Environment, image: Any, variable: Any, transform: Ca
     parts = []
     for term in linear_terms(image, variable):
         factors = (*(walk(each, environment) for each in term.left), transform(term.core))
-        parts.append(reduce(multiply, (*factors, *(walk(each, environment) for each in term.right))))
+        factors = (*factors, *(walk(each, environment) for each in term.right))
+        parts.append(reduce(partial(multiply, arithmetic=environment.arithmetic), factors))
     return reduce(add, parts)
 
 

@@ -12,11 +12,11 @@ from solver.numeric.values import Value
 
 
 class Environment:
-    """Values of symbols at P points (arrays of shape (P,)), and what was evaluated already."""
+    """Values of symbols at P points (arrays (P,), or numbers), and what was evaluated already."""
 
     __slots__ = ("arithmetic", "memo", "points", "values")
 
-    def __init__(self, values: Mapping[Any, Array], points: int, arithmetic: Arithmetic = DOUBLE) -> None:
+    def __init__(self, values: Mapping[Any, Any], points: int, arithmetic: Arithmetic = DOUBLE) -> None:
         self.values = values
         self.points = points
         self.arithmetic = arithmetic
@@ -26,6 +26,8 @@ class Environment:
     def at(cls, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic = DOUBLE) -> Environment:
         """Return the environment of some points, each a value for every symbol; the values are taken as exact."""
         symbols = list(points[0])
+        if arithmetic is not DOUBLE and len(points) == 1:  # numbers: arrays of one would only cost time
+            return cls({symbol: arithmetic.number(points[0][symbol]) for symbol in symbols}, 1, arithmetic)
         values = {symbol: arithmetic.array([point[symbol] for point in points]) for symbol in symbols}
         return cls(values, len(points), arithmetic)
 
@@ -37,12 +39,12 @@ class Environment:
     def spread(self, symbol: Any, samples: Array) -> Environment:
         """Return the environment in which each point p becomes N points with `symbol` = samples[p, :] (P×N)."""
         count = samples.shape[1]
-        values = {each: np.repeat(value, count) for each, value in self.values.items() if each != symbol}
+        values = {each: np.repeat(self.full(value), count) for each, value in self.values.items() if each != symbol}
         return Environment({**values, symbol: samples.reshape(-1)}, self.points * count, self.arithmetic)
 
     def approximate(self) -> Environment:
         """Return the same points in doubles."""
-        values = {symbol: np.asarray(value, dtype=np.complex128) for symbol, value in self.values.items()}
+        values = {symbol: self.full(value).astype(np.complex128) for symbol, value in self.values.items()}
         return Environment(values, self.points)
 
     def full(self, value: Any) -> Array:

@@ -193,7 +193,9 @@ def quotient(environment: Environment, numerator: Any, denominator: Any) -> Valu
         if shape_of(divisor) != (1, 1):
             raise ShapeMismatch(f"a quotient by a matrix {_text(divisor)}")
         divisor = Value(divisor.value[:, 0, 0], divisor.magnitude[:, 0, 0])
-    return multiply(walk(numerator, environment), whole_power(divisor, -1, environment.arithmetic))
+    return multiply(
+        walk(numerator, environment), whole_power(divisor, -1, environment.arithmetic), environment.arithmetic
+    )
 
 
 @operation

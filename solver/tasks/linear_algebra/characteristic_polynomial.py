@@ -134,5 +134,9 @@ def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
 @characteristic_polynomial.verification
 def has_the_values_of_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
     """P(x) = det(xI − A) at random x, the determinant by numpy."""
-    residual = numeric.polynomial_residual(given.system.A, answers["polynomial"], sp.Symbol("lamda"))
-    yield Check.within(r"$\chi(\lambda) = \det(\lambda I - A)$ at random points", "numpy.linalg.det", residual, 1e-9)
+    A, polynomial, lamda = given.system.A, answers["polynomial"], sp.Symbol("lamda")
+    yield numeric.check_residual(
+        r"$\chi(\lambda) = \det(\lambda I - A)$ at random points",
+        "numpy.linalg.det",
+        lambda: numeric.polynomial_residual(A, polynomial, lamda),
+    )

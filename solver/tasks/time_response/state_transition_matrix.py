@@ -240,11 +240,17 @@ def is_the_matrix_function(given: Given, answers: Answers) -> Iterable[Check]:
     """Φ(t) = expm(A t) at several t including 0 (scipy); discrete: Φ(k) = Aᵏ for k = 0 … 8 (numpy)."""
     A, Phi = given.system.A, answers["Phi"]
     if given.system.discrete:
-        residual = numeric.power_residual(A, Phi, sp.Symbol("k"))
-        yield Check.within(r"$\Phi(k) = A^k$ for $k = 0, 1, \ldots, 8$", "numpy.linalg.matrix_power", residual, 1e-9)
+        yield numeric.check_residual(
+            r"$\Phi(k) = A^k$ for $k = 0, 1, \ldots, 8$",
+            "numpy.linalg.matrix_power",
+            lambda: numeric.power_residual(A, Phi, sp.Symbol("k")),
+        )
         return
-    residual = numeric.exponential_residual(A, Phi, sp.Symbol("t"))
-    yield Check.within(r"$\Phi(t) = e^{At}$ at several $t$, $\Phi(0) = I$", "scipy.linalg.expm", residual, 1e-9)
+    yield numeric.check_residual(
+        r"$\Phi(t) = e^{At}$ at several $t$, $\Phi(0) = I$",
+        "scipy.linalg.expm",
+        lambda: numeric.exponential_residual(A, Phi, sp.Symbol("t")),
+    )
     if "Phi_truncated" in answers:
         t, terms = sp.Symbol("t"), given.terms
         for i in range(terms):
