@@ -39,8 +39,19 @@ def resolvent(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.ImmutableMatrix:
             while left and not numerator.is_zero and numerator.rem(p).is_zero:
                 numerator, left = numerator.quo(p), left - 1
             denominator *= factor.polynomial(x) ** left
-        entries.append(_polynomial(numerator, x) / (denominator if not numerator.is_zero else 1))
+        entries.append(_fraction(numerator, denominator, x))
     return sp.ImmutableMatrix(n, n, entries)
+
+
+def _fraction(numerator: sp.Poly, denominator: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """The fraction as it is written: zero as 0, a numerator that begins with a minus with the minus in front."""
+    if numerator.is_zero:
+        return sp.Integer(0)
+    written = _polynomial(numerator, x)
+    negative = sp.expand(-written)
+    if all(term.could_extract_minus_sign() for term in sp.Add.make_args(written)):
+        return -negative / denominator
+    return written / denominator
 
 
 def _polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
