@@ -25,6 +25,8 @@ from solver.render.terms import Term, common_fraction, split
 class Printer(ObjectPrinter):
     """Prints one value; made by `tex`. What is not overridden here is printed by sympy."""
 
+    printmethod = ""  # else sympy's π would print itself, and know nothing of decimals
+
     def __init__(self, numbers: NumberFormat) -> None:
         LatexPrinter.__init__(self, {"imaginary_unit": "j", "ln_notation": True, "mat_str": "bmatrix", "mat_delim": ""})
         self.numbers = numbers
@@ -182,6 +184,12 @@ class Printer(ObjectPrinter):
 
     def _print_Pi(self, expr: Any) -> str:
         return self.numbers.decimal(expr.evalf(30)) if self.numbers.all_decimal else r"\pi"
+
+    def _print_Infinity(self, _expr: Any) -> str:
+        return r"\infty"
+
+    def _print_NegativeInfinity(self, _expr: Any) -> str:
+        return r"-\infty"
 
     def _print_ImaginaryUnit(self, _expr: Any) -> str:
         return "j"

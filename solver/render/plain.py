@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -21,13 +23,14 @@ def unicode_text(value: Any, numbers: NumberFormat = DEFAULT) -> str:
     return "\n".join(drawn(tex(value, numbers)))
 
 
-def sympy_text(value: Any) -> str:
+def sympy_text(value: Any, names: Collection[str] = ()) -> str:
     """Return a value as text for `sympy.sympify(text, locals={name: Symbol(name), ...})`.
 
     Matrices are `Matrix([[..]])`, an empty basis `Matrix(n, 0, [])`, lists `[..]`, truth values `True` and `False`,
     decimals have 15 digits. A text stands for itself; a `Stated` formula is its operation with its operands.
+    `names` are all names that the reader will take for symbols; if I or E is among them, j and e are spelled out.
     """
-    return value if isinstance(value, str) else _PRINTER.text(_data(value))
+    return value if isinstance(value, str) else _printer("I" in names, "E" in names).text(_data(value))
 
 
 def _data(value: Any) -> Any:
@@ -42,11 +45,19 @@ def _data(value: Any) -> Any:
 class _Printer(StrPrinter):
     """sympy's own text, with matrices and collections spelled the way they are read back."""
 
-    def __init__(self) -> None:
+    def __init__(self, spell_j: bool, spell_e: bool) -> None:
         StrPrinter.__init__(self, {"order": "none"})  # sympy's canonical order: sorting again takes long
+        self.j = "sqrt(-1)" if spell_j else "I"
+        self.e = "exp(1)" if spell_e else "E"
 
     def text(self, value: Any) -> str:
         return str(StrPrinter.doprint(self, value))
+
+    def _print_ImaginaryUnit(self, _expr: Any) -> str:
+        return self.j
+
+    def _print_Exp1(self, _expr: Any) -> str:
+        return self.e
 
     def _print_MatrixBase(self, expr: Any) -> str:
         if 0 in expr.shape:
@@ -80,4 +91,6 @@ class _Printer(StrPrinter):
         return f"{expr.operation}({', '.join(self._print(operand) for operand in expr.operands)})"
 
 
-_PRINTER = _Printer()
+@cache
+def _printer(spell_j: bool, spell_e: bool) -> _Printer:
+    return _Printer(spell_j, spell_e)

@@ -54,7 +54,7 @@ def _product(show: Print, *factors: Any) -> str:
     if first == "-1":
         return f"-{joined([as_factor(factor) for factor in others])}"
     rest = [as_factor(factor) for factor in others]
-    alone = first.startswith("-") and not is_sum(first[1:]) and not rest[0].startswith("(-")
+    alone = first.startswith("-") and not is_sum(first[1:]) and not rest[0].startswith(("(-", r"\left(-"))
     return joined([first if alone else as_factor(first), *rest])
 
 
