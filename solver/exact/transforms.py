@@ -50,7 +50,7 @@ def _fraction(numerator: sp.Poly, denominator: sp.Expr, x: sp.Symbol) -> sp.Expr
     written = _polynomial(numerator, x)
     negative = sp.expand(-written)
     if all(term.could_extract_minus_sign() for term in sp.Add.make_args(written)):
-        return -negative / denominator
+        return -(negative / denominator)
     return written / denominator
 
 
