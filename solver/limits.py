@@ -12,7 +12,6 @@ import multiprocessing
 import os
 import signal
 import sys
-import threading
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -21,7 +20,6 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from pickle import PickleError
 from time import monotonic
-from types import FrameType
 
 try:
     import resource
@@ -241,15 +239,3 @@ def _address_space() -> int:
     """Return the bytes of address space this process has now (Linux; elsewhere OSError is raised)."""
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
     return pages * os.sysconf("SC_PAGE_SIZE")
-
-
-def _ended(number: int, frame: FrameType | None) -> None:  # noqa: ARG001 - the signature of a handler
-    """Turn the signal into an exit, so that children are ended on the way out."""
-    raise SystemExit(128 + number)
-
-
-def end_children_on_termination() -> None:
-    """Make SIGTERM and SIGHUP end this process in an orderly way (by default they leave the child behind)."""
-    for name in ("SIGTERM", "SIGHUP"):
-        if hasattr(signal, name) and threading.current_thread() is threading.main_thread():
-            signal.signal(getattr(signal, name), _ended)

@@ -11,12 +11,11 @@ from collections.abc import Sequence
 import click
 
 from solver import __version__
-from solver.cli.group import FileOrCommand
+from solver.cli.group import FileOrCommand, stop_writing
 from solver.cli.listing import check, new, schema, tasks
 from solver.cli.run import run
 
 INTERRUPTED = 130
-BROKEN_PIPE = 141
 
 EPILOG = """\b
 Exit codes:
@@ -53,9 +52,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (click.Abort, KeyboardInterrupt):
         click.echo("interrupted", err=True)
         return INTERRUPTED
-    except BrokenPipeError:  # the reader, `head` say, has seen enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return BROKEN_PIPE
+    except BrokenPipeError:
+        return stop_writing()
     except Exception as bug:  # noqa: BLE001 - the outermost boundary: whatever is left is a bug of the program
         return report_bug(bug)
     return result if isinstance(result, int) else 0

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from pathlib import Path
 
 import click
 
+BROKEN_PIPE = 141  # as the shell has it: 128 + SIGPIPE
 DEFAULT = "run"
 OWN_OPTIONS = ("-h", "--help", "--version")
 
@@ -27,9 +30,22 @@ class FileOrCommand(click.Group):
             args = [DEFAULT, *args]
         return super().resolve_command(ctx, args)
 
+    def invoke(self, ctx: click.Context) -> object:
+        """Run the command. A reader that has seen enough, `head` say, ends it quietly."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError:
+            return stop_writing()
+
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - click's signature
         """Return the commands in the order they were added: the order of use."""
         return list(self.commands)
+
+
+def stop_writing() -> int:
+    """Send what is still to be written nowhere; return the exit code of a command whose reader is gone."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return BROKEN_PIPE
 
 
 def looks_like_file(word: str) -> bool:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -30,6 +32,22 @@ class FormatList(click.ParamType[tuple[str, ...]]):
         return tuple(words)
 
 
+class Seconds(click.FloatRange):
+    """A time of up to a day."""
+
+    name = "seconds"
+
+    def __init__(self) -> None:
+        super().__init__(min=0, min_open=True, max=86400)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return the number; fails outside of the range, and for nan, which a range lets through."""
+        number = float(super().convert(value, param, ctx))
+        if math.isnan(number):
+            self.fail("nan is not a time", param, ctx)
+        return number
+
+
 @click.command(short_help="Solve problem files (what `solve problem.yaml` does).")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("-f", "--format", "formats", type=FormatList(), help="html, latex, pdf, md, json, text: one or more.")
@@ -40,7 +58,7 @@ class FormatList(click.ParamType[tuple[str, ...]]):
 @click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
               help="Templates that take precedence over the program's own.")  # fmt: skip
 @click.option("--open", "open_page", is_flag=True, help="Open the page in a browser.")
-@click.option("--time-limit", metavar="SECONDS", type=click.FloatRange(min=0, min_open=True, max=86400), default=60,
+@click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
               show_default=True, help="For each part by each method.")  # fmt: skip
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part by each method.")  # fmt: skip

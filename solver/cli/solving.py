@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING
 
 import click
@@ -17,6 +22,7 @@ from solver.problem.source import Diagnostic, InputError, Source
 if TYPE_CHECKING:
     from solver.cli.formats import Document
     from solver.engine import Solution
+    from solver.render.view import SolutionView
 
 SOLVED, UNSOLVED, INPUT_AT_FAULT = 0, 1, 2
 SINGLE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
@@ -40,11 +46,20 @@ def solve_files(request: Request) -> int:
     """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
     for name in SINGLE_THREAD:  # the matrices are small, and a process with threads should not fork
         os.environ.setdefault(name, "1")
-    from solver.limits import end_children_on_termination
-
-    end_children_on_termination()
+    _end_orderly()
     meter = Meter(len(request.files))
     return max(_guarded(request, file, meter) for file in request.files)
+
+
+def _end_orderly() -> None:
+    """Make SIGTERM and SIGHUP end this process by an exit, so that the child is ended too."""
+
+    def end(number: int, frame: FrameType | None) -> None:  # noqa: ARG001 - the signature of a handler
+        raise SystemExit(128 + number)
+
+    for name in ("SIGTERM", "SIGHUP"):
+        if hasattr(signal, name) and threading.current_thread() is threading.main_thread():
+            signal.signal(getattr(signal, name), end)
 
 
 def _guarded(request: Request, file: str, meter: Meter) -> int:
@@ -107,38 +122,46 @@ def _deliver(request: Request, file: str, solution: Solution) -> int:
     from solver.cli.formats import Document
 
     document = Document(solution, request.detail, request.templates, "" if file == STANDARD else file)
+    with _in_words("the solution"):
+        view = document.view
     if request.destination.standard_output:
-        sys.stdout.buffer.write(_rendered(document, request.destination.formats[0]))
+        content = _rendered(document, request.destination.formats[0])
+        sys.stdout.buffer.write(content)
         sys.stdout.flush()
         _tell_what_is_wrong(solution)
         return _code(solution)
     written: list[Path] = []
-    failures: list[click.ClickException] = []
+    codes = [_code(solution)]
     for format_, path in request.destination.paths(file).items():
         try:
             write_whole(path, _rendered(document, format_))
             written.append(path)
-        except click.ClickException as failure:
-            failures.append(failure)
-    _print_summary(document, written, verbose=request.verbose)
+        except AtFault as fault:
+            click.echo(f"{file}: error: {fault.format_message()}", err=True)
+            codes.append(fault.exit_code)
+    _print_summary(view, written, verbose=request.verbose)
     if request.open_page:
         _open(written)
-    for each in failures:
-        click.echo(f"{file}: error: {each.format_message()}", err=True)
-    return max([_code(solution), *(each.exit_code for each in failures)])
+    return max(codes)
 
 
 def _rendered(document: Document, format_: str) -> bytes:
-    """Return the document in a format; a fault of templates or TeX becomes an error in words (exit code 2)."""
+    with _in_words(format_):
+        return document.rendered(format_)
+
+
+@contextmanager
+def _in_words(what: str) -> Iterator[None]:
+    """Turn a fault of templates or of TeX into an error in words: it lies outside of the program."""
     from jinja2 import TemplateError
 
     from solver.render.pdf import PdfUnavailable
     from solver.render.wording import WordingError
 
     try:
-        return document.rendered(format_)
+        yield
     except (PdfUnavailable, WordingError, TemplateError) as error:
-        raise AtFault(f"no {format_}: {error}") from error
+        raise AtFault(f"cannot make {what}: {error}") from error
 
 
 def _code(solution: Solution) -> int:
@@ -156,13 +179,13 @@ def _tell_what_is_wrong(solution: Solution) -> None:
             click.echo(f"part {part.id} ({part.method}): {part.status}: {part.reason}", err=True)
 
 
-def _print_summary(document: Document, written: list[Path], *, verbose: bool) -> None:
+def _print_summary(view: SolutionView, written: list[Path], *, verbose: bool) -> None:
     from rich.console import Console
 
     from solver.render.terminal import WIDTH, print_summary
 
     console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH, soft_wrap=False)
-    print_summary(document.view, console, verbose=verbose)
+    print_summary(view, console, verbose=verbose)
     for path in written:
         click.echo(f"wrote {path}")
 
