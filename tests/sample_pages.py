@@ -52,6 +52,10 @@ CHECKS = (
 )
 
 
+def answer(name: str, symbol: str, tex: str, doc: str) -> AnswerView:
+    return AnswerView(name, symbol, tex, doc, None, f"{symbol} = {tex}")
+
+
 def part(letter: str, status: Status, **changes: object) -> PartView:
     values: dict[str, object] = {
         "id": letter,
@@ -65,7 +69,7 @@ def part(letter: str, status: Status, **changes: object) -> PartView:
         "given": "",
         "again": False,
         "steps": STEPS,
-        "answers": (AnswerView("Phi", r"\Phi(t)", matrix(2, 2, "2 e^{-t} - e^{-2 t}"), "in `t`", None),),
+        "answers": (answer("Phi", r"\Phi(t)", matrix(2, 2, "2 e^{-t} - e^{-2 t}"), "in `t`"),),
         "checks": CHECKS[:1],
         "status": status,
         "reason": "",
@@ -98,7 +102,7 @@ def hostile() -> SolutionView:
     bad = part(
         "a", Status.FAILED, title=ATTACK, method_title=ATTACK, source=ATTACK, marks=ATTACK, question=texts, given=texts,
         steps=(worded(ATTACK, texts, worded(ATTACK, texts)),), reason=texts,
-        answers=(AnswerView("Phi", ATTACK, rf"\text{{{ATTACK}}}", ATTACK, None),),
+        answers=(answer("Phi", ATTACK, rf"\text{{{ATTACK}}}", ATTACK),),
         checks=(CheckRow(texts, ATTACK, ATTACK, ATTACK, CheckStatus.SKIPPED, texts),),
     )  # fmt: skip
     return SolutionView(ATTACK, ATTACK, texts, texts, (bad, bad), Status.FAILED)

@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 import base64
-import re
 from collections.abc import Iterable
 from functools import lru_cache
 from html import escape
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from solver import resources
+from solver import __version__, resources
 from solver.derivation import CheckStatus
 from solver.render.mathml import MathError, formula
 from solver.render.prose import inline_html, to_html
-from solver.render.view import AnswerView, CheckRow, PartView, SolutionView
+from solver.render.view import CheckRow, PartView, SolutionView
 
 FONT = "fonts/solve-math.woff2"
 
@@ -28,7 +26,7 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src
 NARROW = 14.0
 """Width in em that fits on a phone; a wider formula gets a box that scrolls and can be reached by keyboard."""
 
-PAPER = 34.0, 52.0
+PAPER = 40.0, 52.0
 """Widths in em beyond which a formula is printed smaller, and smaller still: paper does not scroll."""
 
 
@@ -47,7 +45,7 @@ def render_page(
         name=name,
         detail=detail,
         language=language,
-        version=_version(),
+        version=__version__,
         policy=POLICY,
         style=Markup(style.replace("</", "<\\/")),  # noqa: S704 - our own file; nothing in it can end the element
     )
@@ -81,11 +79,6 @@ def inline(markdown: str) -> Markup:
     return Markup(inline_html(markdown, drawn))  # noqa: S704 - as above
 
 
-def breakable(text: str) -> Markup:
-    """Return text such as numpy.linalg.eigvals, which may be broken after its dots and underscores."""
-    return Markup(re.sub(r"([._])(?=\w)", r"\1<wbr>", escape(text)))  # noqa: S704 - escaped
-
-
 def displayed(latex: str) -> Markup:
     """Return LaTeX as a displayed formula."""
     return Markup(drawn(latex, True))  # noqa: S704 - escaped by `drawn`
@@ -94,11 +87,6 @@ def displayed(latex: str) -> Markup:
 def short(latex: str) -> Markup:
     """Return LaTeX as a formula in a line."""
     return Markup(drawn(latex, False))  # noqa: S704 - escaped by `drawn`
-
-
-def answer(view: AnswerView) -> Markup:
-    """Return an answer as the equation "symbol = value"."""
-    return displayed(f"{view.symbol} = {view.tex}" if view.symbol else view.tex)
 
 
 def tally(checks: Iterable[CheckRow]) -> str:
@@ -126,10 +114,8 @@ def _environment(templates: Path | None) -> Environment:
     filters: dict[str, Any] = {
         "prose": prose,
         "inline": inline,
-        "breakable": breakable,
         "displayed": displayed,
         "short": short,
-        "answer": answer,
         "tally": tally,
         "of_method": of_method,
     }
@@ -142,10 +128,3 @@ def _font() -> str:
     """Return the math font as a data URI."""
     content = (resources.root("templates") / "html" / FONT).read_bytes()
     return "data:font/woff2;base64," + base64.b64encode(content).decode("ascii")
-
-
-def _version() -> str:
-    try:
-        return version("solve-control")
-    except PackageNotFoundError:  # run from a checkout that is not installed
-        return ""

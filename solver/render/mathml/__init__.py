@@ -91,7 +91,9 @@ def _width(element: Element) -> float:
         case "mspace":
             width = float((element.get("width") or "0").rstrip("emx"))
         case "mfrac" | "munder" | "mover" | "munderover":
-            width = max(widths)
+            width = max(widths) + 0.25
+        case "msqrt":
+            width = sum(widths) + 0.9
         case "msub" | "msup" | "mroot":
             width = widths[0] + 0.7 * widths[1]
         case "msubsup":

@@ -1,0 +1,302 @@
+r"""Formulas as MathML: the structure of what is drawn, and what is refused."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from solver.render import math_check
+from solver.render.mathml import ATTRIBUTES, ELEMENTS, MathError, formula, mathml
+from solver.render.mathml.commands import COMMANDS
+
+
+def shape(latex: str, display: bool = True) -> str:
+    """Return the formula without `<math>`, without its outermost row, with `<mi>x</mi>` written as x."""
+    markup = mathml(latex, display)
+    markup = re.sub(r"^<math[^>]*>|</math>$", "", markup)
+    markup = re.sub(r'<m[ino](?: mathvariant="normal")?>([^<>]+)</m[ino]>', r"\1", markup)
+    return re.sub(r"^<mrow>(.*)</mrow>$", r"\1", markup)
+
+
+def tree(latex: str, display: bool = False) -> ElementTree.Element:
+    """Return the formula as XML; what is not well-formed raises."""
+    return ElementTree.fromstring(mathml(latex, display))  # noqa: S314 - written by the code under test
+
+
+def text(latex: str) -> str:
+    return "".join(tree(latex).itertext())
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\frac{a}{b}", "<mfrac>ab</mfrac>"),
+        (r"\sqrt{2}", "<msqrt>2</msqrt>"),
+        (r"\sqrt[3]{x}", "<mroot>x3</mroot>"),
+        (r"x_{1}^{2}", "<msubsup>x12</msubsup>"),
+        (r"\lambda", "λ"),
+        (r"\sim\;\le\;\implies", '∼<mspace width="0.278em"></mspace>≤<mspace width="0.278em"></mspace>⇒'),
+        (r"A^\top", "<msup>A⊤</msup>"),
+        (r"\boxed{x}", '<mrow style="border:1px solid;padding:0.25em 0.4em">x</mrow>'),
+        (r"\mathrm{rank}", "rank"),
+        (r"2 ex", "2<mrow></mrow>ex"),
+    ],
+)
+def test_structure(latex: str, expected: str) -> None:
+    assert shape(latex) == expected
+
+
+def test_a_formula_carries_its_source_and_says_whether_it_is_displayed() -> None:
+    assert mathml("a <\n b", True).startswith('<math display="block" alttext="a &lt; b">')
+    assert mathml('"').startswith('<math alttext="&quot;">')
+
+
+@pytest.mark.parametrize(
+    ("latex", "left", "right"),
+    [(r"\begin{bmatrix}1\end{bmatrix}", "[", "]"), (r"\begin{pmatrix}1\end{pmatrix}", "(", ")"),
+     (r"\begin{vmatrix}1\end{vmatrix}", "|", "|"), (r"\begin{Bmatrix}1\end{Bmatrix}", "{", "}"),
+     (r"\left[\begin{matrix}1\end{matrix}\right]", "[", "]")],
+)  # fmt: skip
+def test_brackets_stretch_with_their_matrix_and_with_nothing_else(latex: str, left: str, right: str) -> None:
+    fences = '<mo stretchy="true" fence="true" form="{}">{}</mo>'
+    row = f"<mrow>{fences.format('prefix', left)}<mtable><mtr><mtd><mn>1</mn></mtd></mtr></mtable>"
+    assert f"{row}{fences.format('postfix', right)}</mrow>" in mathml(rf"\frac{{1}}{{2}} {latex}^{{-1}} x")
+
+
+def cells(latex: str) -> list[list[str]]:
+    table = next(tree(latex).iter("mtable"))
+    return [["".join(cell.itertext()) for cell in row] for row in table]
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"\begin{bmatrix} a & b \\ c & \end{bmatrix}", [["a", "b"], ["c", ""]]),
+        (r"\begin{bmatrix} a & \\ & \end{bmatrix}", [["a", ""], ["", ""]]),
+        (r"\begin{bmatrix} a \\[6pt] b \\ \end{bmatrix}", [["a"], ["b"]]),
+        (r"\begin{bmatrix} {c} & [1] \\ [2] & {l} \end{bmatrix}", [["c", "[1]"], ["[2]", "l"]]),
+        (r"\begin{aligned} a &= b \\ &= c \end{aligned}", [["a", "=b"], ["", "=c"]]),
+        (r"\begin{cases} 0 & t < 0 \\ 1 & t \ge 0 \end{cases}", [["0", "t<0"], ["1", "t≥0"]]),
+        (r"\begin{array}{c|c} \hline s^{2} & 1 \\ s & \\ \hline \end{array}", [["s2", "1"], ["s", ""]]),
+    ],
+)  # fmt: skip
+def test_no_cell_of_a_table_is_lost(latex: str, expected: list[list[str]]) -> None:
+    assert cells(latex) == expected
+
+
+def test_lines_of_an_array_are_borders_of_its_cells() -> None:
+    table = next(tree(r"\begin{array}{|cc|c} 1&2&3\\ \hline 4&5&6 \\ \hline \end{array}").iter("mtable"))
+    styles = [[cell.get("style", "") for cell in row] for row in table]
+    assert ["border-right" in style for style in styles[0]] == [False, True, False]
+    assert ["border-left" in style for style in styles[1]] == [True, False, False]
+    assert all("border-top" in style and "border-bottom" in style for style in styles[1])
+    assert not any("border-top" in style or "border-bottom" in style for style in styles[0])
+
+
+def test_equations_are_aligned_at_their_signs() -> None:
+    markup = mathml(r"\begin{aligned} a &= b & c &= d \end{aligned}")
+    styles = re.findall(r'<mtd style="([^"]*)">', markup)
+    assert [style.split(";")[0] for style in styles] == ["text-align:right", "text-align:left"] * 2
+    assert "padding-left:2em" in styles[2]
+
+
+@pytest.mark.parametrize(
+    ("latex", "forms"),
+    [
+        ("-1", ["prefix"]), ("x - 1", [None]), ("x = -1", ["prefix"]), ("(-1)", ["prefix"]), ("(a) - 1", [None]),
+        (r"a, -b", ["prefix"]), (r"\lvert x \rvert - 1", [None]), (r"\lvert -1 \rvert", ["prefix"]),
+        (r"\begin{bmatrix} -1 & a - b \end{bmatrix}", ["prefix", None]), (r"e^{-t}", ["prefix"]),
+        (r"1 + \cdots - 2", [None]),
+        (r"x' - 1", [None]), (r"a \; - b", [None]), (r"\frac{-1}{2} - 3", ["prefix", None]),
+        (r"\sin - x", ["prefix"]),
+        (r"\begin{aligned} x &= 1 \\ &- 2 \end{aligned}", [None]), (r"\left[ -1 \right] - 2", ["prefix", None]),
+    ],
+)  # fmt: skip
+def test_a_sign_is_prefix_or_binary(latex: str, forms: list[str | None]) -> None:
+    minus = [mo for mo in tree(latex).iter("mo") if mo.text == "−"]
+    assert [mo.get("form") for mo in minus] == forms
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [
+        (r"2\cos t", "2_cos_t"), (r"\sin(t)", "sin(t)"), (r"e^{t}\sin^{2} t", "et_sin2_t"),
+        (r"a + \sin t", "a+sin_t"),
+        (r"\operatorname{adj}(A)\det A", "adj(A)_det_A"), (r"\det\begin{bmatrix}1\end{bmatrix}", "det_[1]"),
+        (r"\operatorname{rank} A", "rank_A"), (r"\lim_{t \to 0} f", "limt→0_f"), (r"\ln -x", "ln−x"),
+    ],
+)  # fmt: skip
+def test_names_of_functions_keep_their_distance(latex: str, expected: str) -> None:
+    drawn = tree(latex, True)
+    for space in drawn.iter("mspace"):
+        assert space.get("width") == "0.167em"
+        space.text = "_"
+    assert "".join(drawn.itertext()) == expected
+
+
+@pytest.mark.parametrize("name", [r"\lim", r"\max", r"\sup", r"\det", r"\sum", r"\prod", r"\operatorname*{argmin}"])
+def test_limits_stand_below_in_display_style(name: str) -> None:
+    drawn = tree(rf"\left( {name}_{{i}} x_{{i}} \right)", True)
+    assert [base[0].get("movablelimits") for base in drawn.iter("munder")] == ["true"]
+    assert len(list(drawn.iter("msub"))) == 1
+
+
+def test_limits_of_an_integral_stand_beside_it() -> None:
+    assert shape(r"\int_0^\infty") == "<msubsup>∫0∞</msubsup>"
+
+
+@pytest.mark.parametrize(
+    ("latex", "expected"),
+    [(r"\mathbf{x}", "𝐱"), (r"\mathbf{AB}", "𝐀𝐁"), (r"\mathbf{\Phi}", "𝚽"), (r"\boldsymbol{\xi}", "𝝃"),
+     (r"\bm{A}", "𝑨"),
+     (r"\mathbb{R}", "ℝ"), (r"\mathbb R", "ℝ"), (r"\mathcal{L}", "ℒ"), (r"\mathcal C", "𝒞"), (r"\mathbf{0}", "𝟎"),
+     (r"\mathfrak{g}", "𝔤"), (r"\mathcal{Z}^{-1}", "𝒵−1")],
+)  # fmt: skip
+def test_shapes_of_letters_are_characters(latex: str, expected: str) -> None:
+    assert text(latex) == expected
+
+
+@pytest.mark.parametrize("latex", [r"\Phi", r"\mathrm{d}", r"\infty", r"\partial"])
+def test_letters_that_are_upright(latex: str) -> None:
+    assert '<mi mathvariant="normal">' in mathml(latex + " t")
+
+
+@pytest.mark.parametrize("latex", [r"\pm", r"\leqslant", r"\langle", r"\Rightarrow", r"\mapsto", r"\perp", r"\times"])
+def test_operators_are_operators(latex: str) -> None:
+    assert len(list(tree(f"a {latex} b").iter("mo"))) == 1
+
+
+@pytest.mark.parametrize(
+    "latex", [r"\dot{x}", r"\ddot{x}", r"\hat{x}", r"\tilde{x}", r"\bar{x}", r"\vec{x}", r"\dot{\hat{x}}"]
+)
+def test_accents(latex: str) -> None:
+    assert mathml(latex).split(">", 1)[1].startswith('<mover accent="true">')
+
+
+def test_a_letter_under_an_accent_loses_its_dot() -> None:
+    assert text(r"\dot{i}") == "𝚤˙"
+
+
+def test_primes_stand_after_their_letter() -> None:
+    assert text("x''(t) + x_1'") == "x″(t)+x1′"
+    assert "msup" not in mathml("x''(t) + x_1'")
+
+
+@pytest.mark.parametrize("latex", [r"|x|", r"\lvert x \rvert", r"\left| x \right|"])
+def test_bars_open_and_close(latex: str) -> None:
+    bars = [mo.get("form") for mo in tree(latex).iter("mo")]
+    assert bars == ["prefix", "postfix"]
+
+
+def test_formulas_inside_text_are_drawn() -> None:
+    assert text(r"\text{if $x_{1} > 0$, by 50\%}") == "if\xa0x1>0,\xa0by\xa050%"
+
+
+@pytest.mark.parametrize("command", sorted(math_check._WITHOUT_ARGUMENT - {"limits", "nolimits", "backslash"}))
+def test_every_command_of_the_dialect_is_drawn(command: str) -> None:
+    assert "\\" not in text(rf"x \{command} y")
+
+
+@pytest.mark.parametrize("command", sorted(math_check._WITH_ONE | math_check._WITH_TEXT))
+def test_every_command_with_one_argument_is_drawn(command: str) -> None:
+    drawn = text(rf"\{command}{{x}}")
+    assert drawn
+    assert "\\" not in drawn
+
+
+@pytest.mark.parametrize("command", sorted(math_check._WITH_TWO))
+def test_every_command_with_two_arguments_is_drawn(command: str) -> None:
+    assert sorted(text(rf"\{command}{{x}}{{y}}").strip("()")) == ["x", "y"]
+
+
+@pytest.mark.parametrize("name", sorted(math_check._ENVIRONMENTS))
+def test_every_environment_of_the_dialect_is_drawn(name: str) -> None:
+    columns = "{cc}" if name == "array" else ""
+    assert cells(rf"\begin{{{name}}}{columns} a & b \\ c & \end{{{name}}}") == [["a", "b"], ["c", ""]]
+
+
+@pytest.mark.parametrize(
+    ("latex", "reason"),
+    [
+        (r"\foo", r"\foo is not known"), (r"\href{javascript:alert(1)}{x}", r"\href is not known"),
+        (r"\unicode{x3c}", "not known"), (r"\class{a}{b}", "not known"), (r"\style{color:red}{b}", "not known"),
+        (r"\def\x{1}\x", "not known"), (r"\newcommand{\x}{1}", "not known"), (r"\input{/etc/passwd}", "not known"),
+        (r"\color{red} x", "not known"), (r"\rule{1em}{1em}", "not known"), (r"\verb|<b>|", "not known"),
+        (r"\begin{tabular}{c}a\end{tabular}", "tabular is not known"),
+        (r"\begin{array}a\end{array}", "needs its columns"),
+        ("{x", "{ is not closed"), ("x}", "} closes nothing"), (r"\left( x", r"\left is not closed"),
+        (r"x \right)", r"\right closes nothing"), (r"\left x \right)", "needs a bracket"),
+        (r"\left( x \right", "needs a bracket"),
+        (r"\begin{bmatrix} 1", "bmatrix is not closed"), (r"\begin{bmatrix} 1 \end{pmatrix}", "closes nothing"),
+        (r"\begin{bmatrix} {1 \end{bmatrix} }", "closes nothing"), (r"a & b", "outside a matrix"),
+        (r"a \\ b", "outside a matrix"),
+        (r"\frac{a & b}{c}", "outside a matrix"), (r"\hline", "outside a matrix"), ("x^", "cannot be read"),
+        (r"\frac{1}", "mfrac"), ("x^a^b", "cannot be read"), ("a $ b", r"write \$"), ("a # b", r"write \#"),
+        ("a % b", r"write \%"),
+        ("&#60;", "character reference"), ("a\u202eb", "U+202E"), ("a\x00b", "U+0000"), ("\ue000", "U+E000"),
+        ("{" * 61 + "}" * 61, "nested more than"), ("x" * 60_001, "longer than"), (r"\text x", "needs braces"),
+        (r"\text{a {b} c}", "inside text"), (r"\text{\foo}", "inside text"), (r"\text{$\foo$}", r"\foo is not known"),
+        (r"\limits_a", "cannot be read"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_drawn_is_refused(latex: str, reason: str) -> None:
+    with pytest.raises(MathError, match=re.escape(reason)):
+        mathml(latex)
+
+
+@pytest.mark.parametrize(
+    "attack",
+    ["<svg/onload=alert(1)>", "</math><script>alert(1)</script>", "<!--", "&lt;b&gt;", "a\" onclick=\"b", "]]>"],
+)  # fmt: skip
+@pytest.mark.parametrize(
+    "place", [r"\text{%s}", r"\textbf{%s}", r"\mathrm{x}\text{$y$ %s}", "x %s", r"\operatorname{%s}"]
+)
+def test_text_cannot_become_markup(attack: str, place: str) -> None:
+    try:
+        drawn = tree(place % attack)
+    except MathError:
+        return
+    assert {element.tag for element in drawn.iter()} <= ELEMENTS
+    assert not [name for element in drawn.iter() for name in element.attrib if name.startswith("on")]
+    assert "<" not in re.sub(r"</?m[a-z]+( [a-z]+=\"[^\"<>]*\")*>", "", mathml(place % attack))
+
+
+PIECES = [
+    *sorted(COMMANDS), "{", "}", "[", "]", "&", r"\\", "^", "_", "'", "|", "<", ">", '"', "x", "1", "-", " ",
+    ".", "é", "α",
+    r"\begin{bmatrix}", r"\end{bmatrix}", r"\begin{array}{c|c}", r"\end{array}", r"\begin{aligned}", r"\end{aligned}",
+    r"\left(", r"\right)", r"\left.", r"\right|", r"\hline", r"\text{a<b}", r"\operatorname{adj}", r"\lvert", r"\rvert",
+    r"\mathbf", r"\\[6pt]", "&lt;", r"\script", "<script>",
+]  # fmt: skip
+
+
+@given(st.lists(st.sampled_from(PIECES), max_size=12), st.booleans())
+def test_whatever_is_written_is_drawn_from_the_list_or_refused(pieces: list[str], display: bool) -> None:
+    try:
+        drawn = tree("".join(pieces), display)
+    except MathError:
+        return
+    for element in drawn.iter():
+        assert element.tag in ELEMENTS
+        assert set(element.attrib) <= {*ATTRIBUTES, "display", "alttext"}
+
+
+@given(st.text(max_size=30))
+def test_any_text_at_all_is_drawn_or_refused(written: str) -> None:
+    try:
+        tree(written)
+    except MathError:
+        return
+
+
+def test_widths_grow_with_the_formula() -> None:
+    widths = [
+        formula(latex).width
+        for latex in ("x", "x + 1", r"\frac{x + 1}{2}", r"\begin{bmatrix} x + 1 & x + 1 \end{bmatrix}")
+    ]
+    assert widths == sorted(widths)
+    assert widths[0] == 0.5
