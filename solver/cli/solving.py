@@ -74,8 +74,8 @@ def _guarded(request: Request, file: str, meter: Meter) -> int:
     except click.ClickException as error:
         click.echo(f"{file}: error: {error.format_message()}", err=True)
         return error.exit_code
-    except OSError:
-        raise  # a closed pipe concerns all files
+    except BrokenPipeError:
+        raise  # it concerns all files
     except Exception as bug:  # noqa: BLE001 - the boundary of a file: a bug in one must not stop the rest
         return report_bug(bug, file)
     finally:

@@ -1,0 +1,94 @@
+"""`solve tasks`, `solve new`, `solve schema`: what can be asked."""
+
+import json
+
+import pytest
+from jsonschema import Draft202012Validator
+
+from solver.cli.catalogue_text import described
+from solver.derivation import (
+    Channel,
+    Choice,
+    Expression,
+    ExpressionList,
+    Flag,
+    Integer,
+    MatrixOf,
+    Names,
+    Number,
+    Poles,
+    TransferFunctionOption,
+)
+from solver.derivation.options import OptionKind
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.tasks import catalogue
+
+TASKS = sorted(catalogue())
+
+
+def test_every_task_is_listed_under_its_group(solve):
+    out = solve("tasks").out
+    group = ""
+    found = {}
+    for line in out.splitlines():
+        if line and not line.startswith((" ", "`")):
+            group = line
+        elif line:
+            found[line.split()[0]] = group
+    assert {name: task.group for name, task in catalogue().items()}.items() <= found.items()
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_all_about_a_task_is_told(solve, name):
+    task = catalogue()[name]
+    done = solve("tasks", name)
+    assert done.code == 0
+    words = done.out.split()
+    assert {*task.options, *task.answers} <= set(words)
+    assert set(task.methods) - {name} <= set(words)
+    assert max(map(len, done.out.splitlines())) <= 100
+
+
+KINDS = {
+    Integer(): "a whole number",
+    Integer(1, 12): "a whole number from 1 to 12",
+    Integer(1): "a whole number from 1",
+    Integer(None, 3): "a whole number up to 3",
+    Choice(("left", "right")): "one of left, right",
+    Flag(): "true or false",
+    Number(): "a number",
+    Number(percent=True): 'a number, or a percentage such as "14%"',
+    Expression(("t",)): "an expression in t",
+    ExpressionList(("t", "k")): "an expression or a list of them, in t, k",
+    Poles(): 'a list of poles, "-3 ± 2j" for a pair',
+    MatrixOf("m", "n"): "a matrix m×n; a flat list is a row",
+    MatrixOf(flat="column"): "a matrix; a flat list is a column",
+    Channel("input"): "an input by number from 1 or by name",
+    Channel("state"): "a state by number from 1 or by name",
+    Names(): "a list of names",
+    TransferFunctionOption(): "a transfer function",
+}
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=str)
+def test_each_kind_of_option_is_described(kind):
+    assert described(kind) == KINDS[kind]
+
+
+def test_no_kind_of_option_is_forgotten():
+    assert {type(kind) for kind in KINDS} == set(OptionKind.__args__)
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_a_new_problem_can_be_read_and_agrees_with_the_schema(solve, tmp_path, name):
+    assert solve("new", name, "-o", "mine.yaml").out == "wrote mine.yaml; solve it with: solve mine.yaml\n"
+    text = (tmp_path / "mine.yaml").read_text(encoding="utf-8")
+    assert text == solve("new", name).out
+    assert read_problem(Source("mine.yaml", text), catalogue()).parts[0].task == name
+
+
+def test_the_schema_is_a_schema(solve):
+    schema = json.loads(solve("schema").out)
+    Draft202012Validator.check_schema(schema)
+    assert set(TASKS) <= set(schema["$defs"]["Part"]["properties"]["task"]["enum"])

@@ -1,0 +1,54 @@
+"""What only lists or explains imports no algebra; the same input gives the same bytes."""
+
+import pytest
+from small_problems import GOOD
+
+HEAVY = ("sympy", "numpy", "scipy", "rich", "jinja2", "latex2mathml", "matplotlib", "yaml", "markdown_it")
+TOLD = """
+import sys
+from solver.cli import main
+code = main({words!r})
+print(sorted({heavy!r} & sys.modules.keys()), code, file=sys.stderr)
+"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--help"],
+        ["run", "--help"],
+        ["--version"],
+        ["tasks"],
+        ["tasks", "state_transition_matrix"],
+        ["chekc"],
+        ["check"],
+    ],
+)
+def test_what_only_explains_imports_nothing_heavy(process, words):
+    done = process(code=TOLD.format(words=words, heavy={*HEAVY, "pydantic"}))
+    assert done.err.splitlines()[-1].startswith("[] ")
+
+
+def test_a_template_and_the_schema_need_no_algebra(process):
+    for words in (["schema"], ["new", "state_transition_matrix"]):
+        done = process(code=TOLD.format(words=words, heavy={"sympy", "numpy", "scipy", "rich", "matplotlib"}))
+        assert done.err.splitlines()[-1] == "[] 0"
+
+
+def test_solving_does_not_import_what_only_figures_need(process, good):
+    done = process(code=TOLD.format(words=["good.yaml"], heavy={"matplotlib", "control", "pandas", "IPython"}))
+    assert done.err.splitlines()[-1] == "[] 0"
+
+
+@pytest.mark.parametrize("format_", ["html", "latex", "md", "json", "text"])
+def test_the_same_file_gives_the_same_bytes_in_another_process(process, good, format_):
+    first, second = (
+        process("good.yaml", "-f", format_, "-o", "-", "--detail", "tutor", PYTHONHASHSEED=seed) for seed in ("1", "2")
+    )
+    assert first.code == second.code == 0
+    assert len(first.out) > len(GOOD)
+    assert first.out == second.out
+
+
+def test_python_dash_m_is_the_command(process):
+    assert process("--version").out.startswith("solve, version ")

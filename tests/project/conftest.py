@@ -1,0 +1,6 @@
+"""Makes the tools of the project importable."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "tools"))
