@@ -1,0 +1,90 @@
+"""The catalogue is whole: every step kind has wording, every task an example, and nothing is left over."""
+
+import ast
+import inspect
+import subprocess
+import sys
+from importlib import import_module
+from pathlib import Path
+from pkgutil import walk_packages
+
+import pytest
+from jinja2 import Environment, nodes
+
+import solver.engine
+import solver.tasks
+from solver.resources import root
+from solver.tasks import catalogue
+
+WORDING = root("templates") / "wording"
+MODULES = [import_module(info.name) for info in walk_packages(solver.tasks.__path__, "solver.tasks.")] + [solver.engine]
+
+
+def kinds_of(module) -> set[str]:
+    """Every kind of step that a module can emit, read from its text: Step("kind", ...) or kind = "a" if ..."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(inspect.getsource(module))):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Step":
+            found |= words_in(node.args[0])
+        if isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "kind":
+            found |= words_in(node.value)
+    return found
+
+
+def words_in(node: ast.expr) -> set[str]:
+    if isinstance(node, ast.IfExp):
+        return words_in(node.body) | words_in(node.orelse)
+    return {node.value} if isinstance(node, ast.Constant) and isinstance(node.value, str) else set()
+
+
+def wordings_of(module) -> set[str]:
+    """The wording files of a module's methods and lemmas."""
+    functions = [
+        value for value in vars(module).values() if inspect.isfunction(value) and value.__module__ == module.__name__
+    ]
+    return {function.wording for function in functions if hasattr(function, "wording")}
+
+
+def macros_of(wording: str) -> set[str]:
+    """The macros for steps; those with other arguments are helpers of the file."""
+    path = WORDING / f"{wording}.md.jinja"
+    if not path.exists():
+        return set()
+    macros = Environment(autoescape=True).parse(path.read_text(encoding="utf-8")).find_all(nodes.Macro)
+    return {macro.name for macro in macros if [argument.name for argument in macro.args] == ["v", "c"]}
+
+
+@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)
+def test_every_step_kind_has_a_macro_and_every_macro_a_step_kind(module):
+    macros = set().union(*(macros_of(wording) for wording in wordings_of(module)))
+    assert kinds_of(module) == macros
+
+
+def test_every_wording_file_belongs_to_a_method_or_lemma():
+    used = set().union(*(wordings_of(module) for module in MODULES)) | {f"{name}/question" for name in catalogue()}
+    files = {path.relative_to(WORDING).as_posix().removesuffix(".md.jinja") for path in WORDING.rglob("*.md.jinja")}
+    assert files <= used
+
+
+@pytest.mark.parametrize("task", catalogue().values(), ids=lambda task: task.name)
+def test_every_task_is_documented_and_asked_in_a_problem(task):
+    asked = "\n".join(path.read_text(encoding="utf-8") for path in root("problems").rglob("*.yaml"))
+    assert task.doc
+    assert all(answer.doc and answer.symbol for answer in task.answers.values())
+    assert all(option.doc for option in task.options.values())
+    assert all(method.derive.__doc__ for method in task.methods.values())
+    assert (WORDING / task.name / "question.md.jinja").is_file()
+    assert task.name in asked
+    assert all(method in asked for method in task.methods if len(task.methods) > 1)
+
+
+@pytest.mark.parametrize("task", catalogue().values(), ids=lambda task: task.name)
+def test_the_documented_commands_name_the_task(task):
+    guide = Path(__file__).parents[2] / "docs" / "user-guide.md"
+    assert f"`{task.name}`" in guide.read_text(encoding="utf-8")
+
+
+def test_the_catalogue_is_read_without_sympy():
+    heavy = "bool({'sympy', 'numpy'} & {*sys.modules})"
+    code = f"import sys; from solver.tasks import catalogue; catalogue(); sys.exit({heavy})"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,0 +1,72 @@
+"""Every problem in problems/ is solved, every check passes, and every format words it at every level of detail."""
+
+import json
+import re
+from functools import cache
+
+import pytest
+import sympy as sp
+
+from solver.derivation import CheckStatus, Status
+from solver.engine import solve_problem
+from solver.problem.files import load
+from solver.problem.reader import read_problem
+from solver.render.data import render_json
+from solver.render.latex_document import latex_document
+from solver.render.markdown import markdown_of
+from solver.render.numbers import NumberFormat
+from solver.render.page import render_page
+from solver.render.view import view_of
+from solver.render.wording import Wording
+from solver.resources import root
+from solver.tasks import catalogue
+
+CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|\*\*")
+"""What nobody would write: 1.0, - -2, + -, 1 · x, and remains of Python."""
+
+PROBLEMS = sorted(root("problems").rglob("*.yaml"))
+
+
+@cache
+def solved(path):
+    return solve_problem(read_problem(load(path), catalogue()))
+
+
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_the_problem_is_verified(path):
+    for part in solved(path).parts:
+        failed = [check for check in part.checks if check.status is not CheckStatus.PASSED]
+        assert part.status is Status.VERIFIED, (part.id, part.method, part.reason, failed)
+        assert not failed
+
+
+@pytest.mark.parametrize("detail", ["brief", "full", "tutor"])
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_every_format_shows_it_at_every_level_of_detail(path, detail):
+    solution = solved(path)
+    view = view_of(solution, Wording(NumberFormat.of(solution.problem.display), detail))
+    shown = [render_page(view), latex_document(view), markdown_of(view)]
+    for part in view.parts:
+        assert all(answer.symbol in shown[2] for answer in part.answers)
+        for formula in [step.markdown for step in part.steps] + [answer.tex for answer in part.answers]:
+            assert not CLUMSY.search(formula), formula
+    assert all(len(text) > 500 for text in shown)
+
+
+@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+def test_the_values_in_json_are_read_back_as_they_were(path):
+    solution = solved(path)
+    data = json.loads(render_json(solution))
+    names = {name: sp.Symbol(name) for name in data["symbols"]}
+    for result, part in zip(solution.parts, data["parts"], strict=True):
+        for name, answer in part["answers"].items():
+            ours, theirs = result.answers[name], sp.sympify(answer["value"], locals=names)
+            plain = {symbol: sp.Symbol(symbol.name) for symbol in getattr(ours, "free_symbols", ())}
+            if isinstance(ours, sp.MatrixBase):
+                point = {symbol: sp.Rational(7 + i, 5) for i, symbol in enumerate(sorted(theirs.free_symbols, key=str))}
+                point = {symbol: 3 if symbol.name == "k" else value for symbol, value in point.items()}
+                ours, theirs = (M.subs(point).evalf(20) for M in (ours.xreplace(plain), theirs))
+                assert all(abs(a - b) <= 1e-12 * max(1, abs(a)) for a, b in zip(ours, theirs, strict=True))
+            elif isinstance(ours, bool):
+                assert theirs in (sp.true, sp.false)
+                assert bool(theirs) is ours
