@@ -41,9 +41,14 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(text=_line_of_text, line=inline_latex, prose=to_latex)
+    environment.filters.update(text=_line_of_text, line=inline_latex, prose=to_latex, breakable=_breakable)
     return environment
 
 
 def _line_of_text(text: str) -> str:
     return escaped(" ".join(str(text).split()))
+
+
+def _breakable(latex: str) -> str:
+    """Allow a line break after the dots and underscores of a function's name."""
+    return latex.replace(r"\_", r"\_\allowbreak{}").replace(".", r".\allowbreak{}")

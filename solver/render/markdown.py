@@ -27,8 +27,8 @@ def _harmless(markdown: str) -> str:
 
 
 def _part(part: PartView) -> Iterator[str]:
-    marks = f" [{part.marks} marks]" if part.marks else ""
-    yield f"## ({plain(part.id)}) {plain(part.title)}{plain(marks)}"
+    marks = f" ({plain(part.marks)} marks)" if part.marks else ""
+    yield f"## ({plain(part.id)}) {plain(part.title)}{marks}"
     yield _harmless(part.question)
     yield part.given
     if part.method_title != part.title or part.source:

@@ -40,7 +40,8 @@ MATH_TOKENS = {"math_inline": False, "math_inline_double": True, "math_block": T
 """The parser's tokens for formulas, and whether they are displayed."""
 
 _ALLOWED_LINK = re.compile(r"(https?://|mailto:|#)", re.IGNORECASE)
-_MARKDOWN_SIGNS = re.compile(r"([\\`*_{}\[\]()#+\-.!|$<>~&])")
+_MARKDOWN_SIGNS = re.compile(r"([\\`*_\[\]|$<>~&])")
+_AT_LINE_START = re.compile(r"^()([#+\-=])|^(\d+)([.)])(?=\s|$)")
 _HIGHEST_HEADING = 3  # the page's title and the parts have the two above
 
 
@@ -92,7 +93,8 @@ def math_problems(markdown: str) -> list[tuple[int, str]]:
 
 def plain(text: str) -> str:
     """Return text whose signs mean nothing in Markdown."""
-    return _MARKDOWN_SIGNS.sub(r"\\\1", " ".join(text.split()))
+    words = _MARKDOWN_SIGNS.sub(r"\\\1", " ".join(text.split()))
+    return _AT_LINE_START.sub(r"\1\3\\\2\4", words)
 
 
 @lru_cache(maxsize=1024)

@@ -56,7 +56,8 @@ def latex_of(tokens: Sequence[Token]) -> str:
 
 
 def _write(token: Token, tokens: Sequence[Token], index: int) -> str:
-    if token.level >= DEEPEST and token.type in _TOO_DEEP:
+    level = token.level - token.type.startswith("list_item")  # an item is as deep as its list
+    if level >= DEEPEST and token.type in _TOO_DEEP:
         return _TOO_DEEP[token.type]
     if token.type in _FIXED:
         return _FIXED[token.type]

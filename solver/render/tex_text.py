@@ -6,7 +6,7 @@ import unicodedata
 
 from solver.render.math_check import GREEK_LETTERS
 
-_SPECIAL = {
+SPECIAL = {
     "\\": r"\textbackslash{}",
     "{": r"\{",
     "}": r"\}",
@@ -26,7 +26,7 @@ _SPECIAL = {
     "\u00a0": "~",
 }
 
-_MATH = {
+MATH = {
     **{letter: f"\\{name}" for letter, name in GREEK_LETTERS.items()},
     **{
         "≤": r"\le",
@@ -55,12 +55,12 @@ def escaped(text: str) -> str:
 
 
 def _letter(letter: str) -> str:
-    if letter in _SPECIAL:
-        return _SPECIAL[letter]
+    if letter in SPECIAL:
+        return SPECIAL[letter]
     if " " <= letter <= "~" or letter in _PUNCTUATION:
         return letter
-    if letter in _MATH:
-        return f"\\ensuremath{{{_MATH[letter]}}}"
+    if letter in MATH:
+        return f"\\ensuremath{{{MATH[letter]}}}"
     if "\u00a1" <= letter <= "\u017f" and letter not in _WITHOUT_GLYPH:
         return letter
     return _replacement(letter)
@@ -69,7 +69,7 @@ def _letter(letter: str) -> str:
 def _replacement(letter: str) -> str:
     base = unicodedata.normalize("NFKD", letter)[0]
     if base != letter and base.isascii() and base.isprintable():
-        return _SPECIAL.get(base, base)
+        return SPECIAL.get(base, base)
     if unicodedata.category(letter)[0] in "CM":
         return ""
     name = unicodedata.name(letter, f"U+{ord(letter):04X}").lower()

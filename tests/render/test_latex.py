@@ -2,7 +2,25 @@
 
 import pytest
 import sympy as sp
-from sympy import Abs, And, Eq, Heaviside, I, KroneckerDelta, Matrix, Or, Poly, Rational, cos, exp, log, oo, pi, sin, sqrt
+from sympy import (
+    Abs,
+    And,
+    Eq,
+    Heaviside,
+    I,
+    KroneckerDelta,
+    Matrix,
+    Or,
+    Poly,
+    Rational,
+    cos,
+    exp,
+    log,
+    oo,
+    pi,
+    sin,
+    sqrt,
+)
 
 from solver.render.latex import tex, tex_answer
 from solver.render.numbers import NumberFormat
@@ -29,7 +47,10 @@ EXACT = [
     (exp(-2 * s) / s, r"\frac{e^{-2s}}{s}"),
     # sines
     (exp(-t) * sin(2 * t) / 2 + exp(-t) * cos(2 * t), r"e^{-t}\cos(2t) + \frac{1}{2}e^{-t}\sin(2t)"),
-    (sqrt(3) * exp(-t / 2) * sin(sqrt(3) * t / 2) / 3, r"\frac{\sqrt{3}}{3}e^{-t/2}\sin\left(\frac{\sqrt{3}}{2}t\right)"),
+    (
+        sqrt(3) * exp(-t / 2) * sin(sqrt(3) * t / 2) / 3,
+        r"\frac{\sqrt{3}}{3}e^{-t/2}\sin\left(\frac{\sqrt{3}}{2}t\right)",
+    ),
     (cos(t) ** 2, r"\cos^{2}(t)"),
     (sin(t) / t, r"\frac{\sin(t)}{t}"),
     # polynomials

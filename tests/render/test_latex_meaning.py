@@ -25,7 +25,9 @@ FORMATS = [
 integers = st.integers(-6, 6)
 rationals = st.builds(sp.Rational, integers, st.integers(1, 8))
 floats = st.builds(sp.Float, st.floats(-50, 50).filter(lambda x: x == 0 or abs(x) > 1e-5))
-roots = st.sampled_from([sp.sqrt(2), sp.sqrt(5), (1 + sp.sqrt(5)) / 2, (1 - sp.sqrt(5)) / 2, sp.sqrt(2 + sp.sqrt(3)), sp.pi])
+roots = st.sampled_from(
+    [sp.sqrt(2), sp.sqrt(5), (1 + sp.sqrt(5)) / 2, (1 - sp.sqrt(5)) / 2, sp.sqrt(2 + sp.sqrt(3)), sp.pi]
+)
 numbers = st.one_of(rationals, roots, st.builds(lambda x, y: x * y, rationals, roots), floats)
 complexes = st.builds(lambda x, y: x + y * sp.I, numbers, numbers)
 symbols = st.sampled_from([s, t, lamda, a, b, k_1])
@@ -55,8 +57,10 @@ def factors(rates):
 terms = st.lists(factors(st.one_of(numbers, st.builds(lambda x: x * a, rationals))), min_size=1, max_size=4).map(
     lambda parts: sp.Mul(*parts)
 )
-expressions = st.lists(terms, min_size=1, max_size=4).map(lambda parts: sp.Add(*parts)).filter(
-    lambda e: e.is_finite is not False and not e.has(sp.nan, sp.zoo, sp.oo)
+expressions = (
+    st.lists(terms, min_size=1, max_size=4)
+    .map(lambda parts: sp.Add(*parts))
+    .filter(lambda e: e.is_finite is not False and not e.has(sp.nan, sp.zoo, sp.oo))
 )
 
 

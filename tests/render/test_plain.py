@@ -12,7 +12,9 @@ LOCALS = {name: sp.Symbol(name) for name in NAMES}
 
 numbers = st.one_of(
     st.builds(sp.Rational, st.integers(-99, 99), st.integers(1, 60)),
-    st.sampled_from([sp.sqrt(2), (1 - sp.sqrt(5)) / 2, sp.I, 2 - 3 * sp.I, sp.pi, sp.E, sp.sqrt(2 + sp.sqrt(3)), sp.oo]),
+    st.sampled_from(
+        [sp.sqrt(2), (1 - sp.sqrt(5)) / 2, sp.I, 2 - 3 * sp.I, sp.pi, sp.E, sp.sqrt(2 + sp.sqrt(3)), sp.oo]
+    ),
 )
 symbols = st.sampled_from(list(LOCALS.values()))
 expressions = st.recursive(
@@ -43,7 +45,9 @@ def test_an_expression_is_read_back_exactly(expression):
     assert same(read(sympy_text(expression, free), free), expression)
 
 
-@given(st.integers(0, 3).flatmap(lambda c: st.lists(st.lists(expressions, min_size=c, max_size=c), min_size=1, max_size=3)))
+@given(
+    st.integers(0, 3).flatmap(lambda c: st.lists(st.lists(expressions, min_size=c, max_size=c), min_size=1, max_size=3))
+)
 def test_a_matrix_is_read_back_exactly(rows):
     matrix = sp.ImmutableMatrix(len(rows), len(rows[0]), [entry for row in rows for entry in row])
     free = {symbol.name: symbol for symbol in matrix.free_symbols}

@@ -67,7 +67,10 @@ TABLE = [
     (difference(s, -2), "s - (-2)"),
     (difference(s, a + 1), "s - (a + 1)"),
     (difference(product(s, s + 3), product(-1, 2)), "s(s + 3) - (-2)"),
-    (difference(a, product(Rational(-1, 4), Rational(-1, 10))), r"a - \left(-\frac{1}{4}\right)\left(-\frac{1}{10}\right)"),
+    (
+        difference(a, product(Rational(-1, 4), Rational(-1, 10))),
+        r"a - \left(-\frac{1}{4}\right)\left(-\frac{1}{10}\right)",
+    ),
     (quotient(M, s**2 + 1), rf"\frac{{1}}{{s^{{2}} + 1}}{m}"),
     (quotient(product(-1, trace(M)), 2), rf"-\frac{{1}}{{2}}\operatorname{{tr}}{m}"),
     (quotient(a, 1), "a"),

@@ -1,0 +1,249 @@
+"""Whole documents: LaTeX that compiles, a deterministic PDF, Markdown, and what they say of failed and unsolved parts."""
+
+import os
+import re
+import shutil
+import subprocess
+
+import pytest
+import sympy as sp
+
+from solver.derivation import Answers, Check, CheckStatus, Claim, PartResult, Status, Step
+from solver.engine import Solution, solve_problem
+from solver.problem.model import Display, Part, Problem
+from solver.render import pdf
+from solver.render.latex_document import latex_document
+from solver.render.markdown import markdown_of
+from solver.render.numbers import NumberFormat
+from solver.render.view import check_rows, view_of
+from solver.render.wording import Wording
+from solver.systems import StateSpace
+
+t = sp.Symbol("t")
+A = sp.ImmutableMatrix([[0, 1], [-2, -3]])
+
+HOSTILE = r"""
+Text with % # & _ { } ~ ^ \ "quotes" -- <script>, ^^5cinput{x}, \input{/etc/passwd}, λ ≤ 中 🙂 and $\frac{1}{2}$.
+
+[ starts a paragraph
+
+| a | b |
+|---|--:|
+| [x] | $y$ |
+| 50% | `a_b` |
+
+1. one
+   - two
+     - three
+       - four
+         - five
+           - six
+
+> quoted
+
+$\input{x}$ and $$ \int_{0}^{1} x\,dx $$ inline.
+
+```
+code % \x
+[ more
+```
+[link](https://example.org/a_b?c=%20&d#e)
+"""
+
+
+def problem(statement="", **display):
+    plant = StateSpace(A, B=sp.ImmutableMatrix([0, 1]))
+    parts = (
+        Part("a", "state_transition_matrix", ("laplace", "cayley_hamilton"), plant, {}, marks=sp.Rational(7, 2)),
+        Part(
+            "b",
+            "eigenstructure",
+            ("eigenstructure",),
+            StateSpace(sp.ImmutableMatrix([[1, 2], [3, 4]])),
+            own_system=True,
+        ),
+    )
+    return Problem(
+        "demo",
+        "Title with 50% & $ _ \\",
+        parts,
+        plant,
+        source="Book, p. 3",
+        statement=statement,
+        display=Display(**display),
+    )
+
+
+@pytest.fixture(scope="module")
+def solution():
+    return solve_problem(problem())
+
+
+def wide_matrix(n):
+    return sp.ImmutableMatrix(n, n, lambda i, j: sum((i + 2 * j + m) * sp.exp(-m * t) for m in range(1, n + 1)))
+
+
+@pytest.fixture(scope="module")
+def troubled():
+    """A solution with everything that makes a document difficult."""
+    asked = problem(HOSTILE)
+    wide = Answers(Phi=wide_matrix(6))
+    failed = Check.within("$\\Phi$ | of `x` 50%", "scipy.linalg.expm_and_a_long_name", 0.5, 1e-9)
+    skipped = Check.skipped("$A$", "numpy", "no numbers for $a$ & b_c")
+    parts = (
+        PartResult(
+            "a",
+            "state_transition_matrix",
+            "laplace",
+            Status.FAILED,
+            wide,
+            (failed, skipped),
+            (),
+            "1 of 2 checks failed",
+        ),
+        PartResult("a", "state_transition_matrix", "cayley_hamilton", Status.VERIFIED, Answers(Phi=wide_matrix(3))),
+        PartResult(
+            "b", "eigenstructure", "eigenstructure", Status.UNSOLVED, reason="It is *singular*, $\\det A = 0$ & 100%."
+        ),
+    )
+    return Solution(asked, parts)
+
+
+def needs_tex():
+    if shutil.which("pdflatex") is None:
+        if os.environ.get("CI") == "true":
+            pytest.fail("pdflatex must be installed in CI")
+        pytest.skip("pdflatex is not installed")
+
+
+def log_of(latex, folder):
+    """Compile in a folder; return TeX's log."""
+    (folder / "solution.tex").write_text(latex, encoding="utf-8")
+    subprocess.run(pdf.engine(), cwd=folder, check=True, capture_output=True, timeout=60)
+    return (folder / "solution.log").read_text(encoding="utf-8", errors="replace")
+
+
+@pytest.mark.parametrize("detail", ["brief", "full", "tutor"])
+def test_a_solution_compiles_and_nothing_runs_off_the_page(solution, detail, tmp_path):
+    needs_tex()
+    log = log_of(latex_document(view_of(solution, Wording(detail=detail))), tmp_path)
+    assert not re.findall(r"Overfull \\hbox \((?!0\.)\d+", log)
+
+
+def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
+    needs_tex()
+    latex = latex_document(view_of(troubled))
+    log = log_of(latex, tmp_path)
+    assert not re.findall(r"Overfull \\hbox \((?:[2-9]\d|\d{3})", log)  # links and code may stick out a little
+    assert "/etc/passwd" not in log
+
+
+def test_the_same_solution_gives_the_same_pdf(solution):
+    needs_tex()
+    latex = latex_document(view_of(solution))
+    first, second = pdf.pdf_of(latex), pdf.pdf_of(latex)
+    assert first.startswith(b"%PDF")
+    assert first == second
+
+
+def test_tex_that_does_not_end_is_stopped():
+    needs_tex()
+    with pytest.raises(pdf.PdfUnavailable, match="longer than 1 s"):
+        pdf.pdf_of(r"\documentclass{article}\begin{document}\loop\iftrue\repeat\end{document}", seconds=1)
+
+
+def test_tex_reads_and_writes_no_other_files(tmp_path):
+    needs_tex()
+    secret = tmp_path / "secret.tex"
+    secret.write_text("SECRET", encoding="utf-8")
+    with pytest.raises(pdf.PdfUnavailable):
+        pdf.pdf_of(rf"\documentclass{{article}}\begin{{document}}\input{{{secret}}}\end{{document}}")
+    target = tmp_path / "written"
+    body = rf"\newwrite\f\immediate\openout\f={target}\immediate\write\f{{x}}\immediate\write18{{touch {target}2}}x"
+    with pytest.raises(pdf.PdfUnavailable):
+        pdf.pdf_of(rf"\documentclass{{article}}\begin{{document}}{body}\end{{document}}")
+    assert list(tmp_path.iterdir()) == [secret]
+
+
+def test_an_error_of_tex_is_told_in_one_line():
+    needs_tex()
+    with pytest.raises(pdf.PdfUnavailable, match=r"Undefined control sequence.*nosuchcommand"):
+        pdf.pdf_of(r"\documentclass{article}\begin{document}\nosuchcommand\end{document}")
+
+
+def test_without_tex_the_message_says_what_to_do(monkeypatch):
+    monkeypatch.setattr(shutil, "which", lambda _name: None)
+    with pytest.raises(pdf.PdfUnavailable, match="texlive-latex-recommended"):
+        pdf.pdf_of("x")
+
+
+def test_the_document_says_all_there_is(solution):
+    latex = latex_document(view_of(solution))
+    for part in (
+        r"Title with 50\% \& \$ \_",
+        "Book, p. 3",
+        "3.5 marks",
+        "Cayley–Hamilton theorem",
+        r"\boxed{\Phi =",
+        "passed",
+    ):
+        assert part in latex
+    assert latex.count("Find the state transition matrix") == 1  # asked once, answered by two methods
+    assert "failed" not in latex.split(r"\begin{document}")[1]
+
+
+def test_failed_and_unsolved_parts_are_marked(troubled):
+    latex = latex_document(view_of(troubled))
+    assert r"\textbf{Do not rely on this answer:} 1 of 2 checks failed" in latex
+    assert r"\textcolor{failed}{\textbf{failed}}" in latex
+    assert r"\textbf{Unsolved.} It is \emph{singular}, $\det A = 0$ \& 100\%." in latex
+    markdown = markdown_of(view_of(troubled))
+    assert "**Do not rely on this answer:** 1 of 2 checks failed" in markdown
+    assert "> **Unsolved.** It is *singular*" in markdown
+    assert "<script" not in markdown
+
+
+def test_markdown_has_titles_steps_answers_and_checks(solution):
+    markdown = markdown_of(view_of(solution))
+    assert markdown.startswith("# Title with 50% \\& \\$ \\_ \\\\\n")
+    assert "## (a) State transition matrix (3.5 marks)" in markdown
+    assert re.search(r"^### 1\. Form the matrix \$s ?I - A\$$", markdown, re.MULTILINE)
+    assert "\\Phi = \\begin{bmatrix}2e^{-t} - e^{-2t}" in markdown
+    rows = [line for line in markdown.splitlines() if line.startswith("| ")]
+    assert all(len(re.findall(r"(?<!\\)\|", row)) == 5 for row in rows)
+    assert "\n\n\n" not in markdown
+
+
+def test_views_are_built_once_and_say_the_same_in_every_number_format(solution):
+    exact = view_of(solution, Wording(NumberFormat("exact")))
+    assert exact == view_of(solution, Wording(NumberFormat("exact")))
+    first, second, third = exact.parts
+    assert (first.again, second.again, third.again) == (False, True, False)
+    assert second.question == ""
+    assert third.given
+    assert len({part.anchor for part in exact.parts}) == 3
+    assert first.answers[0].symbol == r"\Phi"
+    decimal = view_of(solution, Wording(NumberFormat("decimal", 3))).parts[2].answers[0]
+    assert decimal.tex == r"-0.372,\; 5.37"
+
+
+def test_claims_are_one_row_a_step_and_failures_are_rows_of_their_own():
+    claim = Claim(sp.Integer(1), sp.Integer(1), "one")
+    steps = (Step("x", claims={"a": claim, "b": claim}), Step("y", claims={"c": claim}))
+    good = Check.within("one", "random points", 1e-16, 1e-9)
+    worse = Check.within("one", "random points", 1e-12, 1e-9)
+    bad = Check.within("one", "random points", 1.0, 1e-9)
+    final = Check.that("property", "scipy", True)
+
+    def rows(*checks):
+        result = PartResult("a", "t", "m", Status.VERIFIED, checks=checks, steps=steps)
+        return [(row.claim, row.residual, row.status.value) for row in check_rows(result)]
+
+    assert rows(good, worse, good, final) == [
+        ("2 equalities of step 1", "10^{-12}", "passed"),
+        ("one (step 2)", "10^{-16}", "passed"),
+        ("property", "", "passed"),
+    ]
+    assert ("one", "1", "failed") in rows(good, bad, good, final)
+    assert check_rows(PartResult("a", "t", "m", Status.UNSOLVED, steps=())) == []
+    assert CheckStatus.PASSED.value == "passed"

@@ -1,0 +1,218 @@
+"""Markdown with formulas to HTML and LaTeX: right, and harmless whatever is written."""
+
+import re
+from html.parser import HTMLParser
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from solver.render import tex_text
+from solver.render.math_check import MathProblem, check_math
+from solver.render.prose import inline_html, inline_latex, math_problems, plain, to_html, to_latex
+from solver.render.tex_text import escaped
+
+
+def draw(formula, displayed):
+    return f"<math>{'block' if displayed else 'inline'}:{len(formula)}</math>"
+
+
+GOOD = [
+    r"\frac{1}{2}x^{2}",
+    r"\frac12",
+    "x''",
+    r"\left.x\right|_{t=0}",
+    r"\begin{bmatrix}1 & 2 \\ 3 & 4\end{bmatrix}^{-1}",
+    r"\begin{array}{c|c}a & b\end{array}",
+    r"\begin{cases}1 & \text{if } t > 0 \\ 0 & \text{else}\end{cases}",
+    r"\begin{aligned}a &= b \\ &\quad + c\end{aligned}",
+    r"\mathcal{L}^{-1}\left\{\frac{1}{s}\right\}",
+    r"\sqrt[3]{2} \le \infty",
+    r"\dot{\hat{x}} = A\hat{x} + Bu",
+    r"\int_{0}^{\infty} e^{-st}\,dt",
+    "λ + Φ",
+    r"\operatorname{adj}(sI - A)",
+]
+
+BAD = [
+    (r"\input{/etc/passwd}", 0),
+    ("x^^5cinput", 1),
+    (r"a\csname input\endcsname", 1),
+    (r"\write18{id}", 0),
+    (r"\def\x{\x\x}", 0),
+    (r"\loop\iftrue\repeat", 0),
+    (r"\href{javascript:alert(1)}{x}", 0),
+    (r"\begin{verbatim}x\end{verbatim}", 0),
+    ("50% of x", 2),
+    ("a#b", 1),
+    ("a~b", 1),
+    (r"\text{a $b$}", 5),
+    (r"\text{<svg/onload=alert(1)>}", 5),
+    ("{a", 0),
+    ("a}", 1),
+    (r"\left(a", 0),
+    (r"a\right)", 1),
+    ("a & b", 2),
+    (r"a \\ b", 2),
+    ("x^2^3", 3),
+    ("x^", 2),
+    (r"\frac{1}", 8),
+    (r"\sqrt", 5),
+    (r"\begin{bmatrix}1", 0),
+    (r"\begin{bmatrix}1 \\ [2pt] 3\end{bmatrix}", 20),
+    (r"\begin{cases}1 & 2 & 3\end{cases}", 19),
+    ("\\", 0),
+    ("é", 0),
+    ("", 0),
+    ("{" * 200 + "}" * 200, 40),
+    ("x" * 60_000, 0),
+]
+
+
+@pytest.mark.parametrize("formula", GOOD)
+def test_formulas_of_the_dialect_pass(formula):
+    check_math(formula)
+
+
+@pytest.mark.parametrize(("formula", "offset"), BAD, ids=lambda item: repr(item)[:30])
+def test_other_formulas_are_refused_at_their_place(formula, offset):
+    with pytest.raises(MathProblem) as problem:
+        check_math(formula)
+    assert problem.value.offset == offset
+    assert problem.value.message
+
+
+def test_problems_are_found_at_their_place_in_a_text():
+    text = "Let $x$ be\n\n$$\ny = \\input{a}\n$$\n\nand $x$ and $z^$ too."
+    problems = math_problems(text)
+    assert [text[offset:][:6] for offset, _ in problems] == ["\\input", "$ too."]
+
+
+def test_markdown_becomes_html():
+    html = to_html(
+        "# Plant\n\nThe *matrix* $A$:\n\n$$\nA = 1\n$$\n\n1. **one**\n2. `two`\n\n|a|b|\n|-|-|\n|$x$|2|\n", draw
+    )
+    for part in (
+        "<h3>Plant</h3>",
+        "<em>matrix</em> <math>inline:1</math>",
+        "<math>block:5</math>",
+        "<ol>",
+        "<code>two",
+    ):
+        assert part in html
+    assert "<td><math>inline:1</math></td>" in html
+
+
+def test_a_title_has_no_paragraph():
+    assert inline_html("Eigenvector for $x$", draw) == "Eigenvector for <math>inline:1</math>"
+    assert inline_latex("50 % of $x$") == r"50 \% of $x$"
+
+
+def test_markdown_becomes_latex():
+    latex = to_latex("The *matrix* $A$:\n\n$$\nA = 1\n$$\n\n- **one**\n- `t_wo`\n\n|a|b|\n|-|-:|\n|$x$|2 %|\n")
+    for part in (r"\emph{matrix} $A$", r"\display{A = 1}", r"\item{} \textbf{one}", r"\texttt{t\_wo}", r"$x$ & 2 \%"):
+        assert part in latex
+    assert r"\begin{tabular}{lr}" in latex
+
+
+HOSTILE = [
+    "<script>alert(1)</script>",
+    "</script><svg onload=alert(1)>",
+    "<img src=x onerror=alert(1)>",
+    "![x](http://evil.example/a.png)",
+    "[x](javascript:alert(1))",
+    "[x](data:text/html,<script>alert(1)</script>)",
+    "[x](JAVASCRIPT:alert(1))",
+    "<javascript:alert(1)>",
+    "$</math><script>alert(1)</script>$",
+    "$\\text{<script>}$",
+    "`<script>`",
+    "    <script>indented</script>",
+    "&lt;script&gt;&#60;script&#62;",
+    "$ unbalanced",
+    "\\input{/etc/passwd} ^^5cinput{x} \\csname x\\endcsname % # ~ & _ { }",
+    "$$\n\\input{x}\n$$",
+    "[a]: javascript:x\n\n[a]",
+    "-" * 3 + "\n" + "> " * 30 + "deep",
+    "- " * 30 + "deep",
+    "|a|\n|-|\n|[x]|",
+    "\u202eevil\u202c \u0000 \ufeff 中文 🙂 ħ é e\u0301",
+]
+
+ALLOWED_TAGS = {"p", "em", "strong", "code", "pre", "ol", "ul", "li", "blockquote", "table", "thead", "tbody", "tr", "th", "td",
+                "hr", "br", "a", "math", *(f"h{n}" for n in range(1, 7))}  # fmt: skip
+
+
+class Tags(HTMLParser):
+    def __init__(self):
+        super().__init__()
+        self.seen = []
+
+    def handle_starttag(self, tag, attrs):
+        self.seen.append((tag, dict(attrs)))
+
+
+def assert_harmless_html(html):
+    parser = Tags()
+    parser.feed(html)
+    for tag, attributes in parser.seen:
+        assert tag in ALLOWED_TAGS, html
+        assert set(attributes) <= {"href", "style", "start", "class", "title"}, html
+        assert attributes.get("href", "#").lower().startswith(("#", "http://", "https://", "mailto:")), html
+
+
+FORBIDDEN_TEX = (r"\input", r"\csname", r"\write", "^^", r"\def", r"\read")
+
+
+@pytest.mark.parametrize("text", HOSTILE, ids=lambda text: repr(text)[:30])
+def test_hostile_text_is_shown_not_run(text):
+    assert_harmless_html(to_html(text, draw))
+    assert not any(word in to_latex(text) for word in FORBIDDEN_TEX)
+
+
+FRAGMENTS = st.lists(
+    st.one_of(
+        st.sampled_from(["$", "$$", "\n\n", "<script>", "</p>", "[a](", "javascript:", ")", "`", "*", "|", "\\", "^^5c", "\\input{x}",
+                         "{", "}", "&", "%", "# ", "- ", "> ", "1. ", "x^2", "\\frac{1}{2}", "<", "!", "]"]),
+        st.text(max_size=4),
+    ),
+    max_size=12,
+).map("".join)  # fmt: skip
+
+
+@given(FRAGMENTS)
+def test_any_mixture_is_harmless(text):
+    assert_harmless_html(to_html(text, draw))
+    assert not any(word in to_latex(text) for word in FORBIDDEN_TEX)
+    for offset, message in math_problems(text):
+        assert 0 <= offset <= len(text)
+        assert message
+
+
+@given(st.text(max_size=30))
+def test_plain_text_stays_as_it_is(text):
+    words = " ".join(text.replace("\x00", "").split())
+    html = inline_html(plain(words), draw)
+    parser = Tags()
+    parser.feed(html)
+    assert not parser.seen
+
+
+OUR_COMMANDS = {
+    "ensuremath",
+    *(name for name in re.findall(r"\\\\([A-Za-z]+)", repr(tex_text.SPECIAL | tex_text.MATH))),
+}
+
+
+@given(st.text(max_size=30))
+def test_text_for_tex_holds_no_command_but_ours(text):
+    latex = escaped(text)
+    assert "^^" not in latex
+    assert set(re.findall(r"\\([A-Za-z]+)", latex)) <= OUR_COMMANDS
+    assert "\\" not in re.sub(r"\\([A-Za-z]+|[{}$&%#_])", "", latex)
+
+
+def test_names_keep_their_accents_and_other_scripts_are_named():
+    assert escaped("Ångström, Łukasz, Gökçe e\u0301") == "Ångström, Łukasz, Gökçe é"
+    assert escaped("λ ≤ 5 %") == r"\ensuremath{\lambda} \ensuremath{\le} 5 \%"
+    assert escaped("\u4e2d") == "[cjk unified ideograph-4e2d]"

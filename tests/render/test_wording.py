@@ -1,0 +1,172 @@
+"""Steps in words: templates found, levels of detail, clear errors, users' templates first and in a sandbox."""
+
+import pytest
+import sympy as sp
+
+from solver.derivation import AnswerName, Claim, Step
+from solver.derivation.stated import determinant
+from solver.problem.model import Part
+from solver.render.displays import chain, entries, entry_name
+from solver.render.latex import tex
+from solver.render.math_check import check_math
+from solver.render.numbers import NumberFormat
+from solver.render.width import LINE, broken, width
+from solver.render.wording import Wording, WordingError
+from solver.systems import StateSpace, TransferFunction
+
+A = sp.ImmutableMatrix([[0, 1], [-2, -3]])
+lamda, s, t = sp.symbols("lamda s t")
+
+
+@pytest.fixture
+def templates(tmp_path):
+    folder = tmp_path / "wording" / "demo"
+    folder.mkdir(parents=True)
+    (folder / "demo.md.jinja").write_text(
+        r"""
+{% macro levels(v, c) %}
+### Level of ${{ v.x|tex }}I - A$
+{% if brief %}BRIEF{% endif %}{% if full %}FULL{% endif %}{% if tutor %}TUTOR{% endif %}
+{{ claim(c.value, "\\det A") }}
+{{ eq("x", v.x, note="\\text{ !}", relation="\\approx") }}
+{{ align([["a", v.x], ["b", "c"]]) }}
+{{ v.words|plain }} {{ sym.xdot }}
+{% endmacro %}
+{% macro untitled(v, c) %}
+no title
+{% endmacro %}
+{% macro undefined(v, c) %}
+### Undefined {{ v.nothing }}
+{% endmacro %}
+{% macro bad_math(v, c) %}
+### Bad
+$\input{x}$
+{% endmacro %}
+{% macro escape(v, c) %}
+### Escape {{ v.x.__class__.__mro__ }}
+{% endmacro %}
+""",
+        encoding="utf-8",
+    )
+    return tmp_path
+
+
+def step(kind, detail="brief", steps=()):
+    made = Step(
+        kind,
+        claims={"value": Claim(determinant(A), sp.Integer(2))},
+        detail=detail,
+        steps=steps,
+        x=lamda,
+        words="*<b>*",
+    )
+    made.wording = "demo/demo"
+    return made
+
+
+def test_a_macro_words_a_step(templates):
+    worded = Wording(templates=templates).word(step("levels"))
+    assert worded.title == r"Level of $\lambda I - A$"
+    assert "FULL" in worded.markdown
+    assert "$$\n\\det A = \\det\\begin{bmatrix}0 & 1 \\\\ -2 & -3\\end{bmatrix} = 2\n$$" in worded.markdown
+    assert r"x \approx \lambda\text{ !}" in worded.markdown
+    assert "a &= \\lambda \\\\\nb &= c" in worded.markdown
+    assert r"\*\<b\>\* \dot{x}" in worded.markdown
+    assert "\n\n\n" not in worded.markdown
+
+
+@pytest.mark.parametrize(("detail", "words"), [("brief", "BRIEF"), ("full", "FULL"), ("tutor", "FULLTUTOR")])
+def test_levels_of_detail(templates, detail, words):
+    wording = Wording(detail=detail, templates=templates)
+    assert words in wording.word(step("levels")).markdown.split("\n")
+    inner = step("levels", steps=(step("levels", "full"), step("levels", "tutor")))
+    assert len(wording.word(inner).steps) == {"brief": 0, "full": 1, "tutor": 2}[detail]
+
+
+@pytest.mark.parametrize(
+    ("kind", "message"),
+    [
+        ("absent", "the macro 'absent' of templates/wording/demo/demo.md.jinja is missing"),
+        ("untitled", "must begin with the title"),
+        ("undefined", "nothing"),
+        ("bad_math", r"\\input is not known"),
+        ("escape", "__class__"),
+    ],
+)
+def test_errors_in_templates_name_the_place(templates, kind, message):
+    with pytest.raises(WordingError, match=message):
+        Wording(templates=templates).word(step(kind))
+
+
+def test_a_missing_file_and_a_syntax_error_name_the_place(templates):
+    missing = step("levels")
+    missing.wording = "demo/other"
+    with pytest.raises(WordingError, match="no such file"):
+        Wording(templates=templates).word(missing)
+    (templates / "wording" / "demo" / "broken.md.jinja").write_text("{% macro a(v, c) %}\n{{ v. }}", encoding="utf-8")
+    missing.wording = "demo/broken"
+    with pytest.raises(WordingError, match="line 2"):
+        Wording(templates=templates).word(missing)
+
+
+def test_a_question_is_the_prompt_or_comes_from_the_template(templates):
+    plant = StateSpace(A)
+    assert Wording().question(Part("a", "demo", ("demo",), plant, prompt=" Find $x$. ")) == "Find $x$."
+    (templates / "wording" / "demo" / "question.md.jinja").write_text(
+        "{% macro question(system, options) %}\nOrder {{ system.order }}, {{ options.terms }} terms.\n{% endmacro %}",
+        encoding="utf-8",
+    )
+    part = Part("a", "demo", ("demo",), plant, {"terms": 3})
+    assert Wording(templates=templates).question(part) == "Order 2, 3 terms."
+
+
+def test_what_is_given_is_shown():
+    given = Wording().given(StateSpace(A, B=sp.ImmutableMatrix([0, 1]), D=sp.ImmutableMatrix([[0]])))
+    assert "A = " in given
+    assert "B = " in given
+    assert "D = " not in given
+    G = TransferFunction(sp.ImmutableMatrix([[1 / (s + 1)]]), s)
+    assert r"G(s) = \frac{1}{s + 1}" in Wording().given(G)
+
+
+def test_notations_have_the_same_symbols_and_change_answers():
+    from solver.render.notation import NOTATIONS
+
+    assert {frozenset(table) for table in NOTATIONS.values()} == {frozenset(NOTATIONS["course"])}
+    K = AnswerName("K", "K_f", "")
+    assert (Wording().symbol(K), Wording(notation="ogata").symbol(K)) == ("K_f", "K")
+
+
+def test_a_long_chain_is_aligned_at_its_signs():
+    short = chain(["a", "b", "c"])
+    assert short == "a = b = c"
+    long_side = " + ".join(["xyz" * 6] * 12)
+    laid_out = chain(["a", "b", long_side], note=r"\text{ end}")
+    assert laid_out.startswith("\\begin{aligned}\na&= b")
+    assert laid_out.endswith("\\text{ end}\n\\end{aligned}")
+    assert all(width(row) < 1.2 * LINE for row in laid_out.split("\\\\\n")[1:-1])
+    check_math(laid_out)
+
+
+def test_a_sum_is_broken_only_outside_of_brackets():
+    matrix = tex(sp.Matrix(2, 6, lambda i, j: s + 10**6 + i + j))
+    lines = broken(f"{matrix} - {matrix} + (a - b)", LINE)
+    assert [line[0] for line in lines[1:]] == ["-", "+"]
+    assert " ".join(lines) == f"{matrix} - {matrix} + (a - b)"
+
+
+def test_a_matrix_too_wide_to_be_read_is_listed_by_entries():
+    wide = sp.ImmutableMatrix(3, 3, lambda i, j: sum((i + j + 2) ** n * sp.exp(-n * t) for n in range(1, 6)))
+    answer = Wording().equation(r"\Phi(t)", wide)
+    assert answer.startswith("\\begin{aligned}\n\\Phi_{11}(t) &= ")
+    assert answer.count("&= ") == 9
+    check_math(answer)
+    assert "bmatrix" in Wording().equation(r"\Phi(t)", sp.eye(3))
+    assert entry_name("J = V", "12") == r"\left[J = V\right]_{12}"
+    assert "v_{2} &= b" in entries("v", [], [["a"], ["b"]])
+
+
+def test_number_formats_reach_the_templates(templates):
+    half = Step("levels", claims={"value": Claim(sp.S.Half, sp.S.Half)}, x=sp.S.Half, words="")
+    half.wording = "demo/demo"
+    assert "0.5" in Wording(NumberFormat("decimal"), templates=templates).word(half).markdown
