@@ -126,7 +126,7 @@ def _piece(token: Token) -> str:
 
 def wrapped(text: str, width: int) -> list[str]:
     """Return the lines of a paragraph."""
-    lines = (line for part in text.split("\n") for line in wrap(part, width, break_on_hyphens=False))
+    lines = (line for part in text.split("\n") for line in wrap(part.strip(" "), width, break_on_hyphens=False))
     return [line.replace(FIRM, " ") for line in lines]
 
 

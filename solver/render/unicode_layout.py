@@ -51,7 +51,7 @@ def _apart(before: str, kind: str) -> bool:
     """Whether a space stands between two atoms."""
     if not before or "space" in (before, kind) or before == "sign":
         return False
-    if {before, kind} & {"binary", "relation", "text"} or before == "comma":
+    if {before, kind} & {"binary", "relation"} or before == "comma":
         return kind != "comma"
     if kind == "operator":
         return before in {"ordinary", "word", "closing", "fraction", "operator"}
