@@ -3,6 +3,12 @@
 scipy is imported by the functions that need it.
 """
 
+import os
+
+# Of small matrices the threads of the linear algebra library cost ten to a hundred times what they save. It reads
+# this when numpy is first imported; a choice of the user's is respected.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from solver.numeric.claims import check_claim, check_residual, check_steps
 from solver.numeric.compare import TOLERANCE
 from solver.numeric.eigen import (

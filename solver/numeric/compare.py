@@ -37,7 +37,8 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
     scale = np.maximum(size, noise / TOLERANCE)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
     settled = (difference <= TOLERANCE * size) | ((difference <= noise) & (noise <= QUIET))
-    if arithmetic is not DOUBLE and np.any((difference > TOLERANCE * size) & (noise > 1e-6 * np.maximum(size, 1.0))):
+    hidden = (difference > TOLERANCE * size) & (difference <= noise) & (noise > 1e-6 * np.maximum(size, 1.0))
+    if arithmetic is not DOUBLE and np.any(hidden):
         raise NotEvaluable("the decimals in the formula carry too few digits to judge the equality")
     return residual.max(axis=1), settled.all(axis=1)
 
@@ -45,9 +46,8 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
 def _flat(value: Value, points: int) -> tuple[Array, Array]:
     """Return values and magnitudes as arrays (P, entries)."""
     full = (points, *np.shape(value.value)[1:])
-    return np.broadcast_to(value.value, full).reshape(points, -1), np.broadcast_to(value.magnitude, full).reshape(
-        points, -1
-    )
+    parts = (np.broadcast_to(part, full).reshape(points, -1) for part in value)
+    return next(parts), next(parts)
 
 
 def worst_residual(sides: Sides, points: Sequence[Point]) -> tuple[float, int]:
@@ -62,6 +62,8 @@ def worst_residual(sides: Sides, points: Sequence[Point]) -> tuple[float, int]:
         for p in map(int, np.flatnonzero(~settled)):
             residual[p], needed = _with_many_digits(sides, points[p])
             digits = max(digits, needed)
+            if residual[p] > TOLERANCE:  # one point at which the sides differ is enough
+                return float(residual[p]), digits
     return float(np.max(residual, initial=0.0)), digits
 
 

@@ -109,5 +109,7 @@ def _integrate(environment: Environment, image: Any, variable: Any, nodes: Array
     value = np.broadcast_to(F.value, (nodes.size, *shape[2:])).reshape(shape)
     magnitude = np.broadcast_to(F.magnitude, (nodes.size, *shape[2:])).reshape(shape)
     count = nodes.shape[1]
-    size = arithmetic.size(factor) * (accuracy(arithmetic) / arithmetic.eps)
-    return Value((value * factor).sum(axis=1) / count, (magnitude * size).sum(axis=1) / count)
+    # what the rule itself leaves out, beside the rounding of the values
+    left_out = arithmetic.size(value) * (accuracy(arithmetic) / arithmetic.eps)
+    size = arithmetic.size(factor)
+    return Value((value * factor).sum(axis=1) / count, ((magnitude + left_out) * size).sum(axis=1) / count)
