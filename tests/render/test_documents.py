@@ -1,4 +1,4 @@
-"""Whole documents: LaTeX that compiles, a deterministic PDF, Markdown, and what they say of failed and unsolved parts."""
+"""Whole documents: LaTeX that compiles, a deterministic PDF, Markdown; what is said of failed and unsolved parts."""
 
 import os
 import re

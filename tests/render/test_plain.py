@@ -30,8 +30,8 @@ expressions = st.recursive(
 ).filter(lambda e: not e.has(sp.zoo, sp.nan, sp.oo))
 
 
-def read(text, locals=LOCALS):
-    return sp.sympify(text, locals=locals)
+def read(text, symbols=LOCALS):
+    return sp.sympify(text, locals=symbols)
 
 
 def same(x, y):

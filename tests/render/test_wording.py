@@ -9,6 +9,7 @@ from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import tex
 from solver.render.math_check import check_math
+from solver.render.notation import NOTATIONS
 from solver.render.numbers import NumberFormat
 from solver.render.width import LINE, broken, width
 from solver.render.wording import Wording, WordingError
@@ -130,8 +131,6 @@ def test_what_is_given_is_shown():
 
 
 def test_notations_have_the_same_symbols_and_change_answers():
-    from solver.render.notation import NOTATIONS
-
     assert {frozenset(table) for table in NOTATIONS.values()} == {frozenset(NOTATIONS["course"])}
     K = AnswerName("K", "K_f", "")
     assert (Wording().symbol(K), Wording(notation="ogata").symbol(K)) == ("K_f", "K")
