@@ -19,7 +19,7 @@ from solver.render.numbers import NumberFormat
 from solver.render.order import ordered_terms
 from solver.render.pieces import as_base, as_factor, joined, parenthesized, summed
 from solver.render.symbols import name_tex
-from solver.render.terms import Term, common_fraction, split
+from solver.render.terms import Term, common_fraction, evaluated, like_terms_added, split
 
 
 class Printer(ObjectPrinter):
@@ -54,12 +54,12 @@ class Printer(ObjectPrinter):
             return self._constant_sum(expr)
         terms = list(expr.args)
         if self.numbers.all_decimal:
-            terms = _like_terms_added(terms)
+            terms = like_terms_added(terms)
         return summed([self._print(term) for term in ordered_terms(terms)])
 
     def _constant_sum(self, expr: Any) -> str:
         if self.numbers.all_decimal or expr.has(sp.Float):
-            value = _evaluated(expr)
+            value = evaluated(expr)
             return summed([self._print(part) for part in value.args]) if value.is_Add else self._print(value)
         fraction = common_fraction(expr)
         if fraction is not None:
@@ -112,7 +112,7 @@ class Printer(ObjectPrinter):
         number, roots = term.number, term.roots or term.roots_below
         if roots and (self.numbers.all_decimal or number.is_Float):
             above = sp.Mul(*(base**exponent for base, exponent in term.roots))
-            value = _evaluated(number * above / sp.Mul(*(base**exponent for base, exponent in term.roots_below)))
+            value = evaluated(number * above / sp.Mul(*(base**exponent for base, exponent in term.roots_below)))
             if value.is_Float:
                 term.negative, value = term.negative != bool(value < 0), abs(value)
                 return self.numbers.decimal(value)
@@ -198,30 +198,12 @@ class Printer(ObjectPrinter):
         return name_tex(expr.name)
 
     def _print_ComplexRootOf(self, expr: Any) -> str:
-        return self._print(_evaluated(expr))
+        return self._print(evaluated(expr))
 
     def _print_Stated(self, expr: Stated) -> str:
         from solver.render.stated_latex import stated_tex  # noqa: PLC0415 - it prints operands by this printer
 
         return stated_tex(expr, self._print)
-
-
-def _like_terms_added(terms: list[Any]) -> list[Any]:
-    """Add the constants of terms that differ in these only: e^t/2 + √5 e^t has one coefficient in decimals.
-
-    Coefficients with roots become Floats, so that their sign is known when the terms are put in order.
-    """
-    constants: dict[Any, list[Any]] = {}
-    for term in terms:
-        constant, rest = term.as_independent(*term.free_symbols, as_Add=False)
-        constants.setdefault(rest, []).append(constant)
-    added = ((sp.Add(*each), rest) for rest, each in constants.items())
-    return [(constant if constant.is_Rational else _evaluated(constant)) * rest for constant, rest in added]
-
-
-def _evaluated(constant: Any) -> Any:
-    """Return a constant as a Float, or as a sum of Floats with j."""
-    return constant.evalf(30, chop=True)
 
 
 @lru_cache(maxsize=16)

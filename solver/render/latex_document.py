@@ -14,6 +14,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import __version__, resources
 from solver.render.prose import inline_latex, to_latex
+from solver.render.prose_latex import display_latex
 from solver.render.tex_text import escaped
 from solver.render.view import SolutionView
 
@@ -41,12 +42,18 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(text=_line_of_text, line=inline_latex, prose=to_latex, breakable=_breakable)
+    environment.filters.update(
+        text=_line_of_text, line=inline_latex, prose=to_latex, breakable=_breakable, boxed=_boxed
+    )
     return environment
 
 
 def _line_of_text(text: str) -> str:
     return escaped(" ".join(str(text).split()))
+
+
+def _boxed(equation: str) -> str:
+    return display_latex(equation, r"\boxed")
 
 
 def _breakable(latex: str) -> str:

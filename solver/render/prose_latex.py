@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 
 from markdown_it.token import Token
 
+from solver.render.displays import aligned
 from solver.render.math_check import GREEK_LETTERS, find_problem
 from solver.render.tex_text import escaped
 
@@ -72,7 +73,27 @@ def formula_latex(formula: str, displayed: bool) -> str:
     for letter, name in GREEK_LETTERS.items():
         if not formula.isascii():
             formula = formula.replace(letter, f"\\{name} ")
-    return f"\\display{{{formula}}}\n" if displayed else f"${formula}$"
+    return display_latex(formula) if displayed else f"${formula}$"
+
+
+TALLEST = 28
+"""Rows of aligned equations that fit on a page; more are several displays, since TeX breaks none of ours."""
+
+
+def display_latex(formula: str, around: str = "") -> str:
+    r"""Return a displayed formula, in the command `around` (`\boxed`); a long list of equations as several."""
+    inside = formula.removeprefix("\\begin{aligned}\n").removesuffix("\n\\end{aligned}")
+    rows = inside.split(" \\\\\n")
+    if len(rows) <= TALLEST:
+        return _display(formula, around)
+    count = -(-len(rows) // TALLEST)
+    size = -(-len(rows) // count)
+    blocks = (aligned(rows[i : i + size]) for i in range(0, len(rows), size))
+    return "".join(_display(block, around) for block in blocks)
+
+
+def _display(formula: str, around: str) -> str:
+    return f"\\display{{{around}{{{formula}}}}}\n" if around else f"\\display{{{formula}}}\n"
 
 
 def _text(token: Token, _tokens: Sequence[Token], _index: int) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.render.order import factor_rank, has_variable, is_negative
+from solver.render.order import factor_rank, has_variable
 
 Factor = tuple[Any, Any]
 """A base and its exponent."""
@@ -120,4 +120,19 @@ def _arrange(term: Term) -> None:
         term.above, term.functions = term.above + term.functions, []
 
 
-__all__ = ["Factor", "Term", "common_fraction", "is_negative", "split"]
+def like_terms_added(terms: list[Any]) -> list[Any]:
+    """Add the constants of terms that differ in these only: e^t/2 + √5 e^t has one coefficient in decimals.
+
+    Coefficients with roots become Floats, so that their sign is known when the terms are put in order.
+    """
+    constants: dict[Any, list[Any]] = {}
+    for term in terms:
+        constant, rest = term.as_independent(*term.free_symbols, as_Add=False)
+        constants.setdefault(rest, []).append(constant)
+    added = ((sp.Add(*each), rest) for rest, each in constants.items())
+    return [(constant if constant.is_Rational else evaluated(constant)) * rest for constant, rest in added]
+
+
+def evaluated(constant: Any) -> Any:
+    """Return a constant as a Float, or as a sum of Floats with j."""
+    return constant.evalf(30, chop=True)

@@ -87,7 +87,7 @@ def wide_matrix(n):
 def troubled():
     """A solution with everything that makes a document difficult."""
     asked = problem(HOSTILE)
-    wide = Answers(Phi=wide_matrix(6))
+    wide = Answers(Phi=wide_matrix(8))
     failed = Check.within("$\\Phi$ | of `x` 50%", "scipy.linalg.expm_and_a_long_name", 0.5, 1e-9)
     skipped = Check.skipped("$A$", "numpy", "no numbers for $a$ & b_c")
     parts = (
@@ -136,6 +136,8 @@ def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
     log = log_of(latex, tmp_path)
     assert not re.findall(r"Overfull \\hbox \((?:[2-9]\d|\d{3})", log)  # links and code may stick out a little
     assert "/etc/passwd" not in log
+    assert not re.findall(r"Overfull \\vbox", log)
+    assert latex.count(r"\display{\boxed{\begin{aligned}") == 3  # 64 entries
 
 
 def test_the_same_solution_gives_the_same_pdf(solution):
