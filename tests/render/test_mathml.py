@@ -79,6 +79,7 @@ def cells(latex: str) -> list[list[str]]:
         (r"\begin{bmatrix} a & \\ & \end{bmatrix}", [["a", ""], ["", ""]]),
         (r"\begin{bmatrix} a \\[6pt] b \\ \end{bmatrix}", [["a"], ["b"]]),
         (r"\begin{bmatrix} {c} & [1] \\ [2] & {l} \end{bmatrix}", [["c", "[1]"], ["[2]", "l"]]),
+        (r"\begin{array}{c|cc} a & b & c \\ d & e \end{array}", [["a", "b", "c"], ["d", "e", ""]]),
         (r"\begin{aligned} a &= b \\ &= c \end{aligned}", [["a", "=b"], ["", "=c"]]),
         (r"\begin{cases} 0 & t < 0 \\ 1 & t \ge 0 \end{cases}", [["0", "t<0"], ["1", "t≥0"]]),
         (r"\begin{array}{c|c} \hline s^{2} & 1 \\ s & \\ \hline \end{array}", [["s2", "1"], ["s", ""]]),

@@ -91,10 +91,11 @@ def _ends_operand(element: Element) -> bool:
     return element.tag != "mspace" and not _is_function(element) and _is_operand(element)
 
 
-def plain_names(element: Element) -> None:
+def plain_names(parent: Element) -> None:
     """A name without limits is an identifier: as an operator it would be spaced like a sign."""
-    if element.tag == "mo" and "lspace" not in element.attrib and _is_function(element):
-        element.tag, element.attrib = "mi", {}
+    for element in parent:
+        if element.tag == "mo" and "lspace" not in element.attrib and _is_function(element):
+            element.tag, element.attrib = "mi", {}
 
 
 def set_limits(element: Element) -> None:
@@ -129,3 +130,12 @@ def set_accents(element: Element) -> None:
         return
     if text not in "⏞⏟":
         element.set("accent" if element.tag == "mover" else "accentunder", "true")
+
+
+def tighten_scripts(element: Element) -> None:
+    """No space around signs in exponents, indices and limits."""
+    if element.tag in SCRIPTS and "accent" not in element.attrib:
+        for script in element[1:]:
+            for sign in script.iter("mo"):
+                if "lspace" not in sign.attrib and "stretchy" not in sign.attrib:
+                    sign.attrib |= {"lspace": "0em", "rspace": "0em"}

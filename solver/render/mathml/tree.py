@@ -20,6 +20,7 @@ from solver.render.mathml.rows import (
     set_limits,
     set_signs,
     space_function_names,
+    tighten_scripts,
 )
 from solver.render.mathml.tables import style_table
 
@@ -36,10 +37,12 @@ BOX = "border:1px solid;padding:0.25em 0.4em"
 def repair(math: Element) -> None:
     """Repair the tree of a formula in place."""
     for element in math.iter():
-        element.text = REFERENCE.sub(lambda match: chr(int(match[1], 16)), element.text or "")
-    for visit in VISITS:
-        for element in list(math.iter()):
-            visit(element)
+        if element.text:
+            element.text = REFERENCE.sub(lambda match: chr(int(match[1], 16)), element.text)
+    for visits, with_children in ((SHAPE, True), (LETTERS, False), (NEIGHBOURS, True)):
+        for visit in visits:
+            for element in [each for each in math.iter() if (len(each) > 0) is with_children]:
+                visit(element)
 
 
 def _fence_matrices(parent: Element) -> None:
@@ -111,7 +114,9 @@ def _spaces(element: Element) -> None:
         element.set("width", SPACES[width])
 
 
-VISITS: tuple[Callable[[Element], None], ...] = (
+Visits = tuple[Callable[[Element], None], ...]
+
+SHAPE: Visits = (
     style_table,
     _fence_matrices,
     _drop_empty_fences,
@@ -120,14 +125,7 @@ VISITS: tuple[Callable[[Element], None], ...] = (
     _labelled_arrows,
     join_upright_letters,
     _flatten,
-    shape_letters,
-    tell_operators_from_letters,
-    pair_bars,
-    set_limits,
-    plain_names,
-    set_accents,
-    set_signs,
-    space_function_names,
-    _spaces,
 )
-"""In this order: the shape of the tree first, then letters, then what depends on neighbours."""
+LETTERS: Visits = (shape_letters, tell_operators_from_letters, _spaces)
+NEIGHBOURS: Visits = (pair_bars, set_limits, plain_names, set_accents, set_signs, space_function_names, tighten_scripts)
+"""In this order: the shape of the tree, then its leaves, then what depends on neighbours."""
