@@ -31,6 +31,12 @@ NUMPY_NAMES = {
     "arg": "angle",
 }
 
+FROM_BELOW = frozenset({"asin", "acos", "atanh"})
+"""Functions with a cut at x > 1, where mpmath (like Abramowitz and Stegun) takes the value from below."""
+
+ODD_ON_CUTS = frozenset({"atan", "asinh"})
+"""Functions with cuts on the imaginary axis, on which mpmath keeps them odd."""
+
 
 def equilibration(M: Array) -> tuple[Array, Array]:
     """Return factors of rows and columns, powers of two, that bring the entries of M (P, n, n) to about unit size."""
@@ -80,8 +86,14 @@ class Double:
         return value
 
     def apply(self, name: str, value: Any) -> Any:
-        """Return an elementary function, by its name in mpmath, of each value."""
-        result: Any = getattr(np, NUMPY_NAMES.get(name, name))(value)
+        """Return an elementary function, by its name in mpmath, of each value; on cuts as mpmath has it."""
+        function = getattr(np, NUMPY_NAMES.get(name, name))
+        if name in FROM_BELOW:
+            value = np.where((np.imag(value) == 0) & (np.real(value) > 1), np.conj(value), value)[()]
+        if name in ODD_ON_CUTS:
+            sign = np.where((np.real(value) == 0) & (np.imag(value) < 0), -1.0, 1.0)[()]
+            return sign * function(sign * value)
+        result: Any = function(value)
         return result + 0j
 
     def power(self, base: Any, exponent: Any) -> Any:

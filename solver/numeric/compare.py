@@ -16,7 +16,7 @@ from solver.numeric.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined
 
 TOLERANCE = 1e-9
 QUIET = 1e-10
-"""Noise up to this absolute size is low enough to tell that a zero is a zero."""
+"""Noise up to this absolute size is low enough to tell that what is stated to be zero is zero."""
 
 Point = dict[Any, complex]
 Sides = Callable[[Sequence[Point], Arithmetic], tuple[Value, Value]]
@@ -36,8 +36,9 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
     noise = SAFETY * arithmetic.eps * (l_size + r_size)
     scale = np.maximum(size, noise / TOLERANCE)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
-    settled = (difference <= TOLERANCE * size) | ((difference <= noise) & (noise <= QUIET))
-    hidden = (difference > TOLERANCE * size) & (difference <= noise) & (noise > 1e-6 * np.maximum(size, 1.0))
+    zero = (l_value == 0) | (r_value == 0)
+    settled = (difference <= TOLERANCE * size) | (zero & (difference <= noise) & (noise <= QUIET))
+    hidden = (difference > TOLERANCE * size) & (difference <= noise) & (noise > 1e-3 * np.maximum(size, 1.0))
     if arithmetic is not DOUBLE and np.any(hidden):
         raise NotEvaluable("the decimals in the formula carry too few digits to judge the equality")
     return residual.max(axis=1), settled.all(axis=1)

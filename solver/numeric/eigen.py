@@ -24,6 +24,10 @@ from solver.numeric.points import SEED, admissible, free_symbols
 SAME_SIZE = 4.0
 """Eigenvalues whose sizes differ by less than this factor share a point of comparison."""
 
+SMALL = 1e-5
+LADDER = (1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15)
+"""Sizes relative to the entries of A; between two steps an eigenvalue still shows to three digits less."""
+
 
 def eigenpair_residual(A: Any, eigenvalues: Sequence[Any], V: Any) -> float:
     """Return the largest entrywise relative difference in A vᵢ = λᵢ vᵢ, vᵢ the columns of V (n×k, k eigenvalues).
@@ -99,12 +103,17 @@ def _directions(sizes: list[float]) -> list[tuple[float, complex]]:
 
 
 def _sizes(A: Any, point: Point) -> list[float]:
-    """Return the sizes of the eigenvalues of A at a point, those close to each other once."""
+    """Return the sizes of the eigenvalues of A at a point, those close to each other once.
+
+    Small eigenvalues beside a large one are not known from doubles; there a ladder of sizes takes their place.
+    """
     A_here = value_of(A, Environment.at([point])).value[0]
     largest = float(np.max(np.abs(A_here), initial=0.0)) or 1.0
     sizes: list[float] = []
     for size in sorted((float(abs(value)) for value in np.linalg.eigvals(A_here)), reverse=True):
-        if size > 1e-12 * largest and (not sizes or size * SAME_SIZE < sizes[-1]):
+        if size <= SMALL * largest:
+            return [*sizes, *(largest * step for step in LADDER)]
+        if not sizes or size * SAME_SIZE < sizes[-1]:
             sizes.append(size)
     return sizes or [largest]
 

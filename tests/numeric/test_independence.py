@@ -1,0 +1,41 @@
+"""The oracles share no code with what they check, and cost nothing until they are used."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import solver.numeric
+
+FOLDER = Path(solver.numeric.__file__).parent
+FORBIDDEN_NAMES = {"simplify", "nsimplify", "lambdify", "sympify", "parse_expr", "eval", "jordan_form", "eigenvects"}
+
+
+@pytest.mark.parametrize("path", sorted(FOLDER.glob("*.py")), ids=lambda path: path.stem)
+def test_an_oracle_imports_nothing_of_what_it_checks(path):
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    imported = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    imported |= {alias.name for node in ast.walk(tree) if isinstance(node, ast.Import) for alias in node.names}
+    ours = {name for name in imported if name.split(".")[0] == "solver"}
+    assert all(name.startswith(("solver.numeric", "solver.derivation")) for name in ours), ours
+    called = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    called |= {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    assert not called & FORBIDDEN_NAMES
+
+
+def test_scipy_is_imported_only_by_what_needs_it():
+    program = (
+        "import sys, sympy, solver.numeric as n; from solver.derivation import Claim;"
+        "from solver.derivation.stated import determinant; x = sympy.Symbol('x');"
+        "n.check_claim(Claim(determinant(x * sympy.eye(2)), x**2), ''); print('scipy' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "False"
+
+
+def test_every_public_name_is_documented():
+    for name in solver.numeric.__all__:
+        value = getattr(solver.numeric, name)
+        assert callable(value) is False or value.__doc__, name
