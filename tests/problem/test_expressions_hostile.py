@@ -144,7 +144,7 @@ def refused(text):
 
 def test_the_watch_sees_what_is_run(events):
     events["on"] = True
-    eval("1 + 1")  # noqa: S307 - that the hook sees this is what is tested
+    eval("1 + 1")
     events["on"] = False
     assert any(event == "exec" for event, _ in events["events"])
     events["events"].clear()

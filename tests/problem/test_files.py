@@ -59,7 +59,7 @@ def test_a_socket_is_refused(tmp_path, monkeypatch):
         assert "it is not a regular file" in refusal("s")
 
 
-@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no devices on this system")  # noqa: PTH110
+@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no devices on this system")
 def test_a_device_is_refused():
     assert "it is not a regular file" in refusal("/dev/zero")
 

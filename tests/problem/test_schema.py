@@ -95,7 +95,7 @@ def test_the_schema_and_new_files_need_no_algebra():
         "json_schema(catalogue()); [new_problem(task) for task in catalogue().values()]\n"
         "assert 'sympy' not in sys.modules and 'numpy' not in sys.modules"
     )
-    subprocess.run([sys.executable, "-c", code], check=True)  # noqa: S603 - our own interpreter and text
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 NAMES = ["stability", "controllability", "transition", "placement", "realization", "subspaces", "desired", "options"]
