@@ -59,7 +59,7 @@ def worst_residual(sides: Sides, points: Sequence[Point]) -> tuple[float, int]:
     """
     with np.errstate(all="ignore"):
         residual, settled = _in_doubles(sides, points)
-        digits = 15
+        digits = DOUBLE.digits
         for p in map(int, np.flatnonzero(~settled)):
             residual[p], needed = _with_many_digits(sides, points[p])
             digits = max(digits, needed)
@@ -69,7 +69,14 @@ def worst_residual(sides: Sides, points: Sequence[Point]) -> tuple[float, int]:
 
 
 def _in_doubles(sides: Sides, points: Sequence[Point]) -> tuple[Array, Array]:
-    left, right = sides(points, DOUBLE)
+    """Return residuals and what they settle; a point at which doubles give no value (overflow, say) is left open."""
+    try:
+        left, right = sides(points, DOUBLE)
+    except Undefined:
+        if len(points) == 1:
+            return np.full(1, np.nan), np.zeros(1, dtype=bool)
+        each = [_in_doubles(sides, [point]) for point in points]
+        return np.concatenate([residual for residual, _ in each]), np.concatenate([settled for _, settled in each])
     return residuals(left, right, len(points), DOUBLE)
 
 

@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 
 from solver.derivation.stated import exponential, power, product
-from solver.numeric.arithmetic import Arithmetic
+from solver.numeric.arithmetic import Arithmetic, Array
 from solver.numeric.compare import Point, worst_residual
 from solver.numeric.environment import Environment
 from solver.numeric.evaluate import value_of
 from solver.numeric.points import admissible, free_symbols
 from solver.numeric.values import ShapeMismatch, Undefined, Value
 
-TIMES = (0.0, 0.37, 1.3, 2.9)
-"""Times in units of 1/ρ(A), the spectral radius."""
+TIMES = (0.0, 0.61, 2.3)
+"""Times in units of 1/ρ(A), the spectral radius (of a nilpotent A: of one over its norm)."""
 
 LAST_EXPONENT = 8
 
@@ -57,14 +57,28 @@ def _parameters(A: Any, Phi: Any, variable: Any) -> list[Any]:
 def _times(A: Any, point: Point) -> list[float]:
     """Return times at which the modes of A, fast and slow, are neither dead nor out of range."""
     A_here = value_of(A, Environment.at([point])).value[0]
-    eigenvalues = np.linalg.eigvals(A_here) if len(A_here) else np.zeros(0)
-    fast = float(np.max(np.abs(eigenvalues), initial=0.0))
-    if fast < 1e-6 * float(np.max(np.abs(A_here), initial=0.0)):  # nilpotent, up to the rounding of eigenvalues
-        fast = float(np.max(np.abs(A_here), initial=0.0))
-    if fast == 0.0:
+    size = _balanced_norm(np.abs(A_here))
+    if size == 0.0:
         return list(TIMES)
+    eigenvalues = np.linalg.eigvals(A_here)
     sizes = np.abs(eigenvalues)
-    slow = float(np.min(sizes[sizes > 1e-6 * fast], initial=fast))
-    growth = max(float(np.max(eigenvalues.real, initial=0.0)), 1e-6 * fast)
+    certain = sizes[sizes > 8.0 * size * 2.0 ** (-52 / len(sizes))]  # less may be the rounding of a multiple zero
+    if not len(certain):
+        return [time / size for time in TIMES]
+    fast, slow = float(np.max(certain)), float(np.min(certain))
+    growth = max(float(np.max(eigenvalues.real)), 1e-6 * fast)
     latest = min(1.7 / slow, 30.0 / growth, 300.0 / fast)
     return [time / fast for time in TIMES] + ([latest] if latest > 5.0 / fast else [])
+
+
+def _balanced_norm(sizes: Array) -> float:
+    """Return the largest row sum of D⁻¹ |A| D, D diagonal, after some sweeps of Osborne's balancing."""
+    sizes = sizes.copy()
+    for _ in range(4):
+        for i in range(len(sizes)):
+            row, column = (float(line.sum() - sizes[i, i]) for line in (sizes[i], sizes[:, i]))
+            if row > 0.0 and column > 0.0:
+                factor = (column / row) ** 0.5
+                sizes[i] *= factor
+                sizes[:, i] /= factor
+    return float(sizes.sum(axis=1).max(initial=0.0))

@@ -187,3 +187,10 @@ def test_elimination_with_many_digits_agrees_with_numpy():
         assert complex(determinant(exact)) == pytest.approx(np.linalg.det(M))
         assert np.allclose(inverse(exact).astype(complex), np.linalg.inv(M))
         assert np.max(many.size(exact @ inverse(exact) - many.array(np.eye(n)))) < 1e-45
+
+
+def test_a_nilpotent_matrix_with_eigenvalues_that_look_nonzero_in_doubles():
+    A = sp.Matrix([[0, 1, 1], [-1, -1, 0], [0, 1, 1]])
+    Phi = sp.eye(3) + A * t + A**2 * t**2 / 2
+    assert exponential_residual(A, Phi, t) <= 1e-9
+    assert exponential_residual(A, Phi + A**2 * t**2 / 1000, t) > 1e-9
