@@ -12,7 +12,7 @@ from sympy.matrices.matrixbase import MatrixBase
 
 from solver.derivation import Stated
 
-SEED = 19_600_415  # the month of Kalman's paper; any constant will do
+SEED = 20_011  # any constant will do
 COMPLEX_NAMES = frozenset({"s", "z", "lamda", "lambda"})
 """Symbols without assumptions that stand for complex variables."""
 
