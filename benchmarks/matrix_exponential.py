@@ -18,7 +18,8 @@ TARGETS = {3: (4, 15, 3), 6: (5, 40, 13), 10: (5, 60, 60)}
 
 def ours(A: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
     """e^{At}."""
-    return exact.exponential(A, t).matrix
+    Phi: sp.ImmutableMatrix = exact.exponential(A, t).matrix
+    return Phi
 
 
 def sympy_exponential(A: sp.ImmutableMatrix) -> sp.Matrix:
