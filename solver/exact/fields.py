@@ -27,6 +27,8 @@ def domain_matrix(M: sp.MatrixBase) -> DomainMatrix:
 
     Sines and cosines of an angle θ are written as rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K.
     """
+    if M.has(sp.I):
+        raise NotExact("The entries are not real; systems with complex coefficients are not solved here.")
     written = _half_angles(M)
     matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
     if matrix.domain.is_EXRAW or matrix.domain.is_EX:
@@ -223,6 +225,10 @@ class Algebraic:
         d, K = self.modulus.degree, self.modulus.domain
         if d == 1:
             return Algebraic((K.one / self.coefficients[0],), self.modulus)
+        if d == 2:
+            (a, b), (c, e) = self.coefficients, self.modulus.low
+            norm = a * a - a * b * e + b * b * c
+            return Algebraic(((a - b * e) / norm, -b / norm), self.modulus)
         basis = [Algebraic([K.one if i == j else K.zero for i in range(d)], self.modulus) for j in range(d)]
         columns = [(self * e).coefficients for e in basis]
         system = DomainMatrix([[columns[j][i] for j in range(d)] for i in range(d)], (d, d), K)

@@ -13,7 +13,7 @@ from math import factorial
 
 import sympy as sp
 
-from solver.exact.fields import Algebraic, NotExact, collected, expressions
+from solver.exact.fields import Algebraic, NotExact, collected, expressions, square_root
 from solver.exact.instances import value_at
 from solver.exact.residues import (
     FactorResidues,
@@ -22,7 +22,7 @@ from solver.exact.residues import (
     multiply_by,
     resolvent_residues,
 )
-from solver.exact.spectrum import Factor, Root
+from solver.exact.spectrum import DIGITS, Factor, Root
 
 Term = tuple[sp.Expr, list[sp.Expr]]
 """A function of time and the coefficient it has in each entry of the matrix, row by row."""
@@ -138,16 +138,18 @@ def _root_of(factor: Factor) -> Algebraic:
 
 
 def polar(root: Root) -> tuple[sp.Expr, sp.Expr]:
-    """Radius and angle (0 < θ < π) of the upper root of a conjugate pair; raises NotExact if it may be real."""
+    """Radius and angle (0 < θ < π for ω > 0) of a root σ + jω of a pair; raises NotExact if it may be real."""
     if root.kind == "symbolic":
         raise NotExact(
             "Whether the quadratic factor has real or complex roots depends on the parameters, and with it the form of "
             "$A^{k}$. Say more about the parameters under `assume`."
         )
-    r = sp.sqrt(sp.expand(root.sigma**2 + root.shift**2))
+    r = square_root(collected(root.sigma**2 + root.shift**2))
     if root.kind == "decimal":
-        return r, sp.atan2(root.shift, root.sigma).evalf(30)
-    return r, sp.acos(sp.radsimp(root.sigma / r))
+        return r, sp.atan2(root.shift, root.sigma).evalf(DIGITS)
+    if root.shift.is_positive:
+        return r, sp.acos(sp.radsimp(root.sigma / r))
+    return r, sp.atan2(root.shift, root.sigma)  # the "upper" root is the lower one where a parameter is negative
 
 
 def _instances(factor: Factor, Z: Residue) -> Iterator[tuple[Root, list[sp.Expr], list[sp.Expr] | None]]:

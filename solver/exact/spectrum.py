@@ -77,13 +77,13 @@ class Spectrum:
 @lru_cache(maxsize=64)
 def spectrum(A: sp.ImmutableMatrix) -> Spectrum:
     """The spectrum of A (n×n); raises NotExact for a factor of degree ≥ 3 with parameters."""
-    listed = _factor_list(A)
+    listed = irreducible_factors(A)
     factors = [_factor(p, multiplicity) for p, multiplicity in listed]
     return Spectrum(tuple(sorted(factors, key=_order)), _exceptions([p for p, _ in listed]))
 
 
 @lru_cache(maxsize=64)
-def _factor_list(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
+def irreducible_factors(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
     """The monic irreducible factors of χ over K with their multiplicities."""
     result = faddeev_leverrier(A)
     _, listed = sp.Poly(list(result.chi), sp.Dummy("x"), domain=result.domain).factor_list()
@@ -93,12 +93,13 @@ def _factor_list(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
 def factored(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.Expr:
     """χ(x) as the product of its irreducible factors over K."""
     powers = sorted(
-        ((_as_expression(p, x), m) for p, m in _factor_list(A)), key=lambda pair: sp.default_sort_key(pair[0])
+        ((polynomial(p, x), m) for p, m in irreducible_factors(A)), key=lambda pair: sp.default_sort_key(pair[0])
     )
     return sp.Mul(*(sp.Pow(p, m) for p, m in powers))
 
 
-def _as_expression(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
+def polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
+    """A polynomial over K as an expression in x."""
     coefficients = p.rep.to_list()
     return sp.Add(*(expression(p.domain, c) * x ** (len(coefficients) - 1 - i) for i, c in enumerate(coefficients)))
 

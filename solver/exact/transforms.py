@@ -10,7 +10,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.derivation.stated import Stated, product, quotient
 from solver.exact.faddeev import faddeev_leverrier
-from solver.exact.fields import Algebraic, Modulus, collected, expression, expressions, matrix_of
+from solver.exact.fields import Algebraic, Modulus, collected, expressions, matrix_of
 from solver.exact.functions import closed_form, polar
 from solver.exact.instances import value_at
 from solver.exact.residues import (
@@ -22,23 +22,22 @@ from solver.exact.residues import (
     residues_at,
     resolvent_residues,
 )
-from solver.exact.spectrum import Factor, Root, spectrum
+from solver.exact.spectrum import Factor, Root, irreducible_factors, polynomial
 
 
 def resolvent(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.ImmutableMatrix:
     """(xI − A)⁻¹ (n×n): entries in lowest terms, denominators as products of the irreducible factors of χ."""
-    fl, factors = faddeev_leverrier(A), spectrum(A).factors
+    fl = faddeev_leverrier(A)
     K, n = fl.domain, A.rows
     entries = []
     for flat in zip(*(N.to_list_flat() for N in fl.N), strict=True):
         numerator = sp.Poly(list(flat), x, domain=K)
         denominator = sp.Integer(1)
-        for factor in factors:
-            p = sp.Poly([K.one, *reversed(factor.modulus.low)], x, domain=K)
-            left = factor.multiplicity
-            while left and not numerator.is_zero and numerator.rem(p).is_zero:
-                numerator, left = numerator.quo(p), left - 1
-            denominator *= factor.polynomial(x) ** left
+        for p, multiplicity in irreducible_factors(A):
+            factor, left = sp.Poly(p.rep.to_list(), x, domain=K), multiplicity
+            while left and not numerator.is_zero and numerator.rem(factor).is_zero:
+                numerator, left = numerator.quo(factor), left - 1
+            denominator *= polynomial(factor, x) ** left
         entries.append(_fraction(numerator, denominator, x))
     return sp.ImmutableMatrix(n, n, entries)
 
@@ -47,16 +46,11 @@ def _fraction(numerator: sp.Poly, denominator: sp.Expr, x: sp.Symbol) -> sp.Expr
     """The fraction as it is written: zero as 0, a numerator that begins with a minus with the minus in front."""
     if numerator.is_zero:
         return sp.Integer(0)
-    written = _polynomial(numerator, x)
+    written = polynomial(numerator, x)
     negative = sp.expand(-written)
     if all(term.could_extract_minus_sign() for term in sp.Add.make_args(written)):
         return -(negative / denominator)
     return written / denominator
-
-
-def _polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
-    coefficients = p.rep.to_list()
-    return sp.Add(*(expression(p.domain, c) * x ** (len(coefficients) - 1 - i) for i, c in enumerate(coefficients)))
 
 
 def partial_fractions(A: sp.ImmutableMatrix, x: sp.Symbol) -> list[Stated]:
