@@ -144,7 +144,7 @@ def refused(text):
 
 def test_the_watch_sees_what_is_run(events):
     events["on"] = True
-    eval("1 + 1")
+    eval("1 + 1")  # noqa: S307 - what the watch must see
     events["on"] = False
     assert any(event == "exec" for event, _ in events["events"])
     events["events"].clear()

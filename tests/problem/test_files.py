@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 import socket
 import sys
 
@@ -59,7 +60,7 @@ def test_a_socket_is_refused(tmp_path, monkeypatch):
         assert "it is not a regular file" in refusal("s")
 
 
-@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no devices on this system")
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="no devices on this system")
 def test_a_device_is_refused():
     assert "it is not a regular file" in refusal("/dev/zero")
 
