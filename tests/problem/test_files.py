@@ -1,9 +1,9 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 import socket
 import sys
+from pathlib import Path
 
 import pytest
 
