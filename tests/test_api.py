@@ -1,0 +1,83 @@
+"""The Python interface: from a path or from text, and what a notebook shows."""
+
+import json
+from html.parser import HTMLParser
+
+import pytest
+import sympy as sp
+
+import solver
+from solver.derivation import Status
+from solver.problem.source import InputError
+from solver.resources import root
+
+TEXT = """\
+title: A < B
+system:
+  A: [[0, 1], [-2, -3]]
+find:
+  a: {task: state_transition_matrix, method: [modal, laplace]}
+  b: eigenstructure
+"""
+t = sp.Symbol("t")
+
+
+@pytest.fixture(scope="module")
+def solution():
+    return solver.solve(TEXT)
+
+
+def test_text_is_solved(solution):
+    assert solution.status is Status.VERIFIED
+    assert [part.method for part in solution.parts] == ["modal", "laplace", "eigenstructure"]
+    assert solution.answers["a"]["Phi"][0, 1] == sp.exp(-t) - sp.exp(-2 * t)
+    assert solution.answers["b"]["eigenvalues"] == [-2, -1]
+
+
+def test_a_path_is_solved():
+    path = root("problems") / "course" / "ch1" / "ch1-ex05.yaml"
+    assert (
+        solver.solve(path).answers["a"]["eigenvalues"] == solver.solve(str(path)).answers["a"]["eigenvalues"] == [-2, 3]
+    )
+
+
+def test_limits_run_in_a_child_and_give_the_same_answers(solution):
+    limited = solver.solve(TEXT, seconds=60)
+    assert limited.answers == solution.answers
+
+
+def test_every_format(solution):
+    assert "<!DOCTYPE html>" in solution.html()
+    assert solution.latex(detail="tutor").rstrip().endswith(r"\end{document}")
+    assert solution.markdown(detail="brief").startswith("# A")
+    assert json.loads(solution.json())["status"] == "verified"
+
+
+def test_the_notebook_shows_the_page_in_a_frame_of_its_own(solution):
+    seen = []
+
+    class Frames(HTMLParser):
+        def handle_starttag(self, tag, attrs):
+            seen.append((tag, dict(attrs)))
+
+    Frames().feed(solution._repr_html_())
+    assert [tag for tag, _ in seen] == ["iframe"]
+    assert seen[0][1]["srcdoc"] == solution.html()
+    assert seen[0][1]["sandbox"] == ""
+
+
+def test_the_other_representations(solution):
+    assert solution._repr_markdown_() == solution.markdown()
+    assert solution._repr_latex_().count("$$") == 2 * 7
+    assert repr(solution) == "<worked solution of 'A < B': verified>"
+
+
+def test_input_at_fault_is_raised_with_its_place():
+    with pytest.raises(InputError) as caught:
+        solver.solve("system:\n  A: [[1, 2]]\nfind:\n  a: eigenstructure\n")
+    assert "<text>:2:" in caught.value.render()
+
+
+def test_an_unknown_name_of_the_package_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="no attribute 'resolve'"):
+        _ = solver.resolve
