@@ -43,9 +43,8 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="leave out the peers that take seconds")
     parser.add_argument("group", nargs="?", choices=("exponential", "placement", "command"))
     chosen = parser.parse_args()
-    print(
-        f"times in ms, medians of processor time, caches emptied before each run; load {os.getloadavg()[0]:.1f}\n\n{HEADER}"
-    )
+    print("times in ms: medians of processor time (of whole processes: wall time), caches emptied before each run")
+    print(f"load of the machine: {os.getloadavg()[0]:.1f}\n\n{HEADER}")
     met = True
     for row in measured(chosen.group, quick=chosen.quick):
         print(line(row), flush=True)

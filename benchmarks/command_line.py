@@ -9,7 +9,7 @@ from math import log
 from pathlib import Path
 from typing import Any
 
-from benchmarks.timing import Failure, Row, milliseconds, process
+from benchmarks.timing import Failure, Row, milliseconds_of_each, process
 
 PROBLEM = """\
 title: Benchmark
@@ -23,18 +23,18 @@ NO_SYMPY = "import sys; sys.argv = {argv}; from solver.cli import main\ntry:\n m
 NO_SYMPY += "assert 'sympy' not in sys.modules, 'sympy was imported'"
 
 
-def companion_text(n: int) -> str:
-    """The companion matrix of (x + 1)…(x + n) as YAML."""
+def companion_text(n: int, first: int = 1) -> str:
+    """The companion matrix of (x + first)(x + first + 1)… of degree n as YAML."""
     low = [1]
-    for root in range(1, n + 1):  # coefficients of the product, the constant term first, without the leading one
+    for root in range(first, first + n):  # coefficients of the product, the constant term first
         low = [a + root * b for a, b in zip([0, *low], [*low, 0], strict=True)]
     rows = [[int(j == i + 1) for j in range(n)] for i in range(n - 1)]
     return str([*rows, [-c for c in low[:-1]]])
 
 
-def problem_text(n: int) -> str:
+def problem_text(n: int, first: int = 1) -> str:
     """A problem file that asks for e^{At} of order n."""
-    return PROBLEM.format(A=companion_text(n))
+    return PROBLEM.format(A=companion_text(n, first))
 
 
 def rows() -> Iterator[Row | Failure]:
@@ -70,12 +70,13 @@ def _cold() -> Iterator[Row]:
 
 
 def _warm() -> Iterator[Row]:
+    """Yield the times of problems never seen before in a process that has solved others."""
     package = import_module("solver")  # only here, so that the rows above do not pay for it
 
-    def work(n: int) -> Any:
-        return package.solve(problem_text(n))._repr_html_()
+    def work(n: int, first: int) -> Any:
+        return package.solve(problem_text(n, first))._repr_html_()
 
-    three = milliseconds(lambda: work(3))
+    three = milliseconds_of_each([lambda first=first: work(3, first) for first in range(1, 10)])
     yield Row("warm solve + check + HTML, n = 3", three, at_most=30)
-    six = milliseconds(lambda: work(6), repetitions=3)
+    six = milliseconds_of_each([lambda first=first: work(6, first) for first in range(1, 6)])
     yield Row(f"warm, n = 6 (growth n^{log(six / three, 2):.1f})", six, at_most=three * 2**4)

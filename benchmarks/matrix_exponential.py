@@ -11,6 +11,7 @@ from benchmarks.timing import Row, milliseconds, once, side_by_side
 from solver import exact
 
 t, s = sp.Symbol("t"), sp.Symbol("s")
+positive_t = sp.Symbol("t", positive=True)  # the peers are up to three times faster with it
 
 TARGETS = {3: (4, 15, 3), 6: (5, 40, 13), 10: (5, 60, 60)}
 """By the order n: times faster than `Matrix.exp`, than the inverse Laplace transform; milliseconds at most."""
@@ -24,13 +25,13 @@ def ours(A: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
 
 def sympy_exponential(A: sp.ImmutableMatrix) -> sp.Matrix:
     """e^{At} by sympy's Jordan form."""
-    return (sp.Matrix(A) * t).exp()
+    return (sp.Matrix(A) * positive_t).exp()
 
 
 def entrywise_inverse_laplace(A: sp.ImmutableMatrix) -> sp.Matrix:
     """e^{At} by the inverse Laplace transform of every entry of (sI − A)⁻¹."""
     resolvent = (s * sp.eye(A.rows) - sp.Matrix(A)).inv()
-    return resolvent.applyfunc(lambda entry: sp.inverse_laplace_transform(entry, s, t))
+    return resolvent.applyfunc(lambda entry: sp.inverse_laplace_transform(entry, s, positive_t))
 
 
 def rows(*, quick: bool = False) -> Iterator[Row]:

@@ -26,8 +26,7 @@ from solver.derivation import (
 )
 from solver.derivation.stated import difference, product
 from solver.derivation.steps import Claim
-from solver.exact import NotExact
-from solver.numeric import check_steps
+from solver.lazy import exact, numeric
 from solver.problem.model import Part, Problem, Reference
 from solver.systems import StateSpace
 from solver.tasks import catalogue
@@ -85,11 +84,11 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
         options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
         given = yield_into(steps, _closed_loop(Given(_plant(part), options, method)))
         answers = yield_into(steps, task.methods[method].derive(given))
-        checks = (*check_steps(steps), *task.verify(given, answers))
+        checks = (*numeric.check_steps(steps), *task.verify(given, answers))
         status, reason = _verdict(checks)
-    except (Unsolved, NotExact) as refusal:
+    except (Unsolved, exact.NotExact) as refusal:
         status, reason = Status.UNSOLVED, str(refusal)
-        checks = check_steps(steps)
+        checks = numeric.check_steps(steps)
         answers = Answers()
     seconds = perf_counter() - start
     return PartResult(part.id, part.task, method, status, answers, checks, tuple(steps), reason, seconds)

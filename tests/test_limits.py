@@ -118,7 +118,7 @@ def read_example():
 
 @pytest.mark.slow
 def test_a_spawned_child_gives_the_same_results(read_example, monkeypatch):
-    monkeypatch.setattr("solver.limits.FORKS", False)
+    monkeypatch.setattr("solver.limits.child.FORKS", False)
     problem = read_example("two-methods")
     parts = solve_problem(problem, in_child()).parts
     assert [part.status for part in parts] == [Status.VERIFIED] * len(parts)

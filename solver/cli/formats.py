@@ -8,9 +8,7 @@ from functools import cached_property
 from pathlib import Path
 
 from solver.engine import Solution
-from solver.render.data import render_json
 from solver.render.numbers import NumberFormat
-from solver.render.terminal import text_document
 from solver.render.view import SolutionView, view_of
 from solver.render.wording import Wording
 
@@ -63,10 +61,14 @@ def _markdown(document: Document) -> bytes:
 
 
 def _text(document: Document) -> bytes:
+    from solver.render.terminal import text_document
+
     return text_document(document.view).encode()
 
 
 def _json(document: Document) -> bytes:
+    from solver.render.data import render_json
+
     return render_json(document.solution, document.view).encode()
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING
@@ -22,6 +24,7 @@ from solver.problem.source import Diagnostic, InputError, Source
 if TYPE_CHECKING:
     from solver.cli.formats import Document
     from solver.engine import Solution
+    from solver.problem.model import Problem
     from solver.render.view import SolutionView
 
 SOLVED, UNSOLVED, INPUT_AT_FAULT = 0, 1, 2
@@ -44,9 +47,14 @@ class Request:
 
 def solve_files(request: Request) -> int:
     """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
+    gc.set_threshold(100_000, 20, 20)  # importing makes many objects and no garbage: a fifth faster
     for name in SINGLE_THREAD:  # the matrices are small, and a process with threads should not fork
         os.environ.setdefault(name, "1")
     _end_orderly()
+    if len(request.files) > 1:
+        from solver.limits.child import load_algebra
+
+        load_algebra()  # once, and not in the child of each file
     meter = Meter(len(request.files))
     return max(_guarded(request, file, meter) for file in request.files)
 
@@ -83,22 +91,33 @@ def _guarded(request: Request, file: str, meter: Meter) -> int:
 
 
 def _solve(request: Request, file: str, meter: Meter) -> int:
-    from solver.engine import solve_problem
-    from solver.limits import Limits, in_child
-    from solver.problem.reader import read_problem
-    from solver.tasks import catalogue
+    import sympy  # noqa: F401 - here, so that the child has it too
 
-    problem = read_problem(_source(file), catalogue())
+    from solver.limits import Child, Limits, in_child
+
     limits = Limits(request.time_limit, request.memory_limit)
-    with meter.file(file) as notify:
-        solution = solve_problem(problem, in_child(limits, notify, meanwhile=_load_renderers))
+    with Child() as child:  # it loads the algebra while the problem is being read
+        from solver.engine import solve_problem
+        from solver.problem.reader import read_problem
+        from solver.tasks import catalogue
+
+        problem = read_problem(_source(file), catalogue())
+        with meter.file(file) as notify:
+            rehearsal = partial(_rehearse, request, problem)
+            solution = solve_problem(problem, in_child(limits, notify, rehearsal, child))
     return _deliver(request, file, solution)
 
 
-def _load_renderers() -> None:
-    """Import what writes the solution, while the child solves."""
-    import solver.cli.formats
-    import solver.render.page  # noqa: F401
+def _rehearse(request: Request, problem: Problem) -> None:
+    """Load what writes the solution, while the child solves: write one without parts."""
+    from solver.cli.formats import Document
+    from solver.engine import Solution
+
+    empty = Document(Solution(problem, ()), request.detail, request.templates)
+    for format_ in request.destination.formats:
+        if format_ != "pdf":
+            with suppress(AtFault):  # it will be told of the solution itself
+                _rendered(empty, format_)
 
 
 def _source(file: str) -> Source:

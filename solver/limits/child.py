@@ -1,9 +1,4 @@
-"""Solving within limits of time and memory, in a child process that can be killed.
-
-One child solves the parts of a problem in order and sends each result through a pipe as soon as it is found. The
-parent keeps the time of each. A child that is too slow, too large or dead costs only the part (by one method) it was
-at: that one becomes `unsolved` with the reason, and a new child goes on with the rest.
-"""
+"""The process that solves: killable, limited in memory, and quiet about its end."""
 
 from __future__ import annotations
 
@@ -13,13 +8,13 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from importlib import import_module
 from multiprocessing.connection import Connection
 from pathlib import Path
 from pickle import PickleError
-from time import monotonic
+from typing import TYPE_CHECKING
 
 try:
     import resource
@@ -27,11 +22,15 @@ except ImportError:  # Windows
     resource = None  # type: ignore[assignment]  # checked before it is used
 
 from solver.derivation import PartResult, Status
-from solver.engine import Earlier, Runner, solve_part
-from solver.problem.model import Part, Problem
 
-TICK = 0.1  # seconds between two reports of progress
+if TYPE_CHECKING:
+    from solver.engine import Earlier
+    from solver.problem.model import Part
+
 FORKS = sys.platform.startswith("linux")  # fork is unsafe on macOS and unknown on Windows
+
+Unit = tuple["Part", str]
+"""What is solved under one limit: a part by one of its methods."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,102 +41,37 @@ class Limits:
     megabytes: int = 2048
 
 
-@dataclass(frozen=True, slots=True)
-class Progress:
-    """Which part is being solved, by which method, as number `index` (from 0) of `total`."""
+class Child:
+    """A process that solves some units in order.
 
-    part: str
-    method: str
-    index: int
-    total: int
-
-
-Unit = tuple[Part, str]
-"""What is solved under one limit: a part by one of its methods."""
-
-Notify = Callable[[Progress], None]
-
-
-def in_child(
-    limits: Limits = Limits(), notify: Notify | None = None, meanwhile: Callable[[], None] | None = None
-) -> Runner:
-    """Return a runner for `solve_problem` that keeps the limits.
-
-    `notify` is called ten times a second while a part is being solved; `meanwhile` once, while the first one is.
+    It may be started before they are known: it loads the algebra in the meantime.
     """
 
-    def run(problem: Problem) -> Iterator[list[PartResult]]:
-        supervisor = _Supervisor(problem, limits, notify, meanwhile)
-        try:
-            for part in problem.parts:
-                yield [supervisor.next_result() for _ in part.methods]
-        finally:
-            supervisor.stop()
-
-    return run
-
-
-class _Supervisor:
-    """The parent's side: starts children, keeps the time, and knows what is still to be solved."""
-
-    def __init__(
-        self, problem: Problem, limits: Limits, notify: Notify | None, meanwhile: Callable[[], None] | None
-    ) -> None:
-        self.limits = limits
-        self.notify = notify
-        self.meanwhile = meanwhile
-        self.units: list[Unit] = [(part, method) for part in problem.parts for method in part.methods]
-        self.done = 0
-        self.known: dict[str, PartResult] = {}
-        self.child: _Child | None = None
-
-    def next_result(self) -> PartResult:
-        """Return what becomes of the next part and method."""
-        part, method = self.units[self.done]
-        if self.child is None:
-            self.child = _Child(self.units[self.done :], self.known, self.limits)
-        start = monotonic()
-        result = self._wait(start, self.child)
-        if isinstance(result, str):
-            self.stop()
-            result = _unsolved((part, method), result, monotonic() - start)
-        elif self.child.exhausted:
-            self.stop()
-        self.done += 1
-        self.known.setdefault(part.id, result)
-        return result
-
-    def _wait(self, start: float, child: _Child) -> PartResult | str:
-        """Return the child's next result, or the reason why there is none."""
-        if self.meanwhile is not None:
-            self.meanwhile()
-            self.meanwhile = None
-        end = start + self.limits.seconds
-        while not child.ready(min(TICK, max(0.0, end - monotonic()))):
-            if monotonic() >= end:
-                return f"time limit of {self.limits.seconds:g} s"
-            if self.notify is not None:
-                part, method = self.units[self.done]
-                self.notify(Progress(part.id, method, self.done, len(self.units)))
-        return child.receive()
-
-    def stop(self) -> None:
-        """End the child, if there is one."""
-        if self.child is not None:
-            self.child.kill()
-            self.child = None
-
-
-class _Child:
-    """A process that solves some units in order."""
-
-    def __init__(self, units: list[Unit], known: Earlier, limits: Limits) -> None:
+    def __init__(self) -> None:
         context = multiprocessing.get_context("fork") if FORKS else multiprocessing.get_context("spawn")
-        self.channel, its_end = context.Pipe(duplex=False)
-        self.process = context.Process(target=_work, args=(units, dict(known), limits, its_end), daemon=True)
+        self.channel, its_end = context.Pipe()
+        self.process = context.Process(target=_live, args=(its_end,), daemon=True)
         self.process.start()
         its_end.close()
+        self.begun = False
         self.exhausted = False  # whether it can solve no more, because its memory is full
+
+    def __enter__(self) -> Child:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.kill()
+
+    def send(self, units: list[Unit], known: Earlier, limits: Limits) -> None:
+        """Send the units, with the results they may need."""
+        with suppress(OSError):  # the child is dead; `receive` will tell
+            self.channel.send((units, dict(known), limits))
+
+    def wait_until_it_began(self) -> None:
+        """Return when the first unit is being worked on; loading the algebra does not count as its time."""
+        if not self.begun:
+            with suppress(EOFError, OSError):
+                self.begun = self.channel.recv()
 
     def ready(self, seconds: float) -> bool:
         """Whether there is something to receive, a result or the child's death, within some seconds."""
@@ -155,6 +89,8 @@ class _Child:
 
     def kill(self) -> None:
         """End the process at once and free what it holds."""
+        if self.channel.closed:
+            return
         self.process.kill()
         self.process.join()
         self.channel.close()
@@ -166,11 +102,17 @@ def _cause_of_death(code: int | None) -> str:
     return "its computation ended unexpectedly"
 
 
-def _work(units: list[Unit], known: dict[str, PartResult], limits: Limits, channel: Connection) -> None:
-    """Solve the units one by one and send the results: the life of the child."""
+def _live(channel: Connection) -> None:
+    """Load the algebra, receive the units, solve them one by one and send the results: the life of the child."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent hears it too, and ends the child
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    load_algebra()
+    try:
+        units, known, limits = channel.recv()
+    except EOFError:  # the parent is gone
+        return
     _restrict(limits, len(units))
+    channel.send(True)
     for unit in units:
         result, exhausted = _solve_guarded(unit, known, limits)
         known.setdefault(result.id, result)
@@ -179,18 +121,26 @@ def _work(units: list[Unit], known: dict[str, PartResult], limits: Limits, chann
             return
 
 
+def load_algebra() -> None:
+    """Import what solving needs, in this process and so in all that it starts from now on."""
+    for name in ("solver.engine", "solver.exact", "solver.numeric", "scipy.linalg"):
+        import_module(name)
+
+
 def _solve_guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[PartResult, bool]:
     """Return the result of one unit and whether the memory was exhausted."""
+    from solver.engine import solve_part  # noqa: PLC0415 - the parent does not need it
+
     part, method = unit
     try:
         return solve_part(replace(part, methods=(method,)), known)[0], False
     except MemoryError:
         reason = f"memory limit of {limits.megabytes} MB"
     except RecursionError:
-        return _unsolved(unit, "its expressions are nested too deeply"), False
+        return unsolved(unit, "its expressions are nested too deeply"), False
     except Exception as bug:  # noqa: BLE001 - the boundary of a part: a bug in one must not lose the others
-        return _unsolved(unit, _as_bug(bug)), False
-    return _unsolved(unit, reason), True
+        return unsolved(unit, _as_bug(bug)), False
+    return unsolved(unit, reason), True
 
 
 def _send(result: PartResult, exhausted: bool, channel: Connection) -> None:
@@ -203,7 +153,8 @@ def _send(result: PartResult, exhausted: bool, channel: Connection) -> None:
         channel.send((_without_answers(result, _as_bug(bug)), exhausted))
 
 
-def _unsolved(unit: Unit, reason: str, seconds: float = 0.0) -> PartResult:
+def unsolved(unit: Unit, reason: str, seconds: float = 0.0) -> PartResult:
+    """Return the result of a unit that was not solved, with the reason."""
     part, method = unit
     return PartResult(part.id, part.task, method, Status.UNSOLVED, reason=reason, seconds=seconds)
 
