@@ -1,0 +1,67 @@
+"""Every equality that a step displays is really checked: a corrupted right side is rejected."""
+
+import pytest
+import sympy as sp
+from asking import ask, system
+
+from solver.derivation import CheckStatus, Claim, Stated, Status
+from solver.numeric import check_claim
+from solver.tasks import catalogue
+
+PLANTS = {
+    "distinct": system([[0, 1], [-2, -3]]),
+    "complex": system([[0, 1], [-5, -2]]),
+    "defective": system([[-1, 0, 0], [0, -1, 0], [1, 0, -1]]),
+    "surd": system([[0, 1], [2, 0]]),
+    "cubic": system([[0, 1, 0], [0, 0, 1], [-1, -1, 0]]),
+    "discrete": system([[0, 1], [-6, -5]], discrete=True),
+    "discrete, complex": system([[0, 1], [-2, 2]], discrete=True),
+}
+CASES = [
+    pytest.param(task, method, plant, id=f"{task}-{method}-{name}")
+    for name, plant in PLANTS.items()
+    for task, declared in catalogue().items()
+    for method in declared.methods_for(plant.discrete)
+]
+
+
+def corruptions(right):
+    """A sign, one entry or a factor changed; of a stated formula, one of its operands."""
+    if isinstance(right, Stated):
+        for i, operand in enumerate(right.operands):
+            for corrupted in corruptions(operand):
+                yield Stated(right.operation, (*right.operands[:i], corrupted, *right.operands[i + 1 :]))
+    elif isinstance(right, sp.MatrixBase):
+        yield sp.ImmutableMatrix(right + sp.ones(*right.shape))
+        for i in range(len(right)):
+            changed = right.as_mutable()
+            changed[i] = changed[i] + sp.Rational(1, 1000)
+            yield sp.ImmutableMatrix(changed)
+    elif isinstance(right, sp.Expr):
+        yield right + sp.Rational(1, 1000)
+        yield right * sp.Rational(1001, 1000) if right != 0 else sp.Integer(1)
+
+
+def same_value(claim):
+    """Whether a corruption happens to be right again (the operand is multiplied by zero, say)."""
+    return check_claim(claim, "").status is CheckStatus.PASSED
+
+
+@pytest.mark.parametrize(("task", "method", "plant"), CASES)
+def test_corrupted_claims_are_rejected(task, method, plant):
+    result = ask(task, plant, method)
+    assert result.status is not Status.FAILED, result.reason
+    claims = [claim for step in result.steps for each in step.walk() for claim in each.claims.values()]
+    assert claims
+    for claim in claims:
+        assert check_claim(claim, "").status is CheckStatus.PASSED
+        for corrupted in corruptions(claim.right):
+            if not same_value(Claim(claim.right, corrupted)):
+                assert check_claim(Claim(claim.left, corrupted), "").status is CheckStatus.FAILED, claim
+
+
+@pytest.mark.parametrize(("task", "method", "plant"), CASES)
+def test_a_step_without_claims_says_why(task, method, plant):
+    for step in ask(task, plant, method).steps:
+        for each in step.walk():
+            assert each.claims or each.unclaimed, each
