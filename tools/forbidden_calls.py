@@ -24,7 +24,6 @@ METHODS = {**dict.fromkeys(("jordan_form", "eigenvects", "diagonalize", "simplif
 del METHODS["compile"]  # of regular expressions
 
 SHELLS = {"system", "popen"}
-PICKLE_IN = "limits.py"  # it reads what its own child wrote
 BROAD = {"Exception", "BaseException"}
 
 
@@ -32,12 +31,12 @@ def violations(path: Path) -> Iterator[tuple[int, str]]:
     """Yield line and reason of each forbidden call in a file."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
         if isinstance(node, ast.Call):
-            yield from ((node.lineno, reason) for reason in _of_call(node, path))
+            yield from ((node.lineno, reason) for reason in _of_call(node))
         elif isinstance(node, ast.ExceptHandler) and _is_silent(node):
             yield node.lineno, "an except clause for everything that does nothing"
 
 
-def _of_call(node: ast.Call, path: Path) -> Iterator[str]:
+def _of_call(node: ast.Call) -> Iterator[str]:
     function = node.func
     name = getattr(function, "id", getattr(function, "attr", ""))
     owner = getattr(getattr(function, "value", None), "id", "")
@@ -48,7 +47,7 @@ def _of_call(node: ast.Call, path: Path) -> Iterator[str]:
         yield f".exp(): {SLOW}"
     if name == "S" and node.args and not _is_number(node.args[0]):
         yield f"S() of what may be a text: {EVALUATES}"
-    if owner == "pickle" and name in {"load", "loads", "Unpickler"} and path.name != PICKLE_IN:
+    if owner == "pickle" and name in {"load", "loads", "Unpickler"}:
         yield "pickle runs code of whoever wrote the data"
     if owner == "os" and name in SHELLS:
         yield f"os.{name}() starts a shell"
