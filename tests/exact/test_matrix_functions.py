@@ -195,6 +195,30 @@ def test_parametric_powers_have_the_right_values(A):
         assert np.abs(floats(closed, k=exponent) - expected).max() < 1e-12
 
 
+EITHER_SIGN = [
+    sp.ImmutableMatrix([[q, p], [-p, q]]),
+    PARAMETERS["rotation"],
+    sp.ImmutableMatrix([[0, p], [-p, 0]]),
+    sp.ImmutableMatrix([[0, 1], [-(p**2), 0]]),
+]
+RADIUS = pytest.mark.xfail(reason="the radius of a pair on the axis is taken as ω, not as |ω|", strict=True)
+
+
+@pytest.mark.parametrize(
+    ("A", "value"),
+    [
+        *((A, "7/10") for A in EITHER_SIGN),
+        *((A, "-7/10") for A in EITHER_SIGN[:2]),
+        *(pytest.param(A, "-7/10", marks=RADIUS) for A in EITHER_SIGN[2:]),
+    ],
+)
+def test_powers_are_right_for_either_sign_of_the_frequency(A, value):
+    point = {p: sp.Rational(value), q: sp.Rational(1, 2), theta: sp.Rational(value)}
+    closed = exact.power(A, k).matrix.subs(point)
+    for exponent in range(5):
+        assert np.abs(floats(closed, k=exponent) - floats((A**exponent).subs(point))).max() < 1e-12
+
+
 @pytest.mark.parametrize("A", **each(EXACT))
 def test_the_truncated_series_is_the_beginning_of_the_series(A):
     expected = sp.eye(A.rows) + A * t + A * A * t**2 / 2 + A**3 * t**3 / 6
