@@ -6,6 +6,7 @@ from solver.exact.fields import NotExact
 from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
+from solver.exact.pole_placement import ackermann, controllability_matrix
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
 from solver.exact.transforms import partial_fractions, resolvent, transform_pairs
@@ -21,6 +22,8 @@ __all__ = [
     "Root",
     "RowReduction",
     "Spectrum",
+    "ackermann",
+    "controllability_matrix",
     "determinant_and_adjugate",
     "eigenstructure",
     "exponential",

@@ -7,7 +7,7 @@ and then instantiated at each root of p.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache, partial, reduce
 from typing import Any
 
@@ -15,10 +15,10 @@ import sympy as sp
 
 from solver.exact.fields import Algebraic, Modulus, domain_matrix
 from solver.exact.instances import element_at
+from solver.exact.multiples import Vector, cleared, without_common_factor
 from solver.exact.row_reduction import RowReduction, Rows, null_space, row_reduce
 from solver.exact.spectrum import Factor, Root, Spectrum, spectrum
 
-Vector = tuple[Any, ...]
 Chain = tuple[sp.ImmutableMatrix, ...]
 
 
@@ -26,7 +26,7 @@ Chain = tuple[sp.ImmutableMatrix, ...]
 class Eigenspace:
     """One eigenvalue: chains of column vectors n×1, each chain from its eigenvector up; (A − λI) c_{j+1} = c_j.
 
-    `reduction` is the row reduction of λI − A (None for decimal λ). `nullities` are the dimensions of
+    `over_L` is the row reduction of xI − A over L (None for decimal λ). `nullities` are the dimensions of
     the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay. `dual` are the rows of V⁻¹ for
     these columns of V, written as columns; there are none where a chain is longer than one.
     """
@@ -34,8 +34,13 @@ class Eigenspace:
     root: Root
     chains: tuple[Chain, ...]
     nullities: tuple[int, ...]
-    reduction: RowReduction | None
+    over_L: RowReduction | None = field(repr=False)
     dual: tuple[sp.ImmutableMatrix, ...] = ()
+
+    @cached_property
+    def reduction(self) -> RowReduction | None:
+        """The row reduction of λI − A in expressions; made when asked for, since few pages show it."""
+        return self.over_L and self.over_L.mapped(partial(element_at, root=self.root))
 
     @property
     def algebraic(self) -> int:
@@ -150,7 +155,7 @@ def _at_roots(factor: Factor, basis: _Basis, dual: list[Vector]) -> list[Eigensp
             root=root,
             chains=tuple(tuple(column(vector, root) for vector in chain) for chain in basis.chains),
             nullities=basis.nullities,
-            reduction=basis.reduction.mapped(partial(element_at, root=root)) if factor.degree < 3 else None,
+            over_L=basis.reduction if factor.degree < 3 else None,
             dual=tuple(column(row, root) for row in dual),
         )
         for root in factor.roots
@@ -175,7 +180,7 @@ def _chains(pencil: Rows, reduction: RowReduction, multiplicity: int) -> tuple[l
     one = _one(pencil)
     kernels = [null_space(reduction, one)]
     if len(kernels[0]) == multiplicity:
-        return [[_cleared(v)] for v in kernels[0]], (multiplicity,)
+        return [[cleared(v)] for v in kernels[0]], (multiplicity,)
     N = tuple(tuple(-a for a in row) for row in pencil)
     power = N
     while len(kernels[-1]) < multiplicity:
@@ -192,13 +197,13 @@ def _build(N: Rows, kernels: list[list[Vector]]) -> list[list[Vector]]:
         reached = [chain[len(chain) - level] for chain in chains if len(chain) >= level]
         for candidate in kernels[level - 1]:
             if _independent([*below, *reached, candidate]):
-                top = _cleared(candidate)
+                top = cleared(candidate)
                 chain = [top]
                 for _ in range(level - 1):
                     chain.append(_times(N, chain[-1]))
                 chains.append(chain)
                 reached.append(top)
-    return [_without_common_factor(list(reversed(chain))) for chain in chains]
+    return [without_common_factor(list(reversed(chain))) for chain in chains]
 
 
 def _independent(vectors: Sequence[Vector]) -> bool:
@@ -217,34 +222,3 @@ def _product(left: Rows, right: Rows) -> Rows:
 def _one(rows: Rows) -> Algebraic:
     p = rows[0][0].modulus
     return Algebraic([p.domain.one, *[p.domain.zero] * (p.degree - 1)], p)
-
-
-def _cleared(v: Vector) -> Vector:
-    """V times the factor that makes its coefficients integers (polynomials) without a common divisor, lead positive."""
-    return _without_common_factor([v])[0]
-
-
-def _has_nice_multiples(p: Modulus) -> bool:
-    """Whether a vector gets simpler when denominators are cleared: not with decimals, surds or half-angle tangents."""
-    K = p.domain
-    if K.is_FractionField and any(generator.has(sp.tan) for generator in K.symbols):
-        return False
-    return p.degree < 3 and (K.is_QQ or K.is_FractionField)
-
-
-def _without_common_factor(chain: list[Vector]) -> list[Vector]:
-    """A chain times one factor of K, so that its coefficients are coprime integers or polynomials."""
-    p = chain[0][0].modulus
-    K = p.domain
-    if not _has_nice_multiples(p):
-        return chain
-    coefficients = [c for v in chain for a in v for c in a.coefficients if c]
-    R = K.get_ring()
-    denominator = reduce(R.lcm, (R.convert(K.denom(c)) if K.is_QQ else K.denom(c) for c in coefficients))
-    numerators = [K.numer(c * K.convert(denominator, R)) for c in coefficients]
-    divisor = reduce(R.gcd, numerators)
-    factor = K.convert(denominator, R) / K.convert(divisor, R)
-    first = next(c for v in chain for a in v for c in reversed(a.coefficients) if c)
-    if K.is_QQ and first < 0:
-        factor = -factor
-    return [tuple(Algebraic((c * factor for c in a.coefficients), p) for a in v) for v in chain]

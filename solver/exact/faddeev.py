@@ -8,9 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from math import lcm
+from operator import mul
 from typing import Any
 
 import sympy as sp
+from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.fields import domain_matrix, expression, matrix_of
@@ -52,6 +55,8 @@ def faddeev_leverrier(A: sp.ImmutableMatrix) -> FaddeevLeVerrier:
     """Run the recursion for A (n×n)."""
     M = domain_matrix(A)
     K, n = M.domain, A.rows
+    if K.is_QQ:
+        return _over_integers(M)
     identity = DomainMatrix.eye(n, K).to_dense()
     N, chi, coefficients = identity, [K.one], []
     for k in range(1, n + 1):
@@ -62,3 +67,22 @@ def faddeev_leverrier(A: sp.ImmutableMatrix) -> FaddeevLeVerrier:
         chi.append(a)
         N = AN + identity * a
     return FaddeevLeVerrier(tuple(chi), tuple(coefficients), K)
+
+
+def _over_integers(M: DomainMatrix) -> FaddeevLeVerrier:
+    """The recursion for F = dM, d the common denominator: all its numbers are integers, N_k = N_k(F)/dᵏ."""
+    rows, n = M.to_list(), M.shape[0]
+    d = lcm(*(int(x.denominator) for row in rows for x in row))
+    F = [[int(x.numerator) * (d // int(x.denominator)) for x in row] for row in rows]
+    N = [[int(i == j) for j in range(n)] for i in range(n)]
+    chi, coefficients, scale = [QQ.one], [], 1
+    for k in range(1, n + 1):
+        coefficients.append(DomainMatrix([[QQ(x, scale) for x in row] for row in N], (n, n), QQ))
+        columns = list(zip(*N, strict=True))
+        N = [[sum(map(mul, row, column)) for column in columns] for row in F]
+        a = -sum(N[i][i] for i in range(n)) // k
+        for i in range(n):
+            N[i][i] += a
+        scale *= d
+        chi.append(QQ(a, scale))
+    return FaddeevLeVerrier(tuple(chi), tuple(coefficients), QQ)

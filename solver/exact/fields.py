@@ -200,14 +200,19 @@ class Algebraic:
     def __sub__(self, other: Algebraic) -> Algebraic:
         return Algebraic((a - b for a, b in zip(self.coefficients, other.coefficients, strict=True)), self.modulus)
 
-    def __mul__(self, other: Algebraic) -> Algebraic:
-        a, b = self.coefficients, other.coefficients
-        long = [self.modulus.domain.zero] * (2 * len(a) - 1)
+    def __mul__(self, other: Algebraic | int) -> Algebraic:
+        a, p = self.coefficients, self.modulus
+        if isinstance(other, int):
+            return self if other == 1 else Algebraic((c * other for c in a), p)
+        b = other.coefficients
+        if len(a) == 1:
+            return Algebraic((a[0] * b[0],), p)
+        long = [p.domain.zero] * (2 * len(a) - 1)
         for i, left in enumerate(a):
             if left:
                 for j, right in enumerate(b):
                     long[i + j] += left * right
-        return Algebraic(self.modulus.reduce(long), self.modulus)
+        return Algebraic(p.reduce(long), p)
 
     def __truediv__(self, other: Algebraic) -> Algebraic:
         return self * other.inverse()
@@ -225,10 +230,10 @@ class Algebraic:
         d, K = self.modulus.degree, self.modulus.domain
         if d == 1:
             return Algebraic((K.one / self.coefficients[0],), self.modulus)
-        if d == 2:
-            (a, b), (c, e) = self.coefficients, self.modulus.low
-            norm = a * a - a * b * e + b * b * c
-            return Algebraic(((a - b * e) / norm, -b / norm), self.modulus)
+        if d == 2:  # 1/(a + bx) = (a − b c₁ − b x)/N, with the norm N = a² − a b c₁ + b² c₀
+            (a, b), (c0, c1) = self.coefficients, self.modulus.low
+            norm = a * a - a * b * c1 + b * b * c0
+            return Algebraic(((a - b * c1) / norm, -b / norm), self.modulus)
         basis = [Algebraic([K.one if i == j else K.zero for i in range(d)], self.modulus) for j in range(d)]
         columns = [(self * e).coefficients for e in basis]
         system = DomainMatrix([[columns[j][i] for j in range(d)] for i in range(d)], (d, d), K)

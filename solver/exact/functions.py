@@ -13,8 +13,9 @@ from math import factorial
 
 import sympy as sp
 
-from solver.exact.fields import Algebraic, NotExact, collected, expressions, square_root
-from solver.exact.instances import value_at
+from solver.exact.assembly import linear_combination
+from solver.exact.fields import Algebraic, NotExact, collected, expressions
+from solver.exact.instances import decimal_parts, value_at
 from solver.exact.residues import (
     FactorResidues,
     Residue,
@@ -42,9 +43,11 @@ class MatrixFunction:
     def matrix(self) -> sp.ImmutableMatrix:
         """The closed form."""
         rows, columns = self.shape
+        functions = [function for function, _ in self.terms]
+        by_entry = zip(*(coefficients for _, coefficients in self.terms), strict=True)
         entries = [
-            sp.Add(*(_scaled(coefficients[i], function) for function, coefficients in self.terms if coefficients[i]))
-            for i in range(rows * columns)
+            linear_combination((c, f) for c, f in zip(coefficients, functions, strict=True) if c)
+            for coefficients in by_entry
         ]
         return sp.ImmutableMatrix(rows, columns, entries)
 
@@ -52,13 +55,6 @@ class MatrixFunction:
     def functions(self) -> list[sp.Expr]:
         """The functions of time that occur."""
         return [function for function, coefficients in self.terms if any(coefficients)]
-
-
-def _scaled(coefficient: sp.Expr, function: sp.Expr) -> sp.Expr:
-    """Coefficient times function, with a sum in the coefficient multiplied out."""
-    if coefficient.is_Add:
-        return sp.Add(*(term * function for term in coefficient.args))
-    return coefficient * function
 
 
 @lru_cache(maxsize=64)
@@ -100,15 +96,15 @@ def _continuous(factor: Factor, j: int, Z: Residue, t: sp.Symbol) -> Iterator[Te
     weight = sp.Rational(1, factorial(j - 1))
     power_of_t = t ** (j - 1)
     for root, real, imaginary in _instances(factor, Z):
-        envelope = power_of_t * sp.exp(root.sigma * t)
+        envelope = power_of_t * _exponential(root.sigma, t)
         if imaginary is None:
-            yield power_of_t * sp.exp(root.value * t), [weight * c for c in real]
+            yield power_of_t * _exponential(root.value, t), _times(weight, real)
         elif root.kind == "symbolic":
-            yield envelope * sp.cosh(root.shift * t), [2 * weight * c for c in real]
-            yield envelope * sp.sinh(root.shift * t), [2 * weight * c for c in imaginary]
+            yield envelope * sp.cosh(root.shift * t), _times(2 * weight, real)
+            yield envelope * sp.sinh(root.shift * t), _times(2 * weight, imaginary)
         else:
-            yield envelope * sp.cos(root.shift * t), [2 * weight * c for c in real]
-            yield envelope * sp.sin(root.shift * t), [-2 * weight * c for c in imaginary]
+            yield envelope * sp.cos(root.shift * t), _times(2 * weight, real)
+            yield envelope * sp.sin(root.shift * t), _times(-2 * weight, imaginary)
 
 
 def _discrete(factor: Factor, j: int, Z: Residue, k: sp.Symbol) -> Iterator[Term]:
@@ -122,11 +118,21 @@ def _discrete(factor: Factor, j: int, Z: Residue, k: sp.Symbol) -> Iterator[Term
     for root, real, imaginary in _instances(factor, Z):
         for (exponent,), c in binomial.terms():
             if imaginary is None:
-                yield k**exponent * root.value**k, [c * a for a in real]
+                yield k**exponent * root.value**k, _times(c, real)
             else:
                 r, theta = polar(root)
-                yield k**exponent * r**k * sp.cos(theta * k), [2 * c * a for a in real]
-                yield k**exponent * r**k * sp.sin(theta * k), [-2 * c * a for a in imaginary]
+                yield k**exponent * r**k * sp.cos(theta * k), _times(2 * c, real)
+                yield k**exponent * r**k * sp.sin(theta * k), _times(-2 * c, imaginary)
+
+
+def _exponential(value: sp.Expr, t: sp.Symbol) -> sp.Expr:
+    """e^{λt}; for a number λ ≠ 0 and a symbol t there is nothing that sympy could rewrite."""
+    function: sp.Expr = sp.exp(value * t, evaluate=not (value.is_Number and value))
+    return function
+
+
+def _times(factor: sp.Expr, entries: list[sp.Expr]) -> list[sp.Expr]:
+    return entries if factor == 1 else [factor * entry for entry in entries]
 
 
 def _root_of(factor: Factor) -> Algebraic:
@@ -144,7 +150,7 @@ def polar(root: Root) -> tuple[sp.Expr, sp.Expr]:
             "Whether the quadratic factor has real or complex roots depends on the parameters, and with it the form of "
             "$A^{k}$. Say more about the parameters under `assume`."
         )
-    r = square_root(collected(root.sigma**2 + root.shift**2))
+    r = sp.sqrt(collected(root.sigma**2 + root.shift**2))  # not square_root: the radius of ω of either sign is |ω|
     if root.kind == "decimal":
         return r, sp.atan2(root.shift, root.sigma).evalf(DIGITS)
     if root.shift.is_positive:
@@ -174,11 +180,10 @@ def _one_by_one(
     factor: Factor, parts: list[list[sp.Expr]]
 ) -> Iterator[tuple[Root, list[sp.Expr], list[sp.Expr] | None]]:
     """The residue put together at each real root, and at the upper root of each pair (decimals)."""
+    entries = list(zip(*parts, strict=True))
     for root in factor.roots:
-        if root.kind == "decimal" and root.shift < 0:
-            continue
-        values = [value_at(list(coefficients), root) for coefficients in zip(*parts, strict=True)]
-        if root.kind == "decimal" and root.shift != 0:
-            yield root, [sp.re(value) for value in values], [sp.im(value) for value in values]
-        else:
-            yield root, values, None
+        if root.kind != "decimal":
+            yield root, [value_at(coefficients, root) for coefficients in entries], None
+        elif root.shift >= 0:
+            values = [decimal_parts(coefficients, root) for coefficients in entries]
+            yield root, [real for real, _ in values], [imaginary for _, imaginary in values] if root.shift else None

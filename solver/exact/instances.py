@@ -24,7 +24,8 @@ def element_at(a: Algebraic, root: Root) -> sp.Expr:
 def value_at(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
     """Σ cᵢ rootⁱ, multiplied out (numbers) or over one denominator (parameters); of a decimal root in decimals."""
     if root.kind == "decimal":
-        return _decimal_value(coefficients, root)
+        real, imaginary = decimal_parts(coefficients, root)
+        return sp.Add(real, sp.I * imaginary)
     value: sp.Expr = sp.Integer(0)
     for c in reversed(coefficients):
         value = sp.expand(value * root.value + c)
@@ -33,13 +34,15 @@ def value_at(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
     return value
 
 
-def _decimal_value(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
-    """Horner's rule with guard digits; the result has as many digits as the root."""
+def decimal_parts(coefficients: Sequence[sp.Expr], root: Root) -> tuple[sp.Expr, sp.Expr]:
+    """Real and imaginary part of Σ cᵢ rootⁱ by Horner's rule with guard digits, with as many digits as the root."""
+    if not any(coefficients):
+        return sp.S.Zero, sp.S.Zero
     with mpmath.workdps(DIGITS + 15):
         x = mpmath.mpc(mpmath.mpmathify(root.sigma), mpmath.mpmathify(root.shift))
         value = mpmath.polyval([_number(c) for c in reversed(coefficients)], x)
         real = sp.Float(mpmath.re(value), DIGITS)
-        return real if root.shift == 0 else real + sp.I * sp.Float(mpmath.im(value), DIGITS)
+        return real, sp.S.Zero if root.shift == 0 else sp.Float(mpmath.im(value), DIGITS)
 
 
 def _number(c: sp.Expr) -> Any:

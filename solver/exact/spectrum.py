@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import accumulate
 from typing import Any
 
 import mpmath
 import sympy as sp
+from sympy import QQ
 
 from solver.exact.faddeev import faddeev_leverrier
 from solver.exact.fields import Modulus, NotExact, expression, in_sines, is_negative, square_root, whole_angles
@@ -86,8 +88,40 @@ def spectrum(A: sp.ImmutableMatrix) -> Spectrum:
 def irreducible_factors(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
     """The monic irreducible factors of χ over K with their multiplicities."""
     result = faddeev_leverrier(A)
-    _, listed = sp.Poly(list(result.chi), sp.Dummy("x"), domain=result.domain).factor_list()
-    return [(p.set_domain(result.domain).monic(), multiplicity) for p, multiplicity in listed]
+    x, K = sp.Dummy("x"), result.domain
+    roots, rest = _small_integer_roots(list(result.chi)) if K.is_QQ else ([], list(result.chi))
+    found = [(sp.Poly([K.one, K(-root)], x, domain=K), roots.count(root)) for root in dict.fromkeys(roots)]
+    if len(rest) == 1:
+        return found
+    _, listed = sp.Poly(rest, x, domain=K).factor_list()
+    return found + [(p.set_domain(K).monic(), multiplicity) for p, multiplicity in listed]
+
+
+def _horner(coefficients: list[int], x: int) -> list[int]:
+    """Horner's scheme: the coefficients of the quotient by (· − x), then the value at x."""
+    return list(accumulate(coefficients, lambda value, c: value * x + c))
+
+
+def _small_integer_roots(coefficients: list[Any]) -> tuple[list[int], list[Any]]:
+    """Integer roots −9 … 9 of a polynomial (highest power first), with multiplicity, and what is left without them.
+
+    Most polynomials of a course split like this, and factoring over the integers costs more than the rest of e^{At}.
+    """
+    if any(c.denominator != 1 for c in coefficients):
+        return [], coefficients
+    roots: list[int] = []
+    rest = [int(c) for c in coefficients]
+    for root in range(-9, 10):
+        while len(rest) > 1:
+            *quotient, value = _horner(rest, root)
+            if value:
+                break
+            roots, rest = [*roots, root], quotient
+    return roots, [QQ(c) for c in rest]
+
+
+def _modulus(p: sp.Poly) -> Modulus:
+    return Modulus(tuple(reversed(p.rep.to_list()[1:])), p.domain)
 
 
 def factored(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.Expr:
@@ -116,7 +150,7 @@ def _order(factor: Factor) -> tuple[int, Any, str]:
 
 def _factor(p: sp.Poly, multiplicity: int) -> Factor:
     K = p.domain
-    modulus = Modulus(tuple(reversed(p.rep.to_list()[1:])), K)
+    modulus = _modulus(p)
     c = [expression(K, each) for each in modulus.low]
     if p.degree() == 1:
         value = sp.factor(-c[0]) if c[0].free_symbols else -c[0]
@@ -171,6 +205,8 @@ def _decimal(x: Any) -> sp.Float:
 def _exceptions(factors: list[sp.Poly]) -> tuple[sp.Basic, ...]:
     """Where parameters make roots meet: discriminants and resultants of the factors that can vanish."""
     found: dict[sp.Basic, None] = {}
+    if not factors[0].domain.is_Composite:
+        return ()
     for i, p in enumerate(factors):
         conditions = [p.resultant(q) for q in factors[:i]]
         if p.degree() > 1:

@@ -201,7 +201,6 @@ EITHER_SIGN = [
     sp.ImmutableMatrix([[0, p], [-p, 0]]),
     sp.ImmutableMatrix([[0, 1], [-(p**2), 0]]),
 ]
-RADIUS = pytest.mark.xfail(reason="the radius of a pair on the axis is taken as ω, not as |ω|", strict=True)
 
 
 @pytest.mark.parametrize(
@@ -209,7 +208,7 @@ RADIUS = pytest.mark.xfail(reason="the radius of a pair on the axis is taken as 
     [
         *((A, "7/10") for A in EITHER_SIGN),
         *((A, "-7/10") for A in EITHER_SIGN[:2]),
-        *(pytest.param(A, "-7/10", marks=RADIUS) for A in EITHER_SIGN[2:]),
+        *(pytest.param(A, "-7/10") for A in EITHER_SIGN[2:]),
     ],
 )
 def test_powers_are_right_for_either_sign_of_the_frequency(A, value):

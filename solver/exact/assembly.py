@@ -1,0 +1,56 @@
+"""Sums of number times function, put together without sympy's rewriting where the result is known to be canonical.
+
+Adding up the entries of e^{At} with `+` and `*` takes most of the time of the whole computation, since sympy looks for
+like terms that the modes cannot have. A product of a number and a function without a numerical factor, and a sum of
+such products of different functions, only need their arguments in sympy's order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cmp_to_key
+from typing import Any
+
+import sympy as sp
+
+_in_order = cmp_to_key(sp.Basic.compare)
+
+
+def linear_combination(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> sp.Expr:
+    """Σ coefficient · function over different functions, none a sum; a sum in a coefficient is multiplied out."""
+    number: sp.Expr = sp.S.Zero
+    products: list[sp.Expr] = []
+    for coefficient, function in terms:
+        if function is sp.S.One and coefficient.is_Number:
+            number = coefficient
+        elif coefficient.is_Number and not function.is_Number:
+            products.append(_scaled(coefficient, function))
+        else:
+            return sp.Add(number, *products, *_multiplied_out(coefficient, function), *_rest(terms))
+    return _sum(number, products)
+
+
+def _rest(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> Iterable[sp.Expr]:
+    """The terms not yet taken from an iterator, by sympy's own arithmetic."""
+    for coefficient, function in terms:
+        yield from _multiplied_out(coefficient, function)
+
+
+def _multiplied_out(coefficient: sp.Expr, function: sp.Expr) -> Iterable[sp.Expr]:
+    return [term * function for term in sp.Add.make_args(coefficient)]
+
+
+def _scaled(number: sp.Expr, function: sp.Expr) -> sp.Expr:
+    if number is sp.S.One:
+        return function
+    factors: tuple[Any, ...] = function.args if function.is_Mul else (function,)
+    return sp.Mul(number, *factors, evaluate=bool(factors[0].is_Number))
+
+
+def _sum(number: sp.Expr, products: list[sp.Expr]) -> sp.Expr:
+    products.sort(key=_in_order)
+    if number is not sp.S.Zero:
+        products.insert(0, number)
+    if len(products) < 2:
+        return products[0] if products else sp.S.Zero
+    return sp.Add(*products, evaluate=False)

@@ -1,0 +1,149 @@
+"""The controllability matrix and Ackermann's formula, exact.
+
+Over the rational numbers everything is done in integers: A = F/f and b = g/h with common denominators f and h, so that
+Aⁱb = Fⁱg/(fⁱh). Over other fields the same steps are taken with the field's own arithmetic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import lcm
+from operator import mul
+from typing import Any
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from solver.exact.fields import domain_matrix, matrix_of
+
+Integers = list[int]
+
+
+def controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
+    """Return [B, AB, …, Aⁿ⁻¹B] (n × nm) for A n×n and B n×m; raises NotExact."""
+    if _rational(A) and _rational(B):
+        return _integer_controllability_matrix(A, B)
+    M, block = domain_matrix(A).unify(domain_matrix(B))
+    blocks = [block]
+    for _ in range(A.rows - 1):
+        blocks.append(M * blocks[-1])
+    return matrix_of(blocks[0].hstack(*blocks[1:]))
+
+
+def ackermann(A: sp.MatrixBase, b: sp.MatrixBase, coefficients: Sequence[Any]) -> sp.ImmutableMatrix:
+    """Return the gain K (1×n) with det(sI − A + bK) = sⁿ + c₁sⁿ⁻¹ + … + cₙ, by Ackermann's formula.
+
+    A is n×n, b is n×1, `coefficients` are 1, c₁, …, cₙ (highest power first). K = q φ(A) with the row q that solves
+    q [b, Ab, …, Aⁿ⁻¹b] = (0, …, 0, 1); φ(A) is never formed, only the row, by Horner's rule.
+    Raises ZeroDivisionError if (A, b) is not controllable, NotExact for entries without exact arithmetic.
+    Source: J. Ackermann, Der Entwurf linearer Regelungssysteme im Zustandsraum, Regelungstechnik 20 (1972).
+    """
+    c = sp.Matrix([list(coefficients)]).flat()
+    if _rational(A) and _rational(b) and all(each.is_Rational for each in c):
+        return _rational_gain(A, b, c)
+    return _gain(A, b, c)
+
+
+def _gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
+    """Ackermann's formula over any field K."""
+    n = A.rows
+    bordered = domain_matrix(sp.Matrix([[A, b], [sp.Matrix([[*c[1:], 0]])]]))
+    field, flat = bordered.domain, bordered.to_list()
+    M = DomainMatrix([row[:n] for row in flat[:n]], (n, n), field)
+    column = DomainMatrix([row[n:] for row in flat[:n]], (n, 1), field)
+    columns = [column]
+    for _ in range(n - 1):
+        columns.append(M * columns[-1])
+    last = DomainMatrix([[field.one if i == n - 1 else field.zero] for i in range(n)], (n, 1), field)
+    stacked = columns[0].hstack(*columns[1:]).transpose()
+    if stacked.rank() < n:
+        raise ZeroDivisionError("the pair (A, b) is not controllable")
+    q = stacked.lu_solve(last).transpose()
+    row = q
+    for each in flat[n][:n]:
+        row = row * M + q * each
+    return matrix_of(row)
+
+
+def _rational(M: sp.MatrixBase) -> bool:
+    return all(entry.is_Rational for entry in M.flat())
+
+
+def _common_denominator(numbers: Sequence[sp.Rational]) -> int:
+    return lcm(*(int(x.q) for x in numbers))
+
+
+def _integers(numbers: Sequence[sp.Rational], denominator: int) -> Integers:
+    return [int(x.p) * (denominator // int(x.q)) for x in numbers]
+
+
+def _integer_rows(M: sp.MatrixBase) -> tuple[list[Integers], int]:
+    """Return F (rows of integers) and f with M = F/f."""
+    flat, width = M.flat(), M.cols
+    f = _common_denominator(flat)
+    F = _integers(flat, f)
+    return [F[i * width : (i + 1) * width] for i in range(M.rows)], f
+
+
+def _times(F: list[Integers], v: Integers) -> Integers:
+    return [sum(map(mul, row, v)) for row in F]
+
+
+def _integer_controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
+    n, m = B.shape
+    (F, f), (G, h) = _integer_rows(A), _integer_rows(B)
+    vectors = [list(column) for column in zip(*G, strict=True)]
+    columns: list[list[sp.Rational]] = []
+    scale = h
+    for _ in range(n):
+        columns += [[sp.Rational(x, scale) for x in v] for v in vectors]
+        vectors, scale = [_times(F, v) for v in vectors], scale * f
+    return sp.ImmutableMatrix(n, n * m, [columns[j][i] for i in range(n) for j in range(n * m)])
+
+
+def _rational_gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Rational]) -> sp.ImmutableMatrix:
+    """Ackermann's formula in integers: with q = Q/d and r = R/(d fᵏ) the rows of Horner's rule are integers."""
+    n = A.rows
+    (F, f), (g, h) = _integer_rows(A), _integer_rows(b)
+    krylov = [[x for (x,) in g]]
+    for _ in range(n - 1):
+        krylov.append(_times(F, krylov[-1]))
+    Q, d = _last_solution(krylov)
+    e = _common_denominator(c)
+    weights, columns, scale = _integers(c, e), list(zip(*F, strict=True)), 1
+    R = [e * x for x in Q]
+    for weight in weights[1:]:
+        scale *= f
+        R = [sum(map(mul, R, column)) + weight * scale * x for column, x in zip(columns, Q, strict=True)]
+    factor = f ** (n - 1) * h  # Fⁿ⁻¹g = fⁿ⁻¹h Aⁿ⁻¹b
+    return sp.ImmutableMatrix(1, n, [sp.Rational(x * factor, d * e * scale) for x in R])
+
+
+def _last_solution(rows: list[Integers]) -> tuple[Integers, int]:
+    """Return Q and d > 0 with rows · Q/d = (0, …, 0, 1), by Bareiss elimination; raises ZeroDivisionError."""
+    n = len(rows)
+    M = [[*row, 1 if i == n - 1 else 0] for i, row in enumerate(rows)]
+    previous = 1
+    for k in range(n):
+        pivot = next((i for i in range(k, n) if M[i][k]), None)
+        if pivot is None:
+            raise ZeroDivisionError("the pair (A, b) is not controllable")
+        M[k], M[pivot] = M[pivot], M[k]
+        top, lead = M[k], M[k][k]
+        for i in range(k + 1, n):
+            row, first = M[i], M[i][k]
+            M[i] = [0] * (k + 1) + [
+                (lead * x - first * y) // previous for x, y in zip(row[k + 1 :], top[k + 1 :], strict=True)
+            ]
+        previous = lead
+    return _back_substituted(M, previous)
+
+
+def _back_substituted(M: list[Integers], determinant: int) -> tuple[Integers, int]:
+    """Return Q and d with U Q/d = v for the triangular M = [U, v]; d is the determinant, so Q is integer (Cramer)."""
+    n = len(M)
+    Q = [0] * n
+    for i in reversed(range(n)):
+        rest = determinant * M[i][n] - sum(map(mul, M[i][i + 1 : n], Q[i + 1 :]))
+        Q[i] = rest // M[i][i]
+    return Q, determinant
