@@ -100,7 +100,7 @@ def wrong(given):
     return Answers(F=2 * given.system.A)
 
 
-@difficult.verification
+@difficult.verification("F")
 def is_the_matrix(given, answers):
     yield Check.that("$F = A$", "comparison", answers["F"] == given.system.A or given.method in {"unpicklable", "deep"})
 

@@ -7,7 +7,7 @@ verification. Nothing here computes, so that reading the catalogue needs no alge
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import wraps
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
@@ -15,11 +15,13 @@ from solver.derivation.options import MatrixOf, Option
 from solver.derivation.steps import Answers, Check, Step
 
 if TYPE_CHECKING:
-    from solver.systems import StateSpace
+    from solver.systems import System
 
 P = ParamSpec("P")
 R = TypeVar("R")
 Derivation = Generator[Step, None, R]
+Refusal = tuple[str, str]
+"""The option at fault ("" for the question as a whole) and what is wrong with it, in words."""
 
 GAIN = Option("gain", MatrixOf("m", "n", flat="row"), "state feedback u = −K x; the question is then about A − BK")
 """Every task about a plant takes it."""
@@ -27,9 +29,12 @@ GAIN = Option("gain", MatrixOf("m", "n", flat="row"), "state feedback u = −K x
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What a method works on: the exact system and the options, read and validated."""
+    """What a method works on: the exact system and the options, read and validated.
 
-    system: StateSpace
+    The system is a `StateSpace`; for a task that needs a "transfer_function" it is whatever the problem gives.
+    """
+
+    system: Any
     options: Mapping[str, Any] = field(default_factory=dict)
     method: str = ""
 
@@ -38,6 +43,10 @@ class Given:
         if name.startswith("__"):
             raise AttributeError(name)
         return self.options.get(name)
+
+
+Judge = Callable[[Given, Answers], Iterable[Check]]
+Refuse = Callable[["System", Mapping[str, Any]], Iterable[Refusal]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +75,21 @@ class Method:
         return self.time == "both" or (self.time == "discrete") == discrete
 
 
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """The judge of some answers by their defining property; works on any of them alone."""
+
+    answers: tuple[str, ...]
+    judge: Callable[[Given, Answers], Iterable[Check]]
+
+    def checks(self, given: Given, answers: Answers) -> Iterable[Check]:
+        """Return the checks; one that names no answer judges all of these that are present."""
+        present = tuple(name for name in self.answers if name in answers)
+        if present:
+            for check in self.judge(given, answers):
+                yield check if check.judges else replace(check, judges=present)
+
+
 class Task:
     """A question that can be asked: a name in the field's terms, what it needs, options, answers and methods.
 
@@ -92,7 +116,8 @@ class Task:
         self.answers = {answer.name: answer for answer in answers}
         self.options = {option.name: option for option in (*options, GAIN)}
         self.methods: dict[str, Method] = {}
-        self.verify: Callable[[Given, Answers], Iterable[Check]]
+        self.verifications: list[Verification] = []
+        self.refusals: list[Callable[[System, Mapping[str, Any]], Iterable[Refusal]]] = []
 
     def method(
         self, name: str = "", *, title: str = "", source: str = "", time: str = "both"
@@ -107,12 +132,40 @@ class Task:
 
         return register
 
-    def verification(
-        self, verify: Callable[[Given, Answers], Iterable[Check]]
-    ) -> Callable[[Given, Answers], Iterable[Check]]:
-        """Register the check of the answers' defining property: an iterable of `Check`, by other means than ours."""
-        self.verify = verify
-        return verify
+    def verification(self, *answers: str) -> Callable[[Judge], Judge]:
+        """Register the judge of some answers, called when at least one of them is present.
+
+        It yields checks of the defining property, by other means than the derivation's: it accepts every right answer
+        and rejects every wrong one, ours or a student's. It relates answers to each other only where both are present.
+        """
+        unknown = set(answers) - set(self.answers)
+        if unknown or not answers:
+            raise ValueError(f"{self.name}: a verification needs names of its answers, not {sorted(unknown)}")
+
+        def register(judge: Judge) -> Judge:
+            self.verifications.append(Verification(answers, judge))
+            return judge
+
+        return register
+
+    def verify(self, given: Given, answers: Answers) -> Iterable[Check]:
+        """Return the checks of all the answers present."""
+        for verification in self.verifications:
+            yield from verification.checks(given, answers)
+
+    def refusal(self, refuse: Refuse) -> Refuse:
+        """Register what makes a question wrong as the file asks it: yields (option or "", message) for each fault.
+
+        It is called with the system and the options known so far: when the file is read without those taken from an
+        earlier part, and again when all are known.
+        """
+        self.refusals.append(refuse)
+        return refuse
+
+    def refused(self, system: System, options: Mapping[str, Any]) -> Iterable[Refusal]:
+        """Return what makes the question wrong."""
+        for refuse in self.refusals:
+            yield from refuse(system, options)
 
     def methods_for(self, discrete: bool) -> list[str]:
         """Names of the methods for that kind of time, the default first."""

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
+from solver.derivation.figures import Figure
+
 
 class Status(StrEnum):
     """How a part, or the whole problem, ended; listed from best to worst."""
@@ -44,9 +46,10 @@ class Step:
     The wording macro of the step's kind turns it into prose; it finds the values by their names.
     A step without claims must say in `unclaimed` why there is nothing to check.
     `detail` is the least level of detail at which the step is shown: "brief", "full" or "tutor".
+    `figures` are shown below its text.
     """
 
-    __slots__ = ("claims", "detail", "kind", "steps", "unclaimed", "values", "wording")
+    __slots__ = ("claims", "detail", "figures", "kind", "steps", "unclaimed", "values", "wording")
 
     def __init__(
         self,
@@ -57,9 +60,11 @@ class Step:
         steps: tuple[Step, ...] = (),
         unclaimed: str = "",
         detail: str = "brief",
+        figures: tuple[Figure, ...] = (),
         **values: Any,
     ) -> None:
         self.kind = kind
+        self.figures = figures
         self.values: Mapping[str, Any] = values
         self.claims: Mapping[str, Claim] = claims or {}
         self.steps = steps
@@ -94,7 +99,10 @@ class CheckStatus(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """One line of the table of checks: what was checked, by what, and with what result."""
+    """One line of the table of checks: what was checked, by what, and with what result.
+
+    `judges` names the answers that the check judges; none for an equality displayed in a step.
+    """
 
     claim: str
     oracle: str
@@ -102,22 +110,29 @@ class Check:
     tolerance: float | None
     status: CheckStatus
     reason: str = ""
+    judges: tuple[str, ...] = ()
 
     @staticmethod
-    def within(claim: str, oracle: str, residual: float, tolerance: float) -> Check:
-        """Passed if the residual is a number not above the tolerance, else failed."""
+    def within(claim: str, oracle: str, residual: float, tolerance: float, *, answer: str = "") -> Check:
+        """Passed if the residual is a number not above the tolerance, else failed. `answer`: the one it judges."""
         passed = residual <= tolerance  # False for nan
-        return Check(claim, oracle, residual, tolerance, CheckStatus.PASSED if passed else CheckStatus.FAILED)
+        status = CheckStatus.PASSED if passed else CheckStatus.FAILED
+        return Check(claim, oracle, residual, tolerance, status, judges=_named(answer))
 
     @staticmethod
-    def that(claim: str, oracle: str, holds: bool) -> Check:
-        """Return a check without a number: it holds or it does not."""
-        return Check(claim, oracle, None, None, CheckStatus.PASSED if holds else CheckStatus.FAILED)
+    def that(claim: str, oracle: str, holds: bool, *, answer: str = "") -> Check:
+        """Return a check without a number: it holds or it does not. `answer`: the one it judges."""
+        status = CheckStatus.PASSED if holds else CheckStatus.FAILED
+        return Check(claim, oracle, None, None, status, judges=_named(answer))
 
     @staticmethod
-    def skipped(claim: str, oracle: str, reason: str) -> Check:
-        """Return a check that could not be made, with the reason."""
-        return Check(claim, oracle, None, None, CheckStatus.SKIPPED, reason)
+    def skipped(claim: str, oracle: str, reason: str, *, answer: str = "") -> Check:
+        """Return a check that could not be made, with the reason. `answer`: the one it judges."""
+        return Check(claim, oracle, None, None, CheckStatus.SKIPPED, reason, _named(answer))
+
+
+def _named(answer: str) -> tuple[str, ...]:
+    return (answer,) if answer else ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,13 +14,14 @@ from solver.numeric.compare import TOLERANCE
 from solver.numeric.eigen import (
     chain_residual,
     eigenpair_residual,
-    independent,
     left_residual,
     polynomial_residual,
     spectrum_residual,
 )
 from solver.numeric.evaluate import evaluate
 from solver.numeric.exponential import equality_residual, exponential_residual, power_residual
+from solver.numeric.jordan import chains_residual, diagonalizable, is_jordan_form, same_jordan_structure
+from solver.numeric.rank import independent, rank
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
@@ -29,16 +30,21 @@ __all__ = [
     "ShapeMismatch",
     "Undefined",
     "chain_residual",
+    "chains_residual",
     "check_claim",
     "check_residual",
     "check_steps",
+    "diagonalizable",
     "eigenpair_residual",
     "equality_residual",
     "evaluate",
     "exponential_residual",
     "independent",
+    "is_jordan_form",
     "left_residual",
     "polynomial_residual",
     "power_residual",
+    "rank",
+    "same_jordan_structure",
     "spectrum_residual",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -44,29 +45,37 @@ def check_steps(steps: Iterable[Step], *, integers: frozenset[str] = frozenset()
     )
 
 
-def check_claim(claim: Claim, label: str, *, integers: frozenset[str] = frozenset()) -> Check:
+def check_claim(claim: Claim, label: str, *, integers: frozenset[str] = frozenset(), answer: str = "") -> Check:
     """Return the check of one equality at random points; `integers` names symbols that take whole numbers.
 
-    Failed where the shapes differ; skipped, with the reason, where a side can't be evaluated soundly.
+    Failed where the shapes differ; skipped, with the reason, where a side can't be evaluated soundly. `answer` is the
+    name of the answer that it judges.
     """
+    judges = (answer,) if answer else ()
     oracle = oracle_of(claim)
     try:
         residual, digits = claim_residual(claim.left, claim.right, integers)
     except ShapeMismatch as mismatch:
-        return Check(label, oracle, None, None, CheckStatus.FAILED, str(mismatch))
+        return Check(label, oracle, None, None, CheckStatus.FAILED, str(mismatch), judges)
     except NotEvaluable as refusal:
-        return Check.skipped(label, oracle, str(refusal))
-    return Check.within(
-        label, oracle if digits == DOUBLE.digits else f"{oracle} ({digits} digits)", residual, TOLERANCE
-    )
+        return Check.skipped(label, oracle, str(refusal), answer=answer)
+    by = oracle if digits == DOUBLE.digits else f"{oracle} ({digits} digits)"
+    return Check.within(label, by, residual, TOLERANCE, answer=answer)
 
 
-def check_residual(label: str, oracle: str, residual: Callable[[], float], tolerance: float = TOLERANCE) -> Check:
-    """Return the check of a residual function's result; skipped, with the reason, where it refuses."""
+def check_residual(
+    label: str, oracle: str, residual: Callable[[], float], tolerance: float = TOLERANCE, *, answer: str = ""
+) -> Check:
+    """Return the check of a residual function's result; skipped, with the reason, where it refuses.
+
+    Failed where shapes do not fit. `answer` is the name of the answer that it judges.
+    """
     try:
-        return Check.within(label, oracle, residual(), tolerance)
+        return Check.within(label, oracle, residual(), tolerance, answer=answer)
+    except ShapeMismatch as mismatch:
+        return replace(Check.that(label, oracle, False, answer=answer), reason=str(mismatch))
     except NotEvaluable as refusal:
-        return Check.skipped(label, oracle, str(refusal))
+        return Check.skipped(label, oracle, str(refusal), answer=answer)
 
 
 def oracle_of(claim: Claim) -> str:

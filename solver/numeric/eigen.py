@@ -14,7 +14,6 @@ import numpy as np
 import sympy as sp
 
 from solver.derivation.stated import determinant, difference, product
-from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.compare import Point
 from solver.numeric.environment import Environment
 from solver.numeric.evaluate import value_of
@@ -116,54 +115,6 @@ def _sizes(A: Any, point: Point) -> list[float]:
         if not sizes or size * SAME_SIZE < sizes[-1]:
             sizes.append(size)
     return sizes or [largest]
-
-
-def independent(V: Any) -> bool:
-    """Whether the columns of V (n×k, exact or decimals, parameters at random values) are linearly independent.
-
-    By the smallest singular value of V with columns of unit length; where that is small, by orthogonalization with
-    50 digits. Raises NotEvaluable.
-    """
-    if V.cols == 0:
-        return True
-    if V.cols > V.rows:
-        return False
-    return all(_independent_at(V, point) for point in _points(V))
-
-
-def _independent_at(V: Any, point: Point) -> bool:
-    values = value_of(V, Environment.at([point])).value[0]
-    lengths = np.linalg.norm(values, axis=0)
-    if np.all(lengths > 0) and np.linalg.svd(values / lengths, compute_uv=False)[-1] > 1e-6:
-        return True
-    many = multiple(50)
-    exact = value_of(V, Environment.at([point], many))
-    known = max(1e-30, float(np.max(exact.magnitude / np.maximum(many.size(exact.value), 1e-300))) * many.eps * 1e4)
-    return _smallest_remainder(exact.value[0]) > known
-
-
-def _smallest_remainder(V: Array) -> float:
-    """Return the smallest length that orthogonalization (largest first) leaves of a column of unit length."""
-    context = multiple(50).context
-    columns = [V[:, j] for j in range(V.shape[1])]
-    if any(all(entry == 0 for entry in column) for column in columns):
-        return 0.0
-    columns = [column / _length(column, context) for column in columns]
-    smallest = 1.0
-    while columns:
-        lengths = [_length(column, context) for column in columns]
-        largest = int(np.argmax(lengths))
-        smallest = min(smallest, float(lengths[largest]))
-        if smallest < 1e-40:
-            return smallest
-        q = columns.pop(largest) / lengths[largest]
-        conjugate = np.array([context.conj(entry) for entry in q], dtype=object)
-        columns = [column - q * (conjugate @ column) for column in columns]
-    return smallest
-
-
-def _length(column: Array, context: Any) -> Any:
-    return context.sqrt(sum(abs(entry) ** 2 for entry in column))
 
 
 def _points(*formulas: Any, without: Any = None) -> list[Any]:

@@ -131,7 +131,7 @@ def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
     return Answers(polynomial=polynomial)
 
 
-@characteristic_polynomial.verification
+@characteristic_polynomial.verification("polynomial")
 def has_the_values_of_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
     """P(x) = det(xI − A) at random x, the determinant by numpy."""
     A, polynomial, lamda = given.system.A, answers["polynomial"], sp.Symbol("lamda")

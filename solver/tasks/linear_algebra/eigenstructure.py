@@ -12,7 +12,7 @@ from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 
 if TYPE_CHECKING:
-    from sympy import Expr, ImmutableMatrix, Symbol
+    from sympy import ImmutableMatrix, Symbol
 
 eigenstructure = Task(
     "eigenstructure",
@@ -164,28 +164,57 @@ def by_null_spaces(given: Given) -> Derivation[Answers]:
     )
 
 
-@eigenstructure.verification
-def holds_column_by_column(given: Given, answers: Answers) -> Iterable[Check]:
-    """Σ and Π of the spectrum, A V = V J with independent columns, M A = J M with independent rows, J as claimed."""
-    A, spectrum, J = given.system.A, answers["eigenvalues"], answers["jordan_form"]
-    V, M = answers["right_eigenvectors"], answers["left_eigenvectors"]
+@eigenstructure.verification("eigenvalues")
+def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
+    """det(xI − A) = Π(x − λᵢ) at random x."""
     yield numeric.check_residual(
-        r"$\det(xI - A) = \prod_i (x - \lambda_i)$", "numpy.linalg.det", lambda: numeric.spectrum_residual(A, spectrum)
+        r"$\det(xI - A) = \prod_i (x - \lambda_i)$",
+        "numpy.linalg.det",
+        lambda: numeric.spectrum_residual(given.system.A, answers["eigenvalues"]),
     )
-    yield numeric.check_residual(r"$A V = V J$", "numpy", lambda: numeric.chain_residual(A, V, J))
-    yield numeric.check_residual(r"$M A = J M$", "numpy", lambda: numeric.left_residual(A, M, J))
+
+
+@eigenstructure.verification("right_eigenvectors")
+def are_right_chains(given: Given, answers: Answers) -> Iterable[Check]:
+    """A V = V J with independent columns; without J, V⁻¹ A V is some Jordan form."""
+    A, V, J = given.system.A, answers["right_eigenvectors"], answers.get("jordan_form")
+    if J is not None:
+        yield numeric.check_residual(r"$A V = V J$", "numpy", lambda: numeric.chain_residual(A, V, J))
+    yield numeric.check_residual(
+        r"$V^{-1} A V$ is in Jordan form", "mpmath.inverse", lambda: numeric.chains_residual(A, V)
+    )
     yield Check.that(r"the columns of $V$ are independent", "numpy.linalg.svd", numeric.independent(V))
+
+
+@eigenstructure.verification("left_eigenvectors")
+def are_left_chains(given: Given, answers: Answers) -> Iterable[Check]:
+    """M A = J M with independent rows; without J, M A M⁻¹ is some Jordan form."""
+    A, M, J = given.system.A, answers["left_eigenvectors"], answers.get("jordan_form")
+    if J is not None:
+        yield numeric.check_residual(r"$M A = J M$", "numpy", lambda: numeric.left_residual(A, M, J))
+    yield numeric.check_residual(
+        r"$M A M^{-1}$ is in Jordan form", "mpmath.inverse", lambda: numeric.chains_residual(A, M, rows=True)
+    )
     yield Check.that(r"the rows of $M$ are independent", "numpy.linalg.svd", numeric.independent(M.T))
-    yield Check.that(r"$J$ is in Jordan form with the eigenvalues in order", "inspection", _is_jordan(J, spectrum))
-    expected = all(J[i, j] == 0 for i in range(J.rows) for j in range(J.cols) if i != j)
-    yield Check.that(r"$A$ is diagonalizable as stated", "inspection of $J$", answers["diagonalizable"] == expected)
 
 
-def _is_jordan(J: ImmutableMatrix, spectrum: Sequence[Expr]) -> bool:
-    """Eigenvalues on the diagonal, ones or zeros above it (ones only between equal eigenvalues), zeros elsewhere."""
-    n = J.rows
-    if [J[i, i] for i in range(n)] != list(spectrum):
-        return False
-    links = [J[i, i + 1] for i in range(n - 1)]
-    linked = all(link == 0 or (link == 1 and a == b) for link, a, b in zip(links, spectrum, spectrum[1:], strict=False))
-    return linked and all(J[i, j] == 0 for i in range(n) for j in range(n) if j not in (i, i + 1))
+@eigenstructure.verification("jordan_form")
+def has_the_same_blocks(given: Given, answers: Answers) -> Iterable[Check]:
+    """J is in Jordan form and has, for each eigenvalue of A, as many blocks of each size."""
+    A, J = given.system.A, answers["jordan_form"]
+    yield Check.that(
+        r"$J$ is in Jordan form, with the eigenvalues in order",
+        "inspection",
+        numeric.is_jordan_form(J, answers.get("eigenvalues")),
+    )
+    yield Check.that(r"$J$ has the blocks of $A$", r"ranks of $(A - \lambda I)^k$", numeric.same_jordan_structure(A, J))
+
+
+@eigenstructure.verification("diagonalizable")
+def has_enough_eigenvectors(given: Given, answers: Answers) -> Iterable[Check]:
+    """Rank (A − λI) tells for each eigenvalue how many independent eigenvectors it has."""
+    yield Check.that(
+        r"$A$ is diagonalizable as stated",
+        r"ranks of $A - \lambda I$",
+        answers["diagonalizable"] == numeric.diagonalizable(given.system.A),
+    )

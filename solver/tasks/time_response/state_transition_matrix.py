@@ -235,7 +235,7 @@ def _require_diagonalizable(structure: exact.Eigenstructure) -> None:
             )
 
 
-@state_transition_matrix.verification
+@state_transition_matrix.verification("Phi")
 def is_the_matrix_function(given: Given, answers: Answers) -> Iterable[Check]:
     """Φ(t) = expm(A t) at several t including 0 (scipy); discrete: Φ(k) = Aᵏ for k = 0 … 8 (numpy)."""
     A, Phi = given.system.A, answers["Phi"]
@@ -251,8 +251,14 @@ def is_the_matrix_function(given: Given, answers: Answers) -> Iterable[Check]:
         "scipy.linalg.expm",
         lambda: numeric.exponential_residual(A, Phi, sp.Symbol("t")),
     )
-    if "Phi_truncated" in answers:
-        t, terms = sp.Symbol("t"), given.terms
-        for i in range(terms):
-            coefficient = value_at(derivative(answers["Phi_truncated"], t, i), t, sp.Integer(0))
-            yield numeric.check_claim(Claim(coefficient, power(A, i)), f"coefficient of $t^{i}$ is $A^{i}/{i}!$")
+
+
+@state_transition_matrix.verification("Phi_truncated")
+def has_the_first_terms(given: Given, answers: Answers) -> Iterable[Check]:
+    """The derivatives at t = 0 are the powers of A, and the one after the last term is zero."""
+    A, truncated, t, terms = given.system.A, answers["Phi_truncated"], sp.Symbol("t"), given.terms
+    for i in range(terms + 1):
+        coefficient = value_at(derivative(truncated, t, i), t, sp.Integer(0))
+        expected = power(A, i) if i < terms else sp.ImmutableMatrix(sp.zeros(A.rows))
+        says = f"coefficient of $t^{{{i}}}$ is $A^{{{i}}}/{i}!$" if i < terms else "no further terms"
+        yield numeric.check_claim(Claim(coefficient, expected), says)

@@ -1,0 +1,74 @@
+"""Ranks and independence: singular values where they leave no doubt, orthogonalization with 50 digits where they do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from solver.numeric.arithmetic import Array, multiple
+from solver.numeric.environment import Environment
+from solver.numeric.evaluate import value_of
+from solver.numeric.points import admissible, free_symbols
+
+CLEAR = 1e-6
+"""A smallest singular value (of columns of unit length) above this is not zero."""
+
+
+def rank(M: Any) -> int:
+    """Return the rank of M (exact or decimals), parameters at random values. Raises NotEvaluable."""
+    if 0 in M.shape:
+        return 0
+    return max(rank_at(M, point) for point in admissible(free_symbols(M), 2))
+
+
+def independent(V: Any) -> bool:
+    """Whether the columns of V (n×k, exact or decimals, parameters at random values) are linearly independent.
+
+    Raises NotEvaluable.
+    """
+    if V.cols == 0:
+        return True
+    if V.cols > V.rows:
+        return False
+    return all(rank_at(V, point) == V.cols for point in admissible(free_symbols(V), 2))
+
+
+def rank_at(M: Any, point: Mapping[Any, complex]) -> int:
+    """Return the rank of M with its parameters at a point."""
+    values = value_of(M, Environment.at([dict(point)])).value[0]
+    lengths = np.linalg.norm(values, axis=0)
+    full = min(values.shape)
+    if np.all(lengths > 0) and np.linalg.svd(values / lengths, compute_uv=False)[full - 1] > CLEAR:
+        return int(full)
+    many = multiple(50)
+    exact = value_of(M, Environment.at([dict(point)], many))
+    columns = np.broadcast_to(exact.magnitude, exact.value.shape)[0]
+    known = 1e-30
+    for j in range(columns.shape[1]):
+        length = float(_length(exact.value[0][:, j], many.context))
+        if length > 0:
+            known = max(known, float(np.max(columns[:, j])) / length * many.eps * 1e4)
+    return sum(remainder > known for remainder in _remainders(exact.value[0]))
+
+
+def _remainders(V: Array) -> list[float]:
+    """Return the lengths that orthogonalization (largest first) leaves of the columns, which had unit length."""
+    context = multiple(50).context
+    columns = [V[:, j] / length for j in range(V.shape[1]) if (length := _length(V[:, j], context)) > 0]
+    left: list[float] = []
+    while columns:
+        lengths = [_length(column, context) for column in columns]
+        largest = int(np.argmax(lengths))
+        left.append(float(lengths[largest]))
+        if left[-1] < 1e-40:
+            break
+        q = columns.pop(largest) / lengths[largest]
+        conjugate = np.array([context.conj(entry) for entry in q], dtype=object)
+        columns = [column - q * (conjugate @ column) for column in columns]
+    return left
+
+
+def _length(column: Array, context: Any) -> Any:
+    return context.sqrt(sum(abs(entry) ** 2 for entry in column))
