@@ -9,6 +9,7 @@ Operands are sympy expressions or matrices, numbers, or further `Stated` formula
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -29,6 +30,11 @@ def determinant(matrix: Any) -> Stated:
 def adjugate(matrix: Any) -> Stated:
     """Adj M, the transposed matrix of cofactors."""
     return Stated("adjugate", (matrix,))
+
+
+def partitioned(matrix: Any, rows: Sequence[int], columns: Sequence[int]) -> Stated:
+    """M itself, drawn with lines after some rows and columns (counted from 1, e.g. (2,) and (2,))."""
+    return Stated("partitioned", (matrix, tuple(rows), tuple(columns)))
 
 
 def trace(matrix: Any) -> Stated:

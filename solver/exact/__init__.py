@@ -1,5 +1,11 @@
 """The exact kernels: algebra on matrices over a field, with no prose and no floats."""
 
+from solver.exact.decomposition import (
+    Decomposition,
+    controllable_decomposition,
+    kalman_decomposition,
+    observable_decomposition,
+)
 from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.fields import NotExact
@@ -13,6 +19,7 @@ from solver.exact.transforms import partial_fractions, resolvent, transform_pair
 
 __all__ = [
     "Condition",
+    "Decomposition",
     "Eigenspace",
     "Eigenstructure",
     "Factor",
@@ -24,6 +31,7 @@ __all__ = [
     "Spectrum",
     "ackermann",
     "controllability_matrix",
+    "controllable_decomposition",
     "determinant_and_adjugate",
     "eigenstructure",
     "exponential",
@@ -32,8 +40,10 @@ __all__ = [
     "interpolation",
     "interpolation_coefficients",
     "inverse",
+    "kalman_decomposition",
     "multiply",
     "null_space",
+    "observable_decomposition",
     "partial_fractions",
     "power",
     "powers",

@@ -111,12 +111,23 @@ def _bracket(bracket: str, box: Box) -> Box:
     return Box((top, *[middle] * (height - 2), bottom), box.baseline)
 
 
-def grid(rows: Sequence[Sequence[Box]], aligns: str, gaps: Sequence[str]) -> Box:
-    """Put boxes in rows and columns; `aligns` has a letter and `gaps` the text before it for every column."""
+def grid(rows: Sequence[Sequence[Box]], aligns: str, gaps: Sequence[str], rules: Sequence[int] = ()) -> Box:
+    """Put boxes in rows and columns; `aligns` has a letter and `gaps` the text before it for every column.
+
+    A line is drawn before each of the rows `rules` (counted from 0; as many as there are rows: below the last).
+    """
     widths = [max(row[j].width for row in rows) for j in range(len(rows[0]))]
     drawn = [_row([aligned(*each) for each in zip(row, widths, aligns, strict=True)], gaps) for row in rows]
+    line = "".join(_crossed(gap) + "─" * width for gap, width in zip(gaps, widths, strict=True))
+    for index in sorted(set(rules), reverse=True):
+        drawn.insert(index, text_box(line))
     height = sum(row.height for row in drawn)
     return stacked(drawn, (height - 1) // 2)
+
+
+def _crossed(gap: str) -> str:
+    """Return a gap between columns as a line across goes through it."""
+    return "".join("┼" if mark == "│" else "─" for mark in gap)
 
 
 def aligned(box: Box, width: int, align: str) -> Box:

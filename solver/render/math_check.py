@@ -126,16 +126,21 @@ class _Reader:
             taken += len(self.take())
         return match[0]
 
-    def row(self, end: str, columns: int) -> str:
-        r"""Read up to the token `end` and take it; `columns` is how many cells a row may have (0: no & and \\)."""
+    def row(self, end: str, columns: int, *, ruled: bool = False) -> str:
+        r"""Read up to the token `end` and take it; `columns` is how many cells a row may have (0: no & and \\).
+
+        Where it is `ruled`, rows may begin with \hline.
+        """
         self.depth += 1
         if self.depth > DEEPEST:
             raise self.refuse(f"nested more than {DEEPEST} deep")
         scripts = ""  # those that the last atom has
         cells = 1
+        self.rule(ruled)
         while (piece := self.peek()) not in {end, ""}:
             if piece in {"&", r"\\"}:
                 cells = self.next_cell(piece, cells, columns)
+                self.rule(ruled and cells == 1)
                 scripts = ""
             elif piece in {"^", "_"}:
                 scripts += self.script(scripts)
@@ -159,6 +164,12 @@ class _Reader:
         if piece == r"\\" and self.peek() == "[":
             raise self.refuse(r"a row can't begin with [ ; write {[}")
         return cells + 1 if piece == "&" else 1
+
+    def rule(self, allowed: bool) -> None:
+        if allowed:
+            self.blanks()
+            if self.peek() == r"\hline":
+                self.take()
 
     def blanks(self) -> None:
         while self.peek().isspace():
@@ -236,5 +247,5 @@ class _Reader:
         columns = _ENVIRONMENTS[name]
         if name == "array":
             columns = len(self.pattern(_COLUMNS, "the columns, as in {cc|c},").replace("|", "")) - 2
-        if not self.row(r"\end", columns) or self.pattern(_NAME, "its name")[1:-1] != name:
+        if not self.row(r"\end", columns, ruled=name == "array") or self.pattern(_NAME, "its name")[1:-1] != name:
             raise self.refuse(f"this \\begin{{{name}}} has no \\end{{{name}}}", start)

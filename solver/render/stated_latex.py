@@ -36,6 +36,19 @@ def _is_matrix(tex: str) -> bool:
     return as_base(tex) == tex and tex.startswith(r"\begin")
 
 
+def _partitioned(show: Print, matrix: Any, rows: Any, columns: Any) -> str:
+    """Return the matrix with lines; those at its edges are left out, and brackets alone need no array."""
+    whole = show(matrix)
+    body = whole.removeprefix(r"\begin{bmatrix}").removesuffix(r"\end{bmatrix}")
+    across = {i for i in rows if 0 < i < matrix.rows}
+    letters = "".join("c|" if 0 < j < matrix.cols and j in columns else "c" for j in range(1, matrix.cols + 1))
+    if body == whole or not (across or "|" in letters):
+        return whole
+    lines = body.split(r" \\ ")
+    ruled = r" \\ ".join(rf"\hline {line}" if i in across else line for i, line in enumerate(lines))
+    return rf"\left[\begin{{array}}{{{letters}}}{ruled}\end{{array}}\right]"
+
+
 def _inverse(show: Print, matrix: Any) -> str:
     return f"{as_base(show(matrix))}^{{-1}}"
 
@@ -128,6 +141,7 @@ def _value_at(show: Print, function: Any, variable: Any, value: Any) -> str:
 NOTATION: dict[str, Callable[..., str]] = {
     "determinant": _named(r"\det"),
     "adjugate": _named(r"\operatorname{adj}"),
+    "partitioned": _partitioned,
     "trace": _named(r"\operatorname{tr}"),
     "inverse": _inverse,
     "transpose": _transpose,

@@ -112,8 +112,8 @@ def _script(mark: str, text: str) -> str:
     return text if len(text) == 1 or (mark == "_" and text.isalnum()) else f"({text})"
 
 
-def tabular(name: str, columns: str, rows: list[list[Box]], display: bool) -> Box:
-    """Lay out a matrix or an aligned block."""
+def tabular(name: str, columns: str, rows: list[list[Box]], display: bool, rules: Sequence[int] = ()) -> Box:
+    """Lay out a matrix or an aligned block; a line stands before each of the rows `rules` (from 0)."""
     left, right = tuple(MATRICES[name])
     count = len(rows[0])
     if not display and name in ALIGNED:
@@ -130,7 +130,7 @@ def tabular(name: str, columns: str, rows: list[list[Box]], display: bool) -> Bo
     aligns = (letters + default * count)[:count]
     bars = _bars(columns)
     gaps = ["", *(" │ " if j in bars else "  " for j in range(1, count))]
-    body = grid(rows, aligns, gaps)
+    body = grid(rows, aligns, gaps, rules)
     if left + right != ".." and name not in {"cases", "dcases"}:
         body = beside([_blank(body), body, _blank(body)]) if count > 1 or body.height > 1 else body
     return enclosed(body, left, right)

@@ -198,10 +198,11 @@ class _Reader:
         if name not in MATRICES:
             raise _Unreadable
         columns = self.name() if name == "array" else ""
-        rows = self.rows(display)
+        rules: list[int] = []
+        rows = self.rows(display, rules)
         if self.name() != name:
             raise _Unreadable
-        return tabular(name, columns, rows, display)
+        return tabular(name, columns, rows, display, rules)
 
     def name(self) -> str:
         """Read a name in braces."""
@@ -212,11 +213,13 @@ class _Reader:
         self.expect("}")
         return name
 
-    def rows(self, display: bool) -> list[list[Box]]:
-        r"""Read cells up to \end, which is taken; all rows get the same number of cells."""
+    def rows(self, display: bool, rules: list[int]) -> list[list[Box]]:
+        r"""Read cells up to \end, which is taken; all rows get the same number of cells. `rules` get the \hline."""
         rows: list[list[Box]] = [[]]
         end = ""
         while end != r"\end":
+            if not rows[-1] and self.peek() == r"\hline":
+                rules.append(len(rows) - 1)
             rows[-1].append(self.sequence(("&", "\\\\", r"\end"), display))
             end = self.take()
             if end == "\\\\":

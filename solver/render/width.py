@@ -11,7 +11,7 @@ LINE = 76.0
 _TOKEN = re.compile(r"\\(begin|end)\{(\w+\*?)\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
 _WORDS = {r"\text", r"\operatorname", r"\mathrm", r"\mathbf", r"\mathcal"}
 _WIDTHS = {
-    **dict.fromkeys((r"\left", r"\right", r"\displaystyle", r"\!", "}"), 0.0),
+    **dict.fromkeys((r"\left", r"\right", r"\displaystyle", r"\!", r"\hline", "}"), 0.0),
     **dict.fromkeys(("=", "+", "-", r"\approx", r"\le", r"\ge"), 2.0),
     **dict.fromkeys((r"\det", r"\cos", r"\sin", r"\tan", r"\exp"), 3.0),
     **{r"\quad": 2.0, r"\qquad": 4.0, r"\,": 0.3, r"\;": 0.6, r"\ ": 0.5},
@@ -38,6 +38,8 @@ def _row(tokens: Iterator[str], end: str | None) -> float:
 
 
 def _piece(piece: str, tokens: Iterator[str]) -> float:
+    if piece == r"\begin{array}":
+        _argument(tokens)  # its columns
     if piece.startswith(r"\begin{"):
         return _matrix(tokens)
     if piece == r"\frac":

@@ -17,6 +17,7 @@ from solver.derivation.stated import (
     inverse,
     inverse_laplace,
     inverse_z,
+    partitioned,
     power,
     product,
     quotient,
@@ -26,7 +27,7 @@ from solver.derivation.stated import (
     value_at,
 )
 from solver.render.latex import tex
-from solver.render.math_check import check_math
+from solver.render.math_check import MathProblem, check_math
 from solver.render.stated_latex import NOTATION
 
 s, z, t, k, a, alpha_0, alpha_1, A = sp.symbols("s z t k a alpha_0 alpha_1 A")
@@ -38,6 +39,10 @@ TABLE = [
     (determinant(M), rf"\det{m}"),
     (determinant(difference(product(s, eye(2)), M)), rf"\det\left(s{I2} - {m}\right)"),
     (adjugate(M), rf"\operatorname{{adj}}{m}"),
+    (partitioned(M, (1,), (1,)), r"\left[\begin{array}{c|c}1 & 2 \\ \hline 3 & 4\end{array}\right]"),
+    (partitioned(M, (), (1,)), r"\left[\begin{array}{c|c}1 & 2 \\ 3 & 4\end{array}\right]"),
+    (partitioned(M, (0, 2), (2,)), m),
+    (product(2, partitioned(M, (1,), ())), r"2\left[\begin{array}{cc}1 & 2 \\ \hline 3 & 4\end{array}\right]"),
     (trace(product(M, M)), rf"\operatorname{{tr}}\left({m}{m}\right)"),
     (inverse(M), rf"{m}^{{-1}}"),
     (inverse(difference(product(s, eye(2)), M)), rf"\left(s{I2} - {m}\right)^{{-1}}"),
@@ -93,6 +98,20 @@ TABLE = [
 def test_formulas_are_printed_as_stated(formula, printed):
     assert tex(formula) == printed
     check_math(printed)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        r"\hline",
+        r"\begin{bmatrix}\hline 1 & 2\end{bmatrix}",
+        r"\begin{array}{cc}1 & \hline 2\end{array}",
+        r"\begin{array}{cc}1 & 2 \hline 3 & 4\end{array}",
+    ],
+)
+def test_a_line_stands_only_at_the_start_of_a_row_of_an_array(formula):
+    with pytest.raises(MathProblem, match="hline"):
+        check_math(formula)
 
 
 def test_every_operation_has_a_notation_and_a_row_in_the_table():

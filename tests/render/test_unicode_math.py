@@ -36,6 +36,7 @@ DRAWN = {
     r"A = \begin{bmatrix}a \\ b \\ c\end{bmatrix} + 1": ["    ⎡ a ⎤", "A = ⎢ b ⎥ + 1", "    ⎣ c ⎦"],
     r"e^{\lambda t}": [" λt", "e"],
     r"\left[\begin{array}{c|c}1 & 2 \\ 3 & 4\end{array}\right]": ["⎡1 │ 2⎤", "⎣3 │ 4⎦"],
+    r"\left[\begin{array}{c|c}1 & 2 \\ \hline 3 & 40\end{array}\right]": ["⎡1 │ 2 ⎤", "⎢──┼───⎥", "⎣3 │ 40⎦"],
     r"\begin{cases}1 & t \ge 0 \\ 0 & t < 0\end{cases}": ["⎧1  t ≥ 0", "⎩0  t < 0"],
     r"\begin{aligned}a &= b + c \\ &= d\end{aligned}": ["a = b + c", "  = d"],
     r"\sum_{i=0}^{\infty} x": ["  ∞", "  Σ   x", "i = 0"],
