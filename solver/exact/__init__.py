@@ -6,6 +6,7 @@ from solver.exact.decomposition import (
     kalman_decomposition,
     observable_decomposition,
 )
+from solver.exact.companion import controllable_form
 from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.fields import NotExact
@@ -15,6 +16,7 @@ from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, p
 from solver.exact.pole_placement import ackermann, controllability_matrix
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
+from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
 from solver.exact.transforms import partial_fractions, resolvent, transform_pairs
 
 __all__ = [
@@ -29,8 +31,10 @@ __all__ = [
     "Root",
     "RowReduction",
     "Spectrum",
+    "TransferMatrix",
     "ackermann",
     "controllability_matrix",
+    "controllable_form",
     "controllable_decomposition",
     "determinant_and_adjugate",
     "eigenstructure",
@@ -51,6 +55,8 @@ __all__ = [
     "row_reduce",
     "spectrum",
     "taylor",
+    "transfer_matrix",
+    "transfer_matrix_of_fractions",
     "transform_pairs",
     "truncated_series",
 ]
