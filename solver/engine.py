@@ -24,11 +24,12 @@ from solver.derivation import (
     Unsolved,
     lemma,
 )
-from solver.derivation.stated import difference, product
+from solver.derivation.stated import difference, inverse, product, total
 from solver.derivation.steps import Claim
 from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
 from solver.problem.model import Part, Problem, Reference
-from solver.systems import StateSpace
+from solver.systems import StateSpace, System, TransferFunction
 from solver.tasks import catalogue
 
 Earlier = Mapping[str, PartResult]
@@ -82,7 +83,8 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     checks: tuple[Check, ...] = ()
     try:
         options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
-        given = yield_into(steps, _closed_loop(Given(_plant(part), options, method)))
+        _refuse(task, part.system, options)
+        given = yield_into(steps, _plant(task, Given(part.system, options, method)))
         answers = yield_into(steps, task.methods[method].derive(given))
         checks = (*numeric.check_steps(steps), *task.verify(given, answers))
         status, reason = _verdict(checks)
@@ -94,11 +96,42 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     return PartResult(part.id, part.task, method, status, answers, checks, tuple(steps), reason, seconds)
 
 
-def _plant(part: Part) -> StateSpace:
-    """The part's system in state space; the reader has refused parts whose task needs matrices that are not there."""
-    if not isinstance(part.system, StateSpace):
-        raise Unsolved(f"{part.task} works on a system in state space; this one is given by its transfer function")
-    return part.system
+def _refuse(task: Task, system: System, options: Mapping[str, Any]) -> None:
+    """Refuse options that the reader could not judge, since they were taken from an earlier part."""
+    for _, message in task.refused(system, options):
+        raise Unsolved(message[:1].upper() + message[1:] + ".")
+
+
+def _plant(task: Task, given: Given) -> Derivation[Given]:
+    """Bring the system to what the task works on: realized if it needs a state space, with the loop closed."""
+    if isinstance(given.system, TransferFunction) and (
+        "transfer_function" not in task.needs or given.options.get("gain") is not None
+    ):
+        given = yield from _realized(given)
+    return (yield from _closed_loop(given))
+
+
+@lemma("realized")
+def _realized(given: Given) -> Derivation[Given]:
+    """A transfer function is realized in controllable canonical form for questions about its states."""
+    G = given.system
+    A, B, C, D = exact.controllable_form(G.numerators, G.denominators, G.variable)
+    if A.rows == 0:
+        raise Unsolved("The transfer function is a constant: the system has no state to ask about.")
+    resolvent = inverse(difference(product(G.variable, sp.ImmutableMatrix(sp.eye(A.rows))), A))
+    terms = [product(C, resolvent, B), *([] if D.is_zero_matrix else [D])]
+    yield Step(
+        "realized",
+        claims={"same": Claim(total(*terms), G.matrix, "the realization has the transfer function")},
+        A=A,
+        B=B,
+        C=C,
+        D=D,
+        G=G,
+        siso=G.matrix.shape == (1, 1),
+    )
+    names = {"input_names": G.input_names, "output_names": G.output_names}
+    return replace(given, system=StateSpace(A, B, C, D, None, G.discrete, G.sample_time, **names))
 
 
 def yield_into(steps: list[Step], derivation: Derivation[Any]) -> Any:

@@ -11,6 +11,9 @@ from solver.problem.model import Part
 from solver.systems import StateSpace
 from solver.tasks import catalogue
 
+EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {}
+"""Options that make a question of a task that cannot be asked without them; used where all tasks are tried."""
+
 
 def system(rows: Any, *, discrete: bool = False, **matrices: Any) -> StateSpace:
     """A system from nested lists or matrices."""
@@ -25,7 +28,8 @@ def ask(task: str, plant: StateSpace, method: str = "", **options: Any) -> PartR
     filled = {
         name: option.default for name, option in declared.options_for(method).items() if option.default is not None
     }
-    return solve_part(Part("a", task, (method,), plant, {**filled, **options}), {})[0]
+    asked = options or EXAMPLE_OPTIONS.get(task, {})
+    return solve_part(Part("a", task, (method,), plant, {**filled, **asked}), {})[0]
 
 
 def rejected(task: str, plant: StateSpace, answers: dict[str, Any], **options: Any) -> bool:

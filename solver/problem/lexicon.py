@@ -14,6 +14,7 @@ from solver.problem.expressions import (
     canonical_name,
     parse_alternatives,
     parse_expression,
+    parse_fraction,
     uses_decimal,
 )
 from solver.problem.expressions.tokens import Kind, tokenize
@@ -62,6 +63,15 @@ class Lexicon:
         value: sp.Expr = self._read(parse_expression, scalar(node), variables, barred)
         _check_finite(node, value)
         return value
+
+    def fraction(
+        self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = MEANINGS
+    ) -> tuple[sp.Expr, sp.Expr]:
+        """Return a value as numerator and denominator, factors common to both kept as written."""
+        sides: tuple[sp.Expr, sp.Expr] = self._read(parse_fraction, scalar(node), variables, barred)
+        for side in sides:
+            _check_finite(node, side)
+        return sides
 
     def alternatives(self, node: Node, barred: Mapping[str, str] = MEANINGS) -> tuple[sp.Expr, ...]:
         """Return the one value, or the two of "-3 ± 2j"."""

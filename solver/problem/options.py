@@ -71,7 +71,7 @@ def read_option(option: Option, node: Node, context: Context) -> Any:
         case Names():
             value = _words(node, context)
         case TransferFunctionOption():
-            value = read_transfer_function(node, context.lexicon, context.discrete)[0]
+            value = read_transfer_function(node, context.lexicon, context.discrete).cancelled()
     return value
 
 

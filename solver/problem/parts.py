@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from solver.derivation import Choice, Flag, Option, Task
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number, scalar
-from solver.problem.model import Part
+from solver.problem.model import Part, Reference
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of
 from solver.problem.options import read_option
 from solver.problem.source import Fault, Report, did_you_mean
@@ -66,6 +66,7 @@ class PartReader:
             if marks is not None and marks < 0:
                 raise mapping["marks"].fault("marks can't be negative")
         report.conclude()
+        self._refuse(task, plant, options, mapping)
         return Part(
             id=name,
             task=task.name,
@@ -76,6 +77,17 @@ class PartReader:
             marks=marks,
             own_system="system" in mapping,
         )
+
+    def _refuse(self, task: Task, plant: PlantOf, options: Mapping[str, Any], part: MappingNode) -> None:
+        """Raise Fault with what the task finds wrong with the question, at the place of the option at fault."""
+        if not plant.known:
+            return
+        known = {name: value for name, value in options.items() if not isinstance(value, Reference)}
+        report = Report()
+        for option, message in task.refused(plant.system or NOTHING, known):
+            with report:
+                raise (part.get(option) or part["task"]).fault(message)
+        report.conclude()
 
     def _task(self, node: Node) -> Task:
         word = scalar(node).text
@@ -177,7 +189,7 @@ class _OptionsReader:
     def _check_plant(self) -> None:
         """Refuse a gain where there is nothing to feed back to."""
         system = self.context.system
-        if system is not None and (not isinstance(system, StateSpace) or system.B is None):
+        if isinstance(system, StateSpace) and system.B is None:
             raise self.part.entries["gain"].key.fault(f"a gain needs A and B; {described(system)}")
 
 

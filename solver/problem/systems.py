@@ -9,6 +9,7 @@ import sympy as sp
 from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, name_of, scalar
 from solver.problem.matrices import counted, expect_shape, is_flat, read_matrix
 from solver.problem.nodes import MappingNode, Node, SequenceNode
+from solver.problem.rational_functions import Rational
 from solver.problem.source import Report
 from solver.problem.transfer_functions import read_transfer_function
 from solver.systems import StateSpace, System, TransferFunction
@@ -39,8 +40,8 @@ def read_system(node: MappingNode, lexicon: Lexicon) -> System:
 
 def provided(system: System) -> frozenset[str]:
     """Return what tasks can ask of the system: "A", "B", "C", "D", "initial_state", "matrix", "transfer_function"."""
-    if isinstance(system, TransferFunction):
-        return frozenset({"transfer_function"})
+    if isinstance(system, TransferFunction):  # the engine realizes it for tasks about the state space
+        return frozenset({"transfer_function", "A", "B", "C", "D"})
     given = {"B": system.B, "C": system.C, "D": system.D, "initial_state": system.x0, "x0": system.x0}
     names = {name for name, value in given.items() if value is not None}
     if system.A.rows:
@@ -92,27 +93,31 @@ def _names(node: MappingNode, key: str, number: int | None) -> tuple[str, ...]:
 def _transfer_function(
     node: MappingNode, lexicon: Lexicon, discrete: bool, sample_time: sp.Expr | None
 ) -> TransferFunction:
-    as_given = ""
     if "transfer_function" in node:
-        G, as_given = read_transfer_function(node["transfer_function"], lexicon, discrete)
-        rows = [[G]]
+        rows = [[read_transfer_function(node["transfer_function"], lexicon, discrete)]]
     else:
         rows = _transfer_matrix(node["transfer_matrix"], lexicon, discrete)
-    for key, number in (("inputs", len(rows[0])), ("outputs", len(rows))):
-        _names(node, key, number)
-    variable = sp.Symbol("z" if discrete else "s")
-    return TransferFunction(sp.ImmutableMatrix(rows), variable, discrete, sample_time, as_given)
+    return TransferFunction(
+        matrix=sp.ImmutableMatrix([[entry.cancelled() for entry in row] for row in rows]),
+        numerators=tuple(tuple(entry.numerator.as_expr() for entry in row) for row in rows),
+        denominators=tuple(tuple(entry.denominator.as_expr() for entry in row) for row in rows),
+        variable=sp.Symbol("z" if discrete else "s"),
+        discrete=discrete,
+        sample_time=sample_time,
+        input_names=_names(node, "inputs", len(rows[0])),
+        output_names=_names(node, "outputs", len(rows)),
+    )
 
 
-def _transfer_matrix(node: Node, lexicon: Lexicon, discrete: bool) -> list[list[sp.Expr]]:
+def _transfer_matrix(node: Node, lexicon: Lexicon, discrete: bool) -> list[list[Rational]]:
     report = Report()
-    rows: list[list[sp.Expr]] = []
+    rows: list[list[Rational]] = []
     for row in node.items if isinstance(node, SequenceNode) else ():
         items = row.items if isinstance(row, SequenceNode) else ()
         rows.append([])
         for item in items:
             with report:
-                rows[-1].append(read_transfer_function(item, lexicon, discrete)[0])
+                rows[-1].append(read_transfer_function(item, lexicon, discrete))
         first = node.items[0] if isinstance(node, SequenceNode) else row
         if isinstance(first, SequenceNode) and len(items) != len(first.items):
             message = f"this row has {counted(len(items), 'entry', 'entries')}, row 1 has {len(first.items)}"

@@ -18,8 +18,8 @@ MAX_DEGREE = 80
 MAX_FIELD_DEGREE = 8
 
 
-def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool) -> tuple[sp.Expr, str]:
-    """Return a proper rational function of s (discrete: z), cancelled, and how it was given.
+def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool) -> Rational:
+    """Return a proper rational function of s (discrete: z), as it was given.
 
     Raises Fault where it is not rational, not proper, of order above 12, or has the denominator zero.
     """
@@ -38,7 +38,7 @@ def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool) -> tupl
         raise node.fault(message)
     if poles > MAX_SIZE:
         raise node.fault(f"the transfer function has order {poles}; at most {MAX_SIZE} can be read")
-    return given.cancelled(), given.text
+    return given
 
 
 def _expect_keys(node: MappingNode, keys: Sequence[str], required: bool) -> None:
@@ -55,12 +55,14 @@ def _from_expression(node: Node, lexicon: Lexicon, variable: str, discrete: bool
     other = "s" if discrete else "z"
     barred = {name: MEANINGS[name] for name in (other, "t", "lamda")} | (SAMPLES if discrete else {})
     barred[other] = f"in {'discrete' if discrete else 'continuous'} time a transfer function is written in {variable}"
-    expression = lexicon.expression(node, (variable,), barred)
     x = sp.Symbol(variable)
-    top, bottom = expanded_size(expression, x)
-    if max(top.terms, bottom.terms) > MAX_TERMS or max(top.degree, bottom.degree) > MAX_DEGREE:
-        raise node.fault("the transfer function is too large to be multiplied out")
-    p, q = sp.fraction(sp.together(expression))
+    p, q = lexicon.fraction(node, (variable,), barred)
+    for side in (p, q):
+        top, bottom = expanded_size(side, x)
+        if max(top.terms, bottom.terms) > MAX_TERMS or max(top.degree, bottom.degree) > MAX_DEGREE:
+            raise node.fault("the transfer function is too large to be multiplied out")
+    if not (p.is_polynomial(x) and q.is_polynomial(x)):
+        p, q = sp.fraction(sp.together(p / q))
     if not (p.is_polynomial(x) and q.is_polynomial(x)):
         raise node.fault(f"a quotient of polynomials in {variable} is expected here")
     return Rational(*_pair(sp.expand(p), sp.expand(q), x, node), scalar(node).text)

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import sympy as sp
+
+from solver.derivation.stated import quotient
 from solver.render.displays import display
 from solver.render.width import LINE, width
-from solver.systems import StateSpace, System
+from solver.systems import StateSpace, System, TransferFunction
 
 GAP = r",\qquad "
 
@@ -15,8 +18,7 @@ GAP = r",\qquad "
 def given_markdown(system: System, tex: Callable[[Any], str]) -> str:
     """Return the equation of the system, where it has an input or output, and its matrices or transfer function."""
     if not isinstance(system, StateSpace):
-        G = system.matrix[0, 0] if system.matrix.shape == (1, 1) else system.matrix
-        pieces = [f"G({tex(system.variable)}) = {tex(G)}"]
+        pieces = [f"G({tex(system.variable)}) = {tex(_as_given(system))}"]
     elif system.bare:
         pieces = [f"A = {tex(system.A)}"]
     else:
@@ -24,6 +26,14 @@ def given_markdown(system: System, tex: Callable[[Any], str]) -> str:
     if system.sample_time is not None:
         pieces.append(f"T = {tex(system.sample_time)}")
     return "".join(display(line) for line in _lines(pieces))
+
+
+def _as_given(system: TransferFunction) -> Any:
+    """The transfer function with the factors that cancel."""
+    if system.matrix.shape == (1, 1):
+        return quotient(system.numerators[0][0], system.denominators[0][0])
+    rows = zip(system.numerators, system.denominators, strict=True)
+    return sp.ImmutableMatrix([[p / q for p, q in zip(*row, strict=True)] for row in rows])
 
 
 def _state_space(system: StateSpace, tex: Callable[[Any], str]) -> list[str]:

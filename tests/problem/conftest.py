@@ -82,7 +82,14 @@ def catalogue() -> Mapping[str, Task]:
             Option("observer_gain", MatrixOf("n", "p", flat="column"), "a gain"),
         ]),
     ]  # fmt: skip
-    return {task.name: task for task in tasks}
+    found = {task.name: task for task in tasks}
+    found["placement"].refusal(_one_pole_a_state)
+    return found
+
+
+def _one_pole_a_state(system, options):
+    if "poles" in options and len(options["poles"]) != system.order:
+        yield "poles", f"there are {len(options['poles'])} poles for {system.order} states"
 
 
 @pytest.fixture(scope="session")

@@ -208,3 +208,16 @@ def test_a_reference_to_a_part_that_is_wrong_itself_adds_no_complaint(complaints
         "  b: {task: stability, gain: {from: a}}\n  d: {task: stability, gain: {from: c}}\n"
     )
     assert [line.split(":")[0] for line in found] == ["3", "4"]
+
+
+def test_what_the_task_refuses_is_reported_at_its_option(complaints):
+    (found,) = complaints(f"system: {{{TWO_BY_TWO}}}\nfind:\n  a: {{task: placement, poles: [-1, -2, -3]}}\n")
+    assert found == "3:31-43 there are 3 poles for 2 states"
+
+
+def test_options_from_an_earlier_part_are_not_refused_yet(read):
+    problem = read(
+        f"system: {{{TWO_BY_TWO}}}\nfind:\n  a: {{task: desired, overshoot: 5%}}\n"
+        "  b: {task: placement, poles: {from: a}}\n"
+    )
+    assert problem.parts[1].options["poles"] == Reference("a", "poles")

@@ -210,8 +210,6 @@ def test_what_is_wrong_with_a_part_is_said_at_its_place(complaints, text, expect
     [
         ("controllability", "system: {A: 1}\n", "controllability needs B; the system has only A"),
         ("controllability", "system: {matrix: 1}\n", "controllability needs B; the system has only A"),
-        ("controllability", "system: {transfer_function: 1/s}\n",
-         "controllability needs A and B; the system is a transfer function"),
         ("controllability", "", "controllability is about a system, and there is none"),
         ("stability", "system: {matrix: [[1, 2]]}\n", "stability needs A; the matrix is not square"),
         ("realization", "system: {A: 1, B: 1}\n", "realization needs a transfer function; the system has only A and B"),

@@ -262,3 +262,24 @@ def test_what_is_wrong_with_a_transfer_function_is_said_at_its_place(complaints,
 def test_a_transfer_function_too_large_to_multiply_out_is_refused(complaints, text):
     (found,) = complaints(f"system: {{transfer_function: {text}}}\nfind: {{a: realization}}\n")
     assert "too large" in found or "may have more than" in found
+
+
+@pytest.mark.parametrize(
+    ("text", "numerator", "denominator", "cancelled"),
+    [
+        ("(s+1)/((s+1)(s+2))", s + 1, s**2 + 3 * s + 2, 1 / (s + 2)),
+        ("2(s+1)/(4s^2+12s+8)", 2 * s + 2, 4 * s**2 + 12 * s + 8, 1 / (2 * s + 4)),
+        ("-s/(s*(s+5))", -s, s**2 + 5 * s, -1 / (s + 5)),
+        ("1/s/(s+1)", 1, s**2 + s, 1 / (s**2 + s)),
+        ("2 + 1/(s+1)", 2 * s + 3, s + 1, (2 * s + 3) / (s + 1)),
+    ],
+)
+def test_a_transfer_function_keeps_the_factors_that_cancel(transfer, text, numerator, denominator, cancelled):
+    system = transfer(f"transfer_function: '{text}'")
+    assert (system.numerators, system.denominators) == (((numerator,),), ((denominator,),))
+    assert sp.cancel(system.matrix[0] - cancelled) == 0
+
+
+def test_the_channels_of_a_transfer_matrix_have_names(transfer):
+    system = transfer("transfer_matrix: [[1/s, 2/(s+1)]], inputs: [u, d], outputs: [y]")
+    assert (system.input_names, system.output_names) == (("u", "d"), ("y",))

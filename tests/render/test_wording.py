@@ -126,7 +126,7 @@ def test_what_is_given_is_shown():
     assert "A = " in given
     assert "B = " in given
     assert "D = " not in given
-    G = TransferFunction(sp.ImmutableMatrix([[1 / (s + 1)]]), s)
+    G = TransferFunction(sp.ImmutableMatrix([[1 / (s + 1)]]), ((sp.Integer(1),),), ((s + 1,),), s)
     assert r"G(s) = \frac{1}{s + 1}" in Wording().given(G)
 
 

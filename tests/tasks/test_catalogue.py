@@ -79,6 +79,12 @@ def test_every_task_is_documented_and_asked_in_a_problem(task):
 
 
 @pytest.mark.parametrize("task", catalogue().values(), ids=lambda task: task.name)
+def test_every_answer_has_a_judge(task):
+    judged = {name for verification in task.verifications for name in verification.answers}
+    assert judged == set(task.answers)
+
+
+@pytest.mark.parametrize("task", catalogue().values(), ids=lambda task: task.name)
 def test_the_documented_commands_name_the_task(task):
     guide = Path(__file__).parents[2] / "docs" / "user-guide.md"
     assert f"`{task.name}`" in guide.read_text(encoding="utf-8")

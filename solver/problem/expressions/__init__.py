@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from solver.problem.expressions.bounds import check_numbers
-from solver.problem.expressions.build import build
+from solver.problem.expressions.build import build, build_fraction
 from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.grammar import parse, parse_sides
 from solver.problem.expressions.names import Names
@@ -30,6 +30,7 @@ __all__ = [
     "parse_alternatives",
     "parse_equation",
     "parse_expression",
+    "parse_fraction",
     "uses_decimal",
 ]
 
@@ -49,6 +50,15 @@ def parse_alternatives(text: str, names: Names) -> tuple[sp.Expr, ...]:
         _check(node, names)
         signs = (1, -1) if "±" in text else (1,)
         return tuple(build(node, names, sign) for sign in signs)
+
+
+def parse_fraction(text: str, names: Names) -> tuple[sp.Expr, sp.Expr]:
+    """Return numerator and denominator of a quotient, common factors kept as written. Raises ExpressionError."""
+    with _only_expression_errors(text):
+        node = parse(text, names)
+        _check(node, names)
+        build(node, names)  # the value as a whole must exist: 1/(x - x) has none
+        return build_fraction(node, names)
 
 
 def parse_equation(text: str, names: Names) -> tuple[sp.Expr, sp.Expr]:

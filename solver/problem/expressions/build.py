@@ -5,7 +5,8 @@ Only trees that passed `check_shape` and `check_numbers` may come here.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from fractions import Fraction
 from typing import Any
 
 from solver.lazy import sympy as sp
@@ -24,6 +25,32 @@ def build(node: Node, names: Names, plus_minus: int = 1) -> sp.Expr:
     """
     expression: sp.Expr = _Builder(names, plus_minus).build(node)
     return expression
+
+
+def build_fraction(node: Node, names: Names) -> tuple[sp.Expr, sp.Expr]:
+    """Return numerator and denominator as written: (s+1)/((s+1)(s+2)) keeps the factor that sympy would cancel.
+
+    Only what is above and below the outermost fraction bars is told apart. Raises ExpressionError.
+    """
+    builder, sides = _Builder(names, 1), {"*": [sp.Integer(1)], "/": [sp.Integer(1)]}
+    for operator, factor in _factors(node):
+        sides[operator].append(builder.build(factor) if operator == "*" else 1 / builder.factor("/", factor))
+    return sp.Mul(*sides["*"]), sp.Mul(*sides["/"])
+
+
+def _factors(node: Node, operator: str = "*") -> Iterator[tuple[str, Node]]:
+    """Yield the factors above ("*") and below ("/") the fraction bars of a product and the products in it."""
+    other = {"*": "/", "/": "*"}[operator]
+    match node:
+        case Product():
+            for own, factor in node.factors:
+                yield from _factors(factor, operator if own == "*" else other)
+        case Sum(terms=((sign, term),)):
+            if sign == "-":
+                yield "*", Number(node.at, node.at, Fraction(-1))
+            yield from _factors(term, operator)
+        case _:
+            yield operator, node
 
 
 class _Builder:
