@@ -21,6 +21,14 @@ from solver.numeric.eigen import (
 from solver.numeric.evaluate import evaluate
 from solver.numeric.exponential import equality_residual, exponential_residual, power_residual
 from solver.numeric.jordan import chains_residual, diagonalizable, is_jordan_form, same_jordan_structure
+from solver.numeric.minimal import (
+    cancelled_residual,
+    characteristic_residual,
+    order_of_minimal_part,
+    pole_residual,
+    realized,
+    zero_residual,
+)
 from solver.numeric.rank import independent, rank
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
@@ -29,8 +37,10 @@ __all__ = [
     "NotEvaluable",
     "ShapeMismatch",
     "Undefined",
+    "cancelled_residual",
     "chain_residual",
     "chains_residual",
+    "characteristic_residual",
     "check_claim",
     "check_residual",
     "check_steps",
@@ -42,9 +52,13 @@ __all__ = [
     "independent",
     "is_jordan_form",
     "left_residual",
+    "order_of_minimal_part",
+    "pole_residual",
     "polynomial_residual",
     "power_residual",
     "rank",
+    "realized",
     "same_jordan_structure",
     "spectrum_residual",
+    "zero_residual",
 ]
