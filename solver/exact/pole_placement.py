@@ -41,7 +41,21 @@ def ackermann(A: sp.MatrixBase, b: sp.MatrixBase, coefficients: Sequence[Any]) -
     c = sp.Matrix([list(coefficients)]).flat()
     if _rational(A) and _rational(b) and all(each.is_Rational for each in c):
         return _rational_gain(A, b, c)
+    if any(each.has(sp.Float, sp.Function, sp.NumberSymbol) for each in c):
+        return _gain_of_any_coefficients(A, b, c)
     return _gain(A, b, c)
+
+
+def _gain_of_any_coefficients(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
+    """Ackermann's formula for coefficients outside the field (decimals, logarithms): K = Σ cᵢ q Aⁿ⁻ⁱ, affine in c."""
+    n = A.rows
+    unit = [sp.Integer(int(i == 0)) for i in range(n + 1)]
+    rows = [sp.Matrix(ackermann(A, b, unit))]  # q Aⁿ
+    for i in range(1, n + 1):
+        moved = [unit[j] + int(j == i) for j in range(n + 1)]
+        rows.append(sp.Matrix(ackermann(A, b, moved)) - rows[0])
+    total = sum((each * row for each, row in zip(c, rows, strict=True)), sp.zeros(1, n))
+    return sp.ImmutableMatrix(total.applyfunc(sp.expand))
 
 
 def _gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Expr]) -> sp.ImmutableMatrix:

@@ -1,0 +1,126 @@
+"""How a placement is written down: for a state feedback, or transposed for an observer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Unsolved
+from solver.derivation.stated import Stated, determinant, difference, product
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+
+@dataclass(frozen=True)
+class Frame:
+    """How formulas for (A, b, k) are written: as they are, or transposed (`dual`) for an observer of (A, C).
+
+    `several`: one input stands for several. `shifted`: A is the loop with a preliminary gain. `partial`: A is a part.
+    """
+
+    dual: bool = False
+    several: bool = False
+    shifted: bool = False
+    partial: bool = False
+
+    def shown(self, M: ImmutableMatrix) -> ImmutableMatrix:
+        """Return M as it is written: transposed in the dual."""
+        return sp.ImmutableMatrix(M.T) if self.dual else sp.ImmutableMatrix(M)
+
+    def times(self, *factors: Any) -> Stated:
+        """State the product of factors that are `shown` already; the dual turns their order round."""
+        return product(*(reversed(factors) if self.dual else factors))
+
+    def part(self) -> Frame:
+        """Return the frame for the controllable (observable) part."""
+        return replace(self, partial=True)
+
+    def reduced(self, *, shifted: bool) -> Frame:
+        """Return the frame for one input in place of several."""
+        return replace(self, shifted=shifted)
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A pair (A, b) and the coefficients of the polynomial that det(xI − A + bk) is to be, highest power first."""
+
+    frame: Frame
+    A: ImmutableMatrix
+    b: ImmutableMatrix
+    x: Symbol
+    desired: Sequence[Expr]
+
+    @property
+    def flags(self) -> dict[str, Any]:
+        """What the wording of a step needs to name the matrices."""
+        frame = self.frame
+        names = {"dual": frame.dual, "several": frame.several, "shifted": frame.shifted, "part": frame.partial}
+        return {**names, "x": self.x}
+
+    @property
+    def unknowns(self) -> tuple[Symbol, ...]:
+        """k1 … kn (l1 … ln in the dual); other letters where the plant or the poles use these."""
+        taken = {str(symbol) for M in (self.A, self.b) for symbol in M.free_symbols}
+        taken |= {str(symbol) for c in self.desired for symbol in c.free_symbols}
+        n = self.A.rows
+        for letter in ("l", "ell", "lambda_") if self.frame.dual else ("k", "kappa", "h"):
+            names = [f"{letter}{i}" for i in range(1, n + 1)]
+            if not taken & set(names):
+                break
+        return tuple(sp.Symbol(name) for name in names)
+
+
+@dataclass(frozen=True)
+class Placement:
+    """What a placement gives: `K` (m×n; the observer gain n×p in the dual), the loop A − BK (A − LC), polynomials.
+
+    `gain_polynomial` is det(sI − A + BK) in the unknown entries, where coefficient matching of one input formed it.
+    `free` are symbols in K that may take any value; `fixed` the eigenvalues that no gain moves; `conditions` on the
+    unknowns are zero.
+    """
+
+    K: ImmutableMatrix
+    loop: ImmutableMatrix
+    polynomial: Expr
+    gain_polynomial: Expr | None = None
+    fixed: list[Expr] = field(default_factory=list)
+    free: tuple[Symbol, ...] = ()
+    conditions: tuple[Expr, ...] = ()
+
+
+def characteristic(A: ImmutableMatrix, x: Symbol) -> Stated:
+    """Det(xI − A) as stated."""
+    return determinant(difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), A))
+
+
+def linear_factors(x: Symbol, roots: Sequence[Expr]) -> Stated:
+    """Π (x − root) as stated."""
+    return product(*(difference(x, root) if root != 0 else x for root in roots))
+
+
+def movable_poles(poles: Sequence[Expr], fixed: Sequence[Expr], n: int, *, dual: bool = False) -> list[Expr]:
+    """Return the poles to be placed: all given, or of n given those that are left without the fixed modes."""
+    if len(poles) < n:
+        return list(poles)
+    left = list(poles)
+    for mode in fixed:
+        found = next((pole for pole in left if same_number(pole, mode)), None)
+        if found is None:
+            hidden, part = ("unobservable", "observable") if dual else ("uncontrollable", "controllable")
+            raise Unsolved(
+                f"The mode ${sp.latex(mode)}$ is {hidden}: no gain moves it, so it must be among the poles asked for "
+                f"(as often as it is {hidden}), or only the poles of the {part} part are to be given."
+            )
+        left.remove(found)
+    return left
+
+
+def same_number(a: Any, b: Any) -> bool:
+    """Whether two numbers or expressions are equal; decimals to 12 digits."""
+    gap = sp.expand(a - b)
+    if gap == 0 or gap.free_symbols:
+        return bool(gap == 0)
+    return bool(abs(complex(sp.N(gap, 30))) < 1e-12 * (1 + abs(complex(sp.N(a, 30)))))

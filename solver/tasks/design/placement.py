@@ -1,0 +1,192 @@
+"""Pole placement as lemmas: for a state feedback K, and by duality for an observer gain L.
+
+L of (A, C) is the transpose of the gain K of (Aᵀ, Cᵀ). Everything is computed for the pair (A, B); a `Frame` writes it
+down, transposed for an observer, so that each formula appears in the form in which the reader knows it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation.stated import determinant, difference, inverse, power, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.design.frames import Frame, Pair, Placement, characteristic, linear_factors, movable_poles
+from solver.tasks.design.placement_methods import METHODS, matched
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+__all__ = ["Placement", "closed_loop_of", "desired_polynomial_of", "place"]
+
+
+@lemma("placement")
+def desired_polynomial_of(poles: Sequence[Expr], x: Symbol, *, dual: bool = False) -> Derivation[tuple[Expr, ...]]:
+    """Π (x − pᵢ), multiplied out; returns its coefficients, highest power first."""
+    coefficients: tuple[Expr, ...] = exact.monic(poles)
+    polynomial = exact.polynomial_in(x, coefficients)
+    yield Step(
+        "desired",
+        claims={"polynomial": Claim(linear_factors(x, poles), polynomial, "desired characteristic polynomial")},
+        x=x,
+        poles=list(poles),
+        dual=dual,
+        complex=any(pole.has(sp.I) for pole in poles),
+    )
+    return coefficients
+
+
+@lemma("placement")
+def place(
+    A: ImmutableMatrix, B: ImmutableMatrix, poles: Sequence[Expr], method: str, *, x: Symbol, dual: bool = False
+) -> Derivation[Placement]:
+    """Find K (m×n) with det(xI − A + BK) = Π(x − pᵢ); `dual`: B is C (p×n), the gain is L (n×p) of A − LC.
+
+    `poles` are all n, or those of the controllable (observable) part; `method` is one of METHODS. Several inputs are
+    joined to one first. Raises Unsolved if a mode that no gain moves is not among n poles.
+    """
+    frame = Frame(dual, several=(B.rows if dual else B.cols) > 1)
+    plant, inputs = frame.shown(A), frame.shown(B)
+    desired = yield from desired_polynomial_of(poles, x, dual=dual)
+    reduction = yield from _one_input(frame, plant, inputs)
+    loop = plant if reduction.preliminary is None else sp.ImmutableMatrix(plant - inputs * reduction.preliminary)
+    b = sp.ImmutableMatrix(inputs * reduction.g)
+    pair = Pair(frame.reduced(shifted=reduction.preliminary is not None), loop, b, x, desired)
+    part = yield from _controllability(pair)
+    if method == "coefficient_matching":
+        found = yield from matched(pair, poles)
+    elif part.order == plant.rows:
+        k = yield from METHODS[method](pair)
+        found = Placement(k, loop, exact.polynomial_in(x, desired))
+    else:
+        found = yield from _part_placed(pair, part, poles, method)
+    K = yield from _all_inputs(pair.frame, reduction, found.K)
+    yield from closed_loop_of(frame, plant, inputs, K, found.polynomial, x)
+    gain_polynomial = None if frame.several else found.gain_polynomial
+    loop = frame.shown(sp.ImmutableMatrix((plant - inputs * K).applyfunc(exact.tidy)))
+    return Placement(frame.shown(K), loop, found.polynomial, gain_polynomial, found.fixed, found.free)
+
+
+@lemma("placement")
+def _one_input(frame: Frame, A: ImmutableMatrix, B: ImmutableMatrix) -> Derivation[exact.Direction]:
+    """Several inputs: choose g with (A, Bg), if need be (A − BK₀, Bg), as controllable as (A, B)."""
+    if not frame.several:
+        return exact.Direction(sp.ImmutableMatrix([[1]]), None)
+    found = exact.direction(A, B)
+    if found is None:
+        raise Unsolved("No combination of the inputs was found that reaches all that the inputs reach together.")
+    claims = {"input": Claim(frame.times(frame.shown(B), frame.shown(found.g)), frame.shown(B * found.g), "one input")}
+    if found.preliminary is not None:
+        K0 = found.preliminary
+        stated = difference(frame.shown(A), frame.times(frame.shown(B), frame.shown(K0)))
+        claims["preliminary"] = Claim(stated, frame.shown(A - B * K0), "loop with the preliminary gain")
+    yield Step("one_input", claims=claims, g=frame.shown(found.g), K0=found.preliminary, dual=frame.dual, m=B.cols)
+    return found
+
+
+@lemma("placement")
+def _controllability(pair: Pair) -> Derivation[exact.ControllablePart]:
+    """The matrix [b, Ab, …, Aⁿ⁻¹b], its columns and its determinant; a lower rank than n is worth a step later."""
+    frame, A, b, n = pair.frame, pair.A, pair.b, pair.A.rows
+    C_o = exact.controllability_matrix(A, b)
+    line = f"{'row' if frame.dual else 'column'} {{}} of the {'observ' if frame.dual else 'controll'}ability matrix"
+    claims = {
+        f"column{i + 1}": Claim(
+            frame.times(power(frame.shown(A), i), frame.shown(b)), frame.shown(C_o[:, i]), line.format(i + 1)
+        )
+        for i in range(1, n)
+    }
+    det = exact.determinant_and_adjugate(C_o)[0]
+    claims["determinant"] = Claim(determinant(frame.shown(C_o)), det, "its determinant")
+    part = exact.controllable_part(A, b)
+    yield Step("controllability", claims=claims, C_o=frame.shown(C_o), det=det, order=part.order, n=n, **pair.flags)
+    if part.order == 0:
+        raise Unsolved(
+            "The output shows nothing of the state." if frame.dual else "The input does not act on the state at all."
+        )
+    return part
+
+
+@lemma("placement")
+def _part_placed(pair: Pair, part: exact.ControllablePart, poles: Sequence[Expr], method: str) -> Derivation[Placement]:
+    """Place the poles of the controllable part; the others stay where they are."""
+    frame, x, r = pair.frame, pair.x, part.order
+    shown = frame.shown
+    fixed_chi = exact.faddeev_leverrier(part.A_u).coefficients
+    fixed = exact.roots_of(fixed_chi)
+    yield Step(
+        "decomposition",
+        claims={
+            "A": Claim(
+                frame.times(inverse(shown(part.T)), shown(pair.A), shown(part.T)), shown(part.A), r"$T^{-1} A T$"
+            ),
+            "B": Claim(frame.times(inverse(shown(part.T)), shown(pair.b)), shown(part.B), r"$T^{-1} b$"),
+            "fixed": Claim(characteristic(shown(part.A_u), x), linear_factors(x, fixed), "fixed modes"),
+        },
+        T=shown(part.T),
+        A_c=shown(part.A_c),
+        b_c=shown(part.B_c),
+        A_u=shown(part.A_u),
+        fixed=fixed,
+        order=r,
+        **pair.flags,
+    )
+    movable = movable_poles(poles, fixed, pair.A.rows, dual=frame.dual)
+    desired = exact.monic(movable)
+    full = exact.monic([*movable, *fixed])
+    yield Step(
+        "movable",
+        claims={"movable": Claim(linear_factors(x, movable), exact.polynomial_in(x, desired), "movable poles")},
+        fixed=fixed,
+        movable=list(movable),
+        all_given=len(poles) == pair.A.rows,
+        **pair.flags,
+    )
+    inner = Pair(frame.part(), part.A_c, part.B_c, x, desired)
+    k_c = yield from METHODS[method](inner)
+    k, free = exact.lifted_gain(part, k_c, pair.unknowns)
+    stretched = sp.ImmutableMatrix([[*k_c.flat(), *(k[j] for j in part.free)]])
+    yield Step(
+        "lift",
+        claims={"gain": Claim(frame.times(shown(stretched), inverse(shown(part.T))), shown(k), "original coordinates")},
+        stretched=shown(stretched),
+        free=list(free),
+        order=r,
+        **pair.flags,
+    )
+    return Placement(k, pair.A, exact.polynomial_in(x, full), None, fixed, free)
+
+
+@lemma("placement")
+def _all_inputs(frame: Frame, reduction: exact.Direction, k: ImmutableMatrix) -> Derivation[ImmutableMatrix]:
+    """K = K₀ + g k of several inputs."""
+    if not frame.several:
+        return k
+    g, K0 = reduction.g, reduction.preliminary
+    K = sp.ImmutableMatrix(((K0 if K0 is not None else sp.zeros(g.rows, k.cols)) + g * k).applyfunc(exact.tidy))
+    stated = frame.times(frame.shown(g), frame.shown(k))
+    if K0 is not None:
+        stated = total(frame.shown(K0), stated)
+    yield Step("all_inputs", claims={"gain": Claim(stated, frame.shown(K), "gain of all inputs")}, dual=frame.dual)
+    return K
+
+
+@lemma("placement")
+def closed_loop_of(
+    frame: Frame, A: ImmutableMatrix, B: ImmutableMatrix, K: ImmutableMatrix, polynomial: Expr, x: Symbol
+) -> Derivation[None]:
+    """A − BK and its characteristic polynomial, which is the one asked for."""
+    loop = frame.shown(sp.ImmutableMatrix((A - B * K).applyfunc(exact.tidy)))
+    stated = difference(frame.shown(A), frame.times(frame.shown(B), frame.shown(K)))
+    yield Step(
+        "closed_loop",
+        claims={
+            "loop": Claim(stated, loop, "closed loop"),
+            "polynomial": Claim(characteristic(loop, x), polynomial, "characteristic polynomial of the closed loop"),
+        },
+        K=frame.shown(K),
+        x=x,
+        dual=frame.dual,
+    )

@@ -1,0 +1,240 @@
+"""The four ways of finding the gain of one input. Each works on a `Pair` and writes itself down in the pair's frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation.stated import difference, inverse, power, product, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.design.frames import Pair, Placement, characteristic, movable_poles
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+
+@lemma("placement_methods")
+def _open_loop(pair: Pair) -> Derivation[tuple[Expr, ...]]:
+    """The characteristic polynomial of A; returns its coefficients."""
+    chi: tuple[Expr, ...] = exact.faddeev_leverrier(pair.A).coefficients
+    shown = pair.frame.shown(pair.A)
+    claim = Claim(characteristic(shown, pair.x), exact.polynomial_in(pair.x, chi), "open-loop polynomial")
+    yield Step("open_loop", claims={"polynomial": claim}, **pair.flags)
+    return chi
+
+
+@lemma("placement_methods")
+def by_ackermann(pair: Pair) -> Derivation[ImmutableMatrix]:
+    """K = (0, …, 0, 1) 𝒞⁻¹ p̂(A)."""
+    frame, A, b, n = pair.frame, pair.A, pair.b, pair.A.rows
+    C_o = exact.controllability_matrix(A, b)
+    last = sp.ImmutableMatrix([[int(j == n - 1) for j in range(n)]])
+    q = sp.ImmutableMatrix(exact.companion_rows(A, b)[:1, :])
+    stated = frame.times(frame.shown(last), inverse(frame.shown(C_o)))
+    yield Step("ackermann_row", claims={"row": Claim(stated, frame.shown(q), "last row of the inverse")}, **pair.flags)
+    value = exact.polynomial_of_matrix(A, pair.desired)
+    shown = frame.shown(A)
+    terms = [product(c, power(shown, n - i)) for i, c in enumerate(pair.desired[:-1]) if c != 0]
+    if pair.desired[-1] != 0:
+        terms.append(product(pair.desired[-1], sp.ImmutableMatrix(sp.eye(n))))
+    yield Step(
+        "ackermann_polynomial",
+        claims={"value": Claim(total(*terms), frame.shown(value), r"$\hat{p}(A)$")},
+        formula=exact.polynomial_in(sp.Symbol("A"), pair.desired[:-1]) * sp.Symbol("A"),
+        **pair.flags,
+    )
+    k: ImmutableMatrix = exact.combine(q.flat(), value)
+    stated = frame.times(frame.shown(q), frame.shown(value))
+    yield Step("ackermann_gain", claims={"gain": Claim(stated, frame.shown(k), "Ackermann's formula")}, **pair.flags)
+    return k
+
+
+@lemma("placement_methods")
+def by_bass_gura(pair: Pair) -> Derivation[ImmutableMatrix]:
+    """Kᵀ = ((𝒞 W)ᵀ)⁻¹ (â − a), W upper triangular with the coefficients of det(sI − A)."""
+    frame, A, b = pair.frame, pair.A, pair.b
+    chi = yield from _open_loop(pair)
+    yield Step("coefficients", claims={"difference": _difference(pair, chi)}, **pair.flags)
+    C_o, W = exact.controllability_matrix(A, b), exact.toeplitz(chi)
+    CW = exact.multiply(C_o, W)
+    yield Step(
+        "toeplitz",
+        claims={"product": Claim(frame.times(frame.shown(C_o), frame.shown(W)), frame.shown(CW), r"$\mathcal{C}_o W$")},
+        W=frame.shown(W),
+        n=A.rows,
+        **pair.flags,
+    )
+    delta = [exact.tidy(d - a) for d, a in zip(pair.desired[1:], chi[1:], strict=True)]
+    inverted = exact.inverse(CW)
+    k: ImmutableMatrix = exact.combine(delta, inverted)
+    row = sp.ImmutableMatrix([delta])
+    stated = frame.times(frame.shown(row), inverse(frame.shown(CW)))
+    yield Step(
+        "bass_gura_gain",
+        claims={
+            "inverse": Claim(inverse(frame.shown(CW)), frame.shown(inverted), "inverse"),
+            "gain": Claim(stated, frame.shown(k), "formula of Bass and Gura"),
+        },
+        **pair.flags,
+    )
+    return k
+
+
+@lemma("placement_methods")
+def by_canonical_form(pair: Pair) -> Derivation[ImmutableMatrix]:
+    """In ξ = P x the pair is in controllable canonical form, where the gain is read off; K = K_c P."""
+    frame, A, b = pair.frame, pair.A, pair.b
+    chi = yield from _open_loop(pair)
+    P = exact.companion_rows(A, b)
+    C_o = exact.controllability_matrix(A, b)
+    n = A.rows
+    last = sp.ImmutableMatrix([[int(j == n - 1) for j in range(n)]])
+    shown = frame.shown
+    claims = {"row1": Claim(frame.times(shown(last), inverse(shown(C_o))), shown(P[:1, :]), "row 1")}
+    for i in range(1, n):
+        stated = frame.times(shown(P[i - 1 : i, :]), shown(A))
+        claims[f"row{i + 1}"] = Claim(stated, shown(P[i : i + 1, :]), f"row {i + 1}")
+    yield Step("canonical_rows", claims=claims, P=shown(P), **pair.flags)
+    back = exact.inverse(P)
+    A_c, b_c = exact.multiply(exact.multiply(P, A), back), exact.multiply(P, b)
+    yield Step(
+        "canonical_pair",
+        claims={
+            "inverse": Claim(inverse(shown(P)), shown(back), "inverse of the transformation"),
+            "A": Claim(frame.times(shown(P), shown(A), inverse(shown(P))), shown(A_c), "canonical form of $A$"),
+            "b": Claim(frame.times(shown(P), shown(b)), shown(b_c), "canonical form of the input"),
+        },
+        **pair.flags,
+    )
+    delta = sp.ImmutableMatrix(
+        [[exact.tidy(d - a) for d, a in zip(reversed(pair.desired[1:]), reversed(chi[1:]), strict=True)]]
+    )
+    k: ImmutableMatrix = exact.combine(delta.flat(), P)
+    yield Step(
+        "canonical_gain",
+        claims={
+            "difference": _difference(pair, chi, reverse=True),
+            "gain": Claim(frame.times(shown(delta), shown(P)), shown(k), "original coordinates"),
+        },
+        delta=shown(delta),
+        **pair.flags,
+    )
+    return k
+
+
+def _difference(pair: Pair, chi: Sequence[Expr], *, reverse: bool = False) -> Claim:
+    """The vector â − a: highest power first, or reversed; a row as K is, or a column."""
+    order = slice(None, None, -1) if reverse else slice(None)
+    desired = sp.ImmutableMatrix([[*pair.desired[1:]][order]])
+    own = sp.ImmutableMatrix([[*chi[1:]][order]])
+    gap = sp.ImmutableMatrix((desired - own).applyfunc(exact.tidy))
+    shown = pair.frame.shown
+    return Claim(difference(shown(desired), shown(own)), shown(gap), r"$\hat{a} - a$")
+
+
+@lemma("placement_methods")
+def matched(
+    pair: Pair,
+    poles: Sequence[Expr],
+    shape: Sequence[Expr] | None = None,
+    unknowns: Sequence[Symbol] | None = None,
+) -> Derivation[Placement]:
+    """Equate the coefficients of det(xI − A + bk) and of the desired polynomial and solve for the unknowns in k.
+
+    `shape` is the row k with unknowns in it (affine), by default all entries unknown. A factor of the determinant
+    that holds no unknown is fixed: its roots stay where they are.
+    """
+    frame, A, b, x = pair.frame, pair.A, pair.b, pair.x
+    unknowns = list(unknowns or pair.unknowns)
+    row = sp.ImmutableMatrix([list(shape or unknowns)])
+    loop = sp.ImmutableMatrix(A - b * row)
+    yield Step(
+        "unknown_gain",
+        claims={
+            "loop": Claim(
+                difference(frame.shown(A), frame.times(frame.shown(b), frame.shown(row))),
+                frame.shown(loop),
+                "closed loop with the unknown gain",
+            )
+        },
+        row=frame.shown(row),
+        structured=shape is not None,
+        **pair.flags,
+    )
+    coefficients = exact.loop_coefficients(A, b, row, unknowns)
+    gain_polynomial = exact.polynomial_in(x, coefficients)
+    yield Step(
+        "gain_polynomial",
+        claims={"polynomial": Claim(characteristic(frame.shown(loop), x), gain_polynomial, "closed-loop polynomial")},
+        **pair.flags,
+    )
+    divisor = exact.fixed_factor(A, b, row, unknowns)
+    fixed = exact.roots_of(divisor)
+    rest, desired = coefficients, list(pair.desired)
+    full = desired
+    if fixed:
+        rest = exact.divided(coefficients, divisor)
+        movable = movable_poles(poles, fixed, A.rows, dual=frame.dual)
+        desired, full = list(exact.monic(movable)), list(exact.monic([*movable, *fixed]))
+        split = product(exact.polynomial_in(x, divisor), exact.polynomial_in(x, rest))
+        yield Step(
+            "fixed_factor",
+            claims={
+                "split": Claim(gain_polynomial, split, "the factor without unknowns"),
+                "movable": Claim(
+                    product(*(difference(x, pole) for pole in movable)),
+                    exact.polynomial_in(x, desired),
+                    "polynomial of the movable poles",
+                ),
+            },
+            fixed=fixed,
+            movable=movable,
+            all_given=len(poles) == A.rows,
+            structured=shape is not None,
+            **pair.flags,
+        )
+    solution = yield from _equated(pair, rest, desired, unknowns)
+    values = dict(zip(unknowns, solution.values, strict=True))
+    k = sp.ImmutableMatrix(row.applyfunc(lambda entry: exact.tidy(entry.subs(values, simultaneous=True))))
+    free = tuple(unknowns[j] for j in solution.free)
+    return Placement(k, A, exact.polynomial_in(x, full), gain_polynomial, fixed, free, solution.conditions)
+
+
+@lemma("placement_methods")
+def _equated(
+    pair: Pair, coefficients: Sequence[Expr], desired: Sequence[Expr], unknowns: Sequence[Symbol]
+) -> Derivation[exact.Solution]:
+    """Coefficient by coefficient: linear equations for the unknowns, and their solution."""
+    M, constant = exact.affine(coefficients[1:], unknowns)
+    right = [exact.tidy(d - c) for d, c in zip(desired[1:], constant, strict=True)]
+    solution = exact.solve_affine(M, right, unknowns)
+    yield Step(
+        "equations",
+        unclaimed="the equations define the gain; they are checked when it is found",
+        equations=list(zip(coefficients[1:], desired[1:], strict=True)),
+        **pair.flags,
+    )
+    if solution.residue:
+        raise Unsolved("The equations for the unknowns contradict each other: no such gain places these poles.")
+    values = sp.ImmutableMatrix(len(unknowns), 1, list(solution.values))
+    stated = total(sp.ImmutableMatrix(len(constant), 1, constant), product(M, values))
+    claim = Claim(stated, sp.ImmutableMatrix(len(constant), 1, list(desired[1:])), "equations for the gain")
+    yield Step(
+        "solution",
+        claims={"equations": claim},
+        values=list(zip(unknowns, solution.values, strict=True)),
+        free=[unknowns[j] for j in solution.free],
+        **pair.flags,
+    )
+    return solution
+
+
+METHODS: dict[str, Callable[[Pair], Derivation[ImmutableMatrix]]] = {
+    "ackermann": by_ackermann,
+    "unity_rank": by_ackermann,
+    "bass_gura": by_bass_gura,
+    "canonical_form": by_canonical_form,
+}
+"""The methods that need a controllable pair; coefficient matching does without (`matched`)."""
