@@ -37,12 +37,15 @@ from solver.exact.placement import (
     toeplitz,
 )
 from solver.exact.pole_placement import ackermann, controllability_matrix
+from solver.exact.rational import RationalMatrix, between
+from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
 from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
-from solver.exact.transforms import partial_fractions, resolvent, transform_pairs
+from solver.exact.transforms import pairs_for, partial_fractions, resolvent, transform_pairs
 
 __all__ = [
+    "ClosedForm",
     "Condition",
     "ControllablePart",
     "Decomposition",
@@ -54,6 +57,9 @@ __all__ = [
     "MatrixFunction",
     "NotExact",
     "Partition",
+    "Piece",
+    "RationalMatrix",
+    "Response",
     "Root",
     "RowReduction",
     "Solution",
@@ -61,6 +67,7 @@ __all__ = [
     "TransferMatrix",
     "ackermann",
     "affine",
+    "between",
     "chosen_error_matrix",
     "combine",
     "companion_rows",
@@ -89,12 +96,16 @@ __all__ = [
     "multiply",
     "null_space",
     "observable_decomposition",
+    "pairs_for",
     "partial_fractions",
+    "piece_response",
     "polynomial_in",
     "polynomial_of_matrix",
     "power",
     "powers",
+    "read_inputs",
     "resolvent",
+    "response",
     "roots_of",
     "row_reduce",
     "solve_affine",

@@ -126,7 +126,7 @@ def _linear_in(polynomial: sp.Expr, s: sp.Symbol, c: sp.Symbol) -> tuple[sp.Expr
 def square_root(radicand: sp.Expr) -> sp.Expr:
     """√radicand with squares taken out, as a person writes it: √12 = 2√3, √(4k/m) = 2√(k/m)."""
     if radicand.is_Rational or not radicand.free_symbols:
-        return sp.sqrt(radicand)
+        return sp.sqrt(in_sines(radicand))
     number, rest = sp.factor(in_sines(radicand)).as_coeff_Mul()
     outside, inside = sp.sqrt(number), sp.Integer(1)
     for factor, exponent in rest.as_powers_dict().items():

@@ -14,7 +14,7 @@ from math import factorial
 import sympy as sp
 
 from solver.exact.assembly import linear_combination
-from solver.exact.fields import Algebraic, NotExact, collected, expressions
+from solver.exact.fields import Algebraic, NotExact, collected, expressions, in_sines
 from solver.exact.instances import decimal_parts, value_at
 from solver.exact.residues import (
     FactorResidues,
@@ -150,7 +150,8 @@ def polar(root: Root) -> tuple[sp.Expr, sp.Expr]:
             "Whether the quadratic factor has real or complex roots depends on the parameters, and with it the form of "
             "$A^{k}$. Say more about the parameters under `assume`."
         )
-    r = sp.sqrt(collected(root.sigma**2 + root.shift**2))  # not square_root: the radius of ω of either sign is |ω|
+    square = collected(root.sigma**2 + root.shift**2)
+    r = sp.sqrt(square if square.free_symbols else in_sines(square))  # not square_root: ω of either sign has radius |ω|
     if root.kind == "decimal":
         return r, sp.atan2(root.shift, root.sigma).evalf(DIGITS)
     if root.shift.is_positive:

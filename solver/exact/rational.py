@@ -101,7 +101,7 @@ def resolvent_matrix(A: sp.ImmutableMatrix) -> RationalMatrix:
 def between(left: sp.ImmutableMatrix, A: sp.ImmutableMatrix, right: sp.ImmutableMatrix) -> RationalMatrix:
     """L (xI − A)⁻¹ R over the smallest field that holds L, A and R; raises NotExact if there is none."""
     found = resolvent_matrix(A)
-    K = domain_matrix(sp.ImmutableMatrix([[*left, *A, *right]])).domain
+    K = domain_matrix(sp.ImmutableMatrix([[*left.flat(), *A.flat(), *right.flat()]])).domain
     L, R = (domain_matrix(M).convert_to(K) for M in (left, right))
     numerator = tuple(L * N.convert_to(K) * R for N in found.numerator)
     chi = tuple(K.convert(c, found.factors[0].modulus.domain) for c in found.chi)
