@@ -77,7 +77,32 @@ def in_lowest_terms(top: sp.Poly, bottom: sp.Poly, factors: Sequence[tuple[sp.Po
                 remaining += 1
         if remaining:
             left.append((factor, remaining))
+    if _in_parameters(top.domain):
+        return _cleared_fraction(top, left)
     return signed_fraction(expanded(top), factored_form(left))
+
+
+def _in_parameters(K: Any) -> bool:
+    """Whether K is a field of fractions in plain symbols (not in tangents of half an angle)."""
+    return bool(K.is_FractionField and all(generator.is_Symbol for generator in K.symbols))
+
+
+def _cleared_fraction(top: sp.Poly, factors: Sequence[tuple[sp.Poly, int]]) -> sp.Expr:
+    """The fraction without fractions in its coefficients: 1/(m s² + d s + k), not (1/m)/(s² + d s/m + k/m)."""
+    bottoms = [(*_cleared_of_denominators(p), m) for p, m in factors]
+    for _, c, m in bottoms:
+        top = top * sp.Poly([c**m], top.gen, domain=top.domain)
+    cleared, c = _cleared_of_denominators(top)
+    bottom = sp.Mul(expression(top.domain, c), *(sp.Pow(expanded(p), m) for p, _, m in bottoms))
+    return signed_fraction(expanded(cleared), bottom)
+
+
+def _cleared_of_denominators(p: sp.Poly) -> tuple[sp.Poly, Any]:
+    """C p and c, the least common denominator of its coefficients."""
+    K = p.domain
+    R = K.get_ring()
+    c = K.convert(reduce(R.lcm, (K.denom(each) for each in p.rep.to_list())), R)
+    return sp.Poly([each * c for each in p.rep.to_list()], p.gen, domain=K), c
 
 
 def signed_fraction(written: sp.Expr, denominator: sp.Expr) -> sp.Expr:

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.faddeev import faddeev_leverrier
-from solver.exact.fields import NotExact, domain_matrix
+from solver.exact.fields import NotExact, domain_matrix, expression
 from solver.exact.polynomials import (
     eigenvalues_of,
     expanded,
@@ -90,6 +90,28 @@ class TransferMatrix:
         return sp.ImmutableMatrix([[_at_infinity(p, q) for p, q in zip(*row, strict=True)] for row in rows])
 
     @cached_property
+    def remainders(self) -> PolyRows:
+        """The numerators of G − D: what is left when D has been divided out."""
+        return tuple(
+            tuple(_strictly_proper(top, bottom) for top, bottom in zip(*rows, strict=True))
+            for rows in zip(self.tops, self.bottoms, strict=True)
+        )
+
+    @cached_property
+    def strictly_proper_numerators(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """The numerators of G − D, multiplied out."""
+        return tuple(tuple(expanded(p) for p in row) for row in self.remainders)
+
+    @property
+    def numerator_factored(self) -> sp.Expr:
+        """The numerator of the only entry in factors."""
+        top = self.tops[0][0]
+        if top.is_zero:
+            return sp.Integer(0)
+        lead = expression(self.domain, top.rep.to_list()[0])
+        return lead * factored_form(factors_of(top.monic()))
+
+    @cached_property
     def smith_mcmillan(self) -> list[tuple[sp.Poly, sp.Poly]]:
         """The diagonal ε₁/ψ₁, ε₂/ψ₂, … of the Smith–McMillan form, in lowest terms, monic (shorter: rank of G)."""
         d = self.common_denominator
@@ -160,6 +182,12 @@ def roots_if_any(p: sp.Poly) -> list[sp.Expr] | None:
         return eigenvalues_of(p)
     except NotExact:
         return None
+
+
+def _strictly_proper(top: sp.Poly, bottom: sp.Poly) -> sp.Poly:
+    if top.is_zero or top.degree() < bottom.degree():
+        return top
+    return top - bottom * sp.Poly([top.rep.to_list()[0]], top.gen, domain=top.domain)
 
 
 def _at_infinity(top: sp.Poly, bottom: sp.Poly) -> sp.Expr:

@@ -99,12 +99,9 @@ def by_determinant(given: Given) -> Derivation[Answers]:
     return Answers(polynomial=resolvent.characteristic_polynomial(lamda))
 
 
-@characteristic_polynomial.method(
-    "faddeev_leverrier", title="Faddeev–LeVerrier algorithm", source="Gantmacher, The Theory of Matrices I, IV §5"
-)
-def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
-    """N₀ = I; aₖ = −tr(A Nₖ₋₁)/k, Nₖ = A Nₖ₋₁ + aₖ I; Nₙ = 0 closes the recursion (Cayley–Hamilton)."""
-    A, lamda = given.system.A, sp.Symbol("lamda")
+@lemma("faddeev_leverrier")
+def recursion_of(A: ImmutableMatrix) -> Derivation[exact.FaddeevLeVerrier]:
+    """N₀ = I; aₖ = −tr(A Nₖ₋₁)/k, Nₖ = A Nₖ₋₁ + aₖ I; returns the coefficients of χ and of the adjugate."""
     resolvent = exact.faddeev_leverrier(A)
     coefficients = resolvent.coefficients
     identity = sp.ImmutableMatrix(sp.eye(A.rows))
@@ -123,6 +120,16 @@ def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
             k=k,
             last=k == A.rows,
         )
+    return resolvent
+
+
+@characteristic_polynomial.method(
+    "faddeev_leverrier", title="Faddeev–LeVerrier algorithm", source="Gantmacher, The Theory of Matrices I, IV §5"
+)
+def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
+    """N₀ = I; aₖ = −tr(A Nₖ₋₁)/k, Nₖ = A Nₖ₋₁ + aₖ I; Nₙ = 0 closes the recursion (Cayley–Hamilton)."""
+    A, lamda = given.system.A, sp.Symbol("lamda")
+    resolvent = yield from recursion_of(A)
     polynomial = resolvent.characteristic_polynomial(lamda)
     yield Step(
         "polynomial",

@@ -15,17 +15,24 @@ if TYPE_CHECKING:
 
 
 @lemma("resolvent")
-def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
-    """(xI − A)⁻¹ = adj(xI − A)/det(xI − A); returns it with cancelled entries."""
+def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
+    """det(xI − A) and adj(xI − A); returns the adjugate."""
     resolvent = yield from determinant_of(A, x)
-    pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
-    adj, chi = resolvent.adjugate(x), exact.factored(A, x)
+    pencil, adj = sp.ImmutableMatrix(x * sp.eye(A.rows) - A), resolvent.adjugate(x)
     yield Step(
         "adjugate",
         claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
         x=x,
         n=A.rows,
     )
+    return adj
+
+
+@lemma("resolvent")
+def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
+    """(xI − A)⁻¹ = adj(xI − A)/det(xI − A); returns it with cancelled entries."""
+    adj = yield from adjugate_of_pencil(A, x)
+    pencil, chi = sp.ImmutableMatrix(x * sp.eye(A.rows) - A), exact.factored(A, x)
     inverted = exact.resolvent(A, x)
     yield Step(
         "inverse",

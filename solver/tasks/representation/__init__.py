@@ -1,0 +1,1 @@
+"""Tasks about models and their forms: transfer functions, realizations, coordinates."""

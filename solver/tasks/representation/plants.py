@@ -1,0 +1,73 @@
+"""Plants in either description, for tasks about both: the channel asked for, and what the oracles need."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Given
+from solver.derivation.stated import Stated, difference, inverse, product, total
+from solver.lazy import numeric, systems
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix, Symbol
+
+    from solver.systems import StateSpace, System
+
+
+def matrices_of(plant: StateSpace) -> tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]:
+    """A, B, C, D of a plant that has them; D is zero where none is given."""
+    if plant.B is None or plant.C is None:
+        raise ValueError("the question is about the path from inputs to outputs")
+    D = plant.D if plant.D is not None else sp.ImmutableMatrix(sp.zeros(plant.C.rows, plant.B.cols))
+    return plant.A, plant.B, plant.C, D
+
+
+def chosen_channel(given: Given) -> System:
+    """The system from the input asked for to the output asked for."""
+    plant, inputs, outputs = given.system, _picked(given.input), _picked(given.output)
+    if isinstance(plant, systems.TransferFunction):
+        numerators, denominators = (
+            tuple(row[inputs] for row in rows[outputs]) for rows in (plant.numerators, plant.denominators)
+        )
+        return replace(
+            plant,
+            matrix=sp.ImmutableMatrix(plant.matrix[outputs, inputs]),
+            numerators=numerators,
+            denominators=denominators,
+        )
+    _, B, C, D = matrices_of(plant)
+    B, C, D = (sp.ImmutableMatrix(M) for M in (B[:, inputs], C[outputs, :], D[outputs, inputs]))
+    return replace(plant, B=B, C=C, D=D)
+
+
+def _picked(channel: int | None) -> slice:
+    return slice(None) if channel is None else slice(channel, channel + 1)
+
+
+def variable_of(system: System) -> Symbol:
+    """S, or z in discrete time."""
+    return sp.Symbol("z" if system.discrete else "s")
+
+
+def stated_transfer(plant: StateSpace, x: Symbol) -> Stated:
+    """C (xI − A)⁻¹ B + D as it stands."""
+    pencil = difference(product(x, sp.ImmutableMatrix(sp.eye(plant.order))), plant.A)
+    dynamic = product(plant.C, inverse(pencil), plant.B)
+    return dynamic if plant.D is None or plant.D.is_zero_matrix else total(dynamic, plant.D)
+
+
+def numbers_of(plant: System) -> Any:
+    """The plant as matrices A, B, C, D for the oracles."""
+    if isinstance(plant, systems.TransferFunction):
+        return numeric.realized(plant.numerators, plant.denominators, plant.variable)
+    return matrices_of(plant)
+
+
+def stated_matrix(plant: System) -> Any:
+    """G as the problem states it: fractions as typed, or C (sI − A)⁻¹ B + D."""
+    if not isinstance(plant, systems.TransferFunction):
+        return stated_transfer(plant, variable_of(plant))
+    pairs = zip(plant.numerators, plant.denominators, strict=True)
+    return sp.ImmutableMatrix([[p / q for p, q in zip(*row, strict=True)] for row in pairs])

@@ -1,0 +1,227 @@
+"""The transfer function G = C (sI − A)⁻¹ B + D, in discrete time in z."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Channel, Check, Claim, Derivation, Given, Option, Step, Task, lemma
+from solver.derivation.stated import Stated, difference, power, product, quotient, total
+from solver.lazy import exact, numeric, systems
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
+from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
+from solver.tasks.representation.plants import (
+    chosen_channel,
+    matrices_of,
+    numbers_of,
+    stated_matrix,
+    stated_transfer,
+    variable_of,
+)
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+    from solver.systems import StateSpace
+
+transfer_function = Task(
+    "transfer_function",
+    group="Representation and analysis",
+    title="Transfer function",
+    doc="The transfer function (several inputs or outputs: transfer matrix) from u to y, its poles and its zeros.",
+    needs=("transfer_function",),
+    options=[
+        Option("input", Channel("input"), "the input, where only one is of interest"),
+        Option("output", Channel("output"), "the output, where only one is of interest"),
+    ],
+    answers=[
+        AnswerName("G", "G", "C (sI − A)⁻¹ B + D in lowest terms, in `s` (discrete: in `z`)"),
+        AnswerName("poles", "p_i", "poles of G, with multiplicity", optional=True),
+        AnswerName("zeros", "z_i", "zeros of G (several inputs and outputs: transmission zeros)", optional=True),
+        AnswerName("cancelled", r"\text{cancelled}", "modes of the system that G does not show", optional=True),
+    ],
+)
+
+
+@transfer_function.method("adjugate", title="Adjugate over determinant", source="Lecture note, equation (1.11.3)")
+def by_adjugate(given: Given) -> Derivation[Answers]:
+    """G = (C adj(sI − A) B + det(sI − A) D)/det(sI − A)."""
+    plant = chosen_channel(given)
+    if isinstance(plant, systems.TransferFunction):
+        G = yield from fractions_of(plant)
+    else:
+        G = yield from transfer_function_of(plant)
+    return (yield from lowest_terms_of(G, given_as_fraction=isinstance(plant, systems.TransferFunction)))
+
+
+@transfer_function.method(
+    "faddeev_leverrier", title="Faddeev–LeVerrier algorithm", source="Gantmacher, The Theory of Matrices I, IV §5"
+)
+def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
+    """G = (C N₀ B s^{n−1} + … + C Nₙ₋₁ B)/χ(s) + D, with the Nₖ and χ of the recursion."""
+    plant = chosen_channel(given)
+    if isinstance(plant, systems.TransferFunction):
+        G = yield from fractions_of(plant)
+        return (yield from lowest_terms_of(G, given_as_fraction=True))
+    x, (A, B, C, D) = variable_of(plant), matrices_of(plant)
+    resolvent = yield from recursion_of(A)
+    G = exact.transfer_matrix(A, B, C, D, x)
+    coefficients = [exact.multiply(exact.multiply(C, N), B) for N in resolvent.adjugate_coefficients]
+    strictly = _rows(G.strictly_proper_numerators)
+    powers = [product(_plain(M), power(x, A.rows - 1 - k)) for k, M in enumerate(coefficients) if not M.is_zero_matrix]
+    yield Step(
+        "coefficients",
+        claims={
+            **{
+                f"coefficient{k}": Claim(product(C, N, B), _plain(M), f"$C N_{k} B$")
+                for k, (N, M) in enumerate(zip(resolvent.adjugate_coefficients, coefficients, strict=True))
+            },
+            "sum": Claim(total(*powers) if powers else _plain(strictly), _plain(strictly), "numerator, by powers"),
+        },
+        x=x,
+        n=A.rows,
+    )
+    yield from _quotient_of(plant, G, strictly)
+    return (yield from lowest_terms_of(G))
+
+
+def _plain(M: Any) -> Any:
+    """A matrix 1×1 as its entry: with one input and one output everything is scalar."""
+    return M[0, 0] if M.shape == (1, 1) else M
+
+
+def _rows(rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
+    return sp.ImmutableMatrix([list(row) for row in rows])
+
+
+@lemma("transfer_function")
+def transfer_function_of(plant: StateSpace) -> Derivation[exact.TransferMatrix]:
+    """G = (C adj(xI − A) B + det(xI − A) D)/det(xI − A), not cancelled."""
+    x, (A, B, C, D) = variable_of(plant), matrices_of(plant)
+    adj = yield from adjugate_of_pencil(A, x)
+    G = exact.transfer_matrix(A, B, C, D, x)
+    right = sp.ImmutableMatrix((adj * B).applyfunc(sp.expand))
+    strictly = _rows(G.strictly_proper_numerators)
+    yield Step(
+        "numerator",
+        claims={
+            "right": Claim(product(adj, B), right, r"$\operatorname{adj}(" + str(x) + r"I - A)\,B$"),
+            "product": Claim(product(C, adj, B), _plain(strictly), "numerator"),
+        },
+        x=x,
+        right=right,
+        C=C,
+    )
+    yield from _quotient_of(plant, G, strictly)
+    return G
+
+
+@lemma("transfer_function")
+def _quotient_of(plant: StateSpace, G: exact.TransferMatrix, strictly: ImmutableMatrix) -> Derivation[None]:
+    """The numerator of C (xI − A)⁻¹ B over χ, D brought over the same denominator."""
+    x, D, N = G.variable, plant.D, _rows(G.numerators)
+    if D is not None and not D.is_zero_matrix:
+        with_D = total(_plain(strictly), product(G.chi, _plain(D)))
+        yield Step("through", claims={"sum": Claim(with_D, _plain(N), "numerator with $D$")}, x=x, D=_plain(D))
+    yield Step(
+        "quotient",
+        claims={"G": Claim(stated_transfer(plant, x), quotient(_plain(N), G.chi), f"$G({x})$")},
+        x=x,
+    )
+
+
+@lemma("transfer_function")
+def fractions_of(system: Any) -> Derivation[exact.TransferMatrix]:
+    """G as it is given, the denominators made monic; not cancelled."""
+    G = exact.transfer_matrix_of_fractions(system.numerators, system.denominators, system.variable)
+    given, monic = (
+        _plain(
+            sp.ImmutableMatrix(*G.shape, [p / q for row in zip(*pair, strict=True) for p, q in zip(*row, strict=True)])
+        )
+        for pair in ((system.numerators, system.denominators), (G.numerators, G.denominators))
+    )
+    if given == monic:
+        yield Step(
+            "as_given", claims={"given": Claim(given, system.matrix, "the fraction as given")}, x=G.variable, G=given
+        )
+    else:
+        yield Step("monic", claims={"monic": Claim(given, monic, "denominators made monic")}, x=G.variable)
+    return G
+
+
+@lemma("transfer_function")
+def lowest_terms_of(G: exact.TransferMatrix, *, given_as_fraction: bool = False) -> Derivation[Answers]:
+    """Common factors cancelled and named; poles and zeros."""
+    x, siso = G.variable, G.shape == (1, 1)
+    uncancelled = _over_chi(G)
+    common = None if given_as_fraction and not siso else G.cancelled_factored
+    yield Step(
+        "cancel",
+        claims={"lowest": Claim(uncancelled, _plain(G.matrix), "lowest terms")},
+        x=x,
+        siso=siso,
+        factored=_factored_fraction(G) if siso and G.matrix[0, 0] != 0 else None,
+        common=common,
+        cancelled=G.cancelled if common is not None else None,
+    )
+    poles, zeros = G.poles, G.zeros
+    yield Step(
+        "poles_zeros",
+        claims={
+            **({"poles": Claim(G.poles_factored, _from_roots(x, poles), "poles")} if poles else {}),
+            **({"zeros": Claim(G.zeros_factored, _from_roots(x, zeros), "zeros")} if zeros else {}),
+        },
+        unclaimed="" if poles or zeros else "there are no roots to put into a product",
+        x=x,
+        poles=poles,
+        zeros=zeros,
+        siso=siso,
+        pole_polynomial=G.poles_factored,
+        zero_polynomial=G.zeros_factored,
+        vanishes=bool(G.matrix.is_zero_matrix),
+    )
+    found = {"poles": poles, "zeros": zeros, "cancelled": G.cancelled if common is not None else None}
+    return Answers(G=_plain(G.matrix), **{name: value for name, value in found.items() if value is not None})
+
+
+def _over_chi(G: exact.TransferMatrix) -> Any:
+    same = len({q for row in G.denominators for q in row}) == 1
+    if same:
+        return quotient(_plain(_rows(G.numerators)), G.chi)
+    entries = [p / q for row in zip(G.numerators, G.denominators, strict=True) for p, q in zip(*row, strict=True)]
+    return sp.ImmutableMatrix(*G.shape, entries)
+
+
+def _factored_fraction(G: exact.TransferMatrix) -> Any:
+    """Numerator and denominator of the only entry in factors."""
+    return quotient(G.numerator_factored, G.chi_factored)
+
+
+def _from_roots(x: Symbol, roots: Sequence[Expr]) -> Stated:
+    distinct = dict.fromkeys(roots)
+    return product(*(power(difference(x, root), list(roots).count(root)) for root in distinct))
+
+
+@transfer_function.verification("G")
+def has_the_values_of_the_formula(given: Given, answers: Answers) -> Iterable[Check]:
+    """G(s) = C (sI − A)⁻¹ B + D at random s, the inverse by numpy."""
+    plant = chosen_channel(given)
+    label = f"$G({variable_of(plant)}) = C({variable_of(plant)}I - A)^{{-1}}B + D$ at random points"
+    yield numeric.check_claim(Claim(stated_matrix(plant), answers["G"]), label)
+
+
+@transfer_function.verification("poles", "zeros", "cancelled")
+def are_those_of_the_minimal_part(given: Given, answers: Answers) -> Iterable[Check]:
+    """The poles are the eigenvalues of the minimal part, zeros those of its system matrix, what is left cancelled."""
+    plant = numbers_of(chosen_channel(given))
+    judges = {
+        "poles": (r"the poles are the eigenvalues of the minimal part", numeric.pole_residual),
+        "zeros": (r"the zeros are where the minimal part blocks", numeric.zero_residual),
+        "cancelled": (r"poles and cancelled modes make up $\det(sI - A)$", numeric.cancelled_residual),
+    }
+    for name, (label, residual) in judges.items():
+        if name in answers:
+            check = partial(residual, plant, list(answers[name]))
+            yield numeric.check_residual(label, "orthogonal bases (50 digits)", check, answer=name)
