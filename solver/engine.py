@@ -108,7 +108,7 @@ def _plant(task: Task, given: Given) -> Derivation[Given]:
         "transfer_function" not in task.needs or given.options.get("gain") is not None
     ):
         given = yield from _realized(given)
-    return (yield from _closed_loop(given))
+    return (yield from _closed_loop(given)) if task.closes_the_loop else given
 
 
 @lemma("realized")

@@ -114,7 +114,8 @@ class Task:
         self.doc = doc
         self.needs = needs
         self.answers = {answer.name: answer for answer in answers}
-        self.options = {option.name: option for option in (*options, GAIN)}
+        self.options = {option.name: option for option in options}
+        self.closes_the_loop = self.options.setdefault("gain", GAIN) is GAIN  # a task may mean another thing by it
         self.methods: dict[str, Method] = {}
         self.verifications: list[Verification] = []
         self.refusals: list[Callable[[System, Mapping[str, Any]], Iterable[Refusal]]] = []
