@@ -12,7 +12,9 @@ from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.fields import NotExact
 from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
+from solver.exact.inequalities import Generator, all_positive, generator_of, sign_of
 from solver.exact.interpolation import Condition, interpolation
+from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
 from solver.exact.observers import Partition, chosen_error_matrix, left_inverse, measured_first
 from solver.exact.placement import (
@@ -39,8 +41,17 @@ from solver.exact.placement import (
 from solver.exact.pole_placement import ackermann, controllability_matrix
 from solver.exact.rational import RationalMatrix, between
 from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response
+from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
+from solver.exact.stability import (
+    Location,
+    definiteness,
+    location,
+    off_the_point_one,
+    stability_conditions,
+    stable_where,
+)
 from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
 from solver.exact.transforms import pairs_for, partial_fractions, resolvent, transform_pairs
 
@@ -54,6 +65,8 @@ __all__ = [
     "Eigenstructure",
     "Factor",
     "FaddeevLeVerrier",
+    "Generator",
+    "Location",
     "MatrixFunction",
     "NotExact",
     "Partition",
@@ -61,13 +74,18 @@ __all__ = [
     "RationalMatrix",
     "Response",
     "Root",
+    "RouthArray",
+    "RouthRow",
     "RowReduction",
+    "SingularEquation",
     "Solution",
     "Spectrum",
     "TransferMatrix",
     "ackermann",
     "affine",
+    "all_positive",
     "between",
+    "bilinear",
     "chosen_error_matrix",
     "combine",
     "companion_rows",
@@ -75,6 +93,7 @@ __all__ = [
     "controllable_decomposition",
     "controllable_form",
     "controllable_part",
+    "definiteness",
     "determinant_and_adjugate",
     "direction",
     "divided",
@@ -83,6 +102,7 @@ __all__ = [
     "factored",
     "faddeev_leverrier",
     "fixed_factor",
+    "generator_of",
     "independent_columns",
     "interpolation",
     "interpolation_coefficients",
@@ -90,12 +110,17 @@ __all__ = [
     "kalman_decomposition",
     "left_inverse",
     "lifted_gain",
+    "location",
     "loop_coefficients",
+    "lyapunov",
+    "lyapunov_equations",
+    "lyapunov_residual",
     "measured_first",
     "monic",
     "multiply",
     "null_space",
     "observable_decomposition",
+    "off_the_point_one",
     "pairs_for",
     "partial_fractions",
     "piece_response",
@@ -107,9 +132,14 @@ __all__ = [
     "resolvent",
     "response",
     "roots_of",
+    "routh",
+    "routh_parts",
     "row_reduce",
+    "sign_of",
     "solve_affine",
     "spectrum",
+    "stability_conditions",
+    "stable_where",
     "taylor",
     "tidy",
     "toeplitz",

@@ -11,6 +11,13 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from solver.numeric.claims import check_claim, check_residual, check_steps
 from solver.numeric.compare import TOLERANCE
+from solver.numeric.decomposition import (
+    hidden_polynomial_residual,
+    kalman_orders,
+    leads_to,
+    separates,
+    similar_to_visible,
+)
 from solver.numeric.eigen import (
     chain_residual,
     eigenpair_residual,
@@ -18,7 +25,7 @@ from solver.numeric.eigen import (
     polynomial_residual,
     spectrum_residual,
 )
-from solver.numeric.evaluate import evaluate
+from solver.numeric.evaluate import evaluate, values_at
 from solver.numeric.exponential import equality_residual, exponential_residual, power_residual
 from solver.numeric.jordan import chains_residual, diagonalizable, is_jordan_form, same_jordan_structure
 from solver.numeric.minimal import (
@@ -30,6 +37,8 @@ from solver.numeric.minimal import (
     zero_residual,
 )
 from solver.numeric.rank import independent, rank
+from solver.numeric.regions import counterexample
+from solver.numeric.stability import externally_stable, locations, routh_fault, spread_points
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
@@ -44,21 +53,32 @@ __all__ = [
     "check_claim",
     "check_residual",
     "check_steps",
+    "counterexample",
     "diagonalizable",
     "eigenpair_residual",
     "equality_residual",
     "evaluate",
     "exponential_residual",
+    "externally_stable",
+    "hidden_polynomial_residual",
     "independent",
     "is_jordan_form",
+    "kalman_orders",
+    "leads_to",
     "left_residual",
+    "locations",
     "order_of_minimal_part",
     "pole_residual",
     "polynomial_residual",
     "power_residual",
     "rank",
     "realized",
+    "routh_fault",
     "same_jordan_structure",
+    "separates",
+    "similar_to_visible",
     "spectrum_residual",
+    "spread_points",
+    "values_at",
     "zero_residual",
 ]
