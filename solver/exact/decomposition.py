@@ -25,8 +25,9 @@ from solver.exact.spectrum import spectrum
 class Decomposition:
     """T = [bases₁, bases₂, …] (n×n), A = T⁻¹ A₀ T, B = T⁻¹ B₀, C = C₀ T (None where not given).
 
-    `orders` are the numbers of columns of the bases; some may be zero. `visible` is the part that is controllable,
-    observable, or both: always the first.
+    `orders` are the numbers of columns of the bases; some may be zero. The first part is what is controllable,
+    observable, or both; the others are hidden. `reached` are independent columns of the controllability matrix,
+    `unseen` a basis of the null space of the observability matrix (None where the question does not need them).
     """
 
     bases: tuple[sp.ImmutableMatrix, ...]
@@ -35,6 +36,8 @@ class Decomposition:
     A: sp.ImmutableMatrix
     B: sp.ImmutableMatrix | None
     C: sp.ImmutableMatrix | None
+    reached: sp.ImmutableMatrix | None = None
+    unseen: sp.ImmutableMatrix | None = None
 
     @property
     def orders(self) -> list[int]:
@@ -45,6 +48,11 @@ class Decomposition:
     def trivial(self) -> bool:
         """Whether nothing is hidden."""
         return self.orders[0] == self.T.rows
+
+    @property
+    def changes(self) -> bool:
+        """Whether T is more than the identity."""
+        return not self.T.is_Identity
 
     def block(self, i: int, j: int) -> sp.ImmutableMatrix:
         """The block of A in row i and column j of the partition (from 0)."""
@@ -104,7 +112,9 @@ class _Plant:
         """A basis of the null space of the observability matrix, as columns."""
         return _null_space(self.seen().transpose())
 
-    def in_bases(self, *bases: DomainMatrix) -> Decomposition:
+    def in_bases(
+        self, *bases: DomainMatrix, reached: DomainMatrix | None = None, unseen: DomainMatrix | None = None
+    ) -> Decomposition:
         """The system in the coordinates of the bases, or as it stands if the first spans everything."""
         if bases[0].shape[1] == self.n:
             bases = (DomainMatrix.eye(self.n, self.K).to_dense(), *bases[1:])
@@ -117,6 +127,8 @@ class _Plant:
             A=_written(inverse * self.A * T),
             B=None if self.B is None else _written(inverse * self.B),
             C=None if self.C is None else _written(self.C * T),
+            reached=None if reached is None else _written(reached),
+            unseen=None if unseen is None else _written(unseen),
         )
 
 
@@ -127,7 +139,7 @@ def controllable_decomposition(A: sp.MatrixBase, B: sp.MatrixBase, C: sp.MatrixB
     """
     plant = _Plant(A, B, C)
     reached = _independent(plant.reachable())
-    return plant.in_bases(reached, _null_space(reached.transpose()))
+    return plant.in_bases(reached, _null_space(reached.transpose()), reached=reached)
 
 
 def observable_decomposition(A: sp.MatrixBase, B: sp.MatrixBase | None, C: sp.MatrixBase) -> Decomposition:
@@ -136,7 +148,7 @@ def observable_decomposition(A: sp.MatrixBase, B: sp.MatrixBase | None, C: sp.Ma
     T = [independent rows of the observability matrix as columns, basis of its null space].
     """
     plant = _Plant(A, B, C)
-    return plant.in_bases(_independent(plant.seen()), plant.unseen())
+    return plant.in_bases(_independent(plant.seen()), plant.unseen(), unseen=plant.unseen())
 
 
 def kalman_decomposition(A: sp.MatrixBase, B: sp.MatrixBase, C: sp.MatrixBase) -> Decomposition:
@@ -153,7 +165,12 @@ def kalman_decomposition(A: sp.MatrixBase, B: sp.MatrixBase, C: sp.MatrixBase) -
     first = _completing(both, reachable)
     fourth = _completing(both, unseen)
     third = _null_space(first.hstack(both, fourth).transpose())
-    return plant.in_bases(first, both, third, fourth)
+    return plant.in_bases(first, both, third, fourth, reached=reached, unseen=unseen)
+
+
+def independent_columns(M: sp.MatrixBase) -> tuple[int, ...]:
+    """The numbers (from 0) of the columns of M that do not depend on those before them; raises NotExact."""
+    return _pivots(domain_matrix(M))
 
 
 def _written(M: DomainMatrix) -> sp.ImmutableMatrix:

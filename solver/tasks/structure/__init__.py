@@ -1,0 +1,1 @@
+"""What the input reaches and what the output shows."""

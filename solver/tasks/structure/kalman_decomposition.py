@@ -1,0 +1,228 @@
+"""Kalman's decomposition into what is controllable, observable, both or neither."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
+from itertools import accumulate
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    CheckStatus,
+    Choice,
+    Claim,
+    Derivation,
+    Given,
+    Option,
+    Step,
+    Task,
+)
+from solver.derivation.stated import Stated, inverse, partitioned, product, transpose
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.structure.parts import parts_of
+from solver.tasks.structure.subspaces import observability_matrix, subspaces_of
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+    from solver.systems import System
+
+PARTS = ("controllable", "observable", "full")
+SUFFIXES = {"controllable": "c", "observable": "o", "full": "co"}
+
+kalman_decomposition = Task(
+    "kalman_decomposition",
+    group="Representation and analysis",
+    title="Kalman decomposition",
+    doc="Coordinates x = T ξ that separate what is controllable, observable, or both from the rest.",
+    needs=("A", "B"),
+    options=[
+        Option(
+            "part",
+            Choice(PARTS),
+            "controllable: apart from what no input reaches; observable: from what no output shows; full: all four",
+            default="controllable",
+        )
+    ],
+    answers=[
+        AnswerName("T", "T", "x = T ξ (n×n); its columns are bases of the subspaces, in the order of the parts"),
+        AnswerName("A", r"\bar{A}", "T⁻¹ A T"),
+        AnswerName("B", r"\bar{B}", "T⁻¹ B"),
+        AnswerName("C", r"\bar{C}", "C T", optional=True),
+        AnswerName(
+            "orders", r"\text{orders}", "dimensions: [r, n − r], or [co, c not o, o not c, neither] for the full one"
+        ),
+        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "eigenvalues of all parts but the first"),
+        *(
+            AnswerName(
+                f"{name}_{suffix}",
+                rf"{name}_{{{suffix}}}" if len(suffix) > 1 else f"{name}_{suffix}",
+                f"{name} of the {words} part",
+                optional=True,
+            )
+            for suffix, words in (("c", "controllable"), ("o", "observable"), ("co", "controllable and observable"))
+            for name in "ABC"
+        ),
+    ],
+)
+
+
+@kalman_decomposition.refusal
+def needs_an_output(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """What is observable depends on C."""
+    if options.get("part", "controllable") != "controllable" and getattr(system, "C", True) is None:
+        yield "part", "what is observable depends on the output: C is needed"
+
+
+@kalman_decomposition.method(source="Lecture note, section 2.4")
+def by_subspaces(given: Given) -> Derivation[Answers]:
+    """T from bases of the reachable and of the unseen subspace, completed; then T⁻¹AT, T⁻¹B and CT."""
+    plant, part = given.system, given.part
+    found = _decomposed(plant, part)
+    yield from subspaces_of(plant, part)
+    if found.trivial:
+        yield Step("whole", unclaimed="nothing is computed: it follows from the rank", part=part, found=found)
+    else:
+        if part == "full":
+            yield _intersection(plant, found)
+        yield _bases(plant, found, part)
+        yield from parts_of(plant, found, part)
+    blocks = {"A": found.block(0, 0), "B": found.input_block(0), "C": found.output_block(0)}
+    answers: dict[str, Any] = {"T": found.T, "A": found.A, "B": found.B, "C": found.C}
+    answers |= {"orders": [sp.Integer(order) for order in found.orders], "hidden_modes": found.hidden_modes}
+    answers |= {f"{name}_{SUFFIXES[part]}": block for name, block in blocks.items()}
+    return Answers(**{name: value for name, value in answers.items() if value is not None})
+
+
+def _decomposed(plant: Any, part: str) -> exact.Decomposition:
+    if part == "controllable":
+        return exact.controllable_decomposition(plant.A, plant.B, plant.C)
+    if part == "observable":
+        return exact.observable_decomposition(plant.A, plant.B, plant.C)
+    return exact.kalman_decomposition(plant.A, plant.B, plant.C)
+
+
+def _intersection(plant: Any, found: exact.Decomposition) -> Step:
+    """What the output shows of the reachable subspace, and what it does not: R ∩ N."""
+    observability, V, N, both = observability_matrix(plant), found.reached, found.unseen, found.bases[1]
+    claims = {}
+    if V is not None and V.cols:
+        claims["shown"] = Claim(product(observability, V), exact.multiply(observability, V), r"$\mathcal{O}_v V$")
+    if N is not None and N.cols:
+        claims["unseen"] = _vanishing(observability, N, r"the basis of $\mathcal{N}$ is unseen")
+    if both.cols:
+        claims["both"] = _vanishing(observability, both, r"the basis of $\mathcal{R} \cap \mathcal{N}$ is unseen")
+    return Step("intersection", claims=claims, unclaimed="nothing is reachable or unseen", V=V, N=N, both=both)
+
+
+def _bases(plant: Any, found: exact.Decomposition, part: str) -> Step:
+    """The columns of T, part by part, with what puts them there; the inverse of T."""
+    first, second, *others = found.bases
+    claims: dict[str, Claim] = {}
+    if part == "controllable" and first.cols:
+        claims["complement"] = _vanishing(transpose(first), second, "the complement is orthogonal")
+    if part == "observable":
+        claims["unseen"] = _vanishing(observability_matrix(plant), second, "the second basis is unseen")
+    if part == "full" and others[0].cols < plant.order and others[0].cols:
+        rest = sp.ImmutableMatrix(sp.Matrix.hstack(first, second, others[1]))
+        claims["complement"] = _vanishing(transpose(rest), others[0], "the complement is orthogonal")
+    claims["inverse"] = Claim(inverse(found.T), found.T_inverse, "$T^{-1}$")
+    T = partitioned(found.T, (), tuple(accumulate(found.orders)))
+    return Step("bases", claims=claims, part=part, found=found, T=T)
+
+
+def _vanishing(left: Any, right: ImmutableMatrix, says: str) -> Claim:
+    """The product is zero."""
+    rows = left.operands[0].cols if isinstance(left, Stated) else left.rows
+    return Claim(product(left, right), sp.ImmutableMatrix(sp.zeros(rows, right.cols)), says)
+
+
+@kalman_decomposition.verification(*kalman_decomposition.answers)
+def separates_what_is_hidden(given: Given, answers: Answers) -> Iterable[Check]:
+    """Any T is right that separates the subspaces; the other answers are right if it, or some such T, leads to them."""
+    part, plant = given.part or "controllable", _matrices(given)
+    T = answers.get("T")
+    if T is not None:
+        check = _that(
+            "$T$ is invertible and its columns separate the subspaces", "T", lambda: numeric.separates(part, T, *plant)
+        )
+        T = T if check.status is CheckStatus.PASSED else None
+        yield check
+    yield from _new_matrices(given, answers, T)
+    yield from _first_part(given, answers, T)
+    if "orders" in answers:
+        orders = answers["orders"]
+        yield _that("dimensions by ranks", "orders", lambda: list(orders) == numeric.kalman_orders(part, *plant))
+    if "hidden_modes" in answers:
+        modes = answers["hidden_modes"]
+        yield numeric.check_residual(
+            r"$\det(xI - \bar{A}) = \prod_i (x - \lambda_i)$ for the hidden parts",
+            "numpy.linalg.det",
+            lambda: numeric.hidden_polynomial_residual(part, plant, modes),
+            1e-7,
+            answer="hidden_modes",
+        )
+
+
+def _matrices(given: Given) -> tuple[Any, Any, Any]:
+    return given.system.A, given.system.B, given.system.C
+
+
+def _that(says: str, answer: str, holds: Callable[[], bool]) -> Check:
+    """The check of what holds or not; skipped where the numbers do not tell."""
+    return numeric.check_residual(says, "numpy.linalg.svd", lambda: 0.0 if holds() else float("inf"), answer=answer)
+
+
+def _new_matrices(given: Given, answers: Answers, T: ImmutableMatrix | None) -> Iterator[Check]:
+    """T A = A₀ T, T B = B₀, C = C₀ T; without T that there is one, shared by all that are right."""
+    part, (A, B, C) = given.part or "controllable", _matrices(given)
+    found = {name: answers[name] for name in "ABC" if name in answers}
+    if T is None:
+        yield from _one_by_one(
+            found,
+            {name: name for name in found},
+            r"some $T$ leads to $\bar{{{}}}$",
+            lambda those: numeric.leads_to(part, (A, B, C), those),
+        )
+        return
+    for name, M in found.items():
+        claim = {"A": Claim(product(T, M), product(A, T)), "B": Claim(product(T, M), B), "C": Claim(product(C, T), M)}
+        yield numeric.check_claim(claim[name], rf"$\bar{{{name}}}$ belongs to $T$", answer=name)
+
+
+def _first_part(given: Given, answers: Answers, T: ImmutableMatrix | None) -> Iterator[Check]:
+    """The first blocks of T⁻¹A₀T, T⁻¹B₀, C₀T; without T that they are those in some coordinates."""
+    part, plant = given.part or "controllable", _matrices(given)
+    names = {name: f"{name}_{SUFFIXES[part]}" for name in "ABC" if f"{name}_{SUFFIXES[part]}" in answers}
+    found = {name: answers[whole] for name, whole in names.items()}
+    k = numeric.kalman_orders(part, *plant)[0] if found else 0
+    if T is None or k == 0:
+        yield from _one_by_one(
+            found,
+            names,
+            f"${{}}_{{{{{SUFFIXES[part]}}}}}$ is of that part, in some coordinates",
+            lambda those: numeric.similar_to_visible(part, plant, those),
+        )
+        return
+    A, B, C = plant
+    E = sp.ImmutableMatrix(sp.eye(A.rows)[:k, :])
+    sides = {"A": (E, inverse(T), A, T, E.T), "B": (E, inverse(T), B), "C": (C, T, E.T)}
+    for name, M in found.items():
+        says = f"${name}_{{{SUFFIXES[part]}}}$ is the first block"
+        yield numeric.check_claim(Claim(product(*sides[name]), M), says, answer=names[name])
+
+
+def _one_by_one(
+    found: Mapping[str, Any], names: Mapping[str, str], says: str, hold: Callable[[Mapping[str, Any]], bool]
+) -> Iterator[Check]:
+    """Each matrix together with those found right before it, so that one wrong matrix spoils no other."""
+    right: dict[str, Any] = {}
+    for name, M in found.items():
+        together = {**right, name: M}
+        check = _that(says.format(name), names[name], partial(hold, together))
+        right = together if check.status is CheckStatus.PASSED else right
+        yield check

@@ -1,0 +1,103 @@
+"""A system in coordinates that keep its parts apart: the new matrices, the hidden modes, the transfer function."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import accumulate
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.stated import Stated, determinant, difference, inverse, partitioned, product, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+
+@lemma("parts")
+def parts_of(plant: Any, found: exact.Decomposition, part: str) -> Derivation[None]:
+    """T⁻¹AT, T⁻¹B, CT with lines between the parts, what is hidden, and what the transfer function shows."""
+    yield _transformed(plant, found, part)
+    yield Step("blocks", unclaimed="the blocks are read off from the matrices", part=part, found=found)
+    yield _hidden(plant, found, part)
+    if plant.C is not None:
+        yield _transfer(plant, found, part)
+
+
+def _lined(M: ImmutableMatrix, rows: Sequence[int], columns: Sequence[int]) -> Stated:
+    """M with lines between blocks of the given sizes."""
+    return partitioned(M, tuple(accumulate(rows)), tuple(accumulate(columns)))
+
+
+def _transformed(plant: Any, found: Any, part: str) -> Step:
+    """A, B and C in the new coordinates."""
+    T, sizes = found.T, found.orders
+    claims = {
+        "A": Claim(product(found.T_inverse, plant.A, T), _lined(found.A, sizes, sizes), "$T^{-1}AT$"),
+        "B": Claim(product(found.T_inverse, plant.B), _lined(found.B, sizes, ()), "$T^{-1}B$"),
+    }
+    if plant.C is not None:
+        claims["C"] = Claim(product(plant.C, T), _lined(found.C, (), sizes), "$CT$")
+    D = None if plant.D is None or plant.D.is_zero_matrix else plant.D
+    return Step("transformed", claims=claims, part=part, D=D, changes=found.changes)
+
+
+def _hidden(plant: Any, found: exact.Decomposition, part: str) -> Step:
+    """The eigenvalues of the hidden parts, and whether they are stable."""
+    x = sp.Symbol("lamda")
+    claims, modes = {}, {}
+    for i in range(1, len(found.orders)):
+        if found.orders[i]:
+            modes[i] = found.modes(i)
+            pencil = difference(product(x, sp.ImmutableMatrix(sp.eye(found.orders[i]))), found.block(i, i))
+            roots = product(*(x - mode for mode in modes[i]))
+            claims[f"part{i}"] = Claim(determinant(pencil), roots, "eigenvalues of the hidden part")
+    stable = {mode: _is_stable(mode, plant.discrete) for mode in found.hidden_modes}
+    return Step(
+        "hidden",
+        claims=claims,
+        part=part,
+        modes=modes,
+        unstable={i: [mode for mode in own if stable[mode] is False] for i, own in modes.items()},
+        undecided=[mode for mode, known in stable.items() if known is None],
+        discrete=plant.discrete,
+    )
+
+
+def _is_stable(mode: Any, discrete: bool) -> bool | None:
+    """Whether Re λ < 0 (discrete: |λ| < 1); None where parameters leave it open."""
+    distance = sp.Abs(mode) - 1 if discrete else sp.re(mode)
+    if mode.free_symbols:
+        negative: bool | None = distance.is_negative
+        return False if distance.is_nonnegative else negative
+    return bool(sp.N(distance, 30) < -1e-20)
+
+
+def _transfer(plant: Any, found: exact.Decomposition, part: str) -> Step:
+    """The transfer function of the whole plant and of its first part."""
+    x = sp.Symbol("z" if plant.discrete else "s")
+    D = plant.D if plant.D is not None else sp.ImmutableMatrix(sp.zeros(plant.C.rows, plant.B.cols))
+    G = exact.transfer_matrix(plant.A, plant.B, plant.C, D, x).matrix
+    whole = _formula(plant.A, plant.B, plant.C, D, x)
+    first = _formula(found.block(0, 0), found.input_block(0), found.output_block(0), D, x)
+    return Step(
+        "transfer",
+        claims={
+            "first": Claim(first, G, "transfer function of the first part"),
+            "whole": Claim(whole, G, "transfer function of the plant"),
+        },
+        part=part,
+        G=G if G.shape != (1, 1) else G[0, 0],
+        x=x,
+        order=found.orders[0],
+        D=None if D.is_zero_matrix else D,
+    )
+
+
+def _formula(A: ImmutableMatrix, B: Any, C: Any, D: ImmutableMatrix, x: Any) -> Stated:
+    """C (xI − A)⁻¹ B + D as it stands; D alone where there is no state."""
+    if not A.rows:
+        return total(D)
+    pencil = difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), A)
+    return total(product(C, inverse(pencil), B), *([] if D.is_zero_matrix else [D]))
