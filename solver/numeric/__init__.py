@@ -36,13 +36,42 @@ from solver.numeric.minimal import (
     realized,
     zero_residual,
 )
+from solver.numeric.observers import driven_error_residual, error_spectrum_residual, row_space_residual
 from solver.numeric.rank import independent, rank
+from solver.numeric.riccati import (
+    Weights,
+    all_distinct,
+    control_residual,
+    cost_residual,
+    equations_residual,
+    gain_residual,
+    hamiltonian_spectrum_residual,
+    judged_definite,
+    loop_residual,
+    number_of_solutions,
+    riccati_residual,
+    stabilizes,
+    symmetry_residual,
+)
 from solver.numeric.regions import counterexample
 from solver.numeric.stability import externally_stable, locations, routh_fault, spread_points
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
     "TOLERANCE",
+    "Weights",
+    "all_distinct",
+    "control_residual",
+    "cost_residual",
+    "equations_residual",
+    "gain_residual",
+    "hamiltonian_spectrum_residual",
+    "judged_definite",
+    "loop_residual",
+    "number_of_solutions",
+    "riccati_residual",
+    "stabilizes",
+    "symmetry_residual",
     "NotEvaluable",
     "ShapeMismatch",
     "Undefined",
@@ -56,7 +85,9 @@ __all__ = [
     "counterexample",
     "diagonalizable",
     "eigenpair_residual",
+    "driven_error_residual",
     "equality_residual",
+    "error_spectrum_residual",
     "evaluate",
     "exponential_residual",
     "externally_stable",
@@ -74,6 +105,7 @@ __all__ = [
     "rank",
     "realized",
     "routh_fault",
+    "row_space_residual",
     "same_jordan_structure",
     "separates",
     "similar_to_visible",

@@ -44,3 +44,17 @@ def value_of(expression: Any, environment: Environment) -> Value:
     if not finite and environment.arithmetic is DOUBLE:
         raise Undefined("the formula has no finite value here")
     return result
+
+
+def values_at(expression: Any, symbol: Any, at: Any) -> Any:
+    """Return the real values of an expression at many values of its one symbol (P,), as floats; nan where it has none.
+
+    For drawing: where rounding spoils digits nobody would see it.
+    """
+    try:
+        value = value_of(expression, Environment.at([{symbol: complex(x)} for x in at])).value
+    except Undefined:
+        if len(at) == 1:
+            return np.full(1, np.nan)
+        return np.concatenate([values_at(expression, symbol, at[i : i + 1]) for i in range(len(at))])
+    return np.broadcast_to(np.real(value), (len(at),)).astype(float)

@@ -106,15 +106,9 @@ def _symbols(results: Sequence[PartResult], shown: Sequence[PartView]) -> list[s
     for result in results:
         names.update(_names(result.answers.values()))
     for part in shown:
-        for worded in _walk(part.steps):
+        for worded in (each for step in part.steps for each in step.walk()):
             names.update(_names(_values(worded.step).values()))
     return sorted(names - KNOWN)
-
-
-def _walk(steps: Iterable[WordedStep]) -> Iterator[WordedStep]:
-    for step in steps:
-        yield step
-        yield from _walk(step.steps)
 
 
 def _names(values: Iterable[Any]) -> Iterator[str]:

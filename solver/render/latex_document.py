@@ -13,6 +13,7 @@ from jinja2 import FileSystemLoader, StrictUndefined
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import __version__, resources
+from solver.derivation.figures import Figure
 from solver.render.prose import inline_latex, to_latex
 from solver.render.prose_latex import display_latex
 from solver.render.tex_text import escaped
@@ -43,13 +44,20 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         lstrip_blocks=True,
     )
     environment.filters.update(
-        text=_line_of_text, line=inline_latex, prose=to_latex, breakable=_breakable, boxed=_boxed
+        figure=_figure, text=_line_of_text, line=inline_latex, prose=to_latex, breakable=_breakable, boxed=_boxed
     )
     return environment
 
 
 def _line_of_text(text: str) -> str:
     return escaped(" ".join(str(text).split()))
+
+
+def _figure(data: Figure) -> str:
+    """Return a figure, shrunk to the line if it is wider, with its caption."""
+    from solver import figures  # noqa: PLC0415 - only a document that has a figure needs them
+
+    return f"\\drawing{{%\n{figures.tikz(data)}}}{{{inline_latex(data.caption)}}}"
 
 
 def _boxed(equation: str) -> str:

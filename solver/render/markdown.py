@@ -51,6 +51,8 @@ def _steps(steps: Iterable[WordedStep], level: str) -> Iterator[str]:
     for number, step in enumerate(steps, 1):
         yield f"{level} {f'{number}. ' if level == '###' else ''}{step.title}"
         yield step.markdown
+        for figure in step.step.figures:
+            yield f"*Figure (drawn on the HTML page and in the PDF):* {_harmless(figure.caption)}"
         yield from _steps(step.steps, level + "#" if len(level) < 6 else level)
 
 

@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from solver import __version__, resources
 from solver.derivation import CheckStatus
+from solver.derivation.figures import Figure
 from solver.render.mathml import MathError, formula
 from solver.render.prose import inline_html, to_html
 from solver.render.view import CheckRow, PartView, SolutionView
@@ -89,6 +90,17 @@ def short(latex: str) -> Markup:
     return Markup(drawn(latex, False))  # noqa: S704 - escaped by `drawn`
 
 
+def figure(data: Figure) -> Markup:
+    """Return a figure with its caption; the drawing is an image, so its names can't meet those of the page."""
+    from solver import figures  # noqa: PLC0415 - only a page that has a figure needs matplotlib
+
+    image = base64.b64encode(figures.svg(data).encode("utf-8")).decode("ascii")
+    words = escape(" ".join(data.caption.replace("$", "").split()))
+    picture = f'<img alt="{words}" src="data:image/svg+xml;base64,{image}">'
+    caption = inline_html(data.caption, drawn)
+    return Markup(f"<figure>{picture}<figcaption>{caption}</figcaption></figure>")  # noqa: S704 - escaped above
+
+
 def tally(checks: Iterable[CheckRow]) -> str:
     """Return how the checks of a part ended, in words: "5 passed, 1 skipped"."""
     statuses = [check.status for check in checks]
@@ -116,6 +128,7 @@ def _environment(templates: Path | None) -> Environment:
         "inline": inline,
         "displayed": displayed,
         "short": short,
+        "figure": figure,
         "tally": tally,
         "of_method": of_method,
     }

@@ -91,6 +91,11 @@ class SolutionView:
     parts: tuple[PartView, ...]
     status: Status
 
+    @property
+    def illustrated(self) -> bool:
+        """Whether any step that is shown has a figure."""
+        return any(each.step.figures for part in self.parts for step in part.steps for each in step.walk())
+
 
 def view_of(solution: Solution, wording: Wording | None = None) -> SolutionView:
     """Word and print a solution; without a wording, the installed one at the level "full".

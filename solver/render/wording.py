@@ -13,7 +13,7 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -58,6 +58,12 @@ class WordedStep:
     markdown: str
     steps: tuple[WordedStep, ...]
     step: Step
+
+    def walk(self) -> Iterator[WordedStep]:
+        """This step and all its substeps, in the order of reading."""
+        yield self
+        for step in self.steps:
+            yield from step.walk()
 
 
 @dataclass(frozen=True)

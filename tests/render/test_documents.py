@@ -1,6 +1,5 @@
 """Whole documents: LaTeX that compiles, a deterministic PDF, Markdown; what is said of failed and unsolved parts."""
 
-import os
 import re
 import shutil
 import subprocess
@@ -109,13 +108,6 @@ def troubled():
     return Solution(asked, parts)
 
 
-def needs_tex():
-    if shutil.which("pdflatex") is None:
-        if os.environ.get("CI") == "true":
-            pytest.fail("pdflatex must be installed in CI")
-        pytest.skip("pdflatex is not installed")
-
-
 def log_of(latex, folder):
     """Compile in a folder; return TeX's log."""
     (folder / "solution.tex").write_text(latex, encoding="utf-8")
@@ -124,14 +116,14 @@ def log_of(latex, folder):
 
 
 @pytest.mark.parametrize("detail", ["brief", "full", "tutor"])
+@pytest.mark.usefixtures("tex")
 def test_a_solution_compiles_and_nothing_runs_off_the_page(solution, detail, tmp_path):
-    needs_tex()
     log = log_of(latex_document(view_of(solution, Wording(detail=detail))), tmp_path)
     assert not re.findall(r"Overfull \\hbox \((?!0\.)\d+", log)
 
 
+@pytest.mark.usefixtures("tex")
 def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
-    needs_tex()
     latex = latex_document(view_of(troubled))
     log = log_of(latex, tmp_path)
     assert not re.findall(r"Overfull \\hbox \((?:[2-9]\d|\d{3})", log)  # links and code may stick out a little
@@ -140,22 +132,22 @@ def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
     assert latex.count(r"\display{\boxed{\begin{aligned}") == 3  # 64 entries
 
 
+@pytest.mark.usefixtures("tex")
 def test_the_same_solution_gives_the_same_pdf(solution):
-    needs_tex()
     latex = latex_document(view_of(solution))
     first, second = pdf.pdf_of(latex), pdf.pdf_of(latex)
     assert first.startswith(b"%PDF")
     assert first == second
 
 
+@pytest.mark.usefixtures("tex")
 def test_tex_that_does_not_end_is_stopped():
-    needs_tex()
     with pytest.raises(pdf.PdfUnavailable, match="longer than 1 s"):
         pdf.pdf_of(r"\documentclass{article}\begin{document}\loop\iftrue\repeat\end{document}", seconds=1)
 
 
+@pytest.mark.usefixtures("tex")
 def test_tex_reads_and_writes_no_other_files(tmp_path):
-    needs_tex()
     secret = tmp_path / "secret.tex"
     secret.write_text("SECRET", encoding="utf-8")
     with pytest.raises(pdf.PdfUnavailable):
@@ -167,8 +159,8 @@ def test_tex_reads_and_writes_no_other_files(tmp_path):
     assert list(tmp_path.iterdir()) == [secret]
 
 
+@pytest.mark.usefixtures("tex")
 def test_an_error_of_tex_is_told_in_one_line():
-    needs_tex()
     with pytest.raises(pdf.PdfUnavailable, match=r"Undefined control sequence.*nosuchcommand"):
         pdf.pdf_of(r"\documentclass{article}\begin{document}\nosuchcommand\end{document}")
 

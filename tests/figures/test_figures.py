@@ -1,0 +1,136 @@
+"""Figures: the numbers they draw, the same bytes each time, names told apart, and documents that hold them."""
+
+import re
+import subprocess
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from solver import figures
+from solver.derivation import Step
+from solver.derivation.figures import Curve, Diagram, Mark, Plot
+from solver.engine import solve_problem
+from solver.figures.layout import Block, Label, Sum, Wire
+from solver.figures.layouts import LAYOUTS
+from solver.figures.sampling import sampled, window
+from solver.problem.model import Part, Problem
+from solver.render import pdf
+from solver.render.latex_document import latex_document
+from solver.render.markdown import markdown_of
+from solver.render.page import render_page
+from solver.render.view import view_of
+from solver.systems import StateSpace
+
+t, k = sp.symbols("t k")
+DECAY = Plot("A decay.", "t", "x(t)", t, 0, 4, (Curve(sp.exp(-t), "x_1"), Curve(1 - sp.exp(-2 * t), r"\dot{x}_2")))
+SPIRAL = Plot(
+    "A spiral.", "x_1", "x_2", t, -1, 2,
+    (Curve(sp.exp(-t) * sp.sin(t), x=sp.exp(-t) * sp.cos(t), style="arrow"),), (Mark(0, 0, "0"),), equal=True,
+)  # fmt: skip
+SAMPLES = Plot("Samples.", "k", "x(k)", k, 0, 6, (Curve(sp.Rational(1, 2) ** k, "x", style="samples"),))
+ALL = [DECAY, SPIRAL, SAMPLES, *(Diagram("A diagram.", name) for name in LAYOUTS)]
+
+
+def test_curves_are_sampled_where_they_are():
+    first, second = sampled(DECAY)
+    assert np.allclose(first.y, np.exp(-first.x))
+    assert np.allclose(second.y, 1 - np.exp(-2 * second.x))
+    assert (first.x[0], first.x[-1]) == (0, 4)
+    (samples,) = sampled(SAMPLES)
+    assert list(samples.x) == [0, 1, 2, 3, 4, 5, 6]
+    assert np.allclose(samples.y, 0.5**samples.x)
+
+
+def test_a_curve_is_left_out_where_it_has_no_value():
+    (curve,) = sampled(Plot("", "t", "x", t, -1, 1, (Curve(1 / t),)))
+    assert np.all(np.isfinite(curve.y))
+    assert 0.0 not in curve.x
+
+
+def test_the_window_holds_curves_and_marks():
+    plot = Plot("", "t", "x", t, 0, 1, (Curve(t),), (Mark(2, 5),))
+    x_min, x_max, y_min, y_max = window(plot, sampled(plot))
+    assert x_min <= 0 < 2 <= x_max
+    assert y_min < 0 < 5 < y_max
+
+
+def test_an_arrow_stands_half_way_and_points_onward():
+    (curve,) = sampled(Plot("", "x", "y", t, 0, 2, (Curve(0 * t, x=t, style="arrow"),)))
+    assert curve.x[curve.middle] == pytest.approx(1, abs=0.02)
+    assert curve.x[curve.middle] > curve.x[curve.middle - 1]
+
+
+@pytest.mark.parametrize("figure", ALL, ids=lambda figure: getattr(figure, "name", figure.caption))
+def test_the_same_data_give_the_same_drawing_without_a_date(figure):
+    drawing = figures.svg(figure)
+    assert drawing == figures.svg(figure)
+    assert drawing.startswith("<svg")
+    assert not re.search(r"dc:date|<script|matplotlib v", drawing)
+    assert figures.tikz(figure) == figures.tikz(figure)
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_no_block_of_a_diagram_lies_on_another(name):
+    blocks = [item for item in LAYOUTS[name]({}).items if isinstance(item, Block)]
+    for i, a in enumerate(blocks):
+        for b in blocks[i + 1 :]:
+            apart = abs(a.x - b.x) >= (a.width + b.width) / 2 or abs(a.y - b.y) >= (a.height + b.height) / 2
+            assert apart, (a, b)
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_every_arrow_ends_at_something_or_is_an_output(name):
+    items = LAYOUTS[name]({}).items
+    boxes = [(i.x, i.y, i.width / 2, i.height / 2) for i in items if isinstance(i, Block)]
+    boxes += [(i.x, i.y, 0.2, 0.2) for i in items if isinstance(i, Sum)]
+    free = 0
+    for wire in (i for i in items if isinstance(i, Wire) and i.arrow):
+        x, y = wire.points[-1]
+        free += not any(abs(x - bx) <= w + 1e-6 and abs(y - by) <= h + 1e-6 for bx, by, w, h in boxes)
+    assert free <= 2
+
+
+def test_labels_are_the_ones_given():
+    items = LAYOUTS["state_feedback"]({"K": "K_1", "x": r"\xi"}).items
+    assert "K_1" in {item.text for item in items if isinstance(item, Block)}
+    assert r"\xi" in {item.text for item in items if isinstance(item, Label)}
+    assert "$K_1$" in figures.tikz(Diagram("", "state_feedback", {"K": "K_1"}))
+
+
+@pytest.mark.usefixtures("tex")
+def test_the_drawings_compile(tmp_path):
+    body = "\n\n".join(figures.tikz(figure) for figure in ALL)
+    head = r"\documentclass{article}\usepackage{amsmath,tikz,pgfplots}\pgfplotsset{compat=1.15}\begin{document}"
+    (tmp_path / "all.tex").write_text(head + "\n" + body + "\n" + r"\end{document}", encoding="utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "all.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stdout[-2000:]
+
+
+@pytest.fixture
+def plain():
+    part = Part("a", "eigenstructure", ("eigenstructure",), StateSpace(sp.ImmutableMatrix([[1, 2], [3, 4]])))
+    return solve_problem(Problem("demo", "Demo", (part,)))
+
+
+def illustrated(part):
+    """The same result, with two figures at its last step."""
+    last = part.steps[-1]
+    step = Step(last.kind, claims=last.claims, figures=(DECAY, Diagram("Loop with $u$.", "servo")), **last.values)
+    step.wording = last.wording
+    return replace(part, steps=(*part.steps[:-1], step))
+
+
+@pytest.mark.usefixtures("tex")
+def test_a_solution_shows_the_figures_of_its_steps(plain):
+    view = view_of(replace(plain, parts=tuple(illustrated(part) for part in plain.parts)))
+    html, latex, markdown = render_page(view), latex_document(view), markdown_of(view)
+    assert html.count("<figure><img") == 2
+    assert 'alt="A decay."' in html
+    assert latex.count(r"\begin{tikzpicture}") == 2
+    assert r"\usepackage{pgfplots}" in latex
+    assert r"\usepackage{tikz}" not in latex_document(view_of(plain))
+    assert markdown.count("*Figure") == 2
+    assert pdf.pdf_of(latex).startswith(b"%PDF")
