@@ -102,6 +102,11 @@ def integral(integrand: Any, variable: Any, lower: Any, upper: Any) -> Stated:
     return Stated("integral", (integrand, variable, lower, upper))
 
 
+def summation(term: Any, index: Any, lower: Any, upper: Any) -> Stated:
+    """Σ T(i) for i from `lower` to `upper`, whole numbers."""
+    return Stated("summation", (term, index, lower, upper))
+
+
 def value_at(function: Any, variable: Any, value: Any) -> Stated:
     """F(x) at x = `value`."""
     return Stated("value_at", (function, variable, value))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, reduce
 from math import factorial
 from typing import Any
 
@@ -12,18 +12,42 @@ import sympy as sp
 from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array, multiple
 from solver.numeric.contour import unit_roots
 from solver.numeric.environment import Environment
-from solver.numeric.stated import operation
-from solver.numeric.values import NotEvaluable, Value
+from solver.numeric.stated import add, operation
+from solver.numeric.values import NotEvaluable, Undefined, Value
 from solver.numeric.walk import walk
 
 RADII = (1.0, 0.25, 0.0625, 2.0**-6, 2.0**-8, 2.0**-12, 2.0**-18)
 PANELS = 4
+MOST_TERMS = 200
 
 
 @operation
 def value_at(environment: Environment, function: Any, variable: Any, value: Any) -> Value:
     """F(x) at x = value."""
     return walk(function, environment.having({variable: walk(value, environment).value}))
+
+
+@operation
+def summation(environment: Environment, term: Any, index: Any, lower: Any, upper: Any) -> Value:
+    """Σ T(i), added up one by one at each point; an empty sum has no shape, so there it has no value."""
+    first, last = (
+        [
+            round(float(each.real))
+            for each in environment.arithmetic.approximate(environment.full(walk(end, environment).value))
+        ]
+        for end in (lower, upper)
+    )
+    if any(b < a or b - a > MOST_TERMS for a, b in zip(first, last, strict=True)):
+        raise Undefined("an empty sum, or one of too many terms")
+    sums = []
+    for p, (a, b) in enumerate(zip(first, last, strict=True)):
+        point = {symbol: environment.full(value)[p : p + 1] for symbol, value in environment.values.items()}
+        here = Environment(point, 1, environment.arithmetic)
+        sums.append(reduce(add, (walk(term, here.having({index: i})) for i in range(a, b + 1))))
+    values, magnitudes = (
+        np.stack([np.reshape(part, np.shape(part)[1:]) for part in parts]) for parts in zip(*sums, strict=True)
+    )
+    return Value(values, magnitudes)
 
 
 @operation

@@ -20,7 +20,7 @@ NEVER_WHOLE = COMPLEX_NAMES | {"t"}
 """Symbols that by convention vary continuously."""
 
 WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
-BOUND = {"inverse_laplace": 1, "inverse_z": 1, "integral": 1, "value_at": 1}
+BOUND = {"inverse_laplace": 1, "inverse_z": 1, "integral": 1, "value_at": 1, "summation": 1}
 """Operations that bind a variable, and which operand it is; the image or function is operand 0."""
 
 
@@ -56,8 +56,8 @@ def whole_symbols(*formulas: Any, names: Collection[str] = ()) -> frozenset[Any]
 
 def _whole_in(node: Any) -> set[Any]:
     if isinstance(node, Stated):
-        if node.operation == "inverse_z":
-            return set(free_symbols(node.operands[2]))
+        if node.operation in ("inverse_z", "summation"):
+            return set(free_symbols(list(node.operands[2:])))
         if node.operation == "power" and isinstance(node.operands[0], MatrixBase):
             return set(free_symbols(node.operands[1]))
         return set()

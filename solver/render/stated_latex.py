@@ -134,6 +134,10 @@ def _integral(show: Print, integrand: Any, variable: Any, lower: Any, upper: Any
     return rf"\int_{{{show(lower)}}}^{{{show(upper)}}}{as_factor(show(integrand))}\,d{show(variable)}"
 
 
+def _summation(show: Print, term: Any, index: Any, lower: Any, upper: Any) -> str:
+    return rf"\sum_{{{show(index)} = {show(lower)}}}^{{{show(upper)}}}{as_factor(show(term))}"
+
+
 def _value_at(show: Print, function: Any, variable: Any, value: Any) -> str:
     return rf"\left.{as_factor(show(function))}\right|_{{{show(variable)} = {show(value)}}}"
 
@@ -156,5 +160,6 @@ NOTATION: dict[str, Callable[..., str]] = {
     "derivative": _derivative,
     "integral": _integral,
     "value_at": _value_at,
+    "summation": _summation,
 }
 """One function for each operation of `solver.derivation.stated`; a test compares the two."""
