@@ -8,6 +8,7 @@ from solver.exact.decomposition import (
     kalman_decomposition,
     observable_decomposition,
 )
+from solver.exact.definiteness import definiteness_of_numbers
 from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.fields import NotExact
@@ -16,6 +17,7 @@ from solver.exact.inequalities import Generator, all_positive, generator_of, sig
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
+from solver.exact.modes import Mode, diagonal_realization, jordan_realization, modal_realization, modes
 from solver.exact.observers import Partition, chosen_error_matrix, left_inverse, measured_first
 from solver.exact.placement import (
     ControllablePart,
@@ -33,6 +35,7 @@ from solver.exact.placement import (
     monic,
     polynomial_in,
     polynomial_of_matrix,
+    reachable_order,
     roots_of,
     solve_affine,
     tidy,
@@ -40,13 +43,18 @@ from solver.exact.placement import (
 )
 from solver.exact.pole_placement import ackermann, controllability_matrix
 from solver.exact.rational import RationalMatrix, between
+from solver.exact.realization import Realization, controllable_realization, observable_realization
 from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response
+from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
+from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
+from solver.exact.spectral_factor import OnTheAxis
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
 from solver.exact.stability import (
     Location,
     definiteness,
+    is_stable_polynomial,
     location,
     off_the_point_one,
     stability_conditions,
@@ -56,6 +64,7 @@ from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matr
 from solver.exact.transforms import pairs_for, partial_fractions, resolvent, transform_pairs
 
 __all__ = [
+    "SPECIFICATIONS",
     "ClosedForm",
     "Condition",
     "ControllablePart",
@@ -66,17 +75,25 @@ __all__ = [
     "Factor",
     "FaddeevLeVerrier",
     "Generator",
+    "Inconsistent",
     "Location",
     "MatrixFunction",
+    "Mode",
     "NotExact",
+    "NotStabilizable",
+    "OnTheAxis",
     "Partition",
     "Piece",
     "RationalMatrix",
+    "Realization",
     "Response",
+    "Riccati",
+    "RiccatiSolution",
     "Root",
     "RouthArray",
     "RouthRow",
     "RowReduction",
+    "SecondOrder",
     "SingularEquation",
     "Solution",
     "Spectrum",
@@ -93,8 +110,11 @@ __all__ = [
     "controllable_decomposition",
     "controllable_form",
     "controllable_part",
+    "controllable_realization",
     "definiteness",
+    "definiteness_of_numbers",
     "determinant_and_adjugate",
+    "diagonal_realization",
     "direction",
     "divided",
     "eigenstructure",
@@ -107,6 +127,8 @@ __all__ = [
     "interpolation",
     "interpolation_coefficients",
     "inverse",
+    "is_stable_polynomial",
+    "jordan_realization",
     "kalman_decomposition",
     "left_inverse",
     "lifted_gain",
@@ -116,10 +138,13 @@ __all__ = [
     "lyapunov_equations",
     "lyapunov_residual",
     "measured_first",
+    "modal_realization",
+    "modes",
     "monic",
     "multiply",
     "null_space",
     "observable_decomposition",
+    "observable_realization",
     "off_the_point_one",
     "pairs_for",
     "partial_fractions",
@@ -128,15 +153,19 @@ __all__ = [
     "polynomial_of_matrix",
     "power",
     "powers",
+    "reachable_order",
     "read_inputs",
     "resolvent",
     "response",
+    "riccati",
     "roots_of",
     "routh",
     "routh_parts",
     "row_reduce",
+    "second_order",
     "sign_of",
     "solve_affine",
+    "specified",
     "spectrum",
     "stability_conditions",
     "stable_where",
@@ -147,4 +176,5 @@ __all__ = [
     "transfer_matrix_of_fractions",
     "transform_pairs",
     "truncated_series",
+    "weighted_input",
 ]

@@ -1,0 +1,252 @@
+"""The gain L that gives A − LC the eigenvalues asked for, for a pair (A, C) that may go by other names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation.stated import determinant, difference, power, product, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+
+@dataclass(frozen=True)
+class Pair:
+    """The matrices of an error equation e' = (A − LC) e and how they are called on the page."""
+
+    A: ImmutableMatrix
+    C: ImmutableMatrix
+    A_name: str = "A"
+    C_name: str = "C"
+    discrete: bool = False
+
+    @property
+    def n(self) -> int:
+        """The order of the error equation."""
+        return int(self.A.rows)
+
+    @property
+    def variable(self) -> Symbol:
+        """The variable of polynomials: s, or z in discrete time."""
+        return sp.Symbol("z" if self.discrete else "s")
+
+    def observability_matrix(self) -> ImmutableMatrix:
+        """C, CA, …, CAⁿ⁻¹ under each other."""
+        return sp.ImmutableMatrix(exact.controllability_matrix(self.A.T, self.C.T).T)
+
+
+@dataclass(frozen=True)
+class Gain:
+    """The gain L (n×p), the polynomial det(xI − A + LC) and, of one output, the same with unknown entries of L."""
+
+    L: ImmutableMatrix
+    polynomial: Expr
+    unknown: Expr | None
+    fixed: tuple[Expr, ...]
+
+
+@lemma("observer_gain")
+def gain_of(pair: Pair, poles: Sequence[Expr]) -> Derivation[Gain]:
+    """Observability of the pair, the desired polynomial, and L by comparing coefficients or by a choice of A − LC.
+
+    `poles` are all n, or only those of the observable part; what is not observable keeps its eigenvalues.
+    """
+    hidden = yield from _what_is_seen(pair)
+    desired = yield from _desired(pair, poles, hidden)
+    unknown = None
+    if pair.C.rows == 1:
+        L, unknown = yield from _by_coefficients(
+            pair, pair.C, pair.A, desired, hidden, f"{pair.A_name} - L{pair.C_name}"
+        )
+    elif not hidden and len(exact.independent_columns(pair.C)) == pair.n:
+        L = yield from _by_choice(pair, poles)
+    else:
+        L = yield from _by_one_combination(pair, desired, hidden)
+    error = sp.ImmutableMatrix(pair.A - exact.multiply(L, pair.C))
+    x = pair.variable
+    yield Step(
+        "gain",
+        claims={
+            "error": Claim(difference(pair.A, product(L, pair.C)), error, "matrix of the error equation"),
+            "polynomial": Claim(determinant(_pencil(error, x)), desired, "its characteristic polynomial"),
+        },
+        pair=pair,
+        L=L,
+    )
+    return Gain(L, desired, unknown, tuple(hidden))
+
+
+def _pencil(M: ImmutableMatrix, x: Symbol) -> ImmutableMatrix:
+    return sp.ImmutableMatrix(x * sp.eye(M.rows) - M)
+
+
+def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
+    """The observability matrix of the pair; returns the eigenvalues that no gain moves."""
+    A, C, n = pair.A, pair.C, pair.n
+    O, p = pair.observability_matrix(), pair.C.rows
+    claims = {
+        f"row{k}": Claim(product(C, power(A, k)), O[k * p : (k + 1) * p, :], f"block row {k + 1} of the matrix")
+        for k in range(1, n)
+    }
+    det, exceptions = None, []
+    if p == 1:
+        det = exact.determinant_and_adjugate(O)[0]
+        claims["determinant"] = Claim(determinant(O), det, "determinant of the observability matrix")
+        exceptions = zeros_of(O)
+    parts = exact.observable_decomposition(A, None, C)
+    yield Step(
+        "pair",
+        claims=claims,
+        unclaimed="" if claims else "the matrix is C itself",
+        pair=pair,
+        matrix=O,
+        det=det,
+        rank=parts.orders[0],
+        exceptions=exceptions,
+    )
+    if parts.trivial:
+        return []
+    N, block, modes = parts.bases[1], parts.block(1, 1), parts.hidden_modes
+    kept = [_decays(mode, discrete=pair.discrete) for mode in modes]
+    yield Step(
+        "hidden",
+        claims={
+            "unseen": Claim(product(C, N), sp.ImmutableMatrix(sp.zeros(p, N.cols)), "these directions leave no trace"),
+            "invariant": Claim(product(A, N), product(N, block), "and are never left"),
+        },
+        pair=pair,
+        N=N,
+        block=block,
+        modes=modes,
+        undecided=None in kept,
+    )
+    if False in kept:
+        unit = r"$|\lambda| < 1$" if pair.discrete else r"$\operatorname{Re}\lambda < 0$"
+        raise Unsolved(
+            f"The pair $({pair.A_name}, {pair.C_name})$ is not detectable: the eigenvalue "
+            f"$\\lambda = {sp.latex(modes[kept.index(False)])}$ is unobservable, so no gain moves it, and it does not "
+            f"have {unit}. The estimation error would not decay."
+        )
+    return list(modes)
+
+
+def zeros_of(M: ImmutableMatrix) -> list[Expr]:
+    """The factors of det M that hold parameters and may vanish."""
+    det, _ = exact.determinant_and_adjugate(M)
+    factors = sp.factor(sp.numer(sp.together(det))).as_powers_dict() if det.free_symbols else {}
+    return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]
+
+
+def _decays(mode: Expr, *, discrete: bool) -> bool | None:
+    """Whether e^{λt} (λᵏ) goes to zero; None where parameters leave it open."""
+    real, imaginary = sp.expand(mode).as_real_imag()
+    size = sp.expand(real**2 + imaginary**2 - 1) if discrete else sp.expand(real)
+    if size.free_symbols:
+        decided: bool | None = size.is_negative
+        return decided
+    return bool(size != 0 and sp.N(size, 30) < 0)
+
+
+def _desired(pair: Pair, poles: Sequence[Expr], hidden: Sequence[Expr]) -> Derivation[Expr]:
+    """Π (x − pᵢ), with the eigenvalues that stay where they are."""
+    x = pair.variable
+    added = list(hidden) if len(poles) < pair.n else []
+    roots = [*poles, *added]
+    polynomial: Expr = exact.polynomial_in(x, exact.monic(roots))
+    claim = Claim(product(*(difference(x, root) for root in roots)), polynomial, "desired characteristic polynomial")
+    yield Step("desired", claims={"polynomial": claim}, pair=pair, poles=list(poles), added=added)
+    return polynomial
+
+
+def _by_coefficients(
+    pair: Pair, c: ImmutableMatrix, A: ImmutableMatrix, desired: Expr, hidden: Sequence[Expr], called: str
+) -> Derivation[tuple[ImmutableMatrix, Expr]]:
+    """Det(xI − A + lc) with unknown l has the coefficients asked for; returns l (n×1) and that polynomial."""
+    n, x = pair.n, pair.variable
+    unknowns = sp.symbols(f"l1:{n + 1}")
+    l = sp.ImmutableMatrix(unknowns)
+    unknown = exact.loop_coefficients(A.T, c.T, sp.ImmutableMatrix([unknowns]), unknowns)[1:]
+    wanted = sp.Poly(desired, x).all_coeffs()[1:]
+    error = sp.ImmutableMatrix(A - l * c)
+    powers = [(entry, x ** (n - 1 - k)) for k, entry in enumerate(unknown)]
+    shown = total(x**n, *(product(entry, power_) for entry, power_ in powers if entry != 0))
+    yield Step(
+        "unknown",
+        claims={
+            "error": Claim(difference(A, product(l, c)), error, "error matrix with unknown gain"),
+            "polynomial": Claim(determinant(_pencil(error, x)), shown, "its characteristic polynomial"),
+        },
+        pair=pair,
+        called=called,
+        n=n,
+    )
+    M, constant = exact.affine(unknown, unknowns)
+    right = [exact.tidy(d - a) for d, a in zip(wanted, constant, strict=True)]
+    solution = exact.solve_affine(M, right, unknowns)
+    if solution.residue:
+        raise Unsolved(_not_reached(pair, hidden))
+    values = [exact.tidy(value.subs(dict.fromkeys(unknowns, 0))) for value in solution.values]
+    L = sp.ImmutableMatrix(values)
+    stated = total(sp.ImmutableMatrix(constant), product(M, L))
+    yield Step(
+        "compare",
+        claims={"equations": Claim(stated, sp.ImmutableMatrix(wanted), "equations for the gain")},
+        equations=list(zip(unknown, wanted, strict=True)),
+        solution=list(zip(unknowns, values, strict=True)),
+        free=[unknowns[j] for j in solution.free],
+        pair=pair,
+    )
+    return L, sp.Add(x**n, *(entry * power_ for entry, power_ in powers))
+
+
+def _not_reached(pair: Pair, hidden: Sequence[Expr]) -> str:
+    modes = ", ".join(f"${sp.latex(mode)}$" for mode in hidden)
+    return (
+        f"The eigenvalue{'s' if len(hidden) > 1 else ''} {modes} of ${pair.A_name}$ cannot be moved by any gain, since "
+        f"the output does not show {'them' if len(hidden) > 1 else 'it'}. The poles asked for must contain "
+        f"{'them' if len(hidden) > 1 else 'it'}, or be given for the observable part alone."
+    )
+
+
+def _by_choice(pair: Pair, poles: Sequence[Expr]) -> Derivation[ImmutableMatrix]:
+    """With independent columns in C any A − LC can be had: L = (A − J) C⁺."""
+    J, left = exact.chosen_error_matrix(poles), exact.left_inverse(pair.C)
+    L: ImmutableMatrix = exact.multiply(sp.ImmutableMatrix(pair.A - J), left)
+    identity = sp.ImmutableMatrix(sp.eye(pair.n))
+    yield Step(
+        "choice",
+        claims={
+            "left": Claim(product(left, pair.C), identity, "a left inverse of the output matrix"),
+            "gain": Claim(product(difference(pair.A, J), left), L, "gain for the chosen error matrix"),
+        },
+        pair=pair,
+        J=J,
+        left=left,
+        square=pair.C.rows == pair.n,
+    )
+    return L
+
+
+def _by_one_combination(pair: Pair, desired: Expr, hidden: Sequence[Expr]) -> Derivation[ImmutableMatrix]:
+    """L = L₀ + l q: one combination q y of the outputs sees as much as all of them, for A − L₀ C."""
+    found = exact.direction(pair.A.T, pair.C.T)
+    if found is None:
+        raise Unsolved("No combination of the outputs was found that sees all of the observable part.")
+    q = sp.ImmutableMatrix(found.g.T)
+    L0 = None if found.preliminary is None else sp.ImmutableMatrix(found.preliminary.T)
+    A0 = pair.A if L0 is None else sp.ImmutableMatrix(pair.A - L0 * pair.C)
+    c = exact.multiply(q, pair.C)
+    claims = {"row": Claim(product(q, pair.C), c, "the combined output")}
+    if L0 is not None:
+        claims["shifted"] = Claim(difference(pair.A, product(L0, pair.C)), A0, "error matrix after the first gain")
+    yield Step("combination", claims=claims, pair=pair, q=q, L0=L0, A0=A0)
+    l, _ = yield from _by_coefficients(pair, c, A0, desired, hidden, f"{pair.A_name if L0 is None else 'A_0'} - l\\,c")
+    L = sp.ImmutableMatrix(l * q if L0 is None else L0 + l * q)
+    stated = product(l, q) if L0 is None else total(L0, product(l, q))
+    yield Step("combined_gain", claims={"gain": Claim(stated, L, "gain of all outputs")}, pair=pair, first=L0)
+    return L

@@ -1,0 +1,105 @@
+"""Observer of reduced order: estimates only what is not measured."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Claim, Derivation, Given, Names, Option, Poles, Step, Task, Unsolved
+from solver.derivation.stated import partitioned, product, total
+from solver.lazy import exact, systems
+from solver.lazy import sympy as sp
+from solver.tasks.design import reduced_observer_checks as checks
+from solver.tasks.design.plants import measuring
+from solver.tasks.design.reduced_order import (
+    estimate_of,
+    measurement_fault,
+    observer_matrices_of,
+    partition_of,
+    pole_faults,
+    reduced_gain_of,
+)
+
+if TYPE_CHECKING:
+    from solver.systems import System
+
+reduced_observer = Task(
+    "reduced_observer",
+    group="Design",
+    title="Observer of reduced order",
+    doc="ω' = Jω + Ny + Mu estimates the n − p unmeasured states, η̂₂ = ω + Ly, with errors of the given eigenvalues.",
+    needs=("A", "B"),
+    options=[
+        Option("poles", Poles(), "the n − p eigenvalues of J (or those of the observable part)", required=True),
+        Option("measured", Names(), "the measured states (names or numbers), where C does not say"),
+    ],
+    answers=[
+        AnswerName("L", "L_c", "gain (n−p × p): η̂₂ = ω + L y"),
+        AnswerName("J", "J", "A22 − L A12, the matrix of the error equation"),
+        AnswerName("N", "N", "A21 − L A11 + J L, the gain from y"),
+        AnswerName("M", "M", "B2 − L B1, the gain from u"),
+        AnswerName("T", "T", "x = T (η₁, η₂): measured quantities first, then the other states in their order"),
+        AnswerName("A11", "A_{11}", "block of T⁻¹AT, p×p"),
+        AnswerName("A12", "A_{12}", "block of T⁻¹AT, p×(n−p)"),
+        AnswerName("A21", "A_{21}", "block of T⁻¹AT, (n−p)×p"),
+        AnswerName("A22", "A_{22}", "block of T⁻¹AT, (n−p)×(n−p)"),
+        AnswerName("B1", "B_1", "first p rows of T⁻¹B"),
+        AnswerName("B2", "B_2", "the other rows of T⁻¹B"),
+        AnswerName("A_combined", r"A_{\text{combined}}", "matrix of plant and observer in (x, ω)"),
+        AnswerName("B_combined", r"B_{\text{combined}}", "input matrix of plant and observer in (x, ω)"),
+    ],
+)
+
+
+@reduced_observer.refusal
+def what_the_file_shows(system: System, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Nothing measured, or all, or one quantity twice; another number of poles than of unmeasured states."""
+    if not isinstance(system, systems.StateSpace):
+        return
+    measured = options.get("measured")
+    try:
+        plant = measuring(system, measured)
+    except Unsolved as fault:
+        yield "measured", str(fault)
+        return
+    wrong = measurement_fault(plant)
+    if wrong:
+        yield "measured" if measured else "", wrong
+    elif "poles" in options:
+        yield from pole_faults(plant, options["poles"])
+
+
+@reduced_observer.method(source="Lecture note, section 4.2")
+def by_partition(given: Given) -> Derivation[Answers]:
+    """Split off what is measured; A22 − L A12 gets the poles; J, N, M follow from the error equation."""
+    plant = measuring(given.system, given.measured)
+    for fault in filter(None, (measurement_fault(plant), *(words for _, words in pole_faults(plant, given.poles)))):
+        raise Unsolved(fault)
+    parts = yield from partition_of(plant)
+    design = yield from reduced_gain_of(parts, given.poles, discrete=plant.discrete)
+    J, N, M = yield from observer_matrices_of(parts, design.L, plant)
+    n, q, C = plant.n, J.rows, plant.C
+    yield from estimate_of(parts, design, J, plant)
+    NC = exact.multiply(N, C)
+    A_combined = sp.ImmutableMatrix(sp.Matrix([[plant.A, sp.zeros(n, q)], [NC, J]]))
+    forward = M if plant.plain else sp.ImmutableMatrix(M + exact.multiply(N, plant.D))
+    B_combined = sp.ImmutableMatrix(sp.Matrix.vstack(plant.B, forward))
+    claims = {"NC": Claim(product(N, C), NC, "$N C$")}
+    if not plant.plain:
+        claims["through"] = Claim(total(M, product(N, plant.D)), forward, "$M + N D$")
+    yield Step(
+        "combined",
+        claims=claims,
+        A=partitioned(A_combined, (n,), (n,)),
+        B=partitioned(B_combined, (n,), ()),
+        names=[*map(sp.Symbol, plant.state_names), *sp.symbols(f"omega1:{q + 1}")],
+        discrete=plant.discrete,
+        plain=plant.plain,
+    )
+    return Answers(L=design.L, J=J, N=N, M=M, T=parts.T, **parts.blocks, A_combined=A_combined, B_combined=B_combined)
+
+
+reduced_observer.verification("T")(checks.puts_the_measured_first)
+reduced_observer.verification(*checks.BLOCKS, "L", "J", "N", "M", "A_combined", "B_combined")(
+    checks.estimates_what_is_not_measured
+)

@@ -1,0 +1,153 @@
+"""An observer of reduced order, step by step: what is measured, the blocks, J, N and M, the estimate and its error."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.figures import Diagram
+from solver.derivation.stated import Stated, determinant, difference, inverse, partitioned, product, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.design.observer_gain import Gain, Pair, gain_of, zeros_of
+from solver.tasks.design.plants import Plant
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix
+
+
+def measurement_fault(plant: Plant) -> str:
+    """What is wrong with the outputs of an observer of reduced order, in words; empty if nothing is."""
+    p = plant.p
+    if len(exact.independent_columns(plant.C)) < p:
+        return "the measured quantities are not independent: leave out those that the others determine"
+    if p == plant.n:
+        return "all states are measured, so there is nothing to estimate"
+    return ""
+
+
+def pole_faults(plant: Plant, poles: Sequence[Expr]) -> Iterator[tuple[str, str]]:
+    """A number of poles that fits neither the unmeasured states nor those of them that the output shows."""
+    n, p = plant.n, plant.p
+    seen = exact.controllable_part(plant.A.T, plant.C.T).order
+    if len(poles) not in (n - p, seen - p):
+        observable = "" if seen == n else f" (or the {seen - p} of the observable part)"
+        yield (
+            "poles",
+            f"{len(poles)} {'pole is' if len(poles) == 1 else 'poles are'} given; the observer has order "
+            f"n − p = {n} − {p} = {n - p} and needs as many{observable}",
+        )
+
+
+def _column(names: Iterable[str]) -> ImmutableMatrix:
+    """A column of names."""
+    return sp.ImmutableMatrix([sp.Symbol(name) for name in names])
+
+
+@lemma("partition")
+def partition_of(plant: Plant) -> Derivation[exact.Partition]:
+    """Coordinates η = (η₁, η₂), η₁ = y measured, η₂ the other states; the blocks of T⁻¹AT and T⁻¹B."""
+    A, B, C, n, p = plant.A, plant.B, plant.C, plant.n, plant.p
+    parts = exact.measured_first(A, B, C)
+    names = plant.state_names
+    selected = sp.ImmutableMatrix(sp.Matrix.hstack(sp.eye(p), sp.zeros(p, n - p)))
+    claims = {"outputs": Claim(product(C, parts.T), selected, "the first coordinates are the measured ones")}
+    if not parts.permutation:
+        claims["inverse"] = Claim(inverse(parts.Q), parts.T, "inverse of the completed output matrix")
+    yield Step(
+        "measured",
+        claims=claims,
+        C=C,
+        T=parts.T,
+        Q=parts.Q,
+        permutation=parts.permutation,
+        measured=_column(names[row.index(1)] for row in C.tolist()) if parts.permutation else None,
+        unmeasured=_column(names[j] for j in parts.unmeasured),
+        exceptions=zeros_of(parts.Q),
+        D=None if plant.plain else plant.D,
+    )
+    yield Step(
+        "blocks",
+        claims={
+            "A": Claim(product(inverse(parts.T), A, parts.T), partitioned(parts.A, (p,), (p,)), "$T^{-1}AT$"),
+            "B": Claim(product(inverse(parts.T), B), partitioned(parts.B, (p,), ()), "$T^{-1}B$"),
+        },
+        blocks=parts.blocks,
+        discrete=plant.discrete,
+    )
+    return parts
+
+
+def reduced_gain_of(parts: exact.Partition, poles: Sequence[Expr], *, discrete: bool) -> Derivation[Gain]:
+    """The gain L for the pair (A22, A12), which is observable as far as (A, C) is."""
+    blocks = parts.blocks
+    design = yield from gain_of(Pair(blocks["A22"], blocks["A12"], "A_{22}", "A_{12}", discrete), poles)
+    return design
+
+
+@lemma("reduced_matrices")
+def observer_matrices_of(
+    parts: exact.Partition, L: ImmutableMatrix, plant: Plant
+) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]]:
+    """J = A22 − L A12, N = A21 − L A11 + J L, M = B2 − L B1 (less N D): the error is then driven by nothing."""
+    A11, A12, A21, A22, B1, B2 = parts.blocks.values()
+    yield Step("error_equation", unclaimed="the conditions define J, N and M", detail="full", discrete=plant.discrete)
+    J = sp.ImmutableMatrix(A22 - exact.multiply(L, A12))
+    N = sp.ImmutableMatrix((A21 - exact.multiply(L, A11) + exact.multiply(J, L)).applyfunc(exact.tidy))
+    forward = sp.ImmutableMatrix((B2 - exact.multiply(L, B1)).applyfunc(exact.tidy))
+    stated: Stated = difference(B2, product(L, B1))
+    M = forward
+    if not plant.plain:
+        M = sp.ImmutableMatrix((forward - exact.multiply(N, plant.D)).applyfunc(exact.tidy))
+        stated = difference(stated, product(N, plant.D))
+    yield Step(
+        "matrices",
+        claims={
+            "J": Claim(difference(A22, product(L, A12)), J, "$J$"),
+            "N": Claim(total(difference(A21, product(L, A11)), product(J, L)), N, "$N$"),
+            "M": Claim(stated, M, "$M$"),
+        },
+        plain=plant.plain,
+    )
+    return J, N, M
+
+
+@lemma("reduced_matrices")
+def estimate_of(parts: exact.Partition, design: Gain, J: ImmutableMatrix, plant: Plant) -> Derivation[None]:
+    """The equations of the observer and of its error, and x̂ from y and ω."""
+    x, q, p = plant.variable, J.rows, parts.p
+    from_y = sp.ImmutableMatrix(sp.Matrix.vstack(sp.eye(p), design.L))
+    from_omega = sp.ImmutableMatrix(sp.Matrix.vstack(sp.zeros(p, q), sp.eye(q)))
+    from_y_x, from_omega_x = exact.multiply(parts.T, from_y), exact.multiply(parts.T, from_omega)
+    yield Step(
+        "estimate",
+        claims={
+            "y": Claim(product(parts.T, from_y), from_y_x, "what y adds to the estimate"),
+            "omega": Claim(product(parts.T, from_omega), from_omega_x, "what the observer adds to the estimate"),
+        },
+        figures=(
+            Diagram(
+                "The plant and its observer of reduced order.",
+                "reduced_observer",
+                {"J": "J", "L": "L_c", "N": "N", "M": "M"},
+            ),
+        ),
+        unmeasured=_column(plant.state_names[j] for j in parts.unmeasured),
+        from_y=from_y_x,
+        from_omega=from_omega_x,
+        plain=plant.plain,
+        D=plant.D,
+        discrete=plant.discrete,
+    )
+    yield Step(
+        "error",
+        claims={
+            "polynomial": Claim(
+                determinant(sp.ImmutableMatrix(x * sp.eye(q) - J)), design.polynomial, "polynomial of the error"
+            )
+        },
+        x=x,
+        discrete=plant.discrete,
+        fixed=design.fixed,
+    )
