@@ -15,6 +15,7 @@ from solver.problem.parts import PartReader, PlantOf
 from solver.problem.shape_check import check_shape
 from solver.problem.source import InputError, Report, Source
 from solver.problem.systems import read_system
+from solver.problem.texts import check_texts
 from solver.problem.yaml_tree import parse_yaml
 from solver.systems import System
 
@@ -59,6 +60,7 @@ class _ProblemReader:
     def problem(self) -> Problem:
         """Return the problem; raises InputError."""
         system, display = self.system("system"), self.display()
+        check_texts(self.root, self.source, self.report)
         parts = self.parts(system)
         if not self.report.diagnostics:
             check_used(self.section("parameters"), self.lexicon, self.report)

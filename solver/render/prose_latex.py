@@ -9,8 +9,8 @@ from collections.abc import Callable, Sequence
 
 from markdown_it.token import Token
 
+from solver.markup import GREEK_LETTERS, find_problem
 from solver.render.displays import aligned
-from solver.render.math_check import GREEK_LETTERS, find_problem
 from solver.render.tex_text import escaped
 
 _FIXED = {

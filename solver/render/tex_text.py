@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 
-from solver.render.math_check import GREEK_LETTERS
+from solver.markup import GREEK_LETTERS
 
 SPECIAL = {
     "\\": r"\textbackslash{}",

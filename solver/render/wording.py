@@ -26,6 +26,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import resources
 from solver.derivation import AnswerName, Claim, Step
+from solver.markup import math_problems
 from solver.problem.model import Part
 from solver.render.displays import READABLE, aligned, chain, display, entries
 from solver.render.given import given_markdown
@@ -33,7 +34,7 @@ from solver.render.latex import DEFAULT, tex, tex_answer
 from solver.render.notation import COURSE, NOTATIONS, answer_symbol
 from solver.render.numbers import NumberFormat
 from solver.render.pieces import is_sum, joined, parenthesized, summed
-from solver.render.prose import math_problems, plain
+from solver.render.prose import plain
 from solver.render.width import LINE, width
 from solver.systems import System
 

@@ -261,3 +261,19 @@ def test_a_file_is_loaded_and_read(tmp_path, catalogue):
     path.write_text(SYSTEM + "find: {a: nothing}\n", encoding="utf-8")
     with pytest.raises(InputError, match=r"servo\.yaml:2:11: error: there is no task 'nothing'"):
         read_problem(load(path), catalogue)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("statement: Let $\\foo$ be.\n", "1:17-18 in a formula: \\foo is not known in formulas here"),
+        ("statement: |\n  One line,\n  then $a_{1$ here.\n", "3:11-12 in a formula: this { is not closed"),
+    ],
+)
+def test_a_formula_that_cannot_be_drawn_is_reported_at_its_place(complaints, text, found):
+    assert complaints(f"{text}system: {{A: 1}}\nfind: {{a: stability}}\n") == [found]
+
+
+def test_a_formula_in_a_prompt_is_checked_too(complaints):
+    (found,) = complaints("system: {A: 1}\nfind:\n  a: {task: stability, prompt: 'Is $x^$ stable?'}\n")
+    assert found.startswith("3:39")

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solver.render import math_check
+from solver.markup import formulas as math_check
 from solver.render.mathml import ATTRIBUTES, ELEMENTS, MathError, formula, mathml
 from solver.render.mathml.commands import COMMANDS
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from solver.markup import MathProblem, check_math, math_problems
 from solver.render import tex_text
-from solver.render.math_check import MathProblem, check_math
-from solver.render.prose import inline_html, inline_latex, math_problems, plain, to_html, to_latex
+from solver.render.prose import inline_html, inline_latex, plain, to_html, to_latex
 from solver.render.tex_text import escaped
 
 

@@ -26,8 +26,8 @@ from solver.derivation.stated import (
     transpose,
     value_at,
 )
+from solver.markup import MathProblem, check_math
 from solver.render.latex import tex
-from solver.render.math_check import MathProblem, check_math
 from solver.render.stated_latex import NOTATION
 
 s, z, t, k, a, alpha_0, alpha_1, A = sp.symbols("s z t k a alpha_0 alpha_1 A")

@@ -5,10 +5,10 @@ import sympy as sp
 
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.stated import determinant
+from solver.markup import check_math
 from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import tex
-from solver.render.math_check import check_math
 from solver.render.notation import NOTATIONS
 from solver.render.numbers import NumberFormat
 from solver.render.width import LINE, broken, width
