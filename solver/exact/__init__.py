@@ -1,6 +1,7 @@
 """The exact kernels: algebra on matrices over a field, with no prose and no floats."""
 
 from solver.exact.companion import controllable_form
+from solver.exact.coordinates import inverse_in_full, is_singular, product_of
 from solver.exact.decomposition import (
     Decomposition,
     controllable_decomposition,
@@ -42,15 +43,16 @@ from solver.exact.placement import (
     toeplitz,
 )
 from solver.exact.pole_placement import ackermann, controllability_matrix
+from solver.exact.rank_conditions import CriticalValues, critical_values, rank_conditions
 from solver.exact.rational import RationalMatrix, between
 from solver.exact.realization import Realization, controllable_realization, observable_realization
-from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response
+from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response, shifted
 from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
 from solver.exact.spectral_factor import OnTheAxis
-from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
+from solver.exact.spectrum import Factor, Root, Spectrum, factored, roots_of, spectrum
 from solver.exact.stability import (
     Location,
     definiteness,
@@ -60,6 +62,16 @@ from solver.exact.stability import (
     stability_conditions,
     stable_where,
 )
+from solver.exact.structure import (
+    HiddenPart,
+    PencilRank,
+    hidden_modes,
+    hidden_part,
+    null_basis,
+    pencil_ranks,
+    rank,
+    row_reduction,
+)
 from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
 from solver.exact.transforms import pairs_for, partial_fractions, resolvent, transform_pairs
 
@@ -68,6 +80,7 @@ __all__ = [
     "ClosedForm",
     "Condition",
     "ControllablePart",
+    "CriticalValues",
     "Decomposition",
     "Direction",
     "Eigenspace",
@@ -75,6 +88,7 @@ __all__ = [
     "Factor",
     "FaddeevLeVerrier",
     "Generator",
+    "HiddenPart",
     "Inconsistent",
     "Location",
     "MatrixFunction",
@@ -83,6 +97,7 @@ __all__ = [
     "NotStabilizable",
     "OnTheAxis",
     "Partition",
+    "PencilRank",
     "Piece",
     "RationalMatrix",
     "Realization",
@@ -111,6 +126,7 @@ __all__ = [
     "controllable_form",
     "controllable_part",
     "controllable_realization",
+    "critical_values",
     "definiteness",
     "definiteness_of_numbers",
     "determinant_and_adjugate",
@@ -123,10 +139,14 @@ __all__ = [
     "faddeev_leverrier",
     "fixed_factor",
     "generator_of",
+    "hidden_modes",
+    "hidden_part",
     "independent_columns",
     "interpolation",
     "interpolation_coefficients",
     "inverse",
+    "inverse_in_full",
+    "is_singular",
     "is_stable_polynomial",
     "jordan_realization",
     "kalman_decomposition",
@@ -142,17 +162,22 @@ __all__ = [
     "modes",
     "monic",
     "multiply",
+    "null_basis",
     "null_space",
     "observable_decomposition",
     "observable_realization",
     "off_the_point_one",
     "pairs_for",
     "partial_fractions",
+    "pencil_ranks",
     "piece_response",
     "polynomial_in",
     "polynomial_of_matrix",
     "power",
     "powers",
+    "product_of",
+    "rank",
+    "rank_conditions",
     "reachable_order",
     "read_inputs",
     "resolvent",
@@ -162,7 +187,9 @@ __all__ = [
     "routh",
     "routh_parts",
     "row_reduce",
+    "row_reduction",
     "second_order",
+    "shifted",
     "sign_of",
     "solve_affine",
     "specified",

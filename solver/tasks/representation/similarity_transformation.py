@@ -1,0 +1,123 @@
+"""A change of coordinates x = T ξ, and what it leaves as it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task
+from solver.derivation.stated import adjugate, determinant, difference, inverse, product, quotient
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.representation.plants import matrices_of, stated_transfer, variable_of
+
+if TYPE_CHECKING:
+    from solver.systems import StateSpace, System
+
+similarity_transformation = Task(
+    "similarity_transformation",
+    group="Representation and analysis",
+    title="Similarity transformation",
+    doc="The same system in other coordinates ξ, x = T ξ: T⁻¹ A T, T⁻¹ B, C T and D.",
+    needs=("A",),
+    options=[Option("T", MatrixOf("n", "n"), "the matrix T of x = T ξ, invertible", required=True)],
+    answers=[
+        AnswerName("A", r"\bar{A}", "T⁻¹ A T"),
+        AnswerName("B", r"\bar{B}", "T⁻¹ B", optional=True),
+        AnswerName("C", r"\bar{C}", "C T", optional=True),
+        AnswerName("D", r"\bar{D}", "D, as before", optional=True),
+    ],
+)
+
+
+@similarity_transformation.refusal
+def of_a_singular_matrix(_system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """T must have an inverse."""
+    T = options.get("T")
+    if T is not None and T.rows == T.cols and exact.is_singular(T):
+        yield "T", "T is singular (its determinant is zero), so x = T ξ is no change of coordinates"
+
+
+@similarity_transformation.method(source="Lecture note, equation (1.14.2)")
+def by_products(given: Given) -> Derivation[Answers]:
+    """ξ' = T⁻¹ A T ξ + T⁻¹ B u, y = C T ξ + D u."""
+    plant, T = given.system, given.T
+    det, adj, inverted = exact.inverse_in_full(T)
+    yield Step(
+        "inverse",
+        claims={
+            "determinant": Claim(determinant(T), det, r"$\det T$"),
+            "adjugate": Claim(adjugate(T), adj, r"$\operatorname{adj} T$"),
+            "inverse": Claim(inverse(T), inverted, "$T^{-1}$"),
+        },
+        T=T,
+        det=det,
+        adj=quotient(adj, det),
+    )
+    AT = exact.product_of(plant.A, T)
+    moved = Answers(A=exact.product_of(inverted, AT))
+    yield Step(
+        "system_matrix",
+        claims={
+            "AT": Claim(product(plant.A, T), AT, "$A T$"),
+            "A": Claim(product(inverse(T), plant.A, T), moved["A"], "$T^{-1} A T$"),
+        },
+        inverted=inverted,
+        AT=AT,
+        discrete=plant.discrete,
+    )
+    others, claims = Answers(), {}
+    if plant.B is not None:
+        others["B"] = exact.product_of(inverted, plant.B)
+        claims["B"] = Claim(product(inverse(T), plant.B), others["B"], "$T^{-1} B$")
+    if plant.C is not None:
+        others["C"] = exact.product_of(plant.C, T)
+        claims["C"] = Claim(product(plant.C, T), others["C"], "$C T$")
+    if claims:
+        yield Step("input_and_output", claims=claims, inverted=inverted, B=plant.B, C=plant.C, T=T, D=plant.D)
+    if plant.B is not None and plant.C is not None:
+        others["D"] = matrices_of(plant)[3]
+    moved.update(others)
+    yield _unchanged(plant, moved)
+    return moved
+
+
+def _unchanged(plant: StateSpace, moved: Answers) -> Step:
+    """Det(xI − Ā) = det(xI − A), and G is the same."""
+    x, A = variable_of(plant), moved["A"]
+    chi = exact.faddeev_leverrier(plant.A).characteristic_polynomial(x)
+    pencil = difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), A)
+    claims = {"polynomial": Claim(determinant(pencil), chi, "the characteristic polynomial is unchanged")}
+    if "D" in moved:
+        G = exact.transfer_matrix(*matrices_of(plant), x)
+        there = stated_transfer(_in_new_coordinates(plant, moved), x)
+        claims["transfer"] = Claim(there, _plain(G.matrix), "the transfer function is unchanged")
+    return Step("unchanged", claims=claims, x=x, discrete=plant.discrete)
+
+
+def _in_new_coordinates(plant: StateSpace, moved: Mapping[str, Any]) -> StateSpace:
+    return replace(plant, **{name: moved[name] for name in ("A", "B", "C", "D")})
+
+
+def _plain(M: Any) -> Any:
+    return M[0, 0] if M.shape == (1, 1) else M
+
+
+@similarity_transformation.verification("A")
+def commutes_with_the_transformation(given: Given, answers: Answers) -> Iterable[Check]:
+    """T Ā = A T, with no inverse in it."""
+    left, right = product(given.T, answers["A"]), product(given.system.A, given.T)
+    yield numeric.check_claim(Claim(left, right), r"$T\bar{A} = AT$")
+
+
+@similarity_transformation.verification("B", "C", "D")
+def give_the_same_input_and_output(given: Given, answers: Answers) -> Iterable[Check]:
+    """T B̄ = B, C̄ = C T, D̄ = D."""
+    plant, T = given.system, given.T
+    if "B" in answers:
+        yield numeric.check_claim(Claim(product(T, answers["B"]), plant.B), r"$T\bar{B} = B$", answer="B")
+    if "C" in answers:
+        yield numeric.check_claim(Claim(answers["C"], product(plant.C, T)), r"$\bar{C} = CT$", answer="C")
+    if "D" in answers:
+        yield numeric.check_claim(Claim(answers["D"], matrices_of(plant)[3]), r"$\bar{D} = D$", answer="D")
