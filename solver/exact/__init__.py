@@ -45,14 +45,19 @@ from solver.exact.placement import (
 from solver.exact.pole_placement import ackermann, controllability_matrix
 from solver.exact.rank_conditions import CriticalValues, critical_values, rank_conditions
 from solver.exact.rational import RationalMatrix, between
-from solver.exact.realization import Realization, controllable_realization, observable_realization
+from solver.exact.realization import (
+    Realization,
+    common_denominators,
+    controllable_realization,
+    observable_realization,
+)
 from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response, shifted
 from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
 from solver.exact.spectral_factor import OnTheAxis
-from solver.exact.spectrum import Factor, Root, Spectrum, factored, roots_of, spectrum
+from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
 from solver.exact.stability import (
     Location,
     definiteness,
@@ -120,6 +125,7 @@ __all__ = [
     "bilinear",
     "chosen_error_matrix",
     "combine",
+    "common_denominators",
     "companion_rows",
     "controllability_matrix",
     "controllable_decomposition",

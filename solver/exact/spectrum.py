@@ -138,6 +138,22 @@ def polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
     return sp.Add(*(expression(p.domain, c) * x ** (len(coefficients) - 1 - i) for i, c in enumerate(coefficients)))
 
 
+def roots_of(p: sp.Poly, multiplicity: int = 1) -> tuple[Root, ...]:
+    """The roots of an irreducible polynomial over a field; raises NotExact as `spectrum` does."""
+    return _factor(p.to_field().monic(), multiplicity).roots
+
+
+def split_over(factor: Factor, K: Any) -> tuple[Factor, ...]:
+    """The factors over a field K that holds the factor's own field: there it may be reducible."""
+    p, own = factor.modulus, factor.modulus.domain
+    if own == K:
+        return (factor,)
+    lifted = sp.Poly([K.one, *(K.convert(c, own) for c in reversed(p.low))], sp.Dummy("x"), domain=K)
+    _, listed = lifted.factor_list()
+    split = [_factor(q.set_domain(K).monic(), factor.multiplicity * m) for q, m in listed]
+    return tuple(sorted(split, key=_order))
+
+
 def _order(factor: Factor) -> tuple[int, Any, str]:
     """Rational roots ascending, then surds and pairs by σ, then symbols by name, decimals last."""
     first = factor.roots[0]
