@@ -157,8 +157,8 @@ class Task:
     def refusal(self, refuse: Refuse) -> Refuse:
         """Register what makes a question wrong as the file asks it: yields (option or "", message) for each fault.
 
-        It is called with the system and the options known so far: when the file is read without those taken from an
-        earlier part, and again when all are known.
+        It is called with the system and the options known so far: when the file is read with None for those taken from
+        an earlier part, and again when all are known.
         """
         self.refusals.append(refuse)
         return refuse

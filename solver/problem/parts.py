@@ -82,7 +82,7 @@ class PartReader:
         """Raise Fault with what the task finds wrong with the question, at the place of the option at fault."""
         if not plant.known:
             return
-        known = {name: value for name, value in options.items() if not isinstance(value, Reference)}
+        known = {name: None if isinstance(value, Reference) else value for name, value in options.items()}
         report = Report()
         for option, message in task.refused(plant.system or NOTHING, known):
             with report:

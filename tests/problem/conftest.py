@@ -88,7 +88,7 @@ def catalogue() -> Mapping[str, Task]:
 
 
 def _one_pole_a_state(system, options):
-    if "poles" in options and len(options["poles"]) != system.order:
+    if options.get("poles") is not None and len(options["poles"]) != system.order:
         yield "poles", f"there are {len(options['poles'])} poles for {system.order} states"
 
 
