@@ -18,7 +18,15 @@ from solver.exact.inequalities import Generator, all_positive, generator_of, sig
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
-from solver.exact.modes import Mode, diagonal_realization, jordan_realization, modal_realization, modes
+from solver.exact.modes import (
+    Mode,
+    diagonal_realization,
+    is_upper,
+    jordan_realization,
+    modal_realization,
+    modes,
+    real_and_imaginary,
+)
 from solver.exact.observers import Partition, chosen_error_matrix, left_inverse, measured_first
 from solver.exact.placement import (
     ControllablePart,
@@ -52,7 +60,7 @@ from solver.exact.realization import (
     observable_realization,
 )
 from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response, shifted
-from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
+from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, optimal_gain, riccati, weighted_input
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
@@ -154,6 +162,7 @@ __all__ = [
     "inverse_in_full",
     "is_singular",
     "is_stable_polynomial",
+    "is_upper",
     "jordan_realization",
     "kalman_decomposition",
     "left_inverse",
@@ -173,6 +182,7 @@ __all__ = [
     "observable_decomposition",
     "observable_realization",
     "off_the_point_one",
+    "optimal_gain",
     "pairs_for",
     "partial_fractions",
     "pencil_ranks",
@@ -186,6 +196,7 @@ __all__ = [
     "rank_conditions",
     "reachable_order",
     "read_inputs",
+    "real_and_imaginary",
     "resolvent",
     "response",
     "riccati",

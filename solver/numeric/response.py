@@ -16,7 +16,8 @@ import sympy as sp
 from solver.derivation.stated import Stated, exponential, integral, product, total
 from solver.numeric.environment import Environment
 from solver.numeric.evaluate import value_of
-from solver.numeric.points import free_symbols
+from solver.numeric.exponential import equality_residual
+from solver.numeric.points import admissible, free_symbols
 from solver.numeric.values import NotEvaluable
 
 JUMPS = (sp.Heaviside, sp.DiracDelta)
@@ -150,3 +151,18 @@ def sampled(expression: Any, k: Any) -> Any:
             for jump in jumps
         }
     )
+
+
+def beginnings(inputs: Any, k: Any) -> list[Any]:
+    """Return the samples, numbers all, at which steps and impulses begin."""
+    if inputs is None:
+        return []
+    jumps = {each for each in inputs.atoms(*JUMPS) if each.has(k)}
+    found = [_jump(jump, k)[1] for jump in jumps]
+    return [sp.ceiling(at) for at in found if at.is_number and at.is_positive]
+
+
+def residual_of_pairs(pairs: Sequence[tuple[Any, Any]]) -> float:
+    """Return the largest residual of several equalities, parameters at random values."""
+    points = admissible(free_symbols([side for pair in pairs for side in pair]), 2)
+    return max(equality_residual(left, right, [dict(point) for point in points]) for left, right in pairs)

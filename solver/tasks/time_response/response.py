@@ -1,0 +1,126 @@
+"""Responses to an initial state and to inputs: x(t) and y(t), in discrete time x(k) and y(k)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Choice,
+    Derivation,
+    ExpressionList,
+    Given,
+    MatrixOf,
+    Option,
+    Task,
+)
+from solver.lazy import systems
+from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
+from solver.tasks.time_response import response_parts as parts
+from solver.tasks.time_response.response_checks import checks_of
+from solver.tasks.time_response.response_parts import Question
+
+if TYPE_CHECKING:
+    from solver.systems import System
+
+response = Task(
+    "response",
+    group="Representation and analysis",
+    title="Response",
+    doc="States and outputs for an initial state and given inputs: zero-input, zero-state or complete response.",
+    needs=("A",),
+    options=[
+        Option(
+            "kind",
+            Choice(("complete", "zero_input", "zero_state")),
+            "complete; zero_input: the initial state alone; zero_state: the input alone",
+            default="complete",
+        ),
+        Option("input", ExpressionList(("t", "k")), "u as an expression in t (discrete: k), a list for several inputs"),
+        Option("initial_state", MatrixOf("n", 1, flat="column"), "x(0), numbers or symbols; else that of the system"),
+    ],
+    answers=[
+        AnswerName("x", "x", "the states (n×1), for t ≥ 0 (discrete: k = 0, 1, …)"),
+        AnswerName("y", "y", "the output, a column of them where there are several", optional=True),
+        AnswerName("y_final", r"y_{\infty}", "the limit of y, where there is one", optional=True),
+        AnswerName("y_peak", r"y_{\text{peak}}", "the value of largest size, where y attains it", optional=True),
+        AnswerName("t_peak", r"t_{\text{peak}}", "when it does so first (discrete: the sample)", optional=True),
+    ],
+)
+
+
+@response.refusal
+def incomplete_question(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """What the question needs by its kind: an input for each input of the system, an initial state."""
+    kind = options.get("kind", "complete")
+    if kind == "zero_input":
+        if options.get("initial_state") is None and getattr(system, "x0", None) is None:
+            yield "", "the zero-input response needs an initial state: initial_state"
+        return
+    inputs = _number_of_inputs(system)
+    if not inputs:
+        yield "", "the response to an input needs the matrix B"
+    elif options.get("input") is None:
+        yield "", f"the {kind.replace('_', '-')} response needs an input: an expression in t (discrete time: in k)"
+    elif len(options["input"]) != inputs:
+        count, given = f"{inputs} input{'s' if inputs > 1 else ''}", len(options["input"])
+        yield "input", f"the system has {count}, but {given} {'are' if given > 1 else 'is'} given"
+
+
+def _number_of_inputs(system: System) -> int:
+    matrix = system.B if isinstance(system, systems.StateSpace) else system.matrix
+    return int(matrix.cols) if matrix is not None else 0
+
+
+@response.method("laplace", title="Laplace transform", source="Lecture note, section 1.13", time="continuous")
+def by_laplace(given: Given) -> Derivation[Answers]:
+    """X(s) = (sI − A)⁻¹ [x(0) + B U(s)], transformed back by partial fractions."""
+    answers = yield from _by_transform(Question.of(given))
+    return answers
+
+
+@response.method("z_transform", title="z-transform", source="Lecture note, section 7.5", time="discrete")
+def by_z_transform(given: Given) -> Derivation[Answers]:
+    """X(z) = (zI − A)⁻¹ [z x(0) + B U(z)], transformed back by partial fractions of X(z)/z."""
+    answers = yield from _by_transform(Question.of(given))
+    return answers
+
+
+def _by_transform(asked: Question) -> Derivation[Answers]:
+    yield from parts.equation_of_transforms(asked)
+    yield from inverse_of_pencil(asked.system.A, asked.variable)
+    if asked.x0 is not None:
+        yield from parts.zero_input_by_transform(asked)
+    for piece in asked.pieces:
+        yield from parts.zero_state_by_transform(asked, piece)
+    answers = yield from parts.put_together(asked)
+    return answers
+
+
+@response.method("convolution", title="Convolution", source="Lecture note, equation (1.13.3)")
+def by_convolution(given: Given) -> Derivation[Answers]:
+    """x(t) = Φ(t) x(0) + ∫ Φ(t − τ) B u(τ) dτ; in discrete time x(k) = Aᵏ x(0) + Σ Aᵏ⁻¹⁻ⁱ B u(i)."""
+    asked = Question.of(given)
+    yield from parts.formula_of_convolution(asked)
+    Phi = yield from parts.transition_matrix_of(asked)
+    if asked.x0 is not None:
+        yield from parts.zero_input_by_convolution(asked, Phi)
+    for piece in asked.pieces:
+        yield from parts.zero_state_by_convolution(asked, piece, Phi)
+    answers = yield from parts.put_together(asked)
+    return answers
+
+
+@response.verification("x")
+def states_solve_the_state_equation(given: Given, answers: Answers) -> Iterable[Check]:
+    """x(0) = x0, x' = A x + B u, and the convolution formula by expm and quadrature; discrete: the recursion."""
+    yield from checks_of(given, answers["x"], "x")
+
+
+@response.verification("y")
+def output_follows_the_convolution_formula(given: Given, answers: Answers) -> Iterable[Check]:
+    """The equation y = C x + D u with x by the convolution formula, in discrete time by the recursion."""
+    yield from checks_of(given, answers["y"], "y")

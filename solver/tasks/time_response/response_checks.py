@@ -1,0 +1,116 @@
+"""The oracles' view of a response: nothing of the derivation takes part."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Check, Claim, Given
+from solver.derivation.stated import derivative, product, total, value_at
+from solver.lazy import numeric
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import Symbol
+
+    from solver.systems import StateSpace
+
+SAMPLES = 21
+"""Samples at which a discrete response is compared, counted from the last jump of the input."""
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What is given, as numbers see it: system, initial state, inputs (a column, or None) and the symbol of time."""
+
+    system: StateSpace
+    x0: Any
+    inputs: Any
+    time: Symbol
+
+    @staticmethod
+    def of(given: Given) -> Truth:
+        """The question of a part."""
+        system, kind = given.system, given.kind
+        x0 = given.initial_state if given.initial_state is not None else system.x0
+        if x0 is None or kind == "zero_state":
+            x0 = sp.ImmutableMatrix(sp.zeros(system.order, 1))
+        inputs = None if kind == "zero_input" else sp.ImmutableMatrix(list(given.input))
+        return Truth(system, x0, inputs, sp.Symbol("k" if system.discrete else "t"))
+
+    def output(self, x: Any, u: Any) -> Any:
+        """C x + D u as stated."""
+        system = self.system
+        passes = u is not None and system.D is not None and any(system.D.flat())
+        return total(product(system.C, x), product(system.D, u)) if passes else product(system.C, x)
+
+
+def checks_of(given: Given, value: Any, answer: str) -> Iterable[Check]:
+    """The checks of x or of y, each for itself."""
+    truth = Truth.of(given)
+    column = value if hasattr(value, "rows") else sp.ImmutableMatrix([value])
+    judge = _sample_by_sample if given.system.discrete else _interval_by_interval
+    try:
+        yield from judge(truth, column, answer)
+    except numeric.NotEvaluable as refusal:
+        yield Check.skipped("the response at several times", "scipy.linalg.expm", str(refusal), answer=answer)
+
+
+def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Check]:
+    """The differential equation and the convolution formula on every interval without jumps."""
+    t, system = truth.time, truth.system
+    u = truth.inputs
+    spans = numeric.intervals(t, column, *([u] if u is not None else []))
+    scale = numeric.time_scale(system.A)
+    for number, span in enumerate(spans):
+        here = span.smooth(column, t)
+        u_here = span.smooth(u, t) if u is not None else None
+        formula = numeric.convolution_formula(system.A, system.B, truth.x0, u, t, span, spans[:number])
+        wanted = formula if answer == "x" else truth.output(formula, u_here)
+        after = f" after $t = {sp.latex(span.start)}$" if number else ""
+        for time in span.times(t, scale):
+            claim = Claim(value_at(here, t, time), value_at(wanted, t, time))
+            yield numeric.check_claim(claim, f"convolution formula{after}", answer=answer)
+            if answer == "x":
+                change = product(system.A, here)
+                if u_here is not None:
+                    change = total(change, product(system.B, u_here))
+                claim = Claim(value_at(derivative(here, t), t, time), value_at(change, t, time))
+                yield numeric.check_claim(claim, rf"$\dot{{x}} = A x + B u${after}", answer=answer)
+    if answer == "x":
+        start = total(truth.x0, *(product(system.B, w) for at, w in _impulses(truth) if at == 0))
+        first = spans[0].smooth(column, t)
+        yield numeric.check_claim(Claim(value_at(first, t, sp.S.Zero), start), "initial state", answer=answer)
+    else:
+        yield from _impulses_in_y(truth, column)
+
+
+def _impulses(truth: Truth) -> list[tuple[Any, Any]]:
+    return numeric.impulses(truth.inputs, truth.time) if truth.inputs is not None else []
+
+
+def _impulses_in_y(truth: Truth, y: Any) -> Iterable[Check]:
+    """The impulses of the input come through D into y, and no others."""
+    stated = dict(numeric.impulses(y, truth.time))
+    passing = dict(_impulses(truth)) if truth.system.D is not None else {}
+    for at in {*stated, *passing}:
+        zero = sp.ImmutableMatrix(sp.zeros(y.rows, 1))
+        expected = product(truth.system.D, passing[at]) if at in passing else zero
+        label = f"impulse in $y$ at $t = {sp.latex(at)}$"
+        yield numeric.check_claim(Claim(stated.get(at, zero), expected), label, answer="y")
+
+
+def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]:
+    """The recursion from x(0), sample by sample."""
+    k, system = truth.time, truth.system
+    value = numeric.sampled(column, k)
+    last = SAMPLES + max([int(at) for at in numeric.beginnings(truth.inputs, k)], default=0)
+    wanted = numeric.samples(system.A, system.B, truth.x0, truth.inputs, k, last)
+    pairs = [(value.xreplace({k: sp.Integer(i)}), x if answer == "x" else truth.output(x, u)) for i, x, u in wanted]
+    yield numeric.check_residual(
+        f"the recursion $x(k + 1) = A x(k) + B u(k)$ for $k = 0, \\ldots, {last - 1}$",
+        "recursion",
+        lambda: numeric.residual_of_pairs(pairs),
+        answer=answer,
+    )
