@@ -43,8 +43,8 @@ response = Task(
         Option("initial_state", MatrixOf("n", 1, flat="column"), "x(0), numbers or symbols; else that of the system"),
     ],
     answers=[
-        AnswerName("x", "x", "the states (n×1), for t ≥ 0 (discrete: k = 0, 1, …)"),
-        AnswerName("y", "y", "the output, a column of them where there are several", optional=True),
+        AnswerName("x", "x", "the states, n×1"),
+        AnswerName("y", "y", "the output (several: a column)", optional=True),
         AnswerName("y_final", r"y_{\infty}", "the limit of y, where there is one", optional=True),
         AnswerName("y_peak", r"y_{\text{peak}}", "the value of largest size, where y attains it", optional=True),
         AnswerName("t_peak", r"t_{\text{peak}}", "when it does so first (discrete: the sample)", optional=True),

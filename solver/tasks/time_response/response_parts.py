@@ -133,7 +133,7 @@ def zero_state_by_transform(asked: Question, piece: exact.Piece) -> Derivation[N
         discrete=asked.discrete,
         resolvent=exact.resolvent(asked.system.A, s),
         B=asked.system.B,
-        U=U,
+        shown=U[0] / (s if asked.discrete else 1) if len(U) == 1 else U / (s if asked.discrete else 1),
         delay=piece.delay,
     )
     yield from _transformed_back(asked, image, column, ZERO_STATE, piece.delay)
