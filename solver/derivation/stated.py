@@ -37,6 +37,11 @@ def partitioned(matrix: Any, rows: Sequence[int], columns: Sequence[int]) -> Sta
     return Stated("partitioned", (matrix, tuple(rows), tuple(columns)))
 
 
+def rank(matrix: Any) -> Stated:
+    """Rank M; with parameters the generic one."""
+    return Stated("rank", (matrix,))
+
+
 def trace(matrix: Any) -> Stated:
     """Tr M."""
     return Stated("trace", (matrix,))

@@ -31,6 +31,7 @@ ORACLES = (
     ("inverse", "numpy.linalg.inv"),
     ("adjugate", "numpy.linalg.det"),
     ("determinant", "numpy.linalg.det"),
+    ("rank", "numpy.linalg.svd"),
 )
 """Names of the oracle by the operation claimed, the most telling first."""
 

@@ -11,6 +11,8 @@ from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
 from solver.numeric.evaluate import value_of
 from solver.numeric.points import admissible, free_symbols
+from solver.numeric.stated import OPERATIONS
+from solver.numeric.values import Value
 
 CLEAR = 1e-6
 """A smallest singular value (of columns of unit length) above this is not zero."""
@@ -72,3 +74,15 @@ def _remainders(V: Array) -> list[float]:
 
 def _length(column: Array, context: Any) -> Any:
     return context.sqrt(sum(abs(entry) ** 2 for entry in column))
+
+
+def _stated_rank(environment: Environment, matrix: Any) -> Value:
+    """Rank M at each point."""
+    full = {symbol: environment.full(value) for symbol, value in environment.values.items()}
+    counts = [
+        rank_at(matrix, {symbol: values[p] for symbol, values in full.items()}) for p in range(environment.points)
+    ]
+    return Value(environment.arithmetic.array(counts), np.zeros(environment.points))
+
+
+OPERATIONS["rank"] = _stated_rank

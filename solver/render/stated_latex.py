@@ -146,6 +146,7 @@ NOTATION: dict[str, Callable[..., str]] = {
     "determinant": _named(r"\det"),
     "adjugate": _named(r"\operatorname{adj}"),
     "partitioned": _partitioned,
+    "rank": _named(r"\operatorname{rank}"),
     "trace": _named(r"\operatorname{tr}"),
     "inverse": _inverse,
     "transpose": _transpose,
