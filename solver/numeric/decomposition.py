@@ -29,7 +29,7 @@ PATTERNS: Mapping[str, tuple[tuple[int, ...], ...]] = {
 """For each part, the parts of T₀ of which its columns of T may be combinations."""
 
 SMALL = 1e-9
-"""Singular values below this, relative to the largest, are zero."""
+"""Singular values below this, relative to the largest and to one, are zero."""
 
 
 def krylov(A: Any, B: Any) -> Any:
@@ -242,6 +242,7 @@ def _size(*matrices: Array) -> float:
 
 
 def _null_space(M: Array) -> Array:
+    """Columns that span {v : M v = 0}; the terms of M are of the size of one."""
     _, sizes, right = np.linalg.svd(M)
-    count = int(np.sum(sizes > SMALL * (sizes[0] if len(sizes) else 1.0)))
+    count = int(np.sum(sizes > SMALL * max(1.0, float(np.max(sizes, initial=0.0)))))
     return np.asarray(right[count:].conj().T)
