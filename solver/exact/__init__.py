@@ -14,6 +14,7 @@ from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.fields import NotExact
 from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
+from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response, reached_in
 from solver.exact.inequalities import Generator, all_positive, generator_of, sign_of
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
@@ -103,6 +104,7 @@ __all__ = [
     "Generator",
     "HiddenPart",
     "Inconsistent",
+    "InputResponse",
     "Location",
     "MatrixFunction",
     "Mode",
@@ -146,16 +148,19 @@ __all__ = [
     "determinant_and_adjugate",
     "diagonal_realization",
     "direction",
+    "discrete_gramian",
     "divided",
     "eigenstructure",
     "exponential",
     "factored",
     "faddeev_leverrier",
+    "finite_gramian",
     "fixed_factor",
     "generator_of",
     "hidden_modes",
     "hidden_part",
     "independent_columns",
+    "input_response",
     "interpolation",
     "interpolation_coefficients",
     "inverse",
@@ -195,6 +200,7 @@ __all__ = [
     "rank",
     "rank_conditions",
     "reachable_order",
+    "reached_in",
     "read_inputs",
     "real_and_imaginary",
     "resolvent",
