@@ -27,6 +27,7 @@ from solver.numeric.eigen import (
 )
 from solver.numeric.evaluate import evaluate, values_at
 from solver.numeric.exponential import equality_residual, exponential_residual, power_residual
+from solver.numeric.forms import is_chain_form, is_companion, is_diagonal, is_unit_vector
 from solver.numeric.jordan import chains_residual, diagonalizable, is_jordan_form, same_jordan_structure
 from solver.numeric.minimal import (
     cancelled_residual,
@@ -37,7 +38,15 @@ from solver.numeric.minimal import (
     zero_residual,
 )
 from solver.numeric.observers import driven_error_residual, error_spectrum_residual, row_space_residual
-from solver.numeric.placement import fixed_modes_residual, placed_matrix_residual, placed_residual, shape_residual
+from solver.numeric.placement import (
+    fit_residual,
+    fixed_modes_residual,
+    placed_matrix_residual,
+    placed_residual,
+    range_residual,
+    roots_residual,
+    shape_residual,
+)
 from solver.numeric.rank import independent, rank
 from solver.numeric.regions import counterexample
 from solver.numeric.response import (
@@ -67,6 +76,7 @@ from solver.numeric.riccati import (
 )
 from solver.numeric.second_order import second_order_poles, second_order_residual
 from solver.numeric.stability import externally_stable, locations, routh_fault, spread_points
+from solver.numeric.rounding import agrees_to_digits
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
@@ -78,6 +88,7 @@ __all__ = [
     "all_distinct",
     "beginnings",
     "cancelled_residual",
+    "agrees_to_digits",
     "chain_residual",
     "chains_residual",
     "characteristic_residual",
@@ -98,6 +109,7 @@ __all__ = [
     "evaluate",
     "exponential_residual",
     "externally_stable",
+    "fit_residual",
     "fixed_modes_residual",
     "gain_residual",
     "hamiltonian_spectrum_residual",
@@ -105,7 +117,11 @@ __all__ = [
     "impulses",
     "independent",
     "intervals",
+    "is_chain_form",
+    "is_companion",
+    "is_diagonal",
     "is_jordan_form",
+    "is_unit_vector",
     "kalman_orders",
     "leads_to",
     "left_residual",
@@ -118,10 +134,12 @@ __all__ = [
     "pole_residual",
     "polynomial_residual",
     "power_residual",
+    "range_residual",
     "rank",
     "realized",
     "residual_of_pairs",
     "riccati_residual",
+    "roots_residual",
     "routh_fault",
     "row_space_residual",
     "same_jordan_structure",

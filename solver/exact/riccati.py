@@ -1,0 +1,322 @@
+"""The algebraic Riccati equation AᵀP + PA − PGP + Q = 0: all its real symmetric solutions, and the stabilizing one.
+
+P solves it if and only if the graph of P, the columns of [I; P], is invariant under the Hamiltonian matrix
+H = [[A, −G], [−Q, −Aᵀ]]. Its spectrum is symmetric to the imaginary axis; a real symmetric P corresponds to a real
+polynomial p of degree n with p(s) p(−s) = (−1)ⁿ det(sI − H), and p(H) [I; P] = 0 is linear in P. The Hurwitz p gives
+the stabilizing solution. There are finitely many solutions unless an eigenvalue that can be flipped has two independent
+eigenvectors; eigenvalues that the input does not reach can't be flipped.
+Sources: J. C. Willems, Least squares stationary optimal control and the algebraic Riccati equation, IEEE TAC 16 (1971);
+P. Lancaster, L. Rodman, Algebraic Riccati Equations (1995), chapters 7 and 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import chain
+from typing import Any
+
+import mpmath
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from solver.exact.fields import NotExact, domain_matrix, matrix_of
+from solver.exact.pole_placement import controllability_matrix
+from solver.exact.spectral_factor import (
+    DIGITS,
+    WORKING_DIGITS,
+    Choice,
+    Coefficients,
+    Group,
+    combinations,
+    decimal_polynomial,
+    exact_polynomial,
+    groups_of,
+)
+from solver.exact.spectrum import irreducible_factors, spectrum
+from solver.exact.square_roots import Nested, RootTower
+
+MOST_SOLUTIONS = 64
+LONGEST_ENTRY = 90
+"""Characters of an entry with nested roots that still is readable; beyond, decimals say more."""
+
+
+class NotStabilizable(Exception):  # noqa: N818 - a finding
+    """Modes that the input does not reach are not asymptotically stable; `modes` are their eigenvalues."""
+
+    def __init__(self, modes: list[sp.Expr]) -> None:
+        super().__init__(str(modes))
+        self.modes = modes
+
+
+@dataclass(frozen=True)
+class RiccatiSolution:
+    """A solution P with p = det(sI − A + GP) (coefficients, highest power first), and how many roots of p are unstable.
+
+    `exact` is False where P is given in decimals. `radicand` must be positive for P to be real (None: it always is).
+    """
+
+    P: sp.ImmutableMatrix
+    polynomial: tuple[sp.Expr, ...]
+    flips: int
+    exact: bool
+    choices: tuple[Choice, ...]
+    radicand: sp.Expr | None = None
+
+
+@dataclass(frozen=True)
+class Riccati:
+    """The equation for A, G, Q (n×n) with its Hamiltonian matrix H; `unreached` is the dynamics that B leaves alone.
+
+    `fixed` says of each group whether its roots can't be flipped, `endless` whether it makes the solutions a continuum.
+    """
+
+    A: sp.ImmutableMatrix
+    G: sp.ImmutableMatrix
+    Q: sp.ImmutableMatrix
+    H: sp.ImmutableMatrix
+    groups: tuple[Group, ...]
+    fixed: tuple[bool, ...]
+    endless: tuple[bool, ...]
+
+    @property
+    def order(self) -> int:
+        """The number n of states."""
+        return int(self.A.rows)
+
+    @cached_property
+    def stabilizing(self) -> RiccatiSolution:
+        """The solution for which A − GP is Hurwitz; there is one and only one."""
+        return self._solution(tuple(group.choices[0] for group in self.groups))
+
+    @property
+    def count(self) -> int | None:
+        """How many real symmetric solutions there are (with parameters: at most); None: endless."""
+        if any(self.endless):
+            return None
+        options = (1 if keep else len(group.choices) for group, keep in zip(self.groups, self.fixed, strict=True))
+        return int(sp.prod(options))
+
+    @cached_property
+    def solutions(self) -> tuple[RiccatiSolution, ...]:
+        """All real symmetric solutions, the stabilizing one first; raises NotExact if they are endless or too many."""
+        if self.count is None or self.count > MOST_SOLUTIONS:
+            raise NotExact("There are too many solutions to list.")
+        found = (self._solution(choices) for choices in combinations(self.groups, self.fixed))
+        return (self.stabilizing, *list(found)[1:])
+
+    @cached_property
+    def eigenvalues(self) -> list[sp.Expr]:
+        """The eigenvalues of the stabilizing solution's closed loop A − GP, by multiplicity."""
+        return list(chain.from_iterable(map(_spelled, (group.choices[0] for group in self.groups))))
+
+    def polynomial_of_hamiltonian(self, solution: RiccatiSolution) -> sp.ImmutableMatrix | None:
+        """p(H) (2n×2n), exact, or None where p is decimal."""
+        found = exact_polynomial(domain_matrix(self.H).domain, solution.choices)
+        if found is None:
+            return None
+        tower, coefficients = found
+        E = _polynomial_at(tower, coefficients, domain_matrix(self.H))
+        return sp.ImmutableMatrix([[tower.expression(entry) for entry in row] for row in E])
+
+    @cached_property
+    def observable(self) -> bool:
+        """Whether (A, Q) is observable (in general); then P has as many negative eigenvalues as p unstable roots."""
+        seen = controllability_matrix(sp.ImmutableMatrix(self.A.T), self.Q)
+        return bool(domain_matrix(seen).rank() == self.order)
+
+    def family(self, tau: sp.Symbol) -> tuple[sp.ImmutableMatrix, sp.Expr] | None:
+        """Return solutions with a parameter τ, and the eigenvalue λ of A − GP₊ that makes them; None if not simple.
+
+        P₊ + 2λ wᵀw/(w G wᵀ) for a left eigenvector w = w₁ + τ w₂ of a real eigenvalue that has two independent ones.
+        """
+        loop = sp.ImmutableMatrix((self.A - self.G * self.stabilizing.P).expand())
+        for group, endless in zip(self.groups, self.endless, strict=True):
+            roots = group.choices[0].spelled
+            if not endless or not roots or roots[0].has(sp.I) or not self.stabilizing.exact:
+                continue
+            pencil = domain_matrix(sp.ImmutableMatrix((loop.T - roots[0] * sp.eye(self.order)).expand()))
+            rows = matrix_of(pencil.nullspace())
+            if rows.rows > 1:
+                w = rows[0, :] + tau * rows[1, :]
+                weight = sp.expand((w * self.G * w.T)[0, 0])
+                change = (w.T * w).applyfunc(lambda entry, at=roots[0], by=weight: sp.factor(2 * at * entry / by))
+                return sp.ImmutableMatrix(self.stabilizing.P + change), roots[0]
+        return None
+
+    def _solution(self, choices: tuple[Choice, ...]) -> RiccatiSolution:
+        flips = sum(choice.flips for choice in choices)
+        radicand = next((choice.radicand for choice in choices if choice.radicand is not None), None)
+        H = domain_matrix(self.H)
+        found = exact_polynomial(H.domain, choices)
+        if found is not None:
+            tower, coefficients = found
+            entries = _solved(tower, _polynomial_at(tower, coefficients, H))
+            P = [[_shown(tower, entry) for entry in row] for row in entries]
+            if self.H.free_symbols or all(map(_readable, chain.from_iterable(P))):
+                p = tuple(_shown(tower, c) for c in coefficients)
+                return RiccatiSolution(sp.ImmutableMatrix(P), p, flips, True, choices, radicand)
+        if self.H.free_symbols:
+            raise NotExact("The solution has no usable form with parameters. Give them values.")
+        return RiccatiSolution(*self._in_decimals(choices), flips, False, choices)
+
+    def _in_decimals(self, choices: tuple[Choice, ...]) -> tuple[sp.ImmutableMatrix, tuple[sp.Expr, ...]]:
+        """P and p to many digits, by the same linear equations."""
+        n, p = self.order, decimal_polynomial(choices)
+        with mpmath.workdps(WORKING_DIGITS):
+            H = mpmath.matrix([[mpmath.mpmathify(sp.N(x, WORKING_DIGITS)) for x in row] for row in self.H.tolist()])
+            E, identity = mpmath.zeros(2 * n), mpmath.eye(2 * n)
+            for c in p:
+                E = E * H + c * identity
+            columns = [mpmath.lu_solve(E[:, n:], -E[:, j]) for j in range(n)]
+            P = [[_decimal((columns[j][i] + columns[i][j]) / 2) for j in range(n)] for i in range(n)]
+            return sp.ImmutableMatrix(P), tuple(_decimal(c) for c in p)
+
+
+def riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> Riccati:
+    """Return the equation AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 (A n×n, B n×m, Q n×n ≥ 0, R m×m > 0), ready to be solved.
+
+    Raises NotStabilizable, OnTheAxis (H has eigenvalues on the imaginary axis), NotExact.
+    """
+    return _riccati(*map(sp.ImmutableMatrix, (A, B, Q, R)))
+
+
+@lru_cache(maxsize=32)
+def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> Riccati:
+    G = weighted_input(B, R)
+    H = sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[A, -G], [-Q, -A.T]])))
+    unreached = _unreached(A, B)
+    _require_stabilizable(unreached)
+    groups = tuple(groups_of(irreducible_factors(H)))
+    K = domain_matrix(H)
+    shared = [_shared(group, K, unreached) for group in groups]
+    fixed = tuple(reached == 0 for _, reached in shared)
+    endless = tuple(own > 1 and reached > 0 for own, reached in shared)
+    return Riccati(A, G, Q, H, groups, fixed, endless)
+
+
+def weighted_input(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+    """G = B R⁻¹ Bᵀ (n×n)."""
+    wide = domain_matrix(sp.Matrix(sp.BlockMatrix([[R, B.T]])))
+    m = R.rows
+    inverted = wide[:, :m].lu_solve(wide[:, m:])
+    return matrix_of(wide[:, m:].transpose() * inverted)
+
+
+def optimal_gain(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix, P: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+    """K = R⁻¹ Bᵀ P (m×n)."""
+    wide = domain_matrix(sp.Matrix(sp.BlockMatrix([[R, B.T]])))
+    RB = matrix_of(wide[:, : R.rows].lu_solve(wide[:, R.rows :]))
+    return sp.ImmutableMatrix((RB * P).applyfunc(lambda entry: entry if entry.free_symbols else sp.expand(entry)))
+
+
+def _unreached(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> sp.ImmutableMatrix | None:
+    """The dynamics w' = A_u w of the combinations w of states that the input does not reach; None if there are none."""
+    reach = domain_matrix(controllability_matrix(A, B))
+    W = reach.transpose().nullspace()
+    if W.shape[0] == 0:
+        return None
+    W, M = W.unify(domain_matrix(A))
+    # W A = A_u W, so A_u = (W A Wᵀ) (W Wᵀ)⁻¹
+    return matrix_of((W * W.transpose()).lu_solve((W * M * W.transpose()).transpose()).transpose())
+
+
+def _require_stabilizable(unreached: sp.ImmutableMatrix | None) -> None:
+    """Raise NotStabilizable if a mode that the input does not reach is not asymptotically stable."""
+    if unreached is None:
+        return
+    bad = [root for root in spectrum(unreached).eigenvalues if not _stable(root)]
+    if bad:
+        raise NotStabilizable(bad)
+
+
+def _stable(root: sp.Expr) -> bool:
+    """Whether the real part is negative; raises NotExact where parameters leave it open."""
+    real = sp.re(root) if not root.free_symbols else root
+    if not root.free_symbols:
+        return bool(sp.N(real, 30) < 0)
+    if root.is_negative or root.is_nonnegative:
+        return bool(root.is_negative)
+    raise NotExact(
+        f"The input does not reach the mode $\\lambda = {sp.latex(root)}$. The plant is stabilizable only if that is "
+        "stable; say under `assume` whether the parameters are positive or negative."
+    )
+
+
+def _shared(group: Group, H: DomainMatrix, unreached: sp.ImmutableMatrix | None) -> tuple[int, int]:
+    """Return how many independent eigenvectors an eigenvalue of the group has, and how many of these are reached."""
+    own = 1 if group.multiplicity == 1 else _nullity(group.factor, H)
+    lost = 0
+    if unreached is not None and not group.even:
+        lost = _nullity(group.factor, domain_matrix(unreached))
+    return own, own - lost
+
+
+def _nullity(q: sp.Poly, M: DomainMatrix) -> int:
+    """Dim ker q(M) / deg q: the independent eigenvectors of M for one root of q."""
+    K = M.domain.unify(q.domain)
+    M = M.convert_to(K)
+    value = DomainMatrix.zeros(M.shape, K).to_dense()
+    identity = DomainMatrix.eye(M.shape[0], K).to_dense()
+    for c in q.set_domain(K).rep.to_list():
+        value = value * M + identity * K.convert(c)
+    return int((M.shape[0] - value.rank()) // q.degree())
+
+
+def _polynomial_at(tower: RootTower, coefficients: Coefficients, H: DomainMatrix) -> list[list[Nested]]:
+    """p(H) over the tower: for each product of roots the polynomial of its coefficients at H, over K."""
+    K, size = tower.K, H.shape[0]
+    width = max(map(len, coefficients))
+    parts = []
+    for index in range(width):
+        value = DomainMatrix.zeros(H.shape, K).to_dense()
+        for c in coefficients:
+            value = value * H
+            if index < len(c) and c[index]:
+                value = value + DomainMatrix.eye(size, K).to_dense() * c[index]
+        parts.append(value.to_list())
+    return [[tuple(part[i][j] for part in parts) for j in range(size)] for i in range(size)]
+
+
+def _solved(tower: RootTower, E: list[list[Nested]]) -> list[list[Nested]]:
+    """P with E₂ P = −E₁ for E = [E₁, E₂] (2n×2n), E₂ of rank n, by elimination over the tower."""
+    n = len(E) // 2
+    rows = [[*row[n:], *map(tower.negative, row[:n])] for row in E]
+    for j in range(n):
+        pivot = next(i for i in range(j, 2 * n) if any(rows[i][j]))
+        rows[j], rows[pivot] = rows[pivot], rows[j]
+        by = tower.inverse(rows[j][j])
+        rows[j] = [tower.multiply(by, x) if any(x) else x for x in rows[j]]
+        for i in range(2 * n):
+            if i != j and any(rows[i][j]):
+                factor = tower.negative(rows[i][j])
+                rows[i] = [
+                    tower.add(x, tower.multiply(factor, y)) if any(y) else x
+                    for x, y in zip(rows[i], rows[j], strict=True)
+                ]
+    return [row[n:] for row in rows[:n]]
+
+
+def _shown(tower: RootTower, element: Nested) -> sp.Expr:
+    """The element as it is written."""
+    found = tower.expression(element)
+    return found if found.free_symbols else sp.expand(found)
+
+
+def _readable(entry: sp.Expr) -> bool:
+    return len(str(entry)) <= LONGEST_ENTRY
+
+
+def _spelled(choice: Choice) -> Iterator[sp.Expr]:
+    """The roots as expressions, in decimals where these are not readable."""
+    if choice.spelled and (not choice.roots or all(map(_readable, choice.spelled))):
+        yield from choice.spelled
+        return
+    for z in choice.roots:
+        real, imaginary = mpmath.re(z), mpmath.im(z)
+        yield _decimal(real) + sp.I * _decimal(imaginary) if imaginary else _decimal(real)
+
+
+def _decimal(x: Any) -> sp.Float:
+    return sp.Float(x, DIGITS)
