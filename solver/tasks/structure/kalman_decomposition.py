@@ -24,7 +24,7 @@ from solver.derivation.stated import Stated, inverse, partitioned, product, tran
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.tasks.structure.parts import parts_of
-from solver.tasks.structure.subspaces import observability_matrix, subspaces_of
+from solver.tasks.structure.subspaces import observability_matrix, rank_exceptions, subspaces_of
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -116,7 +116,22 @@ def _intersection(plant: Any, found: exact.Decomposition) -> Step:
         claims["unseen"] = _vanishing(observability, N, r"the basis of $\mathcal{N}$ is unseen")
     if both.cols:
         claims["both"] = _vanishing(observability, both, r"the basis of $\mathcal{R} \cap \mathcal{N}$ is unseen")
-    return Step("intersection", claims=claims, unclaimed="nothing is reachable or unseen", V=V, N=N, both=both)
+    return Step(
+        "intersection",
+        claims=claims,
+        unclaimed="nothing is reachable or unseen",
+        V=V,
+        N=N,
+        both=both,
+        exceptions=_exceptions_of_the_intersection(plant),
+    )
+
+
+def _exceptions_of_the_intersection(plant: Any) -> list[Any]:
+    """Conditions under which 𝒪 𝒞 has a lower rank though 𝒪 and 𝒞 have not."""
+    seen, reached = observability_matrix(plant), exact.controllability_matrix(plant.A, plant.B)
+    of_each = [*(rank_exceptions(seen) or []), *(rank_exceptions(reached) or [])]
+    return [each for each in rank_exceptions(exact.multiply(seen, reached)) or [] if each not in of_each]
 
 
 def _bases(plant: Any, found: exact.Decomposition, part: str) -> Step:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
@@ -27,6 +28,15 @@ def observability_matrix(plant: Any) -> ImmutableMatrix:
     return sp.ImmutableMatrix(exact.controllability_matrix(plant.A.T, plant.C.T).T)
 
 
+def rank_exceptions(matrix: ImmutableMatrix) -> Sequence[Any] | None:
+    """Conditions on parameters under which the rank is lower; None if there are too many minors to tell."""
+    try:
+        conditions: Sequence[Any] = exact.rank_conditions(matrix)
+    except exact.NotExact:
+        return None
+    return conditions
+
+
 def _reachable(plant: Any, part: str) -> Step:
     """The controllability matrix, its rank and its independent columns."""
     A, n, m = plant.A, plant.order, plant.B.cols
@@ -42,7 +52,8 @@ def _reachable(plant: Any, part: str) -> Step:
         chosen=[j + 1 for j in exact.independent_columns(matrix)],
         n=n,
         part=part,
-        exceptions=(),
+        exceptions=rank_exceptions(matrix),
+        discrete=plant.discrete,
     )
 
 
@@ -61,7 +72,8 @@ def _seen(plant: Any, part: str) -> Step:
         chosen=[i + 1 for i in exact.independent_columns(matrix.T)],
         n=n,
         part=part,
-        exceptions=(),
+        exceptions=rank_exceptions(matrix),
+        discrete=plant.discrete,
     )
 
 
