@@ -52,7 +52,16 @@ def rank_conditions(M: sp.ImmutableMatrix) -> tuple[sp.Basic, ...]:
     found += [sp.Eq(_shown(f, D.domain), 0) for f, _ in divisor.factor_list()[1] if _can_vanish(f, D.domain)]
     if rest and not any(minor.is_ground for minor in rest):
         found += [sp.And(*(sp.Eq(_shown(f, D.domain), 0) for f in case)) for case in _cases(rest, D.domain)]
-    return tuple(dict.fromkeys(found))
+    undefined = _undefined(D)
+    return tuple(condition for condition in dict.fromkeys(found) if not condition.atoms(sp.Eq) & undefined)
+
+
+def _undefined(D: DomainMatrix) -> set[sp.Basic]:
+    """The equations under which a denominator of M is zero, so that there is no M to speak of."""
+    K: Any = D.domain
+    R = K.field.ring.clone(domain=K.field.ring.domain.get_field())
+    denominators = {a.denom.set_ring(R) for row in D.to_list() for a in row}
+    return {sp.Eq(_shown(f, K), 0) for below in denominators for f, _ in below.factor_list()[1]}
 
 
 def _at_half_turns(M: sp.ImmutableMatrix, generic: int) -> list[sp.Basic]:

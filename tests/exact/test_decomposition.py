@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import eigenvalues, jordan_block, unimodular
 
-from solver.exact import controllable_decomposition, kalman_decomposition, observable_decomposition
+from solver.exact import controllable_decomposition, kalman_decomposition, observable_decomposition, rank_conditions
 
 a, b = sp.symbols("a b")
 M = sp.ImmutableMatrix
@@ -132,3 +132,9 @@ def test_the_visible_part_has_the_impulse_response_of_the_plant(seed):
     visible = found.A[:k, :k], found.B[:k, :], found.C[:, :k]
     for i in range(6):
         assert visible[2] * visible[0] ** i * visible[1] == C * A**i * B
+
+
+def test_a_vanishing_denominator_is_no_condition_for_the_rank():
+    m = sp.Symbol("m")
+    assert rank_conditions(M([[1 / m, -b / m**2], [0, 1 / m]])) == ()
+    assert rank_conditions(M([[a / m, -b / m**2], [0, 1 / m]])) == (sp.Eq(a, 0),)
