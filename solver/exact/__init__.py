@@ -73,6 +73,7 @@ from solver.exact.stability import (
     is_stable_polynomial,
     location,
     off_the_point_one,
+    polynomial_conditions,
     stability_conditions,
     stable_where,
 )
@@ -194,6 +195,7 @@ __all__ = [
     "piece_response",
     "polynomial_in",
     "polynomial_of_matrix",
+    "polynomial_conditions",
     "power",
     "powers",
     "product_of",

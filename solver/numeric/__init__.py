@@ -37,7 +37,12 @@ from solver.numeric.minimal import (
     realized,
     zero_residual,
 )
-from solver.numeric.observers import driven_error_residual, error_spectrum_residual, row_space_residual
+from solver.numeric.observers import (
+    closing_residual,
+    driven_error_residual,
+    joined_spectrum_residual,
+    row_space_residual,
+)
 from solver.numeric.placement import (
     fit_residual,
     fixed_modes_residual,
@@ -96,6 +101,7 @@ __all__ = [
     "check_residual",
     "check_steps",
     "control_residual",
+    "closing_residual",
     "convolution_formula",
     "cost_residual",
     "counterexample",
@@ -105,7 +111,6 @@ __all__ = [
     "eigenpair_residual",
     "equality_residual",
     "equations_residual",
-    "error_spectrum_residual",
     "evaluate",
     "exponential_residual",
     "externally_stable",
@@ -122,6 +127,7 @@ __all__ = [
     "is_diagonal",
     "is_jordan_form",
     "is_unit_vector",
+    "joined_spectrum_residual",
     "kalman_orders",
     "leads_to",
     "left_residual",

@@ -45,13 +45,14 @@ class Frame:
 
 @dataclass(frozen=True)
 class Pair:
-    """A pair (A, b) and the coefficients of the polynomial that det(xI − A + bk) is to be, highest power first."""
+    """A pair (A, b), and what det(xI − A + bk) is to be: coefficients, highest power first, and the poles asked for."""
 
     frame: Frame
     A: ImmutableMatrix
     b: ImmutableMatrix
     x: Symbol
     desired: Sequence[Expr]
+    poles: Sequence[Expr] = ()
 
     @property
     def flags(self) -> dict[str, Any]:
@@ -63,14 +64,17 @@ class Pair:
     @property
     def unknowns(self) -> tuple[Symbol, ...]:
         """k1 … kn (l1 … ln in the dual); other letters where the plant or the poles use these."""
-        taken = {str(symbol) for M in (self.A, self.b) for symbol in M.free_symbols}
-        taken |= {str(symbol) for c in self.desired for symbol in c.free_symbols}
-        n = self.A.rows
-        for letter in ("l", "ell", "lambda_") if self.frame.dual else ("k", "kappa", "h"):
-            names = [f"{letter}{i}" for i in range(1, n + 1)]
-            if not taken & set(names):
-                break
-        return tuple(sp.Symbol(name) for name in names)
+        return unknown_gains((self.A, self.b), self.poles, dual=self.frame.dual)
+
+
+def unknown_gains(plant: Sequence[Any], poles: Sequence[Any], *, dual: bool = False) -> tuple[Symbol, ...]:
+    """Return k1 … kn (l1 … ln in the dual); other letters where the plant or the poles use these."""
+    taken = {str(symbol) for each in (*plant, *poles) for symbol in each.free_symbols}
+    for letter in ("l", "ell", "lambda_") if dual else ("k", "kappa", "h"):
+        names = [f"{letter}{i}" for i in range(1, plant[0].rows + 1)]
+        if not taken & set(names):
+            break
+    return tuple(sp.Symbol(name) for name in names)
 
 
 @dataclass(frozen=True)
@@ -78,8 +82,8 @@ class Placement:
     """What a placement gives: `K` (m×n; the observer gain n×p in the dual), the loop A − BK (A − LC), polynomials.
 
     `gain_polynomial` is det(sI − A + BK) in the unknown entries, where coefficient matching of one input formed it.
-    `free` are symbols in K that may take any value; `fixed` the eigenvalues that no gain moves; `conditions` on the
-    unknowns are zero.
+    `free` are symbols in K that may take any value; `fixed` the eigenvalues that no gain moves; `conditions` are
+    equations for the unknowns.
     """
 
     K: ImmutableMatrix
@@ -88,12 +92,12 @@ class Placement:
     gain_polynomial: Expr | None = None
     fixed: list[Expr] = field(default_factory=list)
     free: tuple[Symbol, ...] = ()
-    conditions: tuple[Expr, ...] = ()
+    conditions: tuple[Any, ...] = ()
 
 
-def characteristic(A: ImmutableMatrix, x: Symbol) -> Stated:
-    """Det(xI − A) as stated."""
-    return determinant(difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), A))
+def characteristic(A: Any, x: Symbol, n: int = 0) -> Stated:
+    """Det(xI − A) as stated; n is the size of an A that is stated itself."""
+    return determinant(difference(product(x, sp.ImmutableMatrix(sp.eye(n or A.rows))), A))
 
 
 def linear_factors(x: Symbol, roots: Sequence[Expr]) -> Stated:

@@ -7,6 +7,7 @@ down, transposed for an observer, so that each formula appears in the form in wh
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
@@ -40,12 +41,21 @@ def desired_polynomial_of(poles: Sequence[Expr], x: Symbol, *, dual: bool = Fals
 
 @lemma("placement")
 def place(
-    A: ImmutableMatrix, B: ImmutableMatrix, poles: Sequence[Expr], method: str, *, x: Symbol, dual: bool = False
+    A: ImmutableMatrix,
+    B: ImmutableMatrix,
+    poles: Sequence[Expr],
+    method: str,
+    *,
+    x: Symbol,
+    dual: bool = False,
+    shape: ImmutableMatrix | None = None,
+    unknowns: Sequence[Symbol] = (),
 ) -> Derivation[Placement]:
     """Find K (m×n) with det(xI − A + BK) = Π(x − pᵢ); `dual`: B is C (p×n), the gain is L (n×p) of A − LC.
 
     `poles` are all n, or those of the controllable (observable) part; `method` is one of METHODS. Several inputs are
-    joined to one first. Raises Unsolved if a mode that no gain moves is not among n poles.
+    joined to one first. `shape` is the row K with `unknowns` in it (coefficient matching of one input). Raises Unsolved
+    if a mode that no gain moves is not among n poles.
     """
     frame = Frame(dual, several=(B.rows if dual else B.cols) > 1)
     plant, inputs = frame.shown(A), frame.shown(B)
@@ -53,10 +63,10 @@ def place(
     reduction = yield from _one_input(frame, plant, inputs)
     loop = plant if reduction.preliminary is None else sp.ImmutableMatrix(plant - inputs * reduction.preliminary)
     b = sp.ImmutableMatrix(inputs * reduction.g)
-    pair = Pair(frame.reduced(shifted=reduction.preliminary is not None), loop, b, x, desired)
+    pair = Pair(frame.reduced(shifted=reduction.preliminary is not None), loop, b, x, desired, poles)
     part = yield from _controllability(pair)
     if method == "coefficient_matching":
-        found = yield from matched(pair, poles)
+        found = yield from matched(pair, shape, unknowns)
     elif part.order == plant.rows:
         k = yield from METHODS[method](pair)
         found = Placement(k, loop, exact.polynomial_in(x, desired))
@@ -66,7 +76,7 @@ def place(
     yield from closed_loop_of(frame, plant, inputs, K, found.polynomial, x)
     gain_polynomial = None if frame.several else found.gain_polynomial
     loop = frame.shown(sp.ImmutableMatrix((plant - inputs * K).applyfunc(exact.tidy)))
-    return Placement(frame.shown(K), loop, found.polynomial, gain_polynomial, found.fixed, found.free)
+    return replace(found, K=frame.shown(K), loop=loop, gain_polynomial=gain_polynomial)
 
 
 @lemma("placement")
@@ -144,7 +154,7 @@ def _part_placed(pair: Pair, part: exact.ControllablePart, poles: Sequence[Expr]
         all_given=len(poles) == pair.A.rows,
         **pair.flags,
     )
-    inner = Pair(frame.part(), part.A_c, part.B_c, x, desired)
+    inner = Pair(frame.part(), part.A_c, part.B_c, x, desired, poles)
     k_c = yield from METHODS[method](inner)
     k, free = exact.lifted_gain(part, k_c, pair.unknowns)
     stretched = sp.ImmutableMatrix([[*k_c.flat(), *(k[j] for j in part.free)]])

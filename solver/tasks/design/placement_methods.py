@@ -135,20 +135,15 @@ def _difference(pair: Pair, chi: Sequence[Expr], *, reverse: bool = False) -> Cl
 
 
 @lemma("placement_methods")
-def matched(
-    pair: Pair,
-    poles: Sequence[Expr],
-    shape: Sequence[Expr] | None = None,
-    unknowns: Sequence[Symbol] | None = None,
-) -> Derivation[Placement]:
+def matched(pair: Pair, shape: ImmutableMatrix | None = None, unknowns: Sequence[Symbol] = ()) -> Derivation[Placement]:
     """Equate the coefficients of det(xI − A + bk) and of the desired polynomial and solve for the unknowns in k.
 
     `shape` is the row k with unknowns in it (affine), by default all entries unknown. A factor of the determinant
     that holds no unknown is fixed: its roots stay where they are.
     """
     frame, A, b, x = pair.frame, pair.A, pair.b, pair.x
-    unknowns = list(unknowns or pair.unknowns)
-    row = sp.ImmutableMatrix([list(shape or unknowns)])
+    unknowns = unknowns or pair.unknowns
+    row = shape if shape is not None else sp.ImmutableMatrix([unknowns])
     loop = sp.ImmutableMatrix(A - b * row)
     yield Step(
         "unknown_gain",
@@ -176,7 +171,7 @@ def matched(
     full = desired
     if fixed:
         rest = exact.divided(coefficients, divisor)
-        movable = movable_poles(poles, fixed, A.rows, dual=frame.dual)
+        movable = movable_poles(pair.poles, fixed, A.rows, dual=frame.dual)
         desired, full = list(exact.monic(movable)), list(exact.monic([*movable, *fixed]))
         split = product(exact.polynomial_in(x, divisor), exact.polynomial_in(x, rest))
         yield Step(
@@ -191,7 +186,7 @@ def matched(
             },
             fixed=fixed,
             movable=movable,
-            all_given=len(poles) == A.rows,
+            all_given=len(pair.poles) == A.rows,
             structured=shape is not None,
             **pair.flags,
         )
@@ -199,7 +194,8 @@ def matched(
     values = dict(zip(unknowns, solution.values, strict=True))
     k = sp.ImmutableMatrix(row.applyfunc(lambda entry: exact.tidy(entry.subs(values, simultaneous=True))))
     free = tuple(unknowns[j] for j in solution.free)
-    return Placement(k, A, exact.polynomial_in(x, full), gain_polynomial, fixed, free, solution.conditions)
+    conditions = tuple(sp.Eq(unknown, value) for unknown, value in values.items() if unknown not in free)
+    return Placement(k, A, exact.polynomial_in(x, full), gain_polynomial, fixed, free, conditions)
 
 
 @lemma("placement_methods")
@@ -224,7 +220,7 @@ def _equated(
     yield Step(
         "solution",
         claims={"equations": claim},
-        values=list(zip(unknowns, solution.values, strict=True)),
+        found=list(zip(unknowns, solution.values, strict=True)),
         free=[unknowns[j] for j in solution.free],
         **pair.flags,
     )

@@ -1,0 +1,167 @@
+"""The poles of a second-order system that meets specifications of its step response."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Choice,
+    Claim,
+    Derivation,
+    Given,
+    Number,
+    Option,
+    Step,
+    Task,
+    Unsolved,
+    lemma,
+)
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.design.frames import linear_factors
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+SPECIFICATIONS = (
+    Option("overshoot", Number(percent=True), "largest overshoot of the step response, a fraction or 14%"),
+    Option("settling_time", Number(), "time after which the step response stays in the settling band"),
+    Option("peak_time", Number(), "time of the first peak of the step response"),
+    Option("rise_time", Number(), "time from 0 to 100 % of the final value"),
+    Option("damping_ratio", Number(), "damping ratio ζ"),
+    Option("natural_frequency", Number(), "natural frequency ω_n"),
+    Option("settling_band", Choice(("2%", "5%")), "settling time is 4/(ζω_n) for 2%, 3/(ζω_n) for 5%"),
+)
+"""Options that fix a pair of poles, any two of the first six."""
+
+NAMES = tuple(option.name for option in SPECIFICATIONS[:-1])
+
+desired_poles = Task(
+    "desired_poles",
+    group="Design",
+    title="Desired poles from time-domain specifications",
+    doc="Damping ratio, natural frequency and poles of s² + 2ζω_n s + ω_n² from two specifications of its response.",
+    needs=(),
+    options=SPECIFICATIONS,
+    answers=[
+        AnswerName("damping_ratio", r"\xi", "damping ratio ζ"),
+        AnswerName("natural_frequency", r"\omega_n", "natural frequency ω_n"),
+        AnswerName("poles", "s_{1,2}", "the two poles"),
+        AnswerName("polynomial", r"\hat{p}(s)", "s² + 2ζω_n s + ω_n², in `s`"),
+    ],
+)
+
+
+def specified(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the specifications that are given."""
+    return {name: options[name] for name in NAMES if options.get(name) is not None}
+
+
+def band(options: Mapping[str, Any]) -> int:
+    """Return ζω_n times the settling time."""
+    return 3 if options.get("settling_band") == "5%" else 4
+
+
+def faults(options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Return what is wrong with specifications that are all known."""
+    given = specified(options)
+    if any(name in options and options[name] is None for name in NAMES):
+        return  # some come from an earlier part
+    try:
+        exact.second_order(given, band(options))
+    except exact.Inconsistent as reason:
+        yield next(iter(given), ""), str(reason)
+
+
+@lemma("second_order")
+def second_order_of(options: Mapping[str, Any]) -> Derivation[exact.SecondOrder]:
+    """ζ and ω_n from two specifications, then the poles −ζω_n ± jω_d."""
+    given, c, s = specified(options), band(options), sp.Symbol("s")
+    try:
+        found = exact.second_order(given, c)
+    except exact.Inconsistent as reason:
+        raise Unsolved(f"The specifications cannot be met: {reason}.") from reason
+    claims = {
+        name: Claim(exact.specified(name, found.zeta, found.omega_n, c), given[name], name.replace("_", " "))
+        for name in given
+        if name in found.used or name not in ("damping_ratio", "natural_frequency")
+    }
+    claims = {name: claim for name, claim in claims.items() if name in found.used}
+    yield Step(
+        "damping_and_frequency",
+        claims=claims,
+        given=given,
+        used=found.used,
+        zeta=found.zeta,
+        omega_n=found.omega_n,
+        sigma=found.sigma,
+        omega_d=None if found.overdamped else found.omega_d,
+        angle=found.angle,
+        band=c,
+        others=[name for name in given if name not in found.used],
+    )
+    polynomial = exact.polynomial_in(s, found.coefficients)
+    yield Step(
+        "poles",
+        claims={
+            "polynomial": Claim(linear_factors(s, found.poles), polynomial, "polynomial with these poles"),
+        },
+        zeta=found.zeta,
+        omega_n=found.omega_n,
+        sigma=found.sigma,
+        omega_d=None if found.overdamped else found.omega_d,
+        poles=found.poles,
+    )
+    return found
+
+
+@desired_poles.refusal
+def two_consistent_specifications(_system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Two specifications, not both about the damping, that a second-order system can meet."""
+    yield from faults(options)
+
+
+@desired_poles.method(source="Lecture note, section 3.4")
+def by_formulas(given: Given) -> Derivation[Answers]:
+    """Solve the formulas of the second-order step response for ζ and ω_n; the poles are −ζω_n ± jω_d."""
+    found = yield from second_order_of(given.options)
+    polynomial = exact.polynomial_in(sp.Symbol("s"), found.coefficients)
+    return Answers(damping_ratio=found.zeta, natural_frequency=found.omega_n, poles=found.poles, polynomial=polynomial)
+
+
+@desired_poles.verification("damping_ratio", "natural_frequency", "poles", "polynomial")
+def meets_the_specifications(given: Given, answers: Answers) -> Iterable[Check]:
+    """Compare with the ζ and ω_n that bisection finds for the specifications (mpmath)."""
+    specifications, c = specified(given.options), band(given.options)
+
+    def residual(formula: Any, values: list[Any]) -> float:
+        return numeric.second_order_residual(specifications, c, formula, values)
+
+    for name, formula, values in _judged(answers):
+        yield numeric.check_residual(
+            f"{name.replace('_', ' ')} meets the specifications",
+            "mpmath, bisection",
+            lambda formula=formula, values=values: residual(formula, values),  # type: ignore[misc]  # bound here
+            answer=name,
+        )
+
+
+def _judged(answers: Answers) -> Iterable[tuple[str, Any, list[Expr]]]:
+    """Return each answer's name, its values, and the formula for them in ζ and ω_n."""
+    s = sp.Symbol("s")
+    if "damping_ratio" in answers:
+        yield "damping_ratio", lambda zeta, _: [zeta], [answers["damping_ratio"]]
+    if "natural_frequency" in answers:
+        yield "natural_frequency", lambda _, omega: [omega], [answers["natural_frequency"]]
+    if "poles" in answers:
+        poles = list(answers["poles"])
+        values = [len(poles), -sp.Add(*poles) / 2, sp.Mul(*poles)]
+        yield "poles", lambda zeta, omega: [2, zeta * omega, omega**2], values
+    if "polynomial" in answers:
+        p = sp.expand(answers["polynomial"])
+        values = [p.coeff(s, 2), p.coeff(s, 1), p.coeff(s, 0), sp.degree(p, s) if p.has(s) else sp.Integer(0)]
+        yield "polynomial", lambda zeta, omega: [1, 2 * zeta * omega, omega**2, 2], values

@@ -1,0 +1,79 @@
+"""The poles asked for: the option `poles`, or two specifications of the step response, or both."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Derivation, Option, Poles
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.systems import StateSpace
+from solver.tasks.design.desired_poles import NAMES, SPECIFICATIONS, band, faults, second_order_of, specified
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+POLES = Option("poles", Poles(), "poles of the closed loop: all n, or only those of the controllable part")
+POLE_OPTIONS = (POLES, *SPECIFICATIONS)
+
+
+def variable(system: StateSpace) -> Symbol:
+    """The variable of polynomials: s, or z in discrete time."""
+    return sp.Symbol("z" if system.discrete else "s")
+
+
+def asked_poles(options: Mapping[str, Any]) -> Derivation[list[Expr]]:
+    """Return the poles asked for; two from the specifications, where these are given, are worked out."""
+    poles = list(options.get("poles") or ())
+    if not specified(options):
+        return poles
+    found = yield from second_order_of(options)
+    return [*found.poles, *poles]
+
+
+def numeric_poles(options: Mapping[str, Any]) -> list[Any]:
+    """Return the poles asked for without the exact kernels, in decimals where specifications give them."""
+    poles = list(options.get("poles") or ())
+    if specified(options):
+        poles = [*numeric.second_order_poles(specified(options), band(options)), *poles]
+    return poles
+
+
+def pole_faults(system: Any, options: Mapping[str, Any], extra: int = 0) -> Iterable[tuple[str, str]]:
+    """Return what is wrong with the poles asked for; `extra` states (integrators) come to those of the plant."""
+    if specified(options):
+        if getattr(system, "discrete", False):
+            yield (
+                next(iter(specified(options))),
+                "specifications of a step response are for continuous time; give poles",
+            )
+            return
+        yield from faults(options)
+    elif not any(name in options for name in ("poles", *NAMES)):
+        yield "", "say where the poles are to be: 'poles', or two specifications of the step response"
+    unknown = any(name in options and options[name] is None for name in ("poles", *NAMES))
+    count = len(options.get("poles") or ()) + 2 * bool(specified(options))
+    if unknown or not count or not isinstance(system, StateSpace) or system.B is None:
+        return
+    allowed = _numbers_of_poles(system, options) if not extra else {system.order + extra}
+    if count not in allowed:
+        where = "poles" if options.get("poles") else next(iter(specified(options)), "")
+        wanted = " or ".join(str(number) for number in sorted(allowed, reverse=True))
+        note = " (all, or those that can be moved)" if len(allowed) > 1 else ""
+        yield where, f"the closed loop has {system.order + extra} poles; give {wanted}{note}, not {count}"
+
+
+def _numbers_of_poles(system: StateSpace, options: Mapping[str, Any]) -> set[int]:
+    """Return n, and the number of poles that the gain can move."""
+    n, B = system.order, system.B
+    assert B is not None  # noqa: S101 - the caller has seen to it
+    structure = options.get("structure")
+    try:
+        if structure and len(structure) == n and B.cols == 1:
+            row = sp.ImmutableMatrix([list(structure)])
+            unknowns = sorted(row.free_symbols - set(system.parameters), key=str)
+            return {n, n + 1 - len(exact.fixed_factor(system.A, B, row, unknowns))}
+        return {n, exact.reachable_order(system.A, B)}
+    except exact.NotExact:
+        return {n}

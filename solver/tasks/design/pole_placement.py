@@ -1,0 +1,154 @@
+"""State feedback u = −K x that gives the closed loop the poles asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Derivation, ExpressionList, Given, Option, Task
+from solver.lazy import numeric
+from solver.lazy import sympy as sp
+from solver.systems import StateSpace
+from solver.tasks.design.frames import Placement
+from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
+from solver.tasks.design.loop_figures import block_diagram, zero_input_response
+from solver.tasks.design.placement import place
+from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix, Symbol
+
+MATCHING = ("coefficient_matching",)
+
+pole_placement = Task(
+    "pole_placement",
+    group="Design",
+    title="Pole placement by state feedback",
+    doc="The gain K of u = −K x for which A − BK has the poles asked for.",
+    needs=("A", "B"),
+    options=[
+        *POLE_OPTIONS,
+        Option(
+            "structure",
+            ExpressionList(),
+            "shape of the row K: symbols to find and entries that are fixed, e.g. [alpha, 0, beta]",
+            methods=MATCHING,
+        ),
+    ],
+    answers=[
+        AnswerName("K", "K_f", "the gain in u = −K x, m×n; what does not matter stays a symbol"),
+        AnswerName("closed_loop_A", r"A - BK_f", "the matrix of the closed loop"),
+        AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of the closed loop, in `s` (`z`)"),
+        AnswerName(
+            "gain_polynomial", r"\det(sI - A + BK_f)", "the same with unknown `k1`, `k2`… (one input)", MATCHING, True
+        ),
+        AnswerName("fixed_poles", r"\lambda_{\text{fixed}}", "eigenvalues that no such gain moves", (), True),
+        AnswerName("conditions", r"\text{conditions}", "equations for the symbols of `structure`", MATCHING, True),
+    ],
+)
+
+
+def shape_of(given: Given) -> tuple[ImmutableMatrix | None, list[Symbol]]:
+    """Return the row K of the option `structure` (None without it) and the symbols in it that are to be found."""
+    if not given.structure:
+        return None, []
+    row = sp.ImmutableMatrix([list(given.structure)])
+    return row, sorted(row.free_symbols - set(given.system.parameters), key=str)
+
+
+@pole_placement.refusal
+def options_fit_the_plant(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Poles are given, as many as the plant has states (or movable ones); the structure is a row of n entries."""
+    yield from pole_faults(system, options)
+    structure = options.get("structure")
+    if not structure or not isinstance(system, StateSpace) or system.B is None:
+        return
+    n = system.order
+    if system.B.cols > 1:
+        yield "structure", "a structure of K is for one input; this plant has more"
+    elif len(structure) != n:
+        yield "structure", f"the row K has {n} entries, one for each state; {len(structure)} are given"
+    else:
+        unknowns = sorted(set().union(*(entry.free_symbols for entry in structure)) - set(system.parameters), key=str)
+        if not unknowns:
+            yield "structure", "the structure holds no symbol to find"
+        elif any(sp.diff(entry, a, b) != 0 for entry in structure for a in unknowns for b in unknowns):
+            yield "structure", "each entry of the structure must be linear in the symbols to find"
+
+
+def _placed(given: Given, method: str) -> Derivation[Answers]:
+    """Find K by one of the methods, and show what the loop does."""
+    plant, x = given.system, variable(given.system)
+    yield from block_diagram("state_feedback", "State feedback $u = -K_f x$")
+    poles = yield from asked_poles(given.options)
+    row, unknowns = shape_of(given)
+    found = yield from place(plant.A, plant.B, poles, method, x=x, shape=row, unknowns=unknowns)
+    if not found.free:
+        yield from zero_input_response(found.loop, plant)
+    return _answers(found, structured=row is not None)
+
+
+def _answers(found: Placement, *, structured: bool) -> Answers:
+    answers = Answers(K=found.K, closed_loop_A=found.loop, polynomial=found.polynomial)
+    if found.gain_polynomial is not None:
+        answers["gain_polynomial"] = found.gain_polynomial
+    if found.fixed:
+        answers["fixed_poles"] = list(found.fixed)
+    if structured:
+        answers["conditions"] = list(found.conditions)
+    return answers
+
+
+@pole_placement.method("coefficient_matching", title="Comparison of coefficients", source="Lecture note, section 3.5")
+def by_coefficient_matching(given: Given) -> Derivation[Answers]:
+    """det(sI − A + BK) with unknown entries of K is compared with the desired polynomial, power by power."""
+    return (yield from _placed(given, "coefficient_matching"))
+
+
+@pole_placement.method("bass_gura", title="Formula of Bass and Gura", source="Lecture note, equation (3.1.3)")
+def by_bass_gura(given: Given) -> Derivation[Answers]:
+    """K = (â − a)ᵀ (𝒞 W)⁻¹, W triangular with the coefficients of the open-loop polynomial."""
+    return (yield from _placed(given, "bass_gura"))
+
+
+@pole_placement.method("canonical_form", title="Canonical form", source="Lecture note, equation (3.1.4)")
+def by_canonical_form(given: Given) -> Derivation[Answers]:
+    """In controllable canonical form the gain is â − a; it is brought back to the original coordinates."""
+    return (yield from _placed(given, "canonical_form"))
+
+
+@pole_placement.method("ackermann", title="Ackermann's formula", source="Lecture note, equation (3.1.5)")
+def by_ackermann(given: Given) -> Derivation[Answers]:
+    """K = (0, …, 0, 1) 𝒞⁻¹ p̂(A)."""
+    return (yield from _placed(given, "ackermann"))
+
+
+@pole_placement.method("unity_rank", title="Gain of unity rank", source="Kailath, Linear Systems, section 7.1")
+def by_unity_rank(given: Given) -> Derivation[Answers]:
+    """K = g k: the inputs act together as one, b = Bg, and k is found for (A, b)."""
+    return (yield from _placed(given, "unity_rank"))
+
+
+@pole_placement.verification("K", "closed_loop_A", "polynomial", "gain_polynomial", "fixed_poles", "conditions")
+def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
+    """The spectrum of A − BK is the one asked for; modes that no gain moves are found by two random gains."""
+    row, unknowns = shape_of(given)
+    asked = Asked(given.system.A, given.system.B, numeric_poles(given.options), variable(given.system), row, unknowns)
+    yield from judge_gain(asked, answers)
+    if "gain_polynomial" in answers:
+        yield judge_gain_polynomial(asked, answers["gain_polynomial"])
+    if "fixed_poles" in answers:
+        yield numeric.check_residual(
+            "the fixed poles are those that two random gains leave in place",
+            "mpmath.eig",
+            lambda: numeric.fixed_modes_residual(asked.A, asked.B, answers["fixed_poles"], row, unknowns),
+            answer="fixed_poles",
+        )
+    if "conditions" in answers and row is not None:
+        equations = [each.lhs - each.rhs if isinstance(each, sp.Equality) else each for each in answers["conditions"]]
+        yield numeric.check_residual(
+            "the gains that meet the conditions are those that place the poles",
+            "numpy.linalg.det",
+            lambda: numeric.shape_residual(asked.A, asked.B, row, unknowns, equations, asked.poles),
+            answer="conditions",
+        )
