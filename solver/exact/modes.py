@@ -40,6 +40,12 @@ class Mode:
         return self.root.multiplicity
 
     @property
+    def rank(self) -> int:
+        """The rank of R₁: how many states the first power needs."""
+        rows = _algebraic(self.over_L[0], self.factor.modulus)
+        return len(row_reduce(tuple(tuple(row) for row in rows)).pivots)
+
+    @property
     def simple(self) -> bool:
         """Whether no higher power of (x − λ)⁻¹ than the first occurs."""
         return all(R.is_zero_matrix for R in self.residues[1:])
@@ -123,12 +129,12 @@ def modal_realization(G: TransferMatrix, *, superdiagonal: bool = False) -> Real
             blocks += _jordan_blocks(G, mode)
         elif kind == "symbolic":
             blocks += _undecided_block(G, mode)
-        elif _is_upper(mode):
+        elif is_upper(mode):
             blocks += [_real_pair(block, mode.root) for block in _jordan_blocks(G, mode)]
     return _assembled(G, blocks, superdiagonal=superdiagonal)
 
 
-def _is_upper(mode: Mode) -> bool:
+def is_upper(mode: Mode) -> bool:
     """Whether the root is the first of its pair."""
     roots = mode.factor.roots
     return roots.index(mode.root) == min(

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from solver.exact.fields import expression
-from solver.exact.polynomials import companion, elements, least_common_multiple
+from solver.exact.polynomials import companion, elements, expanded, least_common_multiple
 from solver.exact.transfer import TransferMatrix
 
 Matrix = sp.ImmutableMatrix
@@ -62,3 +62,17 @@ def observable_realization(G: TransferMatrix, *, first_row: bool = False) -> Rea
     """The dual of the controllable form of Gᵀ."""
     transposed = replace(G, tops=tuple(zip(*G.tops, strict=True)), bottoms=tuple(zip(*G.bottoms, strict=True)))
     return controllable_realization(transposed, first_row=first_row).dual
+
+
+def common_denominators(
+    G: TransferMatrix, *, by_rows: bool = False
+) -> list[tuple[list[tuple[sp.Expr, sp.Expr]], list[sp.Expr], sp.Expr]]:
+    """For each column (row) of G − D: its fractions, the numerators over their common denominator, and this."""
+    tops, bottoms = ((list(rows) if by_rows else list(zip(*rows, strict=True))) for rows in (G.remainders, G.bottoms))
+    found = []
+    for numerators, denominators in zip(tops, bottoms, strict=True):
+        common = least_common_multiple(denominators)
+        over = [expanded(p * common.quo(q)) for p, q in zip(numerators, denominators, strict=True)]
+        pairs = [(expanded(p), expanded(q)) for p, q in zip(numerators, denominators, strict=True)]
+        found.append((pairs, over, expanded(common)))
+    return found

@@ -67,7 +67,7 @@ def derivative(environment: Environment, function: Any, variable: Any, order: An
         scale = arithmetic.rational(1, round(1 / radius))
         samples = walk(function, environment.spread(variable, x[:, None] + scale * roots[None, :]))
         value, magnitude = _samples(samples, environment.points, count)
-        if _analytic(np.asarray(arithmetic.approximate(value)), magnitude):
+        if _known(value, magnitude, arithmetic) and _analytic(np.asarray(arithmetic.approximate(value)), magnitude):
             weights = (arithmetic.power(roots, arithmetic.number(-m)) * factorial(m)).reshape(
                 (1, count, *(1 for _ in value.shape[2:]))
             )
@@ -83,6 +83,12 @@ def _samples(samples: Value, points: int, count: int) -> tuple[Array, Array]:
     value = np.broadcast_to(samples.value, (points * count, *tail)).reshape((points, count, *tail))
     magnitude = np.broadcast_to(samples.magnitude, (points * count, *tail)).reshape((points, count, *tail))
     return value, magnitude
+
+
+def _known(value: Array, magnitude: Array, arithmetic: Any) -> bool:
+    """Whether the samples have digits at all; they have none where a pole lies on the circle, at a node."""
+    noise = arithmetic.eps * np.max(magnitude, initial=0.0)
+    return bool(noise <= 1e-6 * max(1.0, float(np.max(np.abs(arithmetic.approximate(value)), initial=0.0))))
 
 
 def _analytic(values: Array, magnitude: Array) -> bool:

@@ -1,0 +1,80 @@
+"""State equations for a transfer function: companion, diagonal, Jordan and modal form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Choice, Derivation, Given, Option, Task, Unsolved
+from solver.lazy import systems
+from solver.tasks.representation.modal_forms import mode_form_of
+from solver.tasks.representation.realization_checks import realization_checks
+from solver.tasks.representation.realization_lemmas import companion_form_of, direct_path_of
+from solver.tasks.representation.transfer_function import fractions_of, transfer_function_of
+
+if TYPE_CHECKING:
+    from solver.systems import System
+
+COMPANION = ("controllable", "observable")
+FORMS = (*COMPANION, "diagonal", "jordan", "modal")
+CONVENTIONS = ("last_row", "first_row", "subdiagonal", "superdiagonal")
+
+realization = Task(
+    "realization",
+    group="Representation and analysis",
+    title="Realization",
+    doc="State equations with a given transfer function, in one of the canonical forms; no common factor is cancelled.",
+    needs=("transfer_function",),
+    options=[
+        Option("form", Choice(FORMS), "the canonical form", default="controllable"),
+        Option(
+            "convention",
+            Choice(CONVENTIONS),
+            "companion forms: coefficients in the last row (controllable; observable: column) or in the first; "
+            "Jordan and modal form: the ones of a chain below or above the diagonal (subdiagonal if not said)",
+            default="last_row",
+        ),
+    ],
+    answers=[
+        AnswerName("A", "A", "n×n, n the degree of the denominator as given"),
+        AnswerName("B", "B", "n×m"),
+        AnswerName("C", "C", "p×n"),
+        AnswerName("D", "D", "p×m, G(∞)"),
+    ],
+)
+
+
+@realization.refusal
+def of_a_convention_of_another_form(_system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """A convention belongs to the companion forms or to the chains."""
+    form, convention = options.get("form", FORMS[0]), options.get("convention", CONVENTIONS[0])
+    if form in COMPANION and convention in ("subdiagonal", "superdiagonal"):
+        yield "convention", f"{convention} is about chains (jordan, modal); the {form} form takes last_row or first_row"
+    if form not in COMPANION and convention == "first_row":
+        yield "convention", f"first_row is about companion forms; the {form} form takes subdiagonal or superdiagonal"
+    if form == "diagonal" and convention in ("subdiagonal", "superdiagonal"):
+        yield "convention", f"a diagonal form has no chains, so {convention} says nothing about it"
+
+
+@realization.method(source="Lecture note, section 1.10; Kailath, Linear Systems, section 2.1")
+def by_inspection(given: Given) -> Derivation[Answers]:
+    """The coefficients of the fraction, or its poles and residues, placed into matrices."""
+    if isinstance(given.system, systems.TransferFunction):
+        G = yield from fractions_of(given.system)
+    else:
+        G = yield from transfer_function_of(given.system)
+    if G.common_denominator.degree() == 0:
+        raise Unsolved("The transfer function is a constant: there is no state to write equations for.")
+    yield from direct_path_of(G)
+    form, discrete = given.form or FORMS[0], given.system.discrete
+    if form in COMPANION:
+        found = yield from companion_form_of(G, form, first=given.convention == "first_row", discrete=discrete)
+    else:
+        found = yield from mode_form_of(G, form, superdiagonal=given.convention == "superdiagonal", discrete=discrete)
+    return Answers(A=found.A, B=found.B, C=found.C, D=found.D)
+
+
+@realization.verification("A", "B", "C", "D")
+def has_the_form_and_the_transfer_function(given: Given, answers: Answers) -> Iterable[Check]:
+    """The form by inspection, det(xI − A) and C (xI − A)⁻¹ B + D at random points; alone, what each one must be."""
+    yield from realization_checks(given, answers)
