@@ -19,6 +19,7 @@ from solver.exact.inequalities import Generator, all_positive, generator_of, sig
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
+from solver.exact.matrix_functions import FunctionOfMatrix, matrix_function
 from solver.exact.modes import (
     Mode,
     diagonal_realization,
@@ -64,6 +65,7 @@ from solver.exact.response import ClosedForm, Piece, Response, piece_response, r
 from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, optimal_gain, riccati, weighted_input
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
+from solver.exact.scalar_functions import ScalarFunction
 from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
 from solver.exact.spectral_factor import OnTheAxis
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
@@ -102,6 +104,7 @@ __all__ = [
     "Eigenstructure",
     "Factor",
     "FaddeevLeVerrier",
+    "FunctionOfMatrix",
     "Generator",
     "HiddenPart",
     "Inconsistent",
@@ -124,6 +127,7 @@ __all__ = [
     "RouthArray",
     "RouthRow",
     "RowReduction",
+    "ScalarFunction",
     "SecondOrder",
     "SingularEquation",
     "Solution",
@@ -178,6 +182,7 @@ __all__ = [
     "lyapunov",
     "lyapunov_equations",
     "lyapunov_residual",
+    "matrix_function",
     "measured_first",
     "modal_realization",
     "modes",
@@ -193,9 +198,9 @@ __all__ = [
     "partial_fractions",
     "pencil_ranks",
     "piece_response",
+    "polynomial_conditions",
     "polynomial_in",
     "polynomial_of_matrix",
-    "polynomial_conditions",
     "power",
     "powers",
     "product_of",

@@ -29,6 +29,7 @@ from solver.numeric.evaluate import evaluate, values_at
 from solver.numeric.exponential import equality_residual, exponential_residual, power_residual
 from solver.numeric.forms import is_chain_form, is_companion, is_diagonal, is_unit_vector
 from solver.numeric.jordan import chains_residual, diagonalizable, is_jordan_form, same_jordan_structure
+from solver.numeric.matrix_functions import matrix_function_residual
 from solver.numeric.minimal import (
     cancelled_residual,
     characteristic_residual,
@@ -79,9 +80,15 @@ from solver.numeric.riccati import (
     stabilizes,
     symmetry_residual,
 )
+from solver.numeric.rounding import agrees_to_digits
 from solver.numeric.second_order import second_order_poles, second_order_residual
 from solver.numeric.stability import externally_stable, locations, routh_fault, spread_points
-from solver.numeric.rounding import agrees_to_digits
+from solver.numeric.structure import (
+    every_fall_is_named,
+    hidden_modes_residual,
+    krylov_matrix,
+    rank_falls_where,
+)
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
@@ -90,18 +97,18 @@ __all__ = [
     "ShapeMismatch",
     "Undefined",
     "Weights",
+    "agrees_to_digits",
     "all_distinct",
     "beginnings",
     "cancelled_residual",
-    "agrees_to_digits",
     "chain_residual",
     "chains_residual",
     "characteristic_residual",
     "check_claim",
     "check_residual",
     "check_steps",
-    "control_residual",
     "closing_residual",
+    "control_residual",
     "convolution_formula",
     "cost_residual",
     "counterexample",
@@ -112,12 +119,14 @@ __all__ = [
     "equality_residual",
     "equations_residual",
     "evaluate",
+    "every_fall_is_named",
     "exponential_residual",
     "externally_stable",
     "fit_residual",
     "fixed_modes_residual",
     "gain_residual",
     "hamiltonian_spectrum_residual",
+    "hidden_modes_residual",
     "hidden_polynomial_residual",
     "impulses",
     "independent",
@@ -129,10 +138,12 @@ __all__ = [
     "is_unit_vector",
     "joined_spectrum_residual",
     "kalman_orders",
+    "krylov_matrix",
     "leads_to",
     "left_residual",
     "locations",
     "loop_residual",
+    "matrix_function_residual",
     "number_of_solutions",
     "order_of_minimal_part",
     "placed_matrix_residual",
@@ -142,6 +153,7 @@ __all__ = [
     "power_residual",
     "range_residual",
     "rank",
+    "rank_falls_where",
     "realized",
     "residual_of_pairs",
     "riccati_residual",

@@ -40,6 +40,7 @@ _EVALUATE: dict[str, Callable[[complex], complex]] = {
     "abs": lambda x: complex(abs(x)),
     "step": lambda x: complex(x.real > 0),
     "delta": lambda x: 0 * x,
+    "inv": lambda x: 1 / x,
 }
 
 
@@ -112,6 +113,10 @@ class _Bounds:
         """The size of a function's value; `node` is its argument."""
         if name in ("sqrt", "abs"):
             self.check_root(argument, node)
+        if name == "inv":
+            if argument.value == 0:
+                raise _error("division by zero", node)
+            return size.inverse(argument)
         if name == "log" and argument.value == 0:
             raise _error("log(0) has no value", node)
         limit = MAX_ARGUMENT.get(name)

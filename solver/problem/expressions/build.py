@@ -112,6 +112,8 @@ class _Builder:
         argument = self.build(node.argument)
         if node.function in ("step", "delta"):
             return self.distribution(node, argument)
+        if node.function == "inv":
+            return self.factor("/", node.argument)
         if node.function == "abs":
             return _absolute(argument)
         if node.function == "sqrt":

@@ -14,7 +14,7 @@ FUNCTIONS = {
     name: name
     for name in (
         *("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
-        *("abs", "step", "delta"),
+        *("abs", "step", "delta", "inv"),
     )
 } | {"ln": "log"}
 """Functions of one argument: as written, and the name they have in the syntax tree."""

@@ -190,11 +190,11 @@ def by_modal_matrix(given: Given) -> Derivation[Answers]:
     yield from eigenvalues_of(A)
     if left:
         structure = exact.eigenstructure(A)
-        _require_diagonalizable(structure)
+        require_diagonalizable(structure)
         modal = yield from left_eigenvectors_of(A, structure)
     else:
         structure = yield from right_eigenvectors_of(A)
-        _require_diagonalizable(structure)
+        require_diagonalizable(structure)
         modal = structure.right
     inverted = structure.left_inverse if left else structure.right_inverse
     yield Step(
@@ -223,7 +223,9 @@ def by_modal_matrix(given: Given) -> Derivation[Answers]:
     return Answers(Phi=Phi)
 
 
-def _require_diagonalizable(structure: exact.Eigenstructure) -> None:
+def require_diagonalizable(
+    structure: exact.Eigenstructure, instead: str = "Use the Laplace transform or the Cayley–Hamilton theorem."
+) -> None:
     """The modal matrix must be invertible, i.e. every eigenvalue needs as many eigenvectors as its multiplicity."""
     for space in structure.eigenspaces:
         if space.geometric < space.algebraic:
@@ -231,7 +233,7 @@ def _require_diagonalizable(structure: exact.Eigenstructure) -> None:
                 "The modal matrix needs as many independent eigenvectors as there are states. The eigenvalue "
                 f"$\\lambda = {sp.latex(space.root.value)}$ has multiplicity {space.algebraic} but only "
                 f"{space.geometric} independent eigenvector{'s' if space.geometric > 1 else ''}, so the modal matrix "
-                "would be singular. Use the Laplace transform or the Cayley–Hamilton theorem."
+                f"would be singular. {instead}"
             )
 
 

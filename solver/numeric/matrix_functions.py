@@ -1,0 +1,92 @@
+"""Is F the function f(A)? Judged by scipy's algorithms for functions of matrices, at random values of symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.numeric.arithmetic import DOUBLE, Array
+from solver.numeric.environment import Environment
+from solver.numeric.evaluate import value_of
+from solver.numeric.points import PointSource, free_symbols, whole_symbols
+from solver.numeric.values import SAFETY, NotEvaluable
+
+POINTS = 4
+
+
+def matrix_function_residual(A: Any, function: Any, variable: Any, F: Any) -> float:
+    """Return the largest difference of F and f(A) (n×n), relative to the largest entry of f(A)."""
+    if F.shape != A.shape:
+        return float("inf")
+    symbols = (free_symbols(A) | free_symbols(F) | free_symbols(function)) - {variable}
+    source = PointSource(symbols, whole_symbols(function, names={"k"}) - {variable})
+    points = source.several(POINTS if symbols else 1)
+    return max(_residual_at(A, function, variable, F, point) for point in points)
+
+
+def _residual_at(A: Any, function: Any, variable: Any, F: Any, point: Mapping[Any, complex]) -> float:
+    here = Environment.at([dict(point)])
+    with np.errstate(all="ignore"):
+        wanted = _walk(function, variable, value_of(A, here).value[0], here)
+    found = value_of(F, here)
+    known = np.broadcast_to(SAFETY * DOUBLE.eps * found.magnitude, found.value.shape)[0]
+    difference = np.maximum(np.abs(found.value[0] - wanted) - known, 0.0)
+    return float(np.max(difference) / max(float(np.max(np.abs(wanted))), 1e-12))
+
+
+def _walk(function: Any, variable: Any, A: Array, here: Environment) -> Array:
+    """Return the function with the matrix in place of its variable; what is free of it is a multiple of I."""
+    if not function.has(variable):
+        return _number(function, here) * np.eye(len(A))
+    if function == variable:
+        return A
+    if function.is_Pow:
+        return _power(function, variable, A, here)
+    parts = [_walk(part, variable, A, here) for part in function.args]
+    if function.is_Add:
+        return np.asarray(np.sum(parts, axis=0))
+    if function.is_Mul:
+        return np.asarray(np.linalg.multi_dot(parts))
+    return _elementary(type(function))(parts[0])
+
+
+def _number(expression: Any, here: Environment) -> complex:
+    return complex(np.asarray(value_of(expression, here).value).reshape(-1)[0])
+
+
+def _power(function: Any, variable: Any, A: Array, here: Environment) -> Array:
+    from scipy.linalg import expm, fractional_matrix_power, sqrtm  # noqa: PLC0415
+
+    base, exponent = function.args
+    if not base.has(variable):
+        return np.asarray(expm(np.log(_number(base, here)) * _walk(exponent, variable, A, here)))
+    B = _walk(base, variable, A, here)
+    if exponent.has(variable):
+        raise NotEvaluable("a power of a matrix to a matrix has no algorithm here")
+    if exponent == sp.S.Half:
+        return np.asarray(sqrtm(B))
+    order = _number(exponent, here).real
+    return np.asarray(
+        np.linalg.matrix_power(B, round(order)) if order == round(order) else fractional_matrix_power(B, order)
+    )
+
+
+def _elementary(function: Any) -> Callable[[Array], Array]:
+    from scipy import linalg  # noqa: PLC0415
+
+    known: dict[Any, Callable[[Array], Array]] = {
+        sp.exp: linalg.expm,
+        sp.sin: linalg.sinm,
+        sp.cos: linalg.cosm,
+        sp.tan: linalg.tanm,
+        sp.sinh: linalg.sinhm,
+        sp.cosh: linalg.coshm,
+        sp.tanh: linalg.tanhm,
+        sp.log: linalg.logm,
+    }
+    if function not in known:
+        raise NotEvaluable(f"no algorithm for the function {function.__name__} of a matrix")
+    return known[function]

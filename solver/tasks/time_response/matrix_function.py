@@ -1,0 +1,125 @@
+"""Functions of a matrix: powers, inverse, exponential, square root, sine, … by Cayley–Hamilton or the modal matrix."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Expression,
+    Given,
+    Option,
+    Step,
+    Task,
+)
+from solver.derivation.stated import inverse, power, product, total
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
+from solver.tasks.time_response.state_transition_matrix import require_diagonalizable
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix
+
+matrix_function = Task(
+    "matrix_function",
+    group="Representation and analysis",
+    title="Function of a matrix",
+    doc="f(A) for a function f that is analytic at the eigenvalues: a power, inverse, exponential, root, sine, …",
+    needs=("A",),
+    options=[
+        Option(
+            "function",
+            Expression(("A", "I", "t", "k")),
+            'f(A) as an expression in A: "A^10", "inv(A)", "exp(A t)", "sqrt(A)", "A^k", "A^3 - 2A + I"',
+            required=True,
+        )
+    ],
+    answers=[AnswerName("F", "f(A)", "the matrix f(A), n×n")],
+)
+
+
+def _asked(given: Given) -> Expr:
+    """Return f as an expression in the symbol A; I stands for the identity, which is one."""
+    f: Expr = given.function.xreplace({sp.Symbol("I"): sp.Integer(1)})
+    return f
+
+
+def _scalar(f: Expr) -> Expr:
+    """Return f with λ in place of A."""
+    return f.xreplace({sp.Symbol("A"): sp.Symbol("lamda")})
+
+
+@matrix_function.method("cayley_hamilton", title="Cayley–Hamilton theorem", source="Lecture note, section 1.13")
+def by_cayley_hamilton(given: Given) -> Derivation[Answers]:
+    """f(A) = Σ αᵢ Aⁱ, i < n, with αᵢ fixed by f(λ) = Σ αᵢ λⁱ and its λ-derivatives at repeated λ."""
+    A, f = given.system.A, _asked(given)
+    spectrum = yield from eigenvalues_of(A)
+    found = exact.matrix_function(A, exact.ScalarFunction(f, sp.Symbol("A")))
+    m = len(found.coefficients)
+    unknowns = sp.symbols(f"alpha_:{m}")
+    polynomial = total(*(product(a, power(sp.Symbol("A"), i)) for i, a in enumerate(unknowns)))
+    yield Step(
+        "conditions",
+        unclaimed="the conditions define the coefficients; they are checked when these are found",
+        equations=[(each.right, _dot(each.row, unknowns)) for each in found.conditions],
+        roots=spectrum.roots,
+        f=_scalar(f),
+        g=total(*(product(a, power(sp.Symbol("lamda"), i)) for i, a in enumerate(unknowns))),
+        polynomial=polynomial,
+        minimal=m < A.rows,
+        m=m,
+    )
+    satisfied = {
+        f"condition{i}": Claim(_dot(each.row, found.coefficients), each.right, f"condition {i} for the coefficients")
+        for i, each in enumerate(found.conditions, 1)
+    }
+    yield Step("coefficients", claims=satisfied, alpha=found.coefficients)
+    combination = _dot(found.coefficients, exact.powers(A, m))
+    yield Step(
+        "assemble",
+        claims={"F": Claim(combination, found.value, "sum of the powers of $A$")},
+        polynomial=polynomial,
+        f=f,
+    )
+    return Answers(F=found.value)
+
+
+def _dot(coefficients: Iterable[Any], terms: Iterable[Any]) -> Any:
+    """Σ cᵢ Tᵢ as written; terms with the coefficient zero are left out, unless all are zero."""
+    pairs = list(zip(coefficients, terms, strict=True))
+    left = [product(c, term) for c, term in pairs if c != 0]
+    return total(*left) if left else total(*(product(c, term) for c, term in pairs[:1]))
+
+
+@matrix_function.method("modal", title="Modal matrix", source="Lecture note, section 1.13")
+def by_modal_matrix(given: Given) -> Derivation[Answers]:
+    """f(A) = V f(Λ) V⁻¹; needs n independent eigenvectors."""
+    A, f = given.system.A, _asked(given)
+    yield from eigenvalues_of(A)
+    structure = yield from right_eigenvectors_of(A)
+    require_diagonalizable(structure, "Use the Cayley–Hamilton theorem.")
+    scalar = exact.ScalarFunction(f, sp.Symbol("A"))
+    found = exact.matrix_function(A, scalar)
+    V, inverted = structure.right, structure.right_inverse
+    yield Step("inverse", claims={"inverse": Claim(inverse(V), inverted, "inverse of the modal matrix")}, V=V, n=A.rows)
+    modes: ImmutableMatrix = sp.ImmutableMatrix(sp.diag(*(scalar.at(value) for value in structure.eigenvalues)))
+    yield Step(
+        "modes", unclaimed="a function of a diagonal matrix acts on the diagonal, by definition", modes=modes, f=f
+    )
+    yield Step("back", claims={"F": Claim(product(V, modes, inverted), found.value, "product of the matrices")}, f=f)
+    return Answers(F=found.value)
+
+
+@matrix_function.verification("F")
+def is_the_function_of_the_matrix(given: Given, answers: Answers) -> Iterable[Check]:
+    """F against scipy's expm, sinm, sqrtm, logm, …, and products and inverses of numpy, at random values of symbols."""
+    A, F, f = given.system.A, answers["F"], _asked(given)
+    yield numeric.check_residual(
+        "$F = f(A)$", "scipy.linalg", lambda: numeric.matrix_function_residual(A, f, sp.Symbol("A"), F), answer="F"
+    )
