@@ -1,0 +1,176 @@
+"""The steady-state Kalman filter: the observer gain that minimizes the variance of the estimation error."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task, lemma
+from solver.derivation.stated import difference, inverse, product
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.design.regulator import Regulator, faulty_weights
+from solver.tasks.design.riccati import solution_by_hamiltonian, solutions_by_equations
+from solver.tasks.design.riccati_checks import (
+    gain_check,
+    listed_checks,
+    loop_check,
+    spectrum_check,
+    stabilizing_checks,
+)
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+    from solver.numeric import Weights
+
+kalman_filter = Task(
+    "kalman_filter",
+    group="Design",
+    title="Kalman filter",
+    doc="The gain L of the steady-state Kalman filter x̂' = A x̂ + B u + L (y − C x̂), by the algebraic Riccati equation.",
+    needs=("A", "C"),
+    options=[
+        Option("Q", MatrixOf("n", "n"), "intensity of the noise on x', n×n, positive semidefinite (default I)"),
+        Option("R", MatrixOf("p", "p"), "intensity of the noise on y, p×p, positive definite (default I)"),
+    ],
+    answers=[
+        AnswerName(
+            "P", "P", "covariance of the estimation error: the stabilizing solution of the Riccati equation, n×n"
+        ),
+        AnswerName("L", "L_c", "the gain of the filter, n×p"),
+        AnswerName("error_A", "A - L_cC", "A − LC, the matrix of the error"),
+        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues of A − LC"),
+        AnswerName("equations", r"\text{equations}", "expressions in p11, p12, … that are zero", ("riccati",)),
+        AnswerName("solutions", r"P_i", "all real symmetric solutions", ("riccati",), optional=True),
+        AnswerName(
+            "definiteness", r"\text{definiteness}", "what each solution is, in order", ("riccati",), optional=True
+        ),
+    ],
+)
+
+
+@kalman_filter.refusal
+def wrong_intensities(_system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Intensities that are not symmetric and definite as they must be."""
+    yield from faulty_weights(options)
+
+
+def _intensities(given: Given) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+    """Q and R, identity matrices where they are not given."""
+    n, p = given.system.order, given.system.C.rows
+    Q = given.Q if given.Q is not None else sp.ImmutableMatrix(sp.eye(n))
+    return Q, given.R if given.R is not None else sp.ImmutableMatrix(sp.eye(p))
+
+
+@lemma("kalman_gain")
+def _duality(given: Given) -> Derivation[Regulator]:
+    """Show the intensities, and the regulator problem that is solved in place of the filter's."""
+    Q, R = _intensities(given)
+    A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
+    yield Step(
+        "intensities",
+        unclaimed="the intensities are given, and transposing is no calculation",
+        Q=Q,
+        R=R,
+        At=A,
+        Ct=C,
+        chosen=given.Q is None or given.R is None,
+    )
+    return Regulator.of(A, C, Q, R, dual=True)
+
+
+@kalman_filter.method(
+    "riccati", title="Riccati equation", source="Lecture note, sections 4.3 and 5.5", time="continuous"
+)
+def by_the_riccati_equation(given: Given) -> Derivation[Answers]:
+    """Solve AP + PAᵀ − P Cᵀ R⁻¹ C P + Q = 0 entry by entry and choose the stabilizing solution."""
+    problem = yield from _duality(given)
+    equation, listed = yield from solutions_by_equations(problem)
+    answers = yield from _filter(problem, equation)
+    answers["equations"] = problem.restored(listed.equations)
+    if listed.solutions is not None:
+        answers["solutions"] = problem.restored(listed.solutions)
+        answers["definiteness"] = listed.definiteness
+    return answers
+
+
+@kalman_filter.method(
+    "hamiltonian",
+    title="Hamiltonian matrix",
+    source="Lancaster and Rodman, Algebraic Riccati Equations",
+    time="continuous",
+)
+def by_the_hamiltonian_matrix(given: Given) -> Derivation[Answers]:
+    """Take the stable half of the spectrum of the Hamiltonian matrix of (Aᵀ, Cᵀ); its invariant subspace gives P."""
+    problem = yield from _duality(given)
+    equation = yield from solution_by_hamiltonian(problem)
+    return (yield from _filter(problem, equation))
+
+
+@lemma("kalman_gain")
+def _filter(problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
+    """Find L = P Cᵀ R⁻¹ and the matrix of the error."""
+    P, C = equation.stabilizing.P, sp.ImmutableMatrix(problem.B.T)
+    L = sp.ImmutableMatrix(exact.optimal_gain(problem.B, problem.R, P).T)
+    yield Step("gain", claims={"L": Claim(product(P, problem.B, inverse(problem.R)), L, "the gain of the filter")}, L=L)
+    A = sp.ImmutableMatrix(problem.A.T)
+    error = sp.ImmutableMatrix((A - L * C).applyfunc(exact.tidy))
+    yield Step(
+        "error",
+        claims={"error": Claim(difference(A, product(L, C)), error, "matrix of the error $A - LC$")},
+        eigenvalues=equation.eigenvalues,
+    )
+    answers = Answers(P=P, L=L, error_A=error, eigenvalues=equation.eigenvalues)
+    return Answers(**{name: problem.restored(value) for name, value in answers.items()})
+
+
+def _problem(given: Given) -> Weights:
+    """The dual regulator problem, for the judges."""
+    A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
+    return numeric.Weights(A, C, *_intensities(given))
+
+
+def _transposed(M: Any) -> Any:
+    return sp.ImmutableMatrix(M.T) if hasattr(M, "T") else M
+
+
+@kalman_filter.verification("P")
+def is_the_stabilizing_solution(given: Given, answers: Answers) -> Iterable[Check]:
+    """P is symmetric, solves the Riccati equation, and A − PCᵀR⁻¹C is Hurwitz; there is only one such P."""
+    yield from stabilizing_checks(_problem(given), answers["P"], "A - PC^{T}R^{-1}C")
+
+
+@kalman_filter.verification("L")
+def is_optimal(given: Given, answers: Answers) -> Iterable[Check]:
+    """L stabilizes the error and is PCᵀR⁻¹ for the covariance P that it leads to."""
+    label = "$A - LC$ is stable, and $L = PC^{T}R^{-1}$ for the covariance $P$ that $L$ leads to"
+    yield gain_check(_problem(given), _transposed(answers["L"]), "L", label)
+
+
+@kalman_filter.verification("error_A")
+def is_the_optimal_error_matrix(given: Given, answers: Answers) -> Iterable[Check]:
+    """A − LC with scipy's L."""
+    yield loop_check(_problem(given), _transposed(answers["error_A"]), "error_A", "$A - LC$ with the optimal $L$")
+
+
+@kalman_filter.verification("eigenvalues")
+def are_the_stable_eigenvalues(given: Given, answers: Answers) -> Iterable[Check]:
+    """The stable half of the spectrum of the Hamiltonian matrix."""
+    yield spectrum_check(_problem(given), answers["eigenvalues"])
+
+
+@kalman_filter.verification("equations")
+def are_the_entries_of_the_equation(given: Given, answers: Answers) -> Iterable[Check]:
+    """The entries of AP + PAᵀ − P Cᵀ R⁻¹ C P + Q, in any order and scale."""
+    yield numeric.check_residual(
+        "the entries of the Riccati equation at random $P$",
+        "random points",
+        lambda: numeric.equations_residual(_problem(given), answers["equations"]),
+    )
+
+
+@kalman_filter.verification("solutions", "definiteness")
+def are_all_solutions(given: Given, answers: Answers) -> Iterable[Check]:
+    """Every one solves the equation, none is missing or listed twice, and the words fit."""
+    yield from listed_checks(_problem(given), answers)

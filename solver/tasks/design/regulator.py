@@ -1,0 +1,102 @@
+"""The problem that a regulator and a Kalman filter share: a plant and weights, written for one or for the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation.stated import Stated, inverse, product, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+
+@dataclass(frozen=True)
+class Regulator:
+    """AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 with A n×n, B n×m, Q n×n, R m×m; for a filter A and B stand for Aᵀ and Cᵀ.
+
+    Symbols that are weights by themselves are positive here: `plain` leads back to the symbols of the problem.
+    """
+
+    A: ImmutableMatrix
+    B: ImmutableMatrix
+    Q: ImmutableMatrix
+    R: ImmutableMatrix
+    dual: bool
+    plain: Mapping[Symbol, Symbol]
+
+    @staticmethod
+    def of(A: Any, B: Any, Q: Any, R: Any, *, dual: bool = False) -> Regulator:
+        """Return the problem, with weights taken as positive."""
+        positive = {s: sp.Symbol(s.name, positive=True) for s in own_weights(Q, R)}
+        matrices = (sp.ImmutableMatrix(M.xreplace(positive)) for M in (A, B, Q, R))
+        return Regulator(*matrices, dual, {new: old for old, new in positive.items()})
+
+    def restored(self, value: Any) -> Any:
+        """Return a result in the symbols of the problem."""
+        if isinstance(value, list):
+            return [self.restored(each) for each in value]
+        return value.xreplace(self.plain) if self.plain and hasattr(value, "xreplace") else value
+
+    def linear_part(self, P: Any) -> Stated:
+        """AᵀP + PA + Q as stated."""
+        return total(product(sp.ImmutableMatrix(self.A.T), P), product(P, self.A), self.Q)
+
+    def quadratic_part(self, P: Any) -> Stated:
+        """P B R⁻¹ Bᵀ P as stated."""
+        return product(P, self.B, inverse(self.R), sp.ImmutableMatrix(self.B.T), P)
+
+    @property
+    def names(self) -> dict[str, Any]:
+        """The letters of the plant as LaTeX: what stands for A, its transpose, B, its transpose."""
+        if self.dual:
+            return {"A": "A^{T}", "At": "A", "B": "C^{T}", "Bt": "C", "dual": True}
+        return {"A": "A", "At": "A^{T}", "B": "B", "Bt": "B^{T}", "dual": False}
+
+
+def own_weights(*matrices: Any) -> set[Symbol]:
+    """Return the symbols whose sign the weights fix: the only unknown factor of an entry on the diagonal."""
+    found: set[Symbol] = set()
+    for M in matrices:
+        for i in range(min(M.shape)):
+            found |= _sign_carriers(M[i, i])
+    return found
+
+
+def _sign_carriers(entry: Expr) -> set[Symbol]:
+    """The one symbol of undecided sign in a product whose other factors are positive."""
+    unknown = []
+    for base, exponent in entry.as_powers_dict().items():
+        if base.is_positive:
+            continue
+        if not base.is_Symbol or base.is_positive is False or not exponent.is_Integer:
+            return set()
+        if exponent % 2:
+            unknown.append(base)
+    return set(unknown) if len(unknown) == 1 else set()
+
+
+def faulty_weights(options: Mapping[str, Any], own: str = "Q") -> Iterable[tuple[str, str]]:
+    """Yield what is wrong with the weights Q and R as the file gives them."""
+    Q, R = options.get(own), options.get("R")
+    if Q is not None and Q.rows == Q.cols:
+        if Q != Q.T:
+            yield own, f"{own} must be symmetric"
+        elif _word(Q) not in {None, "positive definite", "positive semidefinite"}:
+            yield own, f"{own} must be positive semidefinite; it is {_word(Q)}"
+    if R is not None and R.rows == R.cols:
+        if R != R.T:
+            yield "R", "R must be symmetric"
+        elif _word(R) not in {None, "positive definite"}:
+            yield "R", f"R must be positive definite; it is {_word(R)}"
+
+
+def _word(M: Any) -> str | None:
+    try:
+        word: str | None = exact.definiteness(sp.ImmutableMatrix(M))
+    except exact.NotExact:
+        return None
+    return word

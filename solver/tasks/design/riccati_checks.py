@@ -1,0 +1,95 @@
+"""The judges of regulators and filters: by the defining properties of what was asked, in floats or with many digits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Check, CheckStatus
+from solver.lazy import numeric
+
+if TYPE_CHECKING:
+    from solver.numeric import Weights
+
+ARE = "scipy.linalg.solve_continuous_are"
+LYAPUNOV = "scipy.linalg.solve_continuous_lyapunov"
+FLOATS = 1e-8
+"""Tolerance of comparisons with what scipy finds in floats."""
+
+
+def solution_checks(weights: Weights, P: Any, name: str = "$P$", answer: str = "P") -> Iterable[Check]:
+    """P is real and symmetric and solves the Riccati equation."""
+    yield numeric.check_residual(
+        f"{name} is real and symmetric", "numpy", lambda: numeric.symmetry_residual(weights, P), answer=answer
+    )
+    yield numeric.check_residual(
+        f"{name} solves the Riccati equation", "residual", lambda: numeric.riccati_residual(weights, P), answer=answer
+    )
+
+
+def stabilizing_checks(weights: Weights, P: Any, loop: str) -> Iterable[Check]:
+    """P is the stabilizing solution."""
+    checks = list(solution_checks(weights, P))
+    yield from checks
+    if all(check.status is not CheckStatus.FAILED for check in checks):
+        yield holds(f"${loop}$ has all eigenvalues in the open left half plane", "numpy.linalg.eigvals",
+                    lambda: numeric.stabilizes(weights, P), "P")  # fmt: skip
+
+
+def holds(label: str, oracle: str, question: Any, answer: str) -> Check:
+    """Return the check of a question of yes or no; skipped with the reason where it cannot be decided."""
+    try:
+        return Check.that(label, oracle, question(), answer=answer)
+    except numeric.ShapeMismatch:
+        return Check.that(label, oracle, False, answer=answer)
+    except numeric.Undefined:
+        return Check.that(label, oracle, False, answer=answer)
+    except numeric.NotEvaluable as refusal:
+        return Check.skipped(label, oracle, str(refusal), answer=answer)
+
+
+def gain_check(weights: Weights, K: Any, answer: str, label: str) -> Check:
+    """The gain is optimal: it stabilizes, and is R⁻¹BᵀP for the P of its own cost."""
+    return numeric.check_residual(label, LYAPUNOV, lambda: numeric.gain_residual(weights, K), FLOATS, answer=answer)
+
+
+def loop_check(weights: Weights, loop: Any, answer: str, label: str) -> Check:
+    """The closed loop (given as that of the regulator's form) is the optimal one."""
+    return numeric.check_residual(label, ARE, lambda: numeric.loop_residual(weights, loop), FLOATS, answer=answer)
+
+
+def spectrum_check(weights: Weights, eigenvalues: Sequence[Any]) -> Check:
+    """They are the stable eigenvalues of the Hamiltonian matrix."""
+    return numeric.check_residual(
+        "the stable eigenvalues of the Hamiltonian matrix",
+        "numpy.linalg.det",
+        lambda: numeric.hamiltonian_spectrum_residual(weights, eigenvalues),
+        FLOATS,
+        answer="eigenvalues",
+    )
+
+
+def listed_checks(weights: Weights, answers: Any) -> Iterable[Check]:
+    """Each of the solutions solves the equation, none is missing, and each word of definiteness is right."""
+    solutions = answers.get("solutions")
+    words = answers.get("definiteness")
+    if solutions is not None:
+        for number, P in enumerate(solutions, 1):
+            yield from solution_checks(weights, P, f"solution {number}", "solutions")
+        distinct = holds("no solution is listed twice", "numpy", lambda: numeric.all_distinct(weights, solutions),
+                         "solutions")  # fmt: skip
+        yield distinct
+        if not any(M.free_symbols for M in weights):
+            yield holds(
+                "no solution is missing",
+                "invariant subspaces in floats",
+                lambda: numeric.number_of_solutions(weights) == len(solutions),
+                "solutions",
+            )
+    if words is not None:
+        yield holds(
+            "definiteness of each solution",
+            "numpy.linalg.eigvalsh",
+            lambda: numeric.definiteness_holds(weights, words, solutions),
+            "definiteness",
+        )
