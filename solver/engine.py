@@ -82,9 +82,7 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     reason = ""
     checks: tuple[Check, ...] = ()
     try:
-        options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
-        _refuse(task, part.system, options)
-        given = yield_into(steps, _plant(task, Given(part.system, options, method)))
+        given = given_of(part, method, earlier, steps)
         answers = yield_into(steps, task.methods[method].derive(given))
         checks = (*numeric.check_steps(steps), *task.verify(given, answers))
         status, reason = _verdict(checks)
@@ -94,6 +92,18 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
         answers = Answers()
     seconds = perf_counter() - start
     return PartResult(part.id, part.task, method, status, answers, checks, tuple(steps), reason, seconds)
+
+
+def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None = None) -> Given:
+    """Return what a method works on: options resolved, the system realized and its loop closed where that is asked.
+
+    The steps of that are appended to `steps`. Raises Unsolved, NotExact.
+    """
+    task = catalogue()[part.task]
+    options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
+    _refuse(task, part.system, options)
+    given: Given = yield_into([] if steps is None else steps, _plant(task, Given(part.system, options, method)))
+    return given
 
 
 def _refuse(task: Task, system: System, options: Mapping[str, Any]) -> None:
@@ -184,4 +194,4 @@ def _closed_loop(given: Given) -> Derivation[Given]:
     return replace(given, system=loop)
 
 
-__all__ = ["Earlier", "Runner", "Solution", "Task", "solve_part", "solve_parts", "solve_problem"]
+__all__ = ["Earlier", "Runner", "Solution", "Task", "given_of", "solve_part", "solve_parts", "solve_problem"]

@@ -51,13 +51,18 @@ Refuse = Callable[["System", Mapping[str, Any]], Iterable[Refusal]]
 
 @dataclass(frozen=True, slots=True)
 class AnswerName:
-    """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all)."""
+    """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all).
+
+    An `optional` one is given when it makes sense; a `free` one is not determined by the question (eigenvectors, say:
+    any scale is right).
+    """
 
     name: str
     symbol: str
     doc: str
     methods: tuple[str, ...] = ()
     optional: bool = False
+    free: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,220 @@
+"""The verdicts of the values submitted for one part, by the verification of its task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.values import Submitted
+from solver.classroom.verdicts import AnswerVerdict, Verdict
+from solver.derivation import Answers, Check, CheckStatus, Given, Task
+from solver.lazy import numeric
+
+STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
+"""What a verification may raise on a value of a form it was never meant for."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """A part as it is judged: the task, what is given, and our own verified answers (kind and shape of values)."""
+
+    task: Task
+    given: Given
+    ours: Mapping[str, Any]
+
+
+def judge(question: Question, submitted: Mapping[str, Submitted]) -> dict[str, AnswerVerdict]:
+    """Return the verdict of every value.
+
+    First all values are judged together, with the relations between them. Where that fails each is judged alone, and
+    what fails alone is taken out: it must not spoil the others.
+    """
+    verdicts: dict[str, AnswerVerdict] = {}
+    fitting: dict[str, Submitted] = {}
+    for name, each in submitted.items():
+        misfit = _misfit(name, each, question)
+        if misfit is None:
+            fitting[name] = each
+        else:
+            verdicts[name] = misfit
+    if len(fitting) > 1 and _fails(_checks(question, fitting)):
+        for name, each in list(fitting.items()):
+            alone = _verdict(name, {name: each}, question)
+            if alone.verdict is Verdict.WRONG:
+                verdicts[name] = alone
+                del fitting[name]
+    for name in fitting:
+        verdicts[name] = _verdict(name, fitting, question)
+    return {name: verdicts[name] for name in submitted}
+
+
+def _fails(checks: list[Check] | None) -> bool:
+    return checks is None or any(check.status is CheckStatus.FAILED for check in checks)
+
+
+def _misfit(name: str, each: Submitted, question: Question) -> AnswerVerdict | None:
+    """A matrix of the wrong shape, where the question leaves none free."""
+    ours = question.ours.get(name)
+    if not isinstance(ours, sp.MatrixBase) or not isinstance(each.value, sp.MatrixBase):
+        return None
+    if each.value.shape == ours.shape or 0 in ours.shape:
+        return None
+    reason = f"it must be {ours.rows}×{ours.cols}; this one is {each.value.rows}×{each.value.cols}"
+    entries = [["wrong"] * each.value.cols for _ in range(each.value.rows)]
+    return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=entries)
+
+
+def _checks(question: Question, values: Mapping[str, Submitted]) -> list[Check] | None:
+    """Return the checks of some values, None where the verification can't work on them."""
+    answers = Answers(**{name: each.value for name, each in values.items()})
+    try:
+        return list(question.task.verify(question.given, answers))
+    except STRANGE:
+        return None
+
+
+def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) -> AnswerVerdict:
+    """Judge one value: by its checks, then to the digits written, then by what is undecided."""
+    each = fitting[name]
+    checks = _checks(question, fitting)
+    if checks is None:
+        checks = _checks(question, {name: each})
+    own = [check for check in checks or () if name in check.judges]
+    if own and all(check.status is CheckStatus.PASSED for check in own):
+        return _correct(name, each)
+    failed = [check for check in own if check.status is CheckStatus.FAILED]
+    entries = entrywise(each, question.ours.get(name))
+    if entries is not None and _all_right(entries):
+        note = "right to the digits written" if each.decimals and failed else ""
+        return _correct(name, each, note)
+    if failed or (own and not _some_skipped(own)):
+        if each.decimals and _within_rounding(question, name, each, fitting, failed):
+            return _correct(name, each, "right to the digits written")
+        return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
+    reason = next((check.reason for check in own if check.reason), "the check cannot decide about it")
+    return AnswerVerdict(name, Verdict.NOT_JUDGED, each.value, reason)
+
+
+def _correct(name: str, each: Submitted, note: str = "") -> AnswerVerdict:
+    entries = _shaped(each.value, lambda _: str(Verdict.CORRECT))
+    return AnswerVerdict(name, Verdict.CORRECT, each.value, note=note, entries=entries)
+
+
+def _some_skipped(checks: Iterable[Check]) -> bool:
+    return any(check.status is CheckStatus.SKIPPED for check in checks)
+
+
+def _complaint(value: Any, failed: list[Check]) -> str:
+    """What the value does not satisfy, in the words of the table of checks."""
+    if isinstance(value, bool):
+        return "the opposite is true"
+    words = dict.fromkeys(check.claim for check in failed if check.claim)
+    return "it does not hold that " + " and ".join(words) if words else ""
+
+
+def _within_rounding(
+    question: Question, name: str, each: Submitted, fitting: Mapping[str, Submitted], failed: list[Check]
+) -> bool:
+    """Whether rounding explains what is left of a defining property that has many right answers.
+
+    To first order: the residual is at most the sum of what moving each decimal by half a unit changes in it.
+    """
+    if not question.task.answers[name].free or not _numbers(failed):
+        return False
+    allowed = 0.0
+    for symbol, (number, half) in each.decimals.items():
+        changes = [
+            abs(moved - start)
+            for sign in (1, -1)
+            for start, moved in _residuals(question, name, each, fitting, symbol, number + sign * half)
+        ]
+        allowed += max(changes, default=0.0)
+    return all(check.residual <= 1.05 * allowed + 1e-9 for check in failed if check.residual is not None)
+
+
+def _numbers(checks: Iterable[Check]) -> bool:
+    return all(check.residual is not None and check.residual < float("inf") for check in checks)
+
+
+def _residuals(
+    question: Question, name: str, each: Submitted, fitting: Mapping[str, Submitted], symbol: Any, value: Any
+) -> list[tuple[float, float]]:
+    """Pairs of residuals of the same checks, before and after one decimal is moved."""
+    at = {other: number for other, (number, _) in each.decimals.items()} | {symbol: value}
+    moved = Submitted(_shaped(each.form, lambda form: form.xreplace(at), keep=True), each.form)
+    before, after = (_checks(question, {**fitting, name: which}) or [] for which in (each, moved))
+    return [
+        (a.residual, b.residual)
+        for a, b in zip(before, after, strict=False)
+        if name in a.judges and a.residual is not None and b.residual is not None
+    ]
+
+
+def entrywise(each: Submitted, ours: Any) -> Any:
+    """Return "correct" or "wrong" for each entry compared with ours, in its shape; None if they can't be compared."""
+    if isinstance(each.value, sp.MatrixBase) and isinstance(ours, sp.MatrixBase):
+        if each.value.shape != ours.shape:
+            return None
+        rows = range(ours.rows)
+        return [[_word(_agrees(each, each.form[i, j], ours[i, j])) for j in range(ours.cols)] for i in rows]
+    if isinstance(each.value, list) and isinstance(ours, list | tuple):
+        return _as_set(each, list(ours))
+    if isinstance(each.value, sp.Expr) and isinstance(ours, sp.Expr):
+        return _word(_agrees(each, each.form, ours))
+    if isinstance(each.value, bool | str):
+        return _word(each.value == ours)
+    return None
+
+
+def _as_set(each: Submitted, ours: list[Any]) -> list[Any]:
+    """Items found among ours, in any order, each as often as it stands there; a list that is too short is wrong."""
+    left = list(ours)
+    words = []
+    for form in each.form:
+        partner = next((i for i, mine in enumerate(left) if _same_item(each, form, mine)), None)
+        words.append(_word(partner is not None))
+        if partner is not None:
+            del left[partner]
+    return words + [str(Verdict.WRONG)] * max(0, len(ours) - len(words))
+
+
+def _same_item(each: Submitted, form: Any, mine: Any) -> bool:
+    if isinstance(form, sp.MatrixBase) and isinstance(mine, sp.MatrixBase):
+        return form.shape == mine.shape and all(
+            _agrees(each, a, b) for a, b in zip(form.flat(), mine.flat(), strict=True)
+        )
+    if isinstance(form, sp.Expr) and isinstance(mine, sp.Expr):
+        return _agrees(each, form, mine)
+    return bool(form == mine)
+
+
+def _agrees(each: Submitted, form: Any, mine: Any) -> bool:
+    """Whether an entry is ours, to the digits written; where numbers can't tell, whether it is the same expression."""
+    try:
+        return bool(numeric.agrees_to_digits(form, each.decimals, mine))
+    except numeric.NotEvaluable:
+        return bool(form == mine)
+
+
+def _word(right: bool) -> str:
+    return str(Verdict.CORRECT if right else Verdict.WRONG)
+
+
+def _all_right(entries: Any) -> bool:
+    if isinstance(entries, list):
+        return all(map(_all_right, entries))
+    return bool(entries == Verdict.CORRECT)
+
+
+def _shaped(value: Any, of: Any, *, keep: bool = False) -> Any:
+    """Apply a function to every entry; a matrix becomes nested lists, or stays a matrix if `keep`."""
+    if isinstance(value, sp.MatrixBase):
+        if keep:
+            return sp.ImmutableMatrix(value.applyfunc(of))
+        return [[of(value[i, j]) for j in range(value.cols)] for i in range(value.rows)]
+    if isinstance(value, list):
+        return [_shaped(item, of, keep=keep) if isinstance(item, sp.MatrixBase) else of(item) for item in value]
+    return of(value) if keep and isinstance(value, sp.Basic) else (value if keep else of(value))

@@ -1,0 +1,184 @@
+"""Marking an answer file: the parts in order, with follow-through of the student's own earlier answers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.answer_file import Submission
+from solver.classroom.judging import Question, judge
+from solver.classroom.mistakes import what_went_wrong
+from solver.classroom.values import Reader, Submitted, names_for
+from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
+from solver.derivation import Answers, PartResult, Status
+from solver.engine import Solution, given_of, solve_part
+from solver.problem.model import Part, Reference
+from solver.problem.nodes import Node
+from solver.problem.source import Fault, InputError, Report
+from solver.tasks import catalogue
+
+Values = dict[str, Submitted]
+
+
+def mark(solution: Solution, submission: Submission) -> Marking:
+    """Return the marking of a submission to a solved problem.
+
+    Raises InputError with everything in the file that cannot be read.
+    """
+    return _Marker(solution, submission).marking()
+
+
+class _Marker:
+    """Marks the parts in order; `values` holds what was submitted for earlier ones."""
+
+    def __init__(self, solution: Solution, submission: Submission) -> None:
+        self.solution = solution
+        self.submission = submission
+        self.results: dict[str, list[PartResult]] = {}
+        for result in solution.parts:
+            self.results.setdefault(result.id, []).append(result)
+        self.values = self._read_all()
+        self.judged: dict[str, dict[str, AnswerVerdict]] = {}
+
+    def marking(self) -> Marking:
+        """Return the verdicts and marks of all parts."""
+        return Marking(self.submission.student, tuple(self._part(part) for part in self.solution.problem.parts))
+
+    def _read_all(self) -> dict[str, Values]:
+        """Read every value submitted by the kind of our own answer; all that can't be read is reported together."""
+        report = Report()
+        found: dict[str, Values] = {}
+        for part in self.solution.problem.parts:
+            found[part.id] = {}
+            ours = self._ours(part.id)
+            reader = Reader(self._names(part, ours))
+            for name, node in self.submission.answers.get(part.id, {}).items():
+                if name in ours:
+                    with report:
+                        found[part.id][name] = _read(reader, node, ours[name])
+        if report.diagnostics:
+            raise InputError(self.submission.source, report.diagnostics)
+        return found
+
+    def _names(self, part: Part, ours: Mapping[str, Any]) -> Any:
+        problem = self.solution.problem
+        return names_for(problem.symbols, problem.parameters, dict(ours), part.system.discrete)
+
+    def _ours(self, part: str) -> dict[str, Any]:
+        """Our answers of a part by all its methods, verified ones only."""
+        found: dict[str, Any] = {}
+        for result in self.results[part]:
+            if result.status is Status.VERIFIED:
+                found = {**result.answers, **found}
+        return found
+
+    def _part(self, part: Part) -> PartVerdict:
+        out_of = _fraction(part.marks) if part.marks is not None else Fraction(int(not self._any_marks()))
+        submitted = self.submission.answers.get(part.id, {})
+        ours, values = self._ours(part.id), self.values[part.id]
+        verdicts = {name: self._unreadable(part, name) for name in submitted if name not in values}
+        for name, verdict in self._judged(part, ours, values).items():
+            verdicts[name] = verdict
+        self.judged[part.id] = verdicts
+        ordered = {name: verdicts[name] for name in submitted}
+        earned = sum((verdict.share for verdict in ordered.values()), Fraction(0))
+        marks = out_of * earned / len(ordered) if ordered else Fraction(0)
+        undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
+        note = f"nothing is earned for {', '.join(undecided)}, which could not be judged" if undecided else ""
+        return PartVerdict(part.id, part.task, ordered, marks, out_of, note or ("" if submitted else "not answered"))
+
+    def _any_marks(self) -> bool:
+        return any(part.marks is not None for part in self.solution.problem.parts)
+
+    def _unreadable(self, part: Part, name: str) -> AnswerVerdict:
+        """There is no answer of ours of this name to read and judge the value by."""
+        for result in self.results[part.id]:
+            if result.status is not Status.VERIFIED:
+                return AnswerVerdict(
+                    name, Verdict.NOT_JUDGED, reason=f"our own solution is {result.status}: {result.reason}"
+                )
+        return AnswerVerdict(name, Verdict.NOT_JUDGED, reason="the solution has no such answer for this system")
+
+    def _judged(self, part: Part, ours: Mapping[str, Any], values: Values) -> dict[str, AnswerVerdict]:
+        """Judge the values of a part, and those that are wrong again with the student's earlier answers."""
+        if not values:
+            return {}
+        earlier = {id_: results[0] for id_, results in self.results.items()}
+        question = self._question(part, earlier, ours)
+        verdicts = judge(question, values)
+        wrong = [name for name, verdict in verdicts.items() if verdict.verdict is Verdict.WRONG]
+        if wrong and (own := self._with_own_answers(part)) is not None:
+            followed = judge(own, {name: values[name] for name in wrong})
+            for name, verdict in followed.items():
+                if verdict.verdict is Verdict.CORRECT:
+                    note = f"right with your own answer of part {', '.join(self._sources(part))}"
+                    verdicts[name] = replace(verdict, note=note, follows=True)
+        for name, verdict in verdicts.items():
+            if verdict.verdict is Verdict.WRONG:
+                words = what_went_wrong(part, question, name, values[name], self.results[part.id], earlier)
+                verdicts[name] = replace(verdict, reason=words or verdict.reason)
+        return verdicts
+
+    def _question(self, part: Part, earlier: Mapping[str, PartResult], ours: Mapping[str, Any]) -> Question:
+        return Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), ours)
+
+    def _sources(self, part: Part) -> list[str]:
+        """The earlier parts that the options of a part are taken from."""
+        return list(dict.fromkeys(value.part for value in part.options.values() if isinstance(value, Reference)))
+
+    def _with_own_answers(self, part: Part) -> Question | None:
+        """Return the question with the student's own (wrong) earlier answers, None where there are none to follow.
+
+        Not where an earlier answer makes the question trivial, such as a gain of zero, or has no answer of its own.
+        """
+        earlier = {id_: results[0] for id_, results in self.results.items()}
+        changed = False
+        for value in (value for value in part.options.values() if isinstance(value, Reference)):
+            own = self.values.get(value.part, {}).get(value.answer)
+            verdict = self.judged.get(value.part, {}).get(value.answer)
+            if own is None or verdict is None or verdict.verdict is not Verdict.WRONG:
+                continue
+            result = earlier[value.part]
+            if trivial(own.value, result.answers.get(value.answer)):
+                return None
+            earlier[value.part] = replace(result, answers=Answers(**{**result.answers, value.answer: own.value}))
+            changed = True
+        if not changed:
+            return None
+        solved = solve_part(part, earlier)
+        if any(result.status is not Status.VERIFIED for result in solved):
+            return None
+        ours: dict[str, Any] = {}
+        for result in solved:
+            ours = {**result.answers, **ours}
+        return self._question(part, earlier, ours)
+
+
+def trivial(own: Any, ours: Any) -> bool:
+    """Whether an earlier answer would trivialise what follows: zeros or a shape that ours does not have."""
+    if isinstance(own, sp.MatrixBase):
+        if not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape:
+            return True
+        zero_rows = [own.row(i).is_zero_matrix and not ours.row(i).is_zero_matrix for i in range(own.rows)]
+        identity = own.is_square and own == sp.eye(own.rows) and ours != own
+        return any(zero_rows) or identity
+    if isinstance(own, list | tuple):
+        return len(own) != len(ours)
+    return bool(own == 0)
+
+
+def _read(reader: Reader, node: Node, ours: Any) -> Submitted:
+    try:
+        return reader.read(node, ours)
+    except Fault:
+        raise
+    except (ValueError, TypeError, ArithmeticError, AttributeError, RecursionError) as strange:
+        raise node.fault("this value cannot be read as an answer") from strange
+
+
+def _fraction(number: Any) -> Fraction:
+    return Fraction(int(number.p), int(number.q))

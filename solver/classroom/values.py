@@ -1,0 +1,223 @@
+"""A submitted value, read by the kind of answer it stands for; decimals remember the digits they were written with.
+
+A decimal 0.67 stands for every number that rounds to it. So it is read twice: as the exact number 67/100, and as a
+formula with a symbol in its place that may move by half a unit of the last digit.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from solver.problem.expressions import ExpressionError, Names, parse_alternatives, parse_equation, parse_expression
+from solver.problem.expressions.tokens import is_decimal, tokenize
+from solver.problem.nodes import Node, ScalarNode, SequenceNode
+from solver.problem.source import Report
+
+MAX_ENTRIES = 400
+TRUTHS = {"yes": True, "no": False, "true": True, "false": False, "always": True, "never": False}
+RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!=", sp.Ne), ("≠", sp.Ne), ("<", sp.Lt),
+             (">", sp.Gt), ("=", sp.Eq))  # fmt: skip
+_RELATION = re.compile(r"<=|>=|!=|[≤≥≠<>]|==?")
+_AND = re.compile(r"\s+(?:and|AND|&|∧)\s+|\s*&&?\s*|\s*;\s*")
+
+
+@dataclass(frozen=True)
+class Submitted:
+    """A value as sympy has it (`value`), the same with a symbol for each decimal (`form`), and how far these may move.
+
+    `decimals` gives for each such symbol its value and half a unit of its last digit.
+    """
+
+    value: Any
+    form: Any
+    decimals: Mapping[sp.Symbol, tuple[sp.Rational, sp.Rational]] = field(default_factory=dict)
+
+
+class Reader:
+    """Reads values in which the names of a problem and of its answers have their meaning."""
+
+    def __init__(self, names: Names) -> None:
+        self.names = names
+        self.decimals: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {}
+
+    def read(self, node: Node, ours: Any) -> Submitted:
+        """Return the value of a node for an answer of the kind of `ours`; raises Fault."""
+        self.decimals = {}
+        value, form = self._read(node, ours)
+        return Submitted(value, form, dict(self.decimals))
+
+    def _read(self, node: Node, ours: Any) -> tuple[Any, Any]:
+        if isinstance(ours, bool | sp.logic.boolalg.BooleanAtom) and _word(node) in TRUTHS:
+            return (TRUTHS[_word(node)],) * 2
+        if isinstance(ours, str):
+            return (_text(node),) * 2
+        if isinstance(ours, bool):
+            raise node.fault("yes or no is expected here")
+        if isinstance(ours, sp.logic.boolalg.Boolean):
+            return (self._condition(node),) * 2
+        if isinstance(ours, list | tuple):
+            return self._list(node, ours)
+        if isinstance(ours, sp.MatrixBase):
+            return self._matrix(node, ours)
+        return self._expression(node)
+
+    def _list(self, node: Node, ours: Sequence[Any]) -> tuple[Any, Any]:
+        """A list of expressions (with ± for two), of matrices, of conditions, or of words."""
+        items = node.items if isinstance(node, SequenceNode) else (node,)
+        if ours and isinstance(ours[0], sp.MatrixBase | str | sp.logic.boolalg.Boolean):
+            pairs = [self._read(item, ours[0]) for item in items]
+            return [value for value, _ in pairs], [form for _, form in pairs]
+        values: list[Any] = []
+        forms: list[Any] = []
+        report = Report()
+        for item in items:
+            with report:
+                for value, form in self._alternatives(item):
+                    values.append(value)
+                    forms.append(form)
+        report.conclude()
+        return values, forms
+
+    def _matrix(self, node: Node, ours: sp.MatrixBase) -> tuple[Any, Any]:
+        rows = _rows(node, ours)
+        if not rows:
+            return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
+        if any(len(row) != len(rows[0]) for row in rows):
+            raise node.fault("the rows of a matrix must have the same length")
+        if sum(map(len, rows)) > MAX_ENTRIES:
+            raise node.fault(f"a matrix of more than {MAX_ENTRIES} entries cannot be read")
+        report = Report()
+        values: list[list[Any]] = []
+        forms: list[list[Any]] = []
+        for row in rows:
+            values.append([])
+            forms.append([])
+            for item in row:
+                with report:
+                    value, form = self._expression(item)
+                    values[-1].append(value)
+                    forms[-1].append(form)
+        report.conclude()
+        return sp.ImmutableMatrix(values), sp.ImmutableMatrix(forms)
+
+    def _expression(self, node: Node) -> tuple[Any, Any]:
+        values = self._alternatives(node)
+        if len(values) > 1:
+            raise node.fault("± stands for two values; one is expected here")
+        return values[0]
+
+    def _alternatives(self, node: Node) -> list[tuple[Any, Any]]:
+        """Return the value, or the two of an expression with ±, each with its form."""
+        text = _text(node)
+        with _at(node):
+            values = parse_alternatives(text, self.names)
+            rewritten, names = self._with_symbols(text)
+            forms = parse_alternatives(rewritten, names) if rewritten != text else values
+            return list(zip(values, forms, strict=True))
+
+    def _with_symbols(self, text: str) -> tuple[str, Names]:
+        """Return the text with a symbol in brackets in place of each decimal."""
+        pieces, at = [], 0
+        known = dict(self.names.variables)
+        for token in tokenize(text):
+            if not is_decimal(token):
+                continue
+            symbol = sp.Dummy(f"d_{len(self.decimals)}", real=True)
+            name = f"decimal{len(self.decimals)}"
+            number = sp.Rational(token.text)
+            self.decimals[symbol] = (number, _half_unit(token.text))
+            known[name] = symbol
+            pieces.append(f"{text[at : token.at]}({name})")
+            at = token.end
+        names = Names(self.names.symbols, known, self.names.values, self.names.functions, self.names.open)
+        return "".join([*pieces, text[at:]]), names
+
+    def _condition(self, node: Node) -> Any:
+        """Return a condition such as "0 < K < 6" or "a > 0 and b > a", True for "always", False for "never"."""
+        text = _text(node)
+        if text.strip().lower() in TRUTHS:
+            return sp.true if TRUTHS[text.strip().lower()] else sp.false
+        with _at(node):
+            return sp.And(*(part for piece in _AND.split(text) for part in self._chain(piece)))
+
+    def _chain(self, text: str) -> list[Any]:
+        """The relations of "0 < K < 6"."""
+        signs = _RELATION.findall(text)
+        if signs == ["="]:
+            return [sp.Eq(*parse_equation(text, self.names), evaluate=False)]
+        if not signs:
+            raise ExpressionError("a condition such as 0 < K < 6 is expected here", 0, len(text))
+        sides = [parse_expression(side.strip(), self.names) for side in _RELATION.split(text)]
+        relations: dict[str, Any] = dict(RELATIONS) | {"==": sp.Eq}
+        return [relations[sign](sides[i], sides[i + 1]) for i, sign in enumerate(signs)]
+
+
+def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours: Any, discrete: bool) -> Names:
+    """Return what names mean in an answer: symbols of the problem and of our answers, and the usual variables."""
+    usual = ("s", "z", "t", "lamda", *(("k",) if discrete or "k" not in symbols else ()))
+    own = {str(symbol): symbol for symbol in _symbols_of(ours)}
+    known = {**symbols, **own}
+    variables = {name: sp.Symbol(name) for name in usual if name not in own}
+    kept = {name: value for name, value in values.items() if name not in own}
+    return Names(known, variables, kept, open=True)
+
+
+def _symbols_of(value: Any) -> set[sp.Symbol]:
+    if isinstance(value, Mapping):
+        return set().union(*(_symbols_of(each) for each in value.values()))
+    if isinstance(value, list | tuple):
+        return set().union(*map(_symbols_of, value))
+    return set(getattr(value, "free_symbols", ()))
+
+
+def _half_unit(text: str) -> sp.Rational:
+    """Half a unit of the last digit written: 0.67 → 1/200, 1.5e3 → 50."""
+    mantissa, _, exponent = text.lower().partition("e")
+    digits = len(mantissa.partition(".")[2])
+    return sp.Rational(1, 2) * sp.Rational(10) ** (int(exponent or 0) - digits)
+
+
+def _rows(node: Node, ours: sp.MatrixBase) -> list[Sequence[Node]]:
+    """Return the nodes of a matrix row by row; a flat list is a column where ours is one, else a row."""
+    if not isinstance(node, SequenceNode):
+        return [[node]]
+    if any(isinstance(item, SequenceNode) for item in node.items):
+        return [item.items if isinstance(item, SequenceNode) else [item] for item in node.items if _filled(item)]
+    if not node.items:
+        return []
+    column = ours.cols == 1 or (ours.rows != 1 and ours.rows == len(node.items))
+    return [[item] for item in node.items] if column else [node.items]
+
+
+def _filled(node: Node) -> bool:
+    return not isinstance(node, SequenceNode) or bool(node.items)
+
+
+def _word(node: Node) -> str:
+    return node.text.strip().lower() if isinstance(node, ScalarNode) else ""
+
+
+def _text(node: Node) -> str:
+    if not isinstance(node, ScalarNode) or node.is_null:
+        raise node.fault(f"a value is expected here, not {node.what}")
+    return node.text
+
+
+class _at:  # noqa: N801 - reads as a word: with _at(node)
+    """Turns an error in an expression into a fault at its place in the file."""
+
+    def __init__(self, node: Node) -> None:
+        self.node = node
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if isinstance(error, ExpressionError) and isinstance(self.node, ScalarNode):
+            note = f"write {error.suggestion}" if error.suggestion else ""
+            raise self.node.fault_inside(error.message, error.at, error.length, note=note) from None

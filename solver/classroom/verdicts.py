@@ -1,0 +1,88 @@
+"""What marking finds: a verdict for each value, marks for each part, and the words that go with them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from fractions import Fraction
+from typing import Any
+
+
+class Verdict(StrEnum):
+    """How a submitted value was judged."""
+
+    CORRECT = "correct"
+    WRONG = "wrong"
+    NOT_JUDGED = "not judged"
+
+
+@dataclass(frozen=True, slots=True)
+class AnswerVerdict:
+    """The verdict of one submitted value.
+
+    `value` is what was submitted, as read (None if it could not be read). `reason` says, in words (Markdown with
+    $math$), what is wrong or why it is not judged; `note` is any other remark. `entries` has the shape of a matrix or
+    list and holds "correct" or "wrong". `follows` is true where it is right with the student's own earlier answer.
+    """
+
+    name: str
+    verdict: Verdict
+    value: Any = None
+    reason: str = ""
+    note: str = ""
+    entries: Any = None
+    follows: bool = False
+
+    @property
+    def share(self) -> Fraction:
+        """What part of it is right: all, none, or the share of right entries of a wrong matrix or list."""
+        if self.verdict is Verdict.CORRECT:
+            return Fraction(1)
+        flat = _flat(self.entries)
+        if self.verdict is Verdict.NOT_JUDGED or not flat:
+            return Fraction(0)
+        return Fraction(sum(entry == Verdict.CORRECT for entry in flat), len(flat))
+
+
+def _flat(entries: Any) -> list[Any]:
+    if entries is None:
+        return []
+    if isinstance(entries, list):
+        return [leaf for each in entries for leaf in _flat(each)]
+    return [entries]
+
+
+@dataclass(frozen=True, slots=True)
+class PartVerdict:
+    """The verdicts of one part, with the marks earned `out_of` those it carries."""
+
+    id: str
+    task: str
+    answers: dict[str, AnswerVerdict] = field(default_factory=dict)
+    marks: Fraction = Fraction(0)
+    out_of: Fraction = Fraction(0)
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Marking:
+    """A marked answer file: who, and how each part of the problem was answered."""
+
+    student: str
+    parts: tuple[PartVerdict, ...]
+
+    @property
+    def marks(self) -> Fraction:
+        """All marks earned."""
+        return sum((part.marks for part in self.parts), Fraction(0))
+
+    @property
+    def out_of(self) -> Fraction:
+        """All marks there are."""
+        return sum((part.out_of for part in self.parts), Fraction(0))
+
+    @property
+    def all_right(self) -> bool:
+        """Whether nothing that was submitted is wrong."""
+        verdicts = [answer.verdict for part in self.parts for answer in part.answers.values()]
+        return Verdict.WRONG not in verdicts
