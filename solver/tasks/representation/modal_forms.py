@@ -65,8 +65,8 @@ def _refuse_chains(modes: Sequence[exact.Mode], x: Symbol) -> None:
         if not mode.simple:
             raise Unsolved(
                 f"The pole at ${x} = {sp.latex(mode.root.value)}$ is repeated: ${x} - p$ stands in the denominator "
-                f"with the power {mode.multiplicity}, and a diagonal matrix gives only the first power. The Jordan form "
-                "(`form: jordan`) has a chain of states for such a pole."
+                f"with the power {mode.multiplicity}, and a diagonal matrix gives only the first power. The Jordan "
+                "form (`form: jordan`) has a chain of states for such a pole."
             )
 
 

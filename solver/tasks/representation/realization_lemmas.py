@@ -102,15 +102,18 @@ def _block_fractions(G: exact.TransferMatrix, form: str) -> list[tuple[Any, Any]
 
 
 @lemma("realization")
-def assembled(G: exact.TransferMatrix, found: exact.Realization, **shown: Any) -> Derivation[None]:
+def assembled(
+    G: exact.TransferMatrix, found: exact.Realization, *, cancelled: bool = False, **shown: Any
+) -> Derivation[None]:
     """The matrices, tested: C (xI − A)⁻¹ B + D = G."""
     x, n = G.variable, found.A.rows
     pencil = difference(product(x, sp.ImmutableMatrix(sp.eye(n))), found.A)
     dynamic = product(found.C, inverse(pencil), found.B)
     through = [] if found.D.is_zero_matrix else [found.D]
+    transfer = plain(G.matrix) if cancelled else fractions(G)
     yield Step(
         "assembled",
-        claims={"transfer": Claim(total(dynamic, *through), fractions(G), "the realization has the transfer function")},
+        claims={"transfer": Claim(total(dynamic, *through), transfer, "the realization has the transfer function")},
         A=found.A,
         B=found.B,
         C=found.C,

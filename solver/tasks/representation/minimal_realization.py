@@ -1,0 +1,169 @@
+"""A realization of least order: the part that is controllable and observable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task
+from solver.derivation.stated import product, rank
+from solver.lazy import exact, numeric, systems
+from solver.lazy import sympy as sp
+from solver.tasks.representation.plants import matrices_of, numbers_of, stated_matrix, variable_of
+from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
+from solver.tasks.representation.realization_lemmas import assembled, companion_form_of, direct_path_of
+from solver.tasks.representation.transfer_function import fractions_of, lowest_terms_of
+
+if TYPE_CHECKING:
+    from solver.systems import StateSpace, TransferFunction
+
+minimal_realization = Task(
+    "minimal_realization",
+    group="Representation and analysis",
+    title="Minimal realization",
+    doc="State equations of least order with the same transfer function, and the modes that are left out.",
+    needs=("transfer_function",),
+    answers=[
+        AnswerName("A", "A", "of the minimal realization, controllable and observable"),
+        AnswerName("B", "B", "of the minimal realization"),
+        AnswerName("C", "C", "of the minimal realization"),
+        AnswerName("D", "D", "as before"),
+        AnswerName("cancelled", r"\text{cancelled}", "modes that the transfer function does not show", optional=True),
+    ],
+)
+
+
+@minimal_realization.method(source="Lecture note, section 2.4; Kailath, Linear Systems, section 2.4")
+def by_reduction(given: Given) -> Derivation[Answers]:
+    """Keep the controllable part, and of this the observable part."""
+    plant = given.system
+    if not isinstance(plant, systems.TransferFunction):
+        return (yield from _reduced(plant))
+    G = yield from fractions_of(plant)
+    if G.shape == (1, 1):
+        return (yield from _from_lowest_terms(plant, G))
+    yield from direct_path_of(G)
+    found = yield from companion_form_of(G, "controllable", first=False, discrete=plant.discrete)
+    start = systems.StateSpace(found.A, found.B, found.C, found.D, discrete=plant.discrete)
+    answers = yield from _reduced(start)
+    answers.pop("cancelled", None)  # they depend on the realization one starts from
+    return answers
+
+
+def _from_lowest_terms(plant: TransferFunction, G: exact.TransferMatrix) -> Derivation[Answers]:
+    """One input, one output: cancel, then write the companion form of what is left."""
+    found = yield from lowest_terms_of(G)
+    top, bottom = sp.fraction(plant.matrix[0, 0])
+    reduced = exact.transfer_matrix_of_fractions([[top]], [[bottom]], plant.variable)
+    yield from direct_path_of(reduced)
+    form = exact.controllable_realization(reduced)
+    if form.A.rows:
+        form = yield from companion_form_of(reduced, "controllable", first=False, discrete=plant.discrete)
+    answers = Answers(A=form.A, B=form.B, C=form.C, D=form.D)
+    return Answers(**answers, **{name: found[name] for name in ("cancelled",) if name in found})
+
+
+def _reduced(plant: StateSpace) -> Derivation[Answers]:
+    """The controllable part of the plant, then the observable part of that."""
+    A, B, C, D = matrices_of(plant)
+    reachable = exact.controllable_decomposition(A, B, C)
+    A, B, C = yield from _kept(A, B, C, reachable, "controllable")
+    if A.rows:
+        seen = exact.observable_decomposition(A, B, C)
+        A, B, C = yield from _kept(A, B, C, seen, "observable")
+    G = exact.transfer_matrix(*matrices_of(plant), variable_of(plant))
+    cancelled = G.cancelled
+    yield Step(
+        "modes_left_out",
+        claims={
+            "polynomial": Claim(
+                G.chi, product(G.poles_factored, G.cancelled_factored), "poles and modes left out make up $\\chi$"
+            )
+        },
+        x=G.variable,
+        cancelled=cancelled,
+        factor=G.cancelled_factored,
+        n=plant.order,
+        least=A.rows,
+    )
+    if A.rows:
+        yield from assembled(G, exact.Realization(A, B, C, D), cancelled=True, x=G.variable, discrete=plant.discrete)
+    found = Answers(A=A, B=B, C=C, D=D)
+    return found if cancelled is None else Answers(**found, cancelled=cancelled)
+
+
+def _kept(A: Any, B: Any, C: Any, found: exact.Decomposition, part: str) -> Derivation[tuple[Any, Any, Any]]:
+    """The first part of a decomposition, which is all that the transfer function needs."""
+    n, r = A.rows, found.orders[0]
+    matrix = exact.controllability_matrix(A, B) if part == "controllable" else _observability_matrix(A, C)
+    claims = {"rank": Claim(rank(matrix), sp.Integer(r), f"rank of the {part[:-3]}ility matrix")}
+    if r == n:
+        yield Step("complete", claims=claims, part=part, n=n, matrix=matrix)
+        return A, B, C
+    kept = found.block(0, 0), found.input_block(0), found.output_block(0)
+    if r:
+        claims["A"] = Claim(product(A, found.T), product(found.T, found.A), "$A T = T \\bar{A}$")
+        claims["B"] = Claim(product(found.T, found.B), B, "$T \\bar{B} = B$")
+        claims["C"] = Claim(product(C, found.T), found.C, "$C T = \\bar{C}$")
+    yield Step(
+        "reduction",
+        claims=claims,
+        part=part,
+        n=n,
+        r=r,
+        matrix=matrix,
+        T=found.T,
+        moved=(found.A, found.B, found.C),
+        kept=kept,
+    )
+    return kept
+
+
+def _observability_matrix(A: Any, C: Any) -> Any:
+    return sp.ImmutableMatrix(exact.controllability_matrix(sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)).T)
+
+
+@minimal_realization.verification("A", "B", "C", "D")
+def has_least_order_and_the_transfer_function(given: Given, answers: Answers) -> Iterable[Check]:
+    """The order is the McMillan degree, det(sI − A) that of the minimal part, and G is the same."""
+    plant, (outputs, inputs) = numbers_of(given.system), shape_of(given.system)
+    n = numeric.order_of_minimal_part(plant)
+    wanted = {"A": (n, n), "B": (n, inputs), "C": (outputs, n), "D": (outputs, inputs)}
+    fits = {name: answers[name].shape == shape for name, shape in wanted.items() if name in answers}
+    for name, fit in fits.items():
+        label = f"${name}$ is {wanted[name][0]}×{wanted[name][1]}, of the least order"
+        yield Check.that(label, "orthogonal bases (50 digits)", fit, answer=name)
+    if not all(fits.values()):
+        return
+    if "D" in answers:
+        yield numeric.check_claim(Claim(answers["D"], at_infinity(given.system)), r"$D = G(\infty)$", answer="D")
+    if "A" in answers and n:
+        label = "the eigenvalues of $A$ are the poles"
+        A = answers["A"]
+        yield numeric.check_residual(
+            label, "orthogonal bases (50 digits)", lambda: numeric.characteristic_residual(plant, A), answer="A"
+        )
+    if {"A", "B", "C"} <= answers.keys():
+        yield _same_constant(given, answers) if n == 0 else same_transfer(given, answers)
+        return
+    for name in ("B", "C"):
+        if name in answers and n:
+            reason = f"the coordinates are free, so {name} is judged with A, B and C together"
+            yield Check.skipped(f"${name}$ belongs to a minimal realization", "inspection", reason, answer=name)
+
+
+def _same_constant(given: Given, answers: Answers) -> Check:
+    """Without states the transfer function is D."""
+    D = answers.get("D", at_infinity(given.system))
+    return numeric.check_claim(Claim(D, stated_matrix(given.system)), "$D = G$ at random points")
+
+
+@minimal_realization.verification("cancelled")
+def complete_the_characteristic_polynomial(given: Given, answers: Answers) -> Iterable[Check]:
+    """Det(sI − A) is det(sI − A_min) times the factors of the cancelled modes."""
+    plant, listed = numbers_of(given.system), list(answers["cancelled"])
+    yield numeric.check_residual(
+        r"poles and cancelled modes make up $\det(sI - A)$",
+        "orthogonal bases (50 digits)",
+        lambda: numeric.cancelled_residual(plant, listed),
+    )
