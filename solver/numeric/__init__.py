@@ -82,7 +82,7 @@ from solver.numeric.riccati import (
 )
 from solver.numeric.rounding import agrees_to_digits
 from solver.numeric.second_order import second_order_poles, second_order_residual
-from solver.numeric.stability import externally_stable, locations, routh_fault, spread_points
+from solver.numeric.stability import externally_stable, locations, planar_kinds, routh_fault, spread_points
 from solver.numeric.structure import (
     every_fall_is_named,
     hidden_modes_residual,
@@ -149,6 +149,7 @@ __all__ = [
     "placed_matrix_residual",
     "placed_residual",
     "pole_residual",
+    "planar_kinds",
     "polynomial_residual",
     "power_residual",
     "range_residual",

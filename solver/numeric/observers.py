@@ -2,50 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+import sympy as sp
 
 from solver.numeric.arithmetic import Array
 from solver.numeric.eigen import spectrum_residual
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluate import evaluate, value_of
+from solver.numeric.placement import fixed_modes, rational_points
 from solver.numeric.points import admissible, free_symbols
-
-
-def error_spectrum_residual(M: Any, poles: Sequence[Any], A: Any, C: Any) -> float:
-    """Return how far det(xI − M) is from the polynomial asked for, M (n×n) the matrix A − LC of the error.
-
-    Of fewer than n poles: with the eigenvalues that (A, C) does not show, which no gain moves, in addition.
-    """
-    if M.shape != A.shape or len(poles) > A.rows:
-        return float("inf")
-    if len(poles) == A.rows:
-        return spectrum_residual(M, poles)
-    return max(_spectrum_residual_at(*values) for values in _at_points(M, list(poles), A, C))
-
-
-def _spectrum_residual_at(M: Array, poles: Array, A: Array, C: Array) -> float:
-    hidden = unseen_eigenvalues(A, C)
-    if len(hidden) + len(poles) != len(A):
-        return float("inf")
-    found, wanted = np.poly(M), np.poly(np.concatenate([poles, hidden]))
-    scale = 1.0 + max(np.max(np.abs(np.linalg.eigvals(M)), initial=0.0), np.max(np.abs(poles), initial=0.0))
-    return float(np.max(np.abs(found - wanted) / scale ** np.arange(len(found))))
-
-
-def unseen_eigenvalues(A: Array, C: Array) -> Array:
-    """Return the eigenvalues of A (n×n) on the null space of the observability matrix of (A, C), C p×n."""
-    n = len(A)
-    size, first = float(np.linalg.norm(A)), float(np.linalg.norm(C))
-    blocks = [C / (first or 1.0)]
-    for _ in range(n - 1):
-        blocks.append(blocks[-1] @ A / (size or 1.0))
-    _, values, rows = np.linalg.svd(np.vstack(blocks))
-    rank = int(np.sum(values > 1e-9 * values[0])) if values[0] > 0 else 0
-    null = rows[rank:].conj().T
-    return np.asarray(np.linalg.eigvals(null.conj().T @ A @ null)) if null.size else np.zeros(0)
 
 
 def row_space_residual(X: Any, C: Any) -> float:
@@ -87,3 +55,77 @@ def _at_points(*formulas: Any) -> Iterator[list[Array]]:
     for point in admissible(symbols, 2):
         environment = Environment.at([dict(point)])
         yield [np.asarray(value_of(formula, environment).value[0]) for formula in formulas]
+
+
+def joined_spectrum_residual(found: Sequence[Any], groups: Sequence[Any]) -> float:
+    """Return how far the numbers found are from the eigenvalues of several loops together.
+
+    Each group is a matrix, or (A, B, poles): the poles asked for, with the modes that no feedback moves where they
+    are fewer than the states.
+    """
+    worst = 0.0
+    for point in rational_points(list(found), *(M for group in groups for M in _members(group))):
+        here = [(sp.Integer(0) + value).subs(point) for value in found]
+        matrix = sp.ImmutableMatrix(sp.diag(*(_with_poles(group, point) for group in groups)))
+        worst = max(worst, spectrum_residual(matrix, here))
+    return worst
+
+
+def _with_poles(group: Any, point: Mapping[Any, Any]) -> Any:
+    """A matrix with the eigenvalues of a group at a point."""
+    if not isinstance(group, tuple):
+        return sp.Matrix(group.subs(point))
+    A, B, poles = group
+    listed = [(sp.Integer(0) + pole).subs(point) for pole in poles]
+    if len(listed) < A.rows:
+        listed += fixed_modes(A.subs(point), B.subs(point))
+    return sp.diag(*listed)
+
+
+def closing_residual(plant: tuple[Any, ...], G: Any, x: Any, groups: Sequence[Any], order: int) -> float:
+    """Return how far u = G y (G m×p in x) is from closing the loop of A, B, C, D with the polynomial of the groups.
+
+    For a compensator of that order with denominator q, monic, det(I − G G_p) χ_p q is the polynomial of the loop times
+    d = det(I − G(∞)D); so that polynomial over det(I − G G_p) χ_p must be a polynomial of that degree, led by 1/d.
+    """
+    if G.shape != (plant[1].cols, plant[2].rows):
+        return float("inf")
+    flat = [*plant, G.subs(x, sp.Rational(1, 3)), *(M for group in groups for M in _members(group))]
+    worst = 0.0
+    for point in rational_points(*flat):
+        here = [M.subs(point) for M in plant]
+        loops = [_array(_with_poles(group, point)) for group in groups]
+        worst = max(worst, _closing_residual_at([_array(M) for M in here], G.subs(point), x, loops, order))
+    return worst
+
+
+def _members(group: Any) -> list[Any]:
+    return [group[0], group[1], list(group[2])] if isinstance(group, tuple) else [group]
+
+
+def _array(M: Any) -> Array:
+    return np.array([[complex(sp.N(entry, 20)) for entry in row] for row in M.tolist()]).reshape(M.shape)
+
+
+def _closing_residual_at(plant: list[Array], G: Any, x: Any, loops: list[Array], order: int) -> float:
+    """Fit the monic polynomial by its values at points of a circle around all poles, and see how well it fits."""
+    A, B, C, D = plant
+    reach = max(float(np.max(np.abs(np.linalg.eigvals(M)), initial=0.0)) for M in (A, *loops) if M.size)
+    radius, count = 1.5 * (reach or 1.0), 2 * order + 5
+    points = radius * np.exp(2j * np.pi * (np.arange(count) + 0.3) / count)
+    values = np.array([_denominator_at(s, (A, B, C, D), evaluate(G, {x: s}), loops) for s in points]) / radius**order
+    far = np.atleast_2d(evaluate(G, {x: 1e9 * radius})) if np.any(D) else np.zeros((B.shape[1], len(C)))
+    lead = 1.0 / np.linalg.det(np.eye(len(far)) - far @ D)
+    powers = (points[:, None] / radius) ** np.arange(order)
+    right = values - lead * (points / radius) ** order
+    fitted = powers @ np.linalg.lstsq(powers, right, rcond=None)[0] if order else np.zeros(count)
+    return float(np.max(np.abs(fitted - right)) / max(1.0, float(np.max(np.abs(values)))))
+
+
+def _denominator_at(s: complex, plant: tuple[Array, ...], G: Array, loops: list[Array]) -> complex:
+    """The polynomial of the loops over det(I − G G_p) det(sI − A), at s."""
+    A, B, C, D = plant
+    pencil = s * np.eye(len(A)) - A
+    G_p = C @ np.linalg.solve(pencil, B) + D
+    wanted = np.prod([np.linalg.det(s * np.eye(len(M)) - M) for M in loops])
+    return complex(wanted / (np.linalg.det(np.eye(len(G)) - G @ G_p) * np.linalg.det(pencil)))

@@ -112,7 +112,7 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
     if parts.trivial:
         return []
     N, block, modes = parts.bases[1], parts.block(1, 1), parts.hidden_modes
-    kept = [_decays(mode, discrete=pair.discrete) for mode in modes]
+    kept = [decays(mode, discrete=pair.discrete) for mode in modes]
     yield Step(
         "hidden",
         claims={
@@ -142,7 +142,7 @@ def zeros_of(M: ImmutableMatrix) -> list[Expr]:
     return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]
 
 
-def _decays(mode: Expr, *, discrete: bool) -> bool | None:
+def decays(mode: Expr, *, discrete: bool) -> bool | None:
     """Whether e^{λt} (λᵏ) goes to zero; None where parameters leave it open."""
     real, imaginary = sp.expand(mode).as_real_imag()
     size = sp.expand(real**2 + imaginary**2 - 1) if discrete else sp.expand(real)
@@ -158,7 +158,8 @@ def _desired(pair: Pair, poles: Sequence[Expr], hidden: Sequence[Expr]) -> Deriv
     added = list(hidden) if len(poles) < pair.n else []
     roots = [*poles, *added]
     polynomial: Expr = exact.polynomial_in(x, exact.monic(roots))
-    claim = Claim(product(*(difference(x, root) for root in roots)), polynomial, "desired characteristic polynomial")
+    factors = (power(x - root, roots.count(root)) for root in dict.fromkeys(roots))
+    claim = Claim(product(*factors), polynomial, "desired characteristic polynomial")
     yield Step("desired", claims={"polynomial": claim}, pair=pair, poles=list(poles), added=added)
     return polynomial
 

@@ -65,7 +65,7 @@ def what_the_file_shows(system: System, options: Mapping[str, Any]) -> Iterator[
     wrong = measurement_fault(plant)
     if wrong:
         yield "measured" if measured else "", wrong
-    elif "poles" in options:
+    elif options.get("poles") is not None:
         yield from pole_faults(plant, options["poles"])
 
 

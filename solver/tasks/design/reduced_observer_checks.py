@@ -26,12 +26,12 @@ def puts_the_measured_first(given: Given, answers: Answers) -> Iterable[Check]:
     selected = sp.ImmutableMatrix(sp.Matrix.hstack(sp.eye(p), sp.zeros(p, q)))
     yield numeric.check_claim(Claim(product(plant.C, T), selected), "$C T = [I, 0]$")
     yield Check.that("$T$ is invertible", "numpy.linalg.svd", T.rows == T.cols and numeric.independent(T))
-    expected = _order_of_states(plant)
+    expected = order_of_states(plant)
     if expected is not None:
         yield numeric.check_claim(Claim(T, expected), "the unmeasured states keep their order")
 
 
-def _order_of_states(plant: Plant) -> ImmutableMatrix | None:
+def order_of_states(plant: Plant) -> ImmutableMatrix | None:
     """T as the convention fixes it where every output is one state; None where outputs are combinations of states."""
     n, rows = plant.n, plant.C.tolist()
     if any(row.count(0) != n - 1 or 1 not in row for row in rows):
@@ -53,7 +53,7 @@ class _Blocks:
     @classmethod
     def of(cls, plant: Plant, answers: Answers) -> _Blocks | None:
         """The blocks in the coordinates that the convention or the answer T fixes; None where neither does."""
-        T = _order_of_states(plant)
+        T = order_of_states(plant)
         if T is None:
             T = answers.get("T")
         if T is None or T.shape != plant.A.shape or not numeric.independent(T):
@@ -110,7 +110,7 @@ def estimates_what_is_not_measured(given: Given, answers: Answers) -> Iterable[C
 def _spectra(blocks: _Blocks, poles: Sequence[Expr], answers: Answers) -> Iterator[Check]:
     """The matrix of the error, A22 − L A12, has the poles asked for."""
     A22, A12, n = blocks.A22, blocks.A12, blocks.plant.n
-    q = A22.rows
+    q, At, Ct = A22.rows, sp.ImmutableMatrix(A22.T), sp.ImmutableMatrix(A12.T)
     errors: dict[str, Any] = {}
     if "L" in answers:
         fits = answers["L"].shape == (q, A12.rows)
@@ -122,8 +122,8 @@ def _spectra(blocks: _Blocks, poles: Sequence[Expr], answers: Answers) -> Iterat
     for name, error in errors.items():
         yield numeric.check_residual(
             "the error has the poles asked for",
-            "numpy.linalg.eigvals",
-            partial(numeric.error_spectrum_residual, error, poles, A22, A12),
+            "characteristic polynomial",
+            partial(numeric.placed_matrix_residual, At, Ct, sp.ImmutableMatrix(error.T), poles),
             answer=name,
         )
         if name != "L" and error.shape == A22.shape:

@@ -1,0 +1,153 @@
+"""Observer of full order: the gain L that gives the estimation error the poles asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Option, Poles, Task
+from solver.derivation.stated import difference, product
+from solver.lazy import numeric, systems
+from solver.lazy import sympy as sp
+from solver.tasks.design.frames import Frame, Pair, characteristic
+from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix
+
+    from solver.systems import System
+
+observer = Task(
+    "observer",
+    group="Design",
+    title="Observer",
+    doc="x̂' = A x̂ + B u + L (y − C x̂) with a gain L that gives the error x − x̂ the poles asked for.",
+    needs=("A", "C"),
+    options=[Option("poles", Poles(), "the n eigenvalues of A − LC (or those of the observable part)", required=True)],
+    answers=[
+        AnswerName("L", "L_c", "observer gain (n×p)"),
+        AnswerName("error_A", "A - L_c C", "matrix of the estimation error"),
+        AnswerName("polynomial", r"\det(sI - A + L_c C)", "characteristic polynomial of A − LC, in `s` (`z`)"),
+        AnswerName(
+            "gain_polynomial",
+            r"\det(sI - A + L C)",
+            "the same with the unknown entries `l1`, `l2`, … of L (one output)",
+            ("coefficient_matching",),
+            optional=True,
+        ),
+    ],
+)
+
+
+@observer.refusal
+def has_another_number_of_poles(system: System, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Neither n poles, nor as many as the observable part has."""
+    if isinstance(system, systems.StateSpace) and options.get("poles") is not None:
+        yield from observer_pole_faults(system, options["poles"])
+
+
+def _designed(given: Given) -> Derivation[Answers]:
+    """The gain by the method of the same name for the dual pair (Aᵀ, Cᵀ), written for (A, C)."""
+    found = yield from observer_gain_of(given.system, given.poles, given.method)
+    yield from observer_equation_of(given.system, found)
+    answers = Answers(L=found.K, error_A=found.loop, polynomial=found.polynomial)
+    if given.method == "coefficient_matching" and found.gain_polynomial is not None:
+        answers["gain_polynomial"] = found.gain_polynomial
+    return answers
+
+
+@observer.method("coefficient_matching", title="Comparison of coefficients", source="Lecture note, section 4.1")
+def by_coefficient_matching(given: Given) -> Derivation[Answers]:
+    """The coefficients of det(sI − A + LC), with L unknown, are those of the polynomial asked for."""
+    return (yield from _designed(given))
+
+
+@observer.method("bass_gura", title="Formula of Bass and Gura", source="Lecture note, section 4.1, by duality")
+def by_bass_gura(given: Given) -> Derivation[Answers]:
+    """L = (Wᵀ 𝒪)⁻¹ (â − a)."""
+    return (yield from _designed(given))
+
+
+@observer.method("canonical_form", title="Observable canonical form", source="Lecture note, section 4.1, by duality")
+def by_canonical_form(given: Given) -> Derivation[Answers]:
+    """In observable canonical form the gain is read off and transformed back."""
+    return (yield from _designed(given))
+
+
+@observer.method("ackermann", title="Ackermann's formula", source="J. Ackermann (1972), by duality")
+def by_ackermann(given: Given) -> Derivation[Answers]:
+    """L = p̂(A) 𝒪⁻¹ (0, …, 0, 1)ᵀ."""
+    return (yield from _designed(given))
+
+
+@observer.method("unity_rank", title="Gain of rank one", source="C.-T. Chen, Linear System Theory and Design, 8.6")
+def by_unity_rank(given: Given) -> Derivation[Answers]:
+    """Several outputs combined to one, L = l g."""
+    return (yield from _designed(given))
+
+
+@observer.verification("L", "error_A", "polynomial")
+def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
+    """A − LC has the eigenvalues asked for, beside those that no gain moves."""
+    A, C, poles = given.system.A, given.system.C, given.poles
+    At, Ct = sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)
+    if "L" in answers:
+        yield numeric.check_residual(
+            "$A - L_c C$ has the poles asked for",
+            "characteristic polynomial",
+            lambda: numeric.placed_residual(At, Ct, sp.ImmutableMatrix(answers["L"].T), poles),
+            answer="L",
+        )
+    if "error_A" in answers:
+        yield from _is_the_error_matrix(given, answers)
+    if "polynomial" in answers:
+        x = sp.Symbol("z" if given.system.discrete else "s")
+        yield numeric.check_residual(
+            "the polynomial has the poles asked for",
+            "characteristic polynomial of its companion matrix",
+            lambda: numeric.placed_matrix_residual(At, Ct, _companion(answers["polynomial"], x, A.rows), poles),
+            answer="polynomial",
+        )
+
+
+def _is_the_error_matrix(given: Given, answers: Answers) -> Iterator[Check]:
+    """A matrix A − LC for some L, with the poles asked for; for the submitted L, if there is one."""
+    A, C, error = given.system.A, given.system.C, answers["error_A"]
+    At, Ct = sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)
+    yield numeric.check_residual(
+        "the error has the poles asked for",
+        "characteristic polynomial",
+        lambda: numeric.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.poles),
+        answer="error_A",
+    )
+    if error.shape == A.shape:
+        yield numeric.check_residual(
+            "it is $A - L_c C$ for some $L_c$",
+            "numpy.linalg.pinv",
+            lambda: numeric.row_space_residual(sp.ImmutableMatrix(A - error), C),
+            answer="error_A",
+        )
+    if "L" in answers and C.rows > 1:
+        claim = Claim(difference(A, product(answers["L"], C)), error)
+        yield numeric.check_claim(claim, "it belongs to $L_c$", answer="error_A")
+
+
+def _companion(polynomial: Expr, x: Any, n: int) -> ImmutableMatrix:
+    """The companion matrix of a monic polynomial of degree n; an empty matrix for any other."""
+    poly = sp.Poly(polynomial, x)
+    if poly.degree() != n or poly.LC() != 1:
+        return sp.ImmutableMatrix(0, 0, [])
+    c = poly.all_coeffs()
+    return sp.ImmutableMatrix(n, n, lambda i, j: -c[n - j] if i == n - 1 else sp.Integer(int(j == i + 1)))
+
+
+@observer.verification("gain_polynomial")
+def is_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
+    """det(sI − A + LC) at random values of s and of the entries of L."""
+    A, C = given.system.A, given.system.C
+    x = sp.Symbol("z" if given.system.discrete else "s")
+    desired = sp.Poly(sp.Mul(*(x - pole for pole in given.poles)), x).all_coeffs()
+    unknowns = Pair(Frame(dual=True), sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T), x, desired).unknowns
+    L = sp.ImmutableMatrix(list(unknowns))
+    claim = Claim(characteristic(sp.ImmutableMatrix(A - L * C), x), answers["gain_polynomial"])
+    yield numeric.check_claim(claim, r"$\det(sI - A + LC)$ with unknown gain")

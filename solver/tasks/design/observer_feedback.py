@@ -1,0 +1,163 @@
+"""State feedback of the estimate of an observer of full or reduced order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Derivation,
+    Flag,
+    Given,
+    MatrixOf,
+    Option,
+    Poles,
+    Step,
+    Task,
+    Unsolved,
+)
+from solver.lazy import exact, systems
+from solver.lazy import sympy as sp
+from solver.tasks.design import observer_feedback_checks as checks
+from solver.tasks.design.full_order import observer_gain_of, observer_pole_faults
+from solver.tasks.design.output_feedback import (
+    Design,
+    compensator_of,
+    feedback_of,
+    full_compensator,
+    full_loop_of,
+    given_design,
+    reduced_compensator,
+    reduced_loop_of,
+    separation_of,
+    tidied,
+)
+from solver.tasks.design.plants import Plant, measuring
+from solver.tasks.design.reduced_order import (
+    measurement_fault,
+    observer_matrices_of,
+    partition_of,
+    pole_faults,
+    reduced_gain_of,
+)
+
+if TYPE_CHECKING:
+    from solver.systems import System
+
+observer_feedback = Task(
+    "observer_feedback",
+    group="Design",
+    title="Feedback of estimated states",
+    doc="u = −K x̂ with the estimate of an observer: closed loop, separation principle, compensator from y to u.",
+    needs=("A", "B", "C"),
+    options=[
+        Option("poles", Poles(), "the poles of A − BK, where K is to be found"),
+        Option("gain", MatrixOf("m", "n", flat="row"), "the state feedback K, where it is given"),
+        Option("observer_poles", Poles(), "the poles of the observer, where L is to be found"),
+        Option("observer_gain", MatrixOf(None, "p", flat="column"), "the observer gain L, where it is given"),
+        Option("reduced", Flag(), "an observer of reduced order, for the states that are not measured"),
+    ],
+    answers=[
+        AnswerName("closed_loop_A", r"A_{\text{closed}}", "in (x, x − x̂); reduced: in (η₁, η₂, η₂ − η̂₂)"),
+        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues of the closed loop, with multiplicity", optional=True),
+        AnswerName("compensator", "G_c", "transfer function from y to u, in `s` (discrete: in `z`)"),
+        AnswerName("S1", "S_1", "the first p columns of T = [S1 S2] (reduced)", optional=True),
+        AnswerName("S2", "S_2", "the other columns of T (reduced)", optional=True),
+    ],
+)
+
+
+@observer_feedback.refusal
+def what_the_file_shows(system: System, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Both or neither of poles and gain, for the feedback and for the observer; wrong numbers or shapes."""
+    for poles, gain in (("poles", "gain"), ("observer_poles", "observer_gain")):
+        if poles in options and gain in options:
+            yield gain, f"give '{poles}' or '{gain}', not both"
+        elif poles not in options and gain not in options:
+            yield "", f"it needs '{poles}' or '{gain}'"
+    if isinstance(system, systems.StateSpace) and system.B is not None and system.C is not None:
+        yield from _faults_of_numbers(system, options)
+
+
+def _faults_of_numbers(system: Any, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    plant, n = measuring(system), system.order
+    poles, L = options.get("observer_poles"), options.get("observer_gain")
+    if options.get("poles") is not None:
+        reached = exact.controllable_part(plant.A, plant.B).order
+        if len(options["poles"]) not in (n, reached):
+            part = "" if reached == n else f" (or the {reached} of the controllable part)"
+            yield "poles", f"{len(options['poles'])} poles are given; the state feedback needs n = {n}{part}"
+    reduced = bool(options.get("reduced"))
+    rows = n - plant.p if reduced else n
+    if L is not None and L.shape != (rows, plant.p):
+        yield "observer_gain", f"it must be {rows}×{plant.p}, not {L.rows}×{L.cols}"
+    if not reduced:
+        if poles is not None:
+            yield from observer_pole_faults(system, poles, "observer_poles")
+        return
+    wrong = measurement_fault(plant)
+    if wrong:
+        yield "reduced", wrong
+    elif poles is not None:
+        yield from (("observer_poles", words) for _, words in pole_faults(plant, poles))
+
+
+@observer_feedback.method(source="Lecture note, sections 4.4 and 4.5")
+def by_separation(given: Given) -> Derivation[Answers]:
+    """K for A − BK and L for A − LC are found apart; the poles of the whole are those of both."""
+    plant = measuring(given.system)
+    for _, fault in what_the_file_shows(given.system, {k: v for k, v in given.options.items() if v is not None}):
+        raise Unsolved(fault)
+    yield Step("plan", unclaimed="what is going to be done", reduced=bool(given.reduced))
+    control = yield from feedback_of(plant, given.poles, given.gain)
+    if given.reduced:
+        return (yield from _with_reduced_observer(given, plant, control))
+    if given.observer_gain is None:
+        placed = yield from observer_gain_of(given.system, given.observer_poles)
+        listed = [*given.observer_poles, *(placed.fixed if len(given.observer_poles) < plant.n else ())]
+        observer = Design(placed.K, placed.polynomial, listed)
+    else:
+        L = given.observer_gain
+        observer = given_design(tidied(plant.A - L * plant.C), L, plant.variable)
+    whole = yield from full_loop_of(plant, control, observer)
+    yield from separation_of(whole, plant, control, observer)
+    found, claims = full_compensator(plant, control.gain, observer.gain)
+    G = yield from compensator_of(plant, found, claims, reduced=False)
+    return _answers(whole, control, observer, G)
+
+
+def _with_reduced_observer(given: Given, plant: Plant, control: Design) -> Derivation[Answers]:
+    """The same with the measured states in place of their estimates."""
+    parts = yield from partition_of(plant)
+    blocks = parts.blocks
+    if given.observer_gain is None:
+        design = yield from reduced_gain_of(parts, given.observer_poles, discrete=plant.discrete)
+        fixed = design.fixed if len(given.observer_poles) < blocks["A22"].rows else ()
+        observer = Design(design.L, design.polynomial, [*given.observer_poles, *fixed])
+    else:
+        L = given.observer_gain
+        observer = given_design(tidied(blocks["A22"] - L * blocks["A12"]), L, plant.variable)
+    J, N, M = yield from observer_matrices_of(parts, observer.gain, plant)
+    whole = yield from reduced_loop_of(plant, parts, control, observer)
+    yield from separation_of(whole, plant, control, observer)
+    found, claims = reduced_compensator(plant, parts, control.gain, (observer.gain, J, N, M))
+    G = yield from compensator_of(plant, found, claims, reduced=True)
+    answers = _answers(whole, control, observer, G)
+    answers["S1"] = sp.ImmutableMatrix(parts.T[:, : plant.p])
+    answers["S2"] = sp.ImmutableMatrix(parts.T[:, plant.p :])
+    return answers
+
+
+def _answers(whole: Any, control: Design, observer: Design, G: Any) -> Answers:
+    answers = Answers(closed_loop_A=whole, compensator=G[0, 0] if G.shape == (1, 1) else G)
+    if control.eigenvalues is not None and observer.eigenvalues is not None:
+        answers["eigenvalues"] = [*control.eigenvalues, *observer.eigenvalues]
+    return answers
+
+
+observer_feedback.verification("closed_loop_A")(checks.has_both_spectra)
+observer_feedback.verification("eigenvalues")(checks.are_those_of_both)
+observer_feedback.verification("compensator")(checks.closes_the_loop)
+observer_feedback.verification("S1", "S2")(checks.split_the_state)
