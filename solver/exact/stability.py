@@ -150,15 +150,16 @@ def stability_conditions(A: sp.ImmutableMatrix, *, discrete: bool) -> list[sp.Ex
 
     In discrete time of the array of the bilinear image. A condition that can't hold is −1.
     """
-    c = coefficients(A)
-    if discrete:
-        c = bilinear(c)
-        if c[0] == 0:
-            return [sp.Integer(-1)]
-    array = routh(c)
-    if any(row.special for row in array.rows):
+    return polynomial_conditions(coefficients(A), discrete=discrete)
+
+
+def polynomial_conditions(listed: Sequence[sp.Expr], *, discrete: bool) -> list[sp.Expr]:
+    """Return what must be positive for all roots of a monic polynomial (highest power first) to be inside."""
+    c = bilinear(listed) if discrete else tuple(listed)
+    if c[0] == 0:
         return [sp.Integer(-1)]
-    return list(array.first_column)
+    array = routh(c)
+    return [sp.Integer(-1)] if any(row.special for row in array.rows) else list(array.first_column)
 
 
 def stable_where(A: sp.ImmutableMatrix, *, discrete: bool, wanted: Sequence[sp.Symbol] = ()) -> sp.Basic:
@@ -181,3 +182,19 @@ def definiteness(M: sp.ImmutableMatrix) -> str | None:
         if None in known:
             return None
     return "indefinite"
+
+
+def is_stable_polynomial(listed: Sequence[sp.Expr], *, discrete: bool) -> bool | None:
+    """Whether all roots of a polynomial (highest power first) are inside; None where parameters decide."""
+    c = tuple(listed)
+    if discrete:
+        c = bilinear(c)
+        if c[0] == 0:
+            return False
+    if sign_of(c[0]) == -1:
+        c = tuple(-x for x in c)
+    array = routh(c)
+    signs = [sign_of(x) for x in array.first_column]
+    if any(row.special for row in array.rows) or any(sign is not None and sign < 1 for sign in signs):
+        return False
+    return None if None in signs else True

@@ -109,9 +109,11 @@ def _points(A: Any, condition: Any, symbols: Sequence[Any], discrete: bool) -> I
     named = _boundaries_named(condition)
     if len(symbols) == 1:
         (k,) = symbols
-        values = sorted({*named.get(k, []), *_crossings(A, k, discrete=discrete)})
+        exact, rounded = named.get(k, ([], []))
+        values = sorted({*exact, *rounded, *_crossings(A, k, discrete=discrete)})
         for value in values:
-            yield {k: value}
+            if value in exact:
+                yield {k: value}
             for step in STEPS:
                 yield from ({k: value + sign * step * (1 + abs(value))} for sign in (1, -1))
         yield from ({k: (low + high) / 2} for low, high in pairwise(values))
@@ -131,14 +133,16 @@ def _random_value(symbol: Any, random: Random) -> Any:
     )
 
 
-def _boundaries_named(condition: Any) -> dict[Any, list[Any]]:
-    """The numbers that symbols are compared with, as rationals (a surd by its first thirty digits)."""
-    found: dict[Any, list[Any]] = {}
+def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
+    """The numbers that symbols are compared with: rational ones, and others by their first thirty digits."""
+    found: dict[Any, tuple[list[Any], list[Any]]] = {}
     for each in condition.atoms(sp.core.relational.Relational):
         for left, right in ((each.lhs, each.rhs), (each.rhs, each.lhs)):
             if left.is_Symbol and not right.free_symbols and right.is_finite:
-                value = right if right.is_Rational else sp.Rational(str(sp.N(right, 30)))
-                found.setdefault(left, []).append(value)
+                exact, rounded = found.setdefault(left, ([], []))
+                (exact if right.is_Rational else rounded).append(
+                    right if right.is_Rational else sp.Rational(str(sp.N(right, 30)))
+                )
     return found
 
 
@@ -178,7 +182,7 @@ def _crossings(A: Any, k: Any, *, discrete: bool) -> list[Any]:
     with np.errstate(all="ignore"):
         values = eig(left, right, right=False)
     real = [v.real for v in values if np.isfinite(v) and abs(v.imag) < 1e-6 * (1 + abs(v)) and abs(v) < 1e6]
-    return sorted({sp.Rational(round(value * 10**9), 10**9) for value in real})
+    return sorted({sp.Rational(round(value * 10**7), 10**7) for value in real})
 
 
 def _boundary_points(tried: _Trial, points: Sequence[Rational]) -> Iterable[Rational]:

@@ -1,12 +1,12 @@
 """Where the eigenvalues lie: inside the region of stability, on its boundary or outside. Decided by numbers.
 
-numpy decides where an eigenvalue of multiplicity n could not have been moved across by rounding; else mpmath does, with
+numpy decides where rounding could not have moved an eigenvalue across (Bauer and Fike's bound); else mpmath does, with
 so many digits that a cluster of computed eigenvalues is one multiple eigenvalue (Kato, Perturbation Theory, II §2.1).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from random import Random
 from typing import Any, NamedTuple
 
@@ -39,20 +39,20 @@ class Location(NamedTuple):
         return MARGINAL if self.on else STABLE
 
 
-def locations(A: Any, *, discrete: bool, also: Any = ()) -> list[Location]:
+def locations(A: Any, *, discrete: bool) -> list[Location]:
     """Return where the eigenvalues lie at several values of the parameters. Raises NotEvaluable if at none."""
-    return [located(A, point, discrete=discrete) for point in spread_points([A, also], A)]
+    return [located(A, point, discrete=discrete) for point in spread_points([A])]
 
 
-def spread_points(formulas: Any, defined: Any, count: int = POINTS) -> list[Point]:
-    """Return values of all parameters, of many sizes, at which `defined` has a value; one point if there are none."""
-    symbols = free_symbols(formulas)
+def spread_points(formulas: Sequence[Any], count: int = POINTS) -> list[Point]:
+    """Return values of all parameters, of many sizes, at which all formulas have values; one if there are none."""
+    symbols = free_symbols(list(formulas))
     source, random = PointSource(symbols), Random(SEED)  # noqa: S311 - nothing secret
     found: list[Point] = []
     for _ in range(4 * count if symbols else 1):
         drawn = source.draw()
         point = {s: v if s.is_integer else v * 10.0 ** random.uniform(-1.5, 1.5) for s, v in drawn.items()}
-        if _is_defined(defined, point):
+        if all(_is_defined(formula, point) for formula in formulas):
             found.append(point)
         if len(found) == count:
             break
@@ -83,10 +83,11 @@ def certain_excess(M: Array, *, discrete: bool) -> Array | None:
     """Return Re λ (discrete: |λ| − 1) of the eigenvalues if rounding can't have changed a sign, else None."""
     if not np.all(np.isfinite(M)):
         return None
-    values, n = np.linalg.eigvals(M), len(M)
+    values, vectors = np.linalg.eig(M)
     excess = np.asarray(np.abs(values) - 1.0 if discrete else values.real)
-    reach = 10.0 * (n * 2.0**-52) ** (1.0 / n) * max(float(np.linalg.norm(M)), float(discrete))
-    return excess if bool(np.all(np.abs(excess) > reach)) else None
+    with np.errstate(all="ignore"):
+        reach = 1e3 * len(M) * 2.0**-52 * float(np.linalg.norm(M)) * float(np.linalg.cond(vectors))
+    return excess if bool(np.all(np.abs(excess) > reach + 1e-12 * discrete)) else None
 
 
 def _with_many_digits(A: Any, point: Point, *, discrete: bool) -> Location:
@@ -132,7 +133,7 @@ def externally_stable(A: Any, B: Any, C: Any, point: Point, *, discrete: bool) -
         a, b, c = (
             mp.matrix(value_of(M, Environment.at([dict(point)], arithmetic)).value[0].tolist()) for M in (A, B, C)
         )
-        sizes = [mp.mnorm(c * mp.lu_solve((value + mp.mpf(10) ** -e) * mp.eye(n) - a, b)) for e in (8, 16)]
+        sizes = [mp.mnorm(c * mp.inverse((value + mp.mpf(10) ** -e) * mp.eye(n) - a) * b) for e in (8, 16)]
         if sizes[1] > 1000 * sizes[0] and sizes[1] > mp.mpf(10) ** -15:
             return False
     return True
@@ -143,7 +144,7 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
 
     Each row must follow from the two above it, up to a positive factor. A symbol that is no parameter is a small ε.
     """
-    for point in spread_points(A, A, 3):
+    for point in spread_points([A], 3):
         mp = multiple(60).context
         coefficients = _polynomial(A, point, discrete=discrete)
         n = len(coefficients) - 1
@@ -227,3 +228,27 @@ def _proportional(row: list[Any], wanted: list[Any], mp: Any) -> bool:
     if not any(wanted[1:]):  # one entry tells no factor from a mistake
         c = mp.mpf(1)
     return all(abs(x - c * y) <= mp.mpf(10) ** -6 * max(abs(x), abs(c * y)) for x, y in zip(row, wanted, strict=True))
+
+
+def planar_kind(A: Any, point: Point) -> str:
+    """Return the kind of the phase portrait of x' = A x, n = 2, by the eigenvalues and dim ker(A − λI)."""
+    groups = clusters(A, point)
+    mp = groups[0][3]
+    tiny = mp.mpf(10) ** -30 * max(1, *(abs(value) for value, *_ in groups))
+    signs = [0 if abs(mp.re(value)) <= tiny else 1 if mp.re(value) > 0 else -1 for value, *_ in groups]
+    speed = "stable" if signs[0] < 0 else "unstable"
+    if len(groups) == 1:
+        full = groups[0][2]() == 2
+        if not signs[0]:
+            return "all points are equilibria" if full else "shear"
+        return f"{speed} star" if full else f"{speed} degenerate node"
+    if abs(mp.im(groups[0][0])) > tiny:
+        return f"{speed} focus" if signs[0] else "center"
+    if 0 in signs:
+        return "line of equilibria"
+    return f"{speed} node" if signs[0] == signs[1] else "saddle"
+
+
+def planar_kinds(A: Any) -> set[str]:
+    """Return the kinds at several values of the parameters."""
+    return {planar_kind(A, point) for point in spread_points([A])}

@@ -159,7 +159,8 @@ class Wording:
 
     def equation(self, symbol: str, value: Any) -> str:
         """Return an answer as `symbol = value`, laid out for a page."""
-        return self._laid_out([symbol, value], self.answer)
+        shown = self.answer(value) if isinstance(value, str) else value  # words, not LaTeX
+        return self._laid_out([symbol, shown], self.answer)
 
     def _laid_out(self, sides: Sequence[Any], show: Callable[[Any], str], relation: str = "=", note: str = "") -> str:
         """Return `a = b = ...`, broken over lines where it is long; a very wide matrix at its end entry by entry."""

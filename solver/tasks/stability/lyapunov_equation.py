@@ -1,0 +1,58 @@
+"""Lemma: the Lyapunov equation, written out entry by entry and solved."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.stated import Stated, difference, product, total, transpose
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+
+@lemma("lyapunov_equation")
+def lyapunov_solution_of(
+    A: ImmutableMatrix, Q: ImmutableMatrix, *, dual: bool = False, discrete: bool = False
+) -> Derivation[ImmutableMatrix | None]:
+    """The symmetric P of AᵀP + PA = −Q (dual: AP + PAᵀ; discrete: AᵀPA − P); None where the equation is singular."""
+    unknowns = exact.lyapunov_equations(A, Q, dual=dual, discrete=discrete)
+    negative = sp.ImmutableMatrix(-Q)
+    written = sp.ImmutableMatrix(exact.lyapunov_residual(A, unknowns.P, sp.zeros(A.rows), dual=dual, discrete=discrete))
+    yield Step(
+        "equation",
+        claims={"left": Claim(left_side(A, unknowns.P, dual=dual, discrete=discrete), written, "the left side")},
+        Q=Q,
+        P=unknowns.P,
+        negative=negative,
+        equations=[(written[i, j], negative[i, j]) for i in range(A.rows) for j in range(i, A.rows)],
+        dual=dual,
+        discrete=discrete,
+    )
+    try:
+        P = exact.lyapunov(A, Q, dual=dual, discrete=discrete)
+    except exact.SingularEquation as singular:
+        yield Step(
+            "singular",
+            unclaimed="the equations have no unique solution; the eigenvalues tell why",
+            solvable=singular.solvable,
+            discrete=discrete,
+        )
+        return None
+    yield Step(
+        "solution",
+        claims={"solves": Claim(left_side(A, P, dual=dual, discrete=discrete), negative, "the Lyapunov equation")},
+        P=P,
+        count=len(unknowns.equations),
+    )
+    return P
+
+
+def left_side(A: ImmutableMatrix, P: ImmutableMatrix, *, dual: bool, discrete: bool) -> Stated:
+    """AᵀP + PA, AP + PAᵀ, AᵀPA − P or APAᵀ − P, as stated."""
+    left, right = (A, transpose(A)) if dual else (transpose(A), A)
+    if discrete:
+        return difference(product(left, P, right), P)
+    return total(product(left, P), product(P, right))

@@ -1,0 +1,142 @@
+"""The phase portrait of two states: what kind of equilibrium the origin is, and what the free motions look like."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, Unsolved
+from solver.derivation.stated import determinant, difference, exponential, power, product, trace
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
+from solver.tasks.stability.trajectories import portrait_of
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix
+
+    from solver.systems import System
+
+phase_portrait = Task(
+    "phase_portrait",
+    group="Representation and analysis",
+    title="Phase portrait",
+    doc="The kind of equilibrium at the origin of x' = A x with two states, and the trajectories around it.",
+    needs=("A",),
+    answers=[
+        AnswerName("kind", r"\text{kind}", "node, focus, saddle, center, star, ... (see the user guide)"),
+        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues with multiplicity"),
+    ],
+)
+
+
+@phase_portrait.refusal
+def has_no_plane(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:  # noqa: ARG001 - no options
+    """There must be two states, in continuous time."""
+    if system.discrete:
+        yield "", "a phase portrait is drawn for continuous time; here time is discrete"
+    elif getattr(system, "order", 2) != 2:
+        yield "", f"a phase portrait needs two states, the system has {system.order}"
+
+
+@phase_portrait.method(source="Lecture note, section 1.15.2")
+def by_eigenvalues(given: Given) -> Derivation[Answers]:
+    """Trace, determinant and discriminant tell the eigenvalues apart; these tell the kind."""
+    A = given.system.A
+    if A.rows != 2:
+        raise Unsolved(f"A phase portrait needs two states; this system has {A.rows}.")
+    yield from eigenvalues_of(A)
+    tr, det = sp.expand(A[0, 0] + A[1, 1]), sp.expand(A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0])
+    discriminant = sp.expand(tr**2 - 4 * det)
+    signs = [_sign(x, name) for x, name in ((tr, "trace"), (det, "determinant"), (discriminant, "discriminant"))]
+    yield Step(
+        "invariants",
+        claims={
+            "trace": Claim(trace(A), tr, "trace"),
+            "determinant": Claim(determinant(A), det, "determinant"),
+            "discriminant": Claim(difference(power(tr, 2), product(4, det)), discriminant, "discriminant"),
+        },
+        signs=signs,
+    )
+    kind = _kind(A, *signs)
+    yield from _directions(A, kind, signs[2])
+    yield Step("kind", unclaimed="read off; the answer has a check of its own", kind=kind, equilibria=_equilibria(A))
+    if not A.free_symbols and not A.is_zero_matrix:
+        t = sp.Symbol("t")
+        Phi = exact.exponential(A, t).matrix
+        at = sp.ImmutableMatrix(t * A)
+        yield Step(
+            "portrait",
+            claims={"Phi": Claim(exponential(at), Phi, "the state transition matrix")},
+            figures=(portrait_of(A, Phi, t, kind),),
+            Phi=Phi,
+            kind=kind,
+            lines=signs[2] >= 0,
+        )
+    return Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
+
+
+def _sign(x: Expr, name: str) -> int:
+    """The sign of an invariant; refuses where parameters decide it."""
+    sign = exact.sign_of(x)
+    if sign is None:
+        raise Unsolved(
+            f"The kind depends on the parameters: the {name} ${sp.latex(sp.factor(x))}$ is positive for some values and "
+            "not for others. Give the parameters values, or say by `assume` what is known of them."
+        )
+    return sign
+
+
+def _kind(A: ImmutableMatrix, tr: int, det: int, discriminant: int) -> str:
+    """The kind by the signs of trace, determinant and discriminant."""
+    speed = "stable" if tr < 0 else "unstable"
+    if det < 0:
+        return "saddle"
+    if det == 0:
+        return "line of equilibria" if tr else "all points are equilibria" if A.is_zero_matrix else "shear"
+    if discriminant < 0:
+        return f"{speed} focus" if tr else "center"
+    if discriminant > 0:
+        return f"{speed} node"
+    return f"{speed} star" if A[0, 1] == 0 and A[1, 0] == 0 else f"{speed} degenerate node"
+
+
+def _directions(A: ImmutableMatrix, kind: str, discriminant: int) -> Derivation[None]:
+    """Real eigenvalues: the lines of the eigenvectors; a pair: the sense of rotation, seen on the first axis."""
+    if discriminant >= 0:
+        yield from right_eigenvectors_of(A)
+        return
+    start = sp.ImmutableMatrix([1, 0])
+    velocity = sp.ImmutableMatrix([A[0, 0], A[1, 0]])
+    yield Step(
+        "rotation",
+        claims={"velocity": Claim(product(A, start), velocity, "the velocity at (1, 0)")},
+        velocity=velocity,
+        counterclockwise=exact.sign_of(A[1, 0]),
+        kind=kind,
+    )
+
+
+def _equilibria(A: ImmutableMatrix) -> ImmutableMatrix | None:
+    """The direction of the line of equilibria, if they form one."""
+    if A.is_zero_matrix or exact.sign_of(sp.expand(A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0])) != 0:
+        return None
+    row = next(i for i in range(2) if A[i, 0] != 0 or A[i, 1] != 0)
+    return sp.ImmutableMatrix([-A[row, 1], A[row, 0]])
+
+
+@phase_portrait.verification("kind")
+def is_the_kind_of_the_eigenvalues(given: Given, answers: Answers) -> Iterable[Check]:
+    """Signs and imaginary parts of the eigenvalues, dim ker(A − λI) for a double one, with 100 digits."""
+    found = numeric.planar_kinds(given.system.A)
+    yield Check.that("the kind is that of the eigenvalues", "mpmath.eig", found == {str(answers["kind"])})
+
+
+@phase_portrait.verification("eigenvalues")
+def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
+    """det(xI − A) = Π(x − λᵢ) at random x."""
+    yield numeric.check_residual(
+        r"$\det(xI - A) = \prod_i (x - \lambda_i)$",
+        "numpy.linalg.det",
+        lambda: numeric.spectrum_residual(given.system.A, answers["eigenvalues"]),
+    )

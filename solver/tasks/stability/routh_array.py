@@ -1,0 +1,122 @@
+"""Lemma: the Routh array of det(sI − A), row by row, with both special cases."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.stated import derivative, difference, partitioned, power, product, quotient, value_at
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+
+@dataclass(frozen=True, slots=True)
+class Tabled:
+    """The array of χ (discrete: of its image in w, after `ones` roots at z = 1 were divided out)."""
+
+    array: exact.RouthArray
+    ones: int
+    variable: Symbol
+
+
+@lemma("routh_array")
+def routh_array_of(A: ImmutableMatrix, *, discrete: bool) -> Derivation[Tabled]:
+    """Write down χ, in discrete time its bilinear image, and its array."""
+    resolvent = yield from determinant_of(A, sp.Symbol("z" if discrete else "s"))
+    coefficients, ones, x = resolvent.coefficients, 0, sp.Symbol("s")
+    if discrete:
+        x = sp.Symbol("w")
+        coefficients, ones = yield from _bilinear_image(coefficients, x)
+    array = exact.routh(coefficients)
+    yield from _rows(array, x)
+    width = array.matrix.cols
+    powers = sp.ImmutableMatrix([_written_power(x, row.power) for row in array.rows])
+    whole = sp.ImmutableMatrix(sp.Matrix.hstack(sp.Matrix(powers), sp.Matrix(array.matrix)))
+    yield Step(
+        "array",
+        unclaimed="the entries are checked row by row",
+        table=partitioned(whole, (), (1,)),
+        x=x,
+        width=width,
+        special=[row.special for row in array.rows if row.special],
+        epsilon=array.epsilon,
+    )
+    return Tabled(array, ones, x)
+
+
+@lemma("routh_array")
+def _bilinear_image(listed: Sequence[Expr], w: Symbol) -> Derivation[tuple[tuple[Expr, ...], int]]:
+    """(w − 1)ⁿ χ((w + 1)/(w − 1)); roots at z = 1, which w = ∞ stands for, are divided out first."""
+    z = sp.Symbol("z")
+    chi = _polynomial(listed, z)
+    left, ones = exact.off_the_point_one(listed)
+    rest = _polynomial(left, z)
+    if ones:
+        split = Claim(chi, product(power(z - 1, ones), rest), "the factor of the roots at one")
+        yield Step("point_one", claims={"split": split}, ones=ones, rest=rest)
+    n, image = len(left) - 1, exact.bilinear(left)
+    stated = product((w - 1) ** n, value_at(rest, z, (w + 1) / (w - 1)))
+    p = _polynomial(image, w)
+    yield Step("bilinear", claims={"image": Claim(stated, p, "the bilinear image")}, n=n, p=p, chi=rest)
+    return image, ones
+
+
+def _written_power(x: Symbol, exponent: int) -> Expr:
+    """xᵏ as rows are labelled, x¹ and x⁰ too."""
+    return sp.Pow(x, exponent, evaluate=False)
+
+
+def _polynomial(listed: Sequence[Expr], x: Symbol) -> Expr:
+    n = len(listed) - 1
+    return sp.Add(*(c * x ** (n - i) for i, c in enumerate(listed)))
+
+
+@lemma("routh_array")
+def _rows(array: exact.RouthArray, x: Symbol) -> Derivation[None]:
+    """The rows from the third on by their determinants; the special cases where they occur."""
+    rows = array.rows
+    first = [list(row.computed) for row in rows[:2]]
+    yield Step("first_rows", unclaimed="the coefficients, written alternately", p=_polynomial(array.coefficients, x),
+               x=x, first=[(_written_power(x, rows[i].power), row) for i, row in enumerate(first)])  # fmt: skip
+    for i, row in enumerate(rows):
+        if i > 1:
+            claims = _entries(rows[i - 2].entries, rows[i - 1].entries, row.computed)
+            yield Step("row", detail="tutor", claims=claims, power=_written_power(x, row.power), entries=row.computed)
+        if row.special == "pivot":
+            yield Step("zero_pivot", detail="full", unclaimed="ε takes the place of zero by definition", row=row,
+                       power=_written_power(x, row.power), epsilon=array.epsilon)  # fmt: skip
+        elif row.special == "zeros":
+            yield _auxiliary(row, x)
+
+
+def _entries(above: Sequence[Expr], row: Sequence[Expr], computed: Sequence[Expr]) -> dict[str, Claim]:
+    """(r₁ a_{j+1} − a₁ r_{j+1})/r₁; what is beyond a row's end is zero."""
+    claims: dict[str, Claim] = {}
+    for j, entry in enumerate(computed, 1):
+        a, r = (each[j] if j < len(each) else sp.Integer(0) for each in (above, row))
+        stated: Any = quotient(difference(product(row[0], a), product(above[0], r)), row[0])
+        claims[f"entry{j}"] = Claim(stated, entry, f"entry {j} of the row")
+    return claims
+
+
+def _auxiliary(row: exact.RouthRow, x: Symbol) -> Step:
+    """The derivative of the auxiliary polynomial in place of a row of zeros."""
+    order = row.power + 1
+    p = sp.Add(*(c * x ** (order - 2 * i) for i, c in enumerate(row.auxiliary)))
+    found = sp.Add(*(c * x ** (row.power - 2 * i) for i, c in enumerate(row.entries)))
+    return Step(
+        "zero_row",
+        detail="full",
+        claims={"derivative": Claim(derivative(p, x), found, "the derivative of the auxiliary polynomial")},
+        power=_written_power(x, row.power),
+        above=_written_power(x, order),
+        auxiliary=p,
+        x=x,
+    )

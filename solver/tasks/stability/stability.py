@@ -1,0 +1,237 @@
+"""Is the system stable? By its eigenvalues, by Lyapunov's equation, by the Routh array."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Claim,
+    Derivation,
+    Flag,
+    Given,
+    MatrixOf,
+    Option,
+    Step,
+    Task,
+    Unsolved,
+)
+from solver.derivation.stated import determinant, power, product
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
+from solver.tasks.stability.lyapunov_equation import lyapunov_solution_of
+from solver.tasks.stability.routh_array import Tabled, routh_array_of
+from solver.tasks.stability.verdicts import (
+    STABLE,
+    UNSTABLE,
+    critical_eigenvalues,
+    depends_on_parameters,
+    external_stability_of,
+    location_of,
+)
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix
+
+    from solver.systems import System
+
+stability = Task(
+    "stability",
+    group="Representation and analysis",
+    title="Stability",
+    doc="Stability of the free motion (internal), and from input to output (BIBO).",
+    needs=("A",),
+    options=[
+        Option("Q", MatrixOf("n", "n"), "right side −Q of Lyapunov's equation (default I)", methods=("lyapunov",)),
+        Option("dual", Flag(), "A P + P Aᵀ = −Q instead of Aᵀ P + P A = −Q", default=False, methods=("lyapunov",)),
+    ],
+    answers=[
+        AnswerName("verdict", r"\text{verdict}", "asymptotically stable, marginally stable or unstable"),
+        AnswerName("bibo_stable", r"\text{BIBO stable}", "whether bounded inputs give bounded outputs", optional=True),
+        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues with multiplicity", optional=True),
+        AnswerName("P", "P", "solution of Lyapunov's equation, if it has one alone", ("lyapunov",), optional=True),
+        AnswerName("array", r"\text{array}", "Routh array, shorter rows filled up with zeros", ("routh",)),
+        AnswerName(
+            "right_half_plane_roots",
+            r"n_{+}",
+            "number of eigenvalues with positive real part (discrete: outside the unit circle)",
+            ("routh",),
+        ),
+    ],
+)
+
+
+@stability.refusal
+def is_no_right_side(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Q must be symmetric and positive semidefinite, not zero."""
+    Q = options.get("Q")
+    if Q is None or Q.rows != Q.cols or Q.rows != getattr(system, "order", Q.rows):
+        return
+    if Q != Q.T:
+        yield "Q", "Q must be symmetric"
+    elif Q.is_zero_matrix:
+        yield "Q", "Q must not be zero"
+    elif exact.definiteness(Q) not in (None, "positive definite", "positive semidefinite"):
+        yield "Q", "Q must be positive definite, or at least semidefinite"
+
+
+@stability.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")
+def by_eigenvalues(given: Given) -> Derivation[Answers]:
+    """Asymptotically stable if and only if Re λ < 0 (discrete: |λ| < 1) for every eigenvalue."""
+    A, discrete = given.system.A, given.system.discrete
+    yield from eigenvalues_of(A)
+    found = yield from location_of(A, discrete=discrete)
+    chained = [space.root.value for space in found.critical if space.geometric < space.algebraic]
+    yield Step(
+        "verdict",
+        unclaimed="a consequence of where the eigenvalues lie; the answer has a check of its own",
+        verdict=found.verdict,
+        outside=any(each.position == 1 for each in found.placed),
+        chained=chained,
+        discrete=discrete,
+        exceptions=found.spectrum.exceptions if found.critical else (),
+    )
+    return (yield from _answers(given, str(found.verdict)))
+
+
+@stability.method("lyapunov", title="Lyapunov's equation", source="Lecture note, equation (1.15.2)")
+def by_lyapunov(given: Given) -> Derivation[Answers]:
+    """P of AᵀP + PA = −Q is positive definite if and only if A is asymptotically stable (Q > 0)."""
+    A, discrete, dual = given.system.A, given.system.discrete, bool(given.dual)
+    Q = given.Q if given.Q is not None else sp.ImmutableMatrix(sp.eye(A.rows))
+    decisive = yield from _right_side(A, Q, dual=dual)
+    P = yield from lyapunov_solution_of(A, Q, dual=dual, discrete=discrete)
+    verdict = ""
+    if P is not None:
+        minors = [exact.determinant_and_adjugate(sp.ImmutableMatrix(P[:k, :k]))[0] for k in range(1, A.rows + 1)]
+        signs = [exact.sign_of(minor) for minor in minors]
+        definite = False if any(sign is not None and sign < 1 for sign in signs) else None if None in signs else True
+        claims = {
+            f"minor{k}": Claim(determinant(sp.ImmutableMatrix(P[:k, :k])), minor, f"leading minor {k}")
+            for k, minor in enumerate(minors, 1)
+        }
+        yield Step("minors", claims=claims, minors=list(zip(minors, signs, strict=True)), definite=definite)
+        if definite is None:
+            yield from depends_on_parameters(A, discrete=discrete)
+        verdict = (STABLE if definite else UNSTABLE) if decisive else ""
+    if verdict:
+        yield Step(
+            "verdict", unclaimed="Lyapunov's theorem", verdict=verdict, discrete=discrete, decisive=decisive, dual=dual
+        )
+        yield from _confirmation(A)
+    else:
+        yield from eigenvalues_of(A)
+        found = yield from location_of(A, discrete=discrete)
+        verdict = str(found.verdict)
+        yield Step(
+            "verdict", unclaimed="by the eigenvalues", verdict=verdict, discrete=discrete, decisive=False, dual=dual
+        )
+    return (yield from _answers(given, verdict, **({} if P is None else {"P": P})))
+
+
+def _right_side(A: ImmutableMatrix, Q: ImmutableMatrix, *, dual: bool) -> Derivation[bool]:
+    """Whether the sign of P decides: Q is positive definite, or sees (dual: reaches) every mode."""
+    if Q.shape != A.shape:
+        raise Unsolved(f"$Q$ must be ${A.rows} \\times {A.rows}$, like $A$.")
+    kind = exact.definiteness(Q)
+    if kind is None:
+        raise Unsolved("Whether $Q$ is positive definite depends on the parameters in it.")
+    if kind == "positive definite":
+        return True
+    F = sp.ImmutableMatrix(A if dual else A.T)
+    seen = exact.controllability_matrix(F, Q)
+    rank = exact.rank(seen)
+    yield Step("semidefinite", unclaimed="a rank; it only tells whether the sign of P decides", Q=Q, dual=dual,
+               rank=rank, n=A.rows)  # fmt: skip
+    return bool(rank == A.rows)
+
+
+@stability.method("routh", title="Routh's criterion", source="Gantmacher, The Theory of Matrices II, XV §4")
+def by_routh(given: Given) -> Derivation[Answers]:
+    """As many roots in the right half plane as changes of sign in the first column of the array."""
+    A, discrete = given.system.A, given.system.discrete
+    tabled = yield from routh_array_of(A, discrete=discrete)
+    signs = [exact.sign_of(x) for x in tabled.array.at_zero]
+    if None in signs:
+        yield from depends_on_parameters(A, discrete=discrete)
+    parts = exact.routh_parts(tabled.array.coefficients)
+    changes = _changes(signs)
+    yield Step(
+        "sign_changes",
+        unclaimed="counted; the number has a check of its own",
+        column=list(zip([row.entries[0] for row in tabled.array.rows], signs, strict=True)),
+        epsilon=tabled.array.epsilon,
+        changes=changes,
+        discrete=discrete,
+        trusted=len(parts) == 1,
+    )
+    if len(parts) > 1:
+        changes = yield from _split(tabled, parts)
+    verdict = yield from _verdict_of_array(A, tabled, changes, discrete=discrete)
+    return (yield from _answers(given, verdict, array=tabled.array.matrix, right_half_plane_roots=sp.Integer(changes)))
+
+
+def _changes(signs: Sequence[int | None]) -> int:
+    return sum(1 for first, second in pairwise(signs) if first != second)
+
+
+def _split(tabled: Tabled, parts: Sequence[tuple[tuple[Expr, ...], int]]) -> Derivation[int]:
+    """Count for each factor by an array of its own: ε must not move roots that lie symmetrically to the origin."""
+    x, whole = tabled.variable, tabled.array.coefficients
+    p = sp.Add(*(c * x ** (len(whole) - 1 - i) for i, c in enumerate(whole)))
+    found = []
+    for c, m in parts:
+        factor = sp.Add(*(a * x ** (len(c) - 1 - i) for i, a in enumerate(c)))
+        found.append((factor, m, _changes([exact.sign_of(entry) for entry in exact.routh(c).at_zero])))
+    monic = product(sp.cancel(whole[0] / sp.Mul(*(c[0] ** m for c, m in parts))), *(power(f, m) for f, m, _ in found))
+    total = sum(m * count for _, m, count in found)
+    yield Step("split", claims={"factors": Claim(p, monic, "the symmetric factor")}, factors=found, total=total, x=x)
+    return total
+
+
+def _verdict_of_array(A: ImmutableMatrix, tabled: Tabled, outside: int, *, discrete: bool) -> Derivation[str]:
+    """No changes of sign and no row of zeros: stable. A row of zeros without changes: roots on the boundary."""
+    zeros = tabled.ones > 0 or any(row.special for row in tabled.array.rows)
+    verdict = UNSTABLE if outside else STABLE
+    if zeros and not outside:
+        found = exact.location(A, discrete=discrete)
+        yield from critical_eigenvalues(A, found, discrete=discrete)
+        verdict = str(found.verdict)
+    yield Step("verdict", unclaimed="a consequence of the count; the answer has a check of its own", verdict=verdict,
+               outside=outside, boundary=zeros and not outside, discrete=discrete)  # fmt: skip
+    yield from _confirmation(A)
+    return verdict
+
+
+def _confirmation(A: ImmutableMatrix) -> Derivation[None]:
+    """The eigenvalues beside a criterion that needs none; left out where they have no usable form."""
+    spectrum = _spectrum(A)
+    if spectrum is not None:
+        lamda = sp.Symbol("lamda")
+        chi = exact.faddeev_leverrier(A).characteristic_polynomial(lamda)
+        linear = product(*(power(lamda - root.value, root.multiplicity) for root in spectrum.roots))
+        yield Step("confirmation", claims={"roots": Claim(chi, linear, "the eigenvalues")}, roots=spectrum.roots)
+
+
+def _spectrum(A: ImmutableMatrix) -> exact.Spectrum | None:
+    try:
+        return exact.spectrum(A)
+    except exact.NotExact:
+        return None
+
+
+def _answers(given: Given, verdict: str, **further: Any) -> Derivation[Answers]:
+    """The answers that all methods give, in the order of the catalogue."""
+    bibo = yield from external_stability_of(given.system, verdict)
+    answers = Answers(verdict=verdict)
+    if bibo is not None:
+        answers["bibo_stable"] = bibo
+    spectrum = _spectrum(given.system.A)
+    if spectrum is not None:
+        answers["eigenvalues"] = spectrum.eigenvalues
+    answers.update(further)
+    return answers

@@ -1,0 +1,151 @@
+"""The range of stability: the condition on the parameters under which the system is asymptotically stable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Names, Option, Step, Task, Unsolved
+from solver.derivation.stated import value_at
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
+from solver.tasks.stability.routh_array import routh_array_of
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+    from solver.systems import StateSpace, System
+
+stability_range = Task(
+    "stability_range",
+    group="Representation and analysis",
+    title="Range of stability",
+    doc="The condition on the parameters under which every free motion dies out.",
+    needs=("A",),
+    options=[Option("parameters", Names(), "the parameters asked for (default: all); the others stay symbols")],
+    answers=[
+        AnswerName(
+            "condition", r"\text{asymptotically stable}", "relations between the parameters; or always, or never"
+        )
+    ],
+)
+
+
+@stability_range.refusal
+def has_no_such_parameter(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """The system must have parameters, those asked for among them."""
+    found = {str(symbol.name) for symbol in getattr(system, "parameters", ())}
+    for name in options.get("parameters") or ():
+        if found and name not in found:
+            yield "parameters", f"{name} is no parameter of the system"
+
+
+@stability_range.method("routh", title="Routh's criterion", source="Gantmacher, The Theory of Matrices II, XV §4")
+def by_routh(given: Given) -> Derivation[Answers]:
+    """The first column of the Routh array must be positive throughout."""
+    plant = given.system
+    wanted = _wanted(given)
+    tabled = yield from routh_array_of(plant.A, discrete=plant.discrete)
+    conditions = [row.computed[0] for row in tabled.array.rows]
+    impossible = tabled.ones > 0 or any(row.special for row in tabled.array.rows)
+    yield Step(
+        "first_column",
+        unclaimed="conditions, not equalities; the answer has a check of its own",
+        conditions=[x for x in conditions if exact.sign_of(x) != 1],
+        impossible=impossible,
+        ones=tabled.ones,
+        discrete=plant.discrete,
+    )
+    if impossible:
+        conditions = [sp.Integer(-1)]
+    return (yield from _together(conditions, wanted))
+
+
+@stability_range.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")
+def by_eigenvalues(given: Given) -> Derivation[Answers]:
+    """Re λ < 0 (discrete: |λ| < 1) for the roots of each factor of χ, of degree two at most."""
+    A, discrete = given.system.A, given.system.discrete
+    wanted = _wanted(given)
+    spectrum = yield from eigenvalues_of(A)
+    conditions: list[Expr] = []
+    lamda = sp.Symbol("lamda")
+    for factor in spectrum.factors:
+        found = _of_factor(factor, discrete=discrete)
+        conditions += found
+        yield Step(
+            "factor",
+            claims=_values_at_ends(factor, lamda) if discrete and factor.degree == 2 else {},
+            unclaimed="conditions, not equalities; the answer has a check of its own",
+            p=factor.polynomial(lamda),
+            degree=factor.degree,
+            roots=[root.value for root in factor.roots],
+            conditions=[x for x in found if exact.sign_of(x) != 1],
+            never=any(exact.sign_of(x) in (0, -1) for x in found),
+            b=factor.coefficients[1],
+            c=factor.coefficients[-1],
+            discrete=discrete,
+        )
+    return (yield from _together(conditions, wanted))
+
+
+def _of_factor(factor: exact.Factor, *, discrete: bool) -> list[Expr]:
+    """What must be positive for the roots of an irreducible factor to be inside."""
+    c = factor.coefficients
+    if factor.degree > 2:
+        return list(exact.polynomial_conditions(c, discrete=discrete))
+    if not discrete:
+        return list(c[1:])
+    if factor.degree == 1:
+        return [1 + c[1], 1 - c[1]]
+    return [1 + c[1] + c[2], 1 - c[1] + c[2], 1 - c[2]]
+
+
+def _values_at_ends(factor: exact.Factor, x: Symbol) -> dict[str, Claim]:
+    """The values of a quadratic factor at 1 and −1."""
+    p, (_, b, c) = factor.polynomial(x), factor.coefficients
+    return {
+        "at_one": Claim(value_at(p, x, sp.Integer(1)), 1 + b + c, "the value at 1"),
+        "at_minus_one": Claim(value_at(p, x, sp.Integer(-1)), 1 - b + c, "the value at −1"),
+    }
+
+
+def _wanted(given: Given) -> list[Symbol]:
+    """The parameters asked for, in their order; refuses those that are not real."""
+    plant: StateSpace = given.system
+    inside = sorted(plant.A.free_symbols, key=str)
+    for symbol in inside:
+        if symbol.is_real is False or (symbol.is_complex and symbol.is_real is None):
+            raise Unsolved(f"The parameter ${sp.latex(symbol)}$ is complex; conditions are found for real ones.")
+    names = given.parameters or ()
+    return [symbol for name in names for symbol in inside if symbol.name == name]
+
+
+def _together(conditions: Sequence[Expr], wanted: Sequence[Symbol]) -> Derivation[Answers]:
+    """All conditions at once: intervals of one parameter, a conjunction for several."""
+    condition = exact.all_positive(conditions, wanted)
+    assumed = sorted(set().union(*(x.free_symbols for x in conditions)), key=str)
+    parts = condition.args if isinstance(condition, sp.And) else (condition,)
+    yield Step(
+        "condition",
+        unclaimed="the answer, which has a check of its own",
+        condition=condition,
+        parts=list(parts),
+        truth="always" if condition is sp.true else "never" if condition is sp.false else "",
+        positive=[symbol for symbol in assumed if symbol.is_positive],
+        negative=[symbol for symbol in assumed if symbol.is_negative],
+    )
+    return Answers(condition=condition)
+
+
+@stability_range.verification("condition")
+def holds_where_the_eigenvalues_say(given: Given, answers: Answers) -> Iterable[Check]:
+    """At points on both sides of every edge, and at random ones, the condition is true if and only if A is stable."""
+    fault = numeric.counterexample(given.system.A, answers["condition"], discrete=given.system.discrete)
+    check = Check.that(
+        "the condition holds exactly where all eigenvalues are inside",
+        "numpy.linalg.eigvals, beside the edges mpmath.eig",
+        not fault,
+    )
+    yield replace(check, reason=fault)
