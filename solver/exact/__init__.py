@@ -89,6 +89,7 @@ from solver.exact.structure import (
     rank,
     row_reduction,
 )
+from solver.exact.tracking import SteadyState, added, at_rest, steady_state, with_integrators
 from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
 from solver.exact.transforms import pairs_for, partial_fractions, resolvent, transform_pairs
 
@@ -132,10 +133,13 @@ __all__ = [
     "SingularEquation",
     "Solution",
     "Spectrum",
+    "SteadyState",
     "TransferMatrix",
     "ackermann",
+    "added",
     "affine",
     "all_positive",
+    "at_rest",
     "between",
     "bilinear",
     "chosen_error_matrix",
@@ -226,6 +230,7 @@ __all__ = [
     "spectrum",
     "stability_conditions",
     "stable_where",
+    "steady_state",
     "taylor",
     "tidy",
     "toeplitz",
@@ -234,4 +239,5 @@ __all__ = [
     "transform_pairs",
     "truncated_series",
     "weighted_input",
+    "with_integrators",
 ]

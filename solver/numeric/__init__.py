@@ -12,11 +12,11 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 from solver.numeric.claims import check_claim, check_residual, check_steps
 from solver.numeric.compare import TOLERANCE
 from solver.numeric.decomposition import (
+    coordinates_residual,
     hidden_polynomial_residual,
     kalman_orders,
-    leads_to,
-    separates,
-    similar_to_visible,
+    separation_residual,
+    visible_part_residual,
 )
 from solver.numeric.eigen import (
     chain_residual,
@@ -89,6 +89,7 @@ from solver.numeric.structure import (
     krylov_matrix,
     rank_falls_where,
 )
+from solver.numeric.tracking import completed_residual, feedforward_residual, steady_residual
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
@@ -108,8 +109,10 @@ __all__ = [
     "check_residual",
     "check_steps",
     "closing_residual",
+    "completed_residual",
     "control_residual",
     "convolution_formula",
+    "coordinates_residual",
     "cost_residual",
     "counterexample",
     "definiteness_holds",
@@ -122,6 +125,7 @@ __all__ = [
     "every_fall_is_named",
     "exponential_residual",
     "externally_stable",
+    "feedforward_residual",
     "fit_residual",
     "fixed_modes_residual",
     "gain_residual",
@@ -139,7 +143,6 @@ __all__ = [
     "joined_spectrum_residual",
     "kalman_orders",
     "krylov_matrix",
-    "leads_to",
     "left_residual",
     "locations",
     "loop_residual",
@@ -166,14 +169,15 @@ __all__ = [
     "samples",
     "second_order_poles",
     "second_order_residual",
-    "separates",
+    "separation_residual",
     "shape_residual",
-    "similar_to_visible",
     "spectrum_residual",
     "spread_points",
     "stabilizes",
+    "steady_residual",
     "symmetry_residual",
     "time_scale",
     "values_at",
+    "visible_part_residual",
     "zero_residual",
 ]

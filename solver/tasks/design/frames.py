@@ -19,12 +19,14 @@ class Frame:
     """How formulas for (A, b, k) are written: as they are, or transposed (`dual`) for an observer of (A, C).
 
     `several`: one input stands for several. `shifted`: A is the loop with a preliminary gain. `partial`: A is a part.
+    `augmented`: A and B are those of the plant with integrators.
     """
 
     dual: bool = False
     several: bool = False
     shifted: bool = False
     partial: bool = False
+    augmented: bool = False
 
     def shown(self, M: ImmutableMatrix) -> ImmutableMatrix:
         """Return M as it is written: transposed in the dual."""
@@ -59,7 +61,7 @@ class Pair:
         """What the wording of a step needs to name the matrices."""
         frame = self.frame
         names = {"dual": frame.dual, "several": frame.several, "shifted": frame.shifted, "part": frame.partial}
-        return {**names, "x": self.x}
+        return {**names, "augmented": frame.augmented, "x": self.x}
 
     @property
     def unknowns(self) -> tuple[Symbol, ...]:
@@ -102,7 +104,7 @@ def characteristic(A: Any, x: Symbol, n: int = 0) -> Stated:
 
 def linear_factors(x: Symbol, roots: Sequence[Expr]) -> Stated:
     """Π (x − root) as stated."""
-    return product(*(difference(x, root) if root != 0 else x for root in roots))
+    return product(*(x - root for root in roots))
 
 
 def movable_poles(poles: Sequence[Expr], fixed: Sequence[Expr], n: int, *, dual: bool = False) -> list[Expr]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.stated import determinant, difference, inverse, power, total
@@ -47,26 +47,28 @@ def place(
     method: str,
     *,
     x: Symbol,
-    dual: bool = False,
-    shape: ImmutableMatrix | None = None,
-    unknowns: Sequence[Symbol] = (),
+    frame: Frame | None = None,
+    shape: tuple[ImmutableMatrix, Sequence[Symbol]] | None = None,
+    coefficients: Sequence[Expr] = (),
 ) -> Derivation[Placement]:
-    """Find K (m×n) with det(xI − A + BK) = Π(x − pᵢ); `dual`: B is C (p×n), the gain is L (n×p) of A − LC.
+    """Find K (m×n) with det(xI − A + BK) = Π(x − pᵢ). In a dual frame B is C (p×n), the gain is L (n×p) of A − LC.
 
     `poles` are all n, or those of the controllable (observable) part; `method` is one of METHODS. Several inputs are
-    joined to one first. `shape` is the row K with `unknowns` in it (coefficient matching of one input). Raises Unsolved
-    if a mode that no gain moves is not among n poles.
+    joined to one first. `shape` is the row K with its unknowns (coefficient matching of one input). `coefficients` of
+    the desired polynomial may be given in place of the poles (of a controllable pair). Raises Unsolved if a mode that
+    no gain moves is not among n poles.
     """
-    frame = Frame(dual, several=(B.rows if dual else B.cols) > 1)
+    frame = frame or Frame()
+    frame = replace(frame, several=(B.rows if frame.dual else B.cols) > 1)
     plant, inputs = frame.shown(A), frame.shown(B)
-    desired = yield from desired_polynomial_of(poles, x, dual=dual)
+    desired = coefficients or (yield from desired_polynomial_of(poles, x, dual=frame.dual))
     reduction = yield from _one_input(frame, plant, inputs)
     loop = plant if reduction.preliminary is None else sp.ImmutableMatrix(plant - inputs * reduction.preliminary)
     b = sp.ImmutableMatrix(inputs * reduction.g)
     pair = Pair(frame.reduced(shifted=reduction.preliminary is not None), loop, b, x, desired, poles)
     part = yield from _controllability(pair)
     if method == "coefficient_matching":
-        found = yield from matched(pair, shape, unknowns)
+        found = yield from matched(pair, *(shape or ()))
     elif part.order == plant.rows:
         k = yield from METHODS[method](pair)
         found = Placement(k, loop, exact.polynomial_in(x, desired))
@@ -92,7 +94,14 @@ def _one_input(frame: Frame, A: ImmutableMatrix, B: ImmutableMatrix) -> Derivati
         K0 = found.preliminary
         stated = difference(frame.shown(A), frame.times(frame.shown(B), frame.shown(K0)))
         claims["preliminary"] = Claim(stated, frame.shown(A - B * K0), "loop with the preliminary gain")
-    yield Step("one_input", claims=claims, g=frame.shown(found.g), K0=found.preliminary, dual=frame.dual, m=B.cols)
+    yield Step(
+        "one_input",
+        claims=claims,
+        g=frame.shown(found.g),
+        K0=None if found.preliminary is None else frame.shown(found.preliminary),
+        m=B.cols,
+        **_named(frame),
+    )
     return found
 
 
@@ -179,7 +188,7 @@ def _all_inputs(frame: Frame, reduction: exact.Direction, k: ImmutableMatrix) ->
     stated = frame.times(frame.shown(g), frame.shown(k))
     if K0 is not None:
         stated = total(frame.shown(K0), stated)
-    yield Step("all_inputs", claims={"gain": Claim(stated, frame.shown(K), "gain of all inputs")}, dual=frame.dual)
+    yield Step("all_inputs", claims={"gain": Claim(stated, frame.shown(K), "gain of all inputs")}, **_named(frame))
     return K
 
 
@@ -198,5 +207,10 @@ def closed_loop_of(
         },
         K=frame.shown(K),
         x=x,
-        dual=frame.dual,
+        **_named(frame),
     )
+
+
+def _named(frame: Frame) -> dict[str, Any]:
+    """What the wording needs to name the whole plant."""
+    return {"dual": frame.dual, "augmented": frame.augmented}

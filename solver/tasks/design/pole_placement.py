@@ -82,7 +82,8 @@ def _placed(given: Given, method: str) -> Derivation[Answers]:
     yield from block_diagram("state_feedback", "State feedback $u = -K_f x$")
     poles = yield from asked_poles(given.options)
     row, unknowns = shape_of(given)
-    found = yield from place(plant.A, plant.B, poles, method, x=x, shape=row, unknowns=unknowns)
+    shape = (row, unknowns) if row is not None else None
+    found = yield from place(plant.A, plant.B, poles, method, x=x, shape=shape)
     if not found.free:
         yield from zero_input_response(found.loop, plant)
     return _answers(found, structured=row is not None)

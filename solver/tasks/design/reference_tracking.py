@@ -1,0 +1,225 @@
+"""Feedforward that holds the output at a constant reference: x_d = F r, u_d = N r, u = −K x + K_o r."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    MatrixOf,
+    Option,
+    Step,
+    Task,
+    Unsolved,
+)
+from solver.derivation.stated import determinant, difference, inverse, product, rank, total, transpose
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.design.loop_figures import block_diagram
+from solver.tasks.design.placement import place
+from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+    from solver.systems import StateSpace
+
+reference_tracking = Task(
+    "reference_tracking",
+    group="Design",
+    title="Tracking of a constant reference",
+    doc="The steady state x_d = F r, u_d = N r in which the output is r, and K_o = N + K F of u = −K x + K_o r.",
+    needs=("A", "B", "C"),
+    options=[Option("gain", MatrixOf("m", "n", flat="row"), "the feedback K of u = −K x + K_o r"), *POLE_OPTIONS],
+    answers=[
+        AnswerName("F", "F", "desired state for the reference: x_d = F r, n×p"),
+        AnswerName("N", "N", "desired input for the reference: u_d = N r, m×p"),
+        AnswerName("K_o", "K_o", "gain of the reference in u = −K x + K_o r, m×p"),
+        AnswerName("K", "K_f", "the feedback found for `poles`", (), True),
+    ],
+)
+
+
+def feedthrough(plant: StateSpace) -> ImmutableMatrix:
+    """Return D, zero where none is given."""
+    assert plant.B is not None  # noqa: S101 - the task needs B and C
+    assert plant.C is not None  # noqa: S101
+    return plant.D if plant.D is not None else sp.ImmutableMatrix(sp.zeros(plant.C.rows, plant.B.cols))
+
+
+@reference_tracking.refusal
+def a_gain_or_poles(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Either the gain is given, or poles for it."""
+    if "gain" not in options:
+        yield from pole_faults(system, options)
+    elif options.get("poles"):
+        yield "poles", "the gain is given, so the poles are; leave out one of the two"
+
+
+@reference_tracking.method(source="Lecture note, sections 3.2 and 5.4")
+def by_the_steady_state(given: Given) -> Derivation[Answers]:
+    """In the steady state A F + B N = 0 and C F + D N = I; u = u_d − K (x − x_d) gives K_o = N + K F."""
+    plant, discrete = given.system, given.system.discrete
+    A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
+    yield from block_diagram("state_feedback_reference", "State feedback with a reference, $u = -K_f x + K_o r$")
+    F, N = yield from steady_state_of(A, B, C, D, discrete=discrete)
+    K, placed = given.gain, given.gain is None
+    if placed:
+        poles = yield from asked_poles(given.options)
+        method = "coefficient_matching" if B.cols == 1 and A.rows <= 3 else "ackermann"
+        found = yield from place(A, B, poles, method, x=variable(plant))
+        K = found.K
+    K_o = yield from _feedforward(given, K, F, N)
+    answers = Answers(F=F, N=N, K_o=K_o)
+    if placed:
+        answers["K"] = K
+    return answers
+
+
+def steady_state_of(
+    A: ImmutableMatrix, B: ImmutableMatrix, C: ImmutableMatrix, D: ImmutableMatrix, *, discrete: bool
+) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix]]:
+    """Solve the equations of the steady state for F and N; raises Unsolved where they have no solution for every r."""
+    n, m, p = A.rows, B.cols, C.rows
+    steady = exact.steady_state(A, B, C, D, discrete=discrete)
+    order = Claim(rank(steady.M), sp.Integer(steady.order), "rank of the matrix of the steady state")
+    claims = {"rank": order}
+    if steady.M.is_square:
+        det = exact.determinant_and_adjugate(steady.M)[0]
+        claims["determinant"] = Claim(determinant(steady.M), det, "determinant of the matrix of the steady state")
+    yield Step(
+        "steady_state", claims=claims, M=steady.M, discrete=discrete, inputs=m, outputs=p, states=n, order=steady.order
+    )
+    if steady.F is None or steady.N is None:
+        raise Unsolved(_no_steady_state(m, p, discrete=discrete))
+    if not steady.unique:
+        M = steady.M
+        solution = product(transpose(M), inverse(product(M, transpose(M))), steady.right)
+    elif not exact.is_singular(exact.at_rest(A, discrete=discrete)):
+        yield from _through_the_inverse(A, B, C, D, steady, discrete=discrete)
+        return steady.F, steady.N
+    else:
+        solution = product(inverse(steady.M), steady.right)
+    stacked = sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix(steady.F), sp.Matrix(steady.N)))
+    yield Step(
+        "solution",
+        claims={"solution": Claim(solution, stacked, "solution of the equations of the steady state")},
+        F=steady.F,
+        N=steady.N,
+        unique=steady.unique,
+    )
+    return steady.F, steady.N
+
+
+def _no_steady_state(m: int, p: int, *, discrete: bool) -> str:
+    """Say why no input holds every output at its reference."""
+    if m < p:
+        return (
+            f"The plant is under-actuated: {m} input{'s' if m > 1 else ''} cannot hold {p} outputs at independent "
+            f"references, since there are more equations than unknowns. Give as many outputs as inputs."
+        )
+    point = "$z = 1$" if discrete else "the origin"
+    return (
+        "The matrix of the steady state has dependent rows, so there is no steady state for every reference: the plant "
+        f"has a transmission zero at {point} (or an eigenvalue there that the inputs do not reach)."
+    )
+
+
+def _through_the_inverse(
+    A: ImmutableMatrix,
+    B: ImmutableMatrix,
+    C: ImmutableMatrix,
+    D: ImmutableMatrix,
+    steady: exact.SteadyState,
+    *,
+    discrete: bool,
+) -> Derivation[None]:
+    """F = −A⁻¹ B N and N = (D − C A⁻¹ B)⁻¹, for a nonsingular A (discrete: A − I)."""
+    A0 = exact.at_rest(A, discrete=discrete)
+    inverted = exact.inverse(A0)
+    dc = exact.added(D, -C * inverted * B)
+    terms = [product(-1, C, inverse(A0), B)] if D.is_zero_matrix else [D, product(-1, C, inverse(A0), B)]
+    yield Step(
+        "input",
+        claims={
+            "inverse": Claim(inverse(A0), inverted, "inverse"),
+            "dc": Claim(total(*terms), dc, "steady-state gain of the plant"),
+            "N": Claim(inverse(dc), steady.N, "$N$"),
+        },
+        discrete=discrete,
+        direct=not D.is_zero_matrix,
+        scalar=dc.shape == (1, 1),
+    )
+    yield Step("state", claims={"F": Claim(product(-1, inverted, B, steady.N), steady.F, "$F$")}, discrete=discrete)
+
+
+def _feedforward(
+    given: Given, K: ImmutableMatrix, F: ImmutableMatrix, N: ImmutableMatrix
+) -> Derivation[ImmutableMatrix]:
+    """K_o = N + K F, and the steady-state gain of the closed loop, which is the identity."""
+    plant = given.system
+    K_o: ImmutableMatrix = exact.added(N, K * F)
+    yield Step("feedforward", claims={"K_o": Claim(total(N, product(K, F)), K_o, "$K_o = N + K F$")}, K=K)
+    A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
+    loop = exact.added(A, -B * K)
+    rest = exact.at_rest(loop, discrete=plant.discrete)
+    if exact.is_singular(rest):
+        raise Unsolved("The closed loop has an eigenvalue at the point of rest, so it does not settle.")
+    seen = exact.added(C, -D * K)
+    terms = [product(-1, seen, inverse(rest), B, K_o)]
+    terms = terms if D.is_zero_matrix else [*terms, product(D, K_o)]
+    identity = sp.ImmutableMatrix(sp.eye(C.rows))
+    yield Step(
+        "check",
+        claims={"gain": Claim(total(*terms), identity, "steady-state gain from the reference to the output")},
+        loop=loop,
+        discrete=plant.discrete,
+        direct=not D.is_zero_matrix,
+    )
+    return K_o
+
+
+@reference_tracking.verification("F", "N", "K_o", "K")
+def holds_the_output_at_the_reference(given: Given, answers: Answers) -> Iterable[Check]:
+    """A F + B N = 0 and C F + D N = I; where one of the two is missing, some other completes it (numpy)."""
+    plant = given.system
+    A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
+    rest = difference(A, sp.ImmutableMatrix(sp.eye(A.rows))) if plant.discrete else A
+    F, N, K = answers.get("F"), answers.get("N"), answers.get("K", given.gain)
+    matrices = (A, B, C, D)
+    if F is not None and N is not None:
+        zero, identity = sp.ImmutableMatrix(sp.zeros(A.rows, C.rows)), sp.ImmutableMatrix(sp.eye(C.rows))
+        at_rest, held = total(product(rest, F), product(B, N)), total(product(C, F), product(D, N))
+        yield numeric.check_claim(Claim(at_rest, zero), "the desired state is at rest: $A F + B N = 0$")
+        yield numeric.check_claim(Claim(held, identity), "the output is the reference: $C F + D N = I$")
+    for name in ("F", "N"):
+        if name in answers:
+            known = {name: answers[name]}
+            yield numeric.check_residual(
+                f"${name}$ belongs to a steady state with $y = r$",
+                "numpy.linalg.lstsq",
+                lambda known=known: numeric.steady_residual(matrices, known, discrete=plant.discrete),  # type: ignore[misc]
+                answer=name,
+            )
+    if "K" in answers:
+        yield numeric.check_residual(
+            r"$\det(xI - A + BK) = \prod_i (x - p_i)$ at random $x$",
+            "numpy.linalg.det",
+            lambda: numeric.placed_residual(A, B, answers["K"], numeric_poles(given.options)),
+            answer="K",
+        )
+    if "K_o" in answers:
+        yield numeric.check_residual(
+            "$K_o = N + K F$ for a steady state with $y = r$",
+            "numpy.linalg.lstsq",
+            lambda: numeric.feedforward_residual(
+                matrices, answers["K_o"], K, numeric_poles(given.options) if K is None else (), discrete=plant.discrete
+            ),
+            answer="K_o",
+        )
