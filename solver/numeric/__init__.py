@@ -82,6 +82,7 @@ from solver.numeric.riccati import (
 )
 from solver.numeric.rounding import agrees_to_digits
 from solver.numeric.second_order import second_order_poles, second_order_residual
+from solver.numeric.set_point import reference_residual_at_optimum, set_point_residual
 from solver.numeric.stability import externally_stable, locations, planar_kinds, routh_fault, spread_points
 from solver.numeric.structure import (
     every_fall_is_named,
@@ -173,6 +174,8 @@ __all__ = [
     "shape_residual",
     "spectrum_residual",
     "spread_points",
+    "reference_residual_at_optimum",
+    "set_point_residual",
     "stabilizes",
     "steady_residual",
     "symmetry_residual",

@@ -1,0 +1,67 @@
+"""Controllability: whether the input reaches every state."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
+from solver.tasks.structure.pair_checks import checks_of
+from solver.tasks.structure.pair_methods import HORIZON, by_gramian, by_pbh, by_rank, horizon_refusals
+from solver.tasks.structure.pairs import controllability_pair
+
+if TYPE_CHECKING:
+    from solver.systems import System
+
+controllability = Task(
+    "controllability",
+    group="Representation and analysis",
+    title="Controllability",
+    doc="Whether the input can take the state anywhere: rank of [B, AB, …], test of Hautus, or Gramian.",
+    needs=("A", "B"),
+    options=[HORIZON],
+    answers=[
+        AnswerName("controllability_matrix", r"\mathcal{C}_o", "[B, AB, …, Aⁿ⁻¹B] (n×nm)"),
+        AnswerName("determinant", r"\det \mathcal{C}_o", "its determinant, where it is square", optional=True),
+        AnswerName("rank", r"\operatorname{rank} \mathcal{C}_o", "its rank; with parameters the generic one"),
+        AnswerName("controllable", r"\text{controllable}", "whether the rank is n"),
+        AnswerName(
+            "uncontrollable_modes",
+            r"\lambda_{\text{uncontrollable}}",
+            "eigenvalues that the input does not reach, with multiplicity",
+            optional=True,
+        ),
+        AnswerName("exceptions", r"\text{exceptions}", "parameters for which the rank is lower", optional=True),
+        AnswerName("gramian", "W_c", "the Gramian", ("gramian",)),
+    ],
+)
+
+
+@controllability.refusal
+def horizon_is_a_time(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """The horizon is positive; in discrete time a number of steps."""
+    yield from horizon_refusals(system, options)
+
+
+@controllability.method("rank", title="Rank of the controllability matrix", source="Lecture note, section 2.1")
+def rank_of_the_matrix(given: Given) -> Derivation[Answers]:
+    """The pair is controllable if and only if [B, AB, …, Aⁿ⁻¹B] has rank n."""
+    return (yield from by_rank(controllability_pair(given)))
+
+
+@controllability.method("pbh", title="Test of Popov, Belevitch and Hautus", source="Lecture note, section 2.3")
+def rank_at_each_eigenvalue(given: Given) -> Derivation[Answers]:
+    """The pair is controllable if and only if [λI − A, B] has rank n at every eigenvalue λ."""
+    return (yield from by_pbh(controllability_pair(given)))
+
+
+@controllability.method("gramian", title="Gramian", source="Lecture note, section 2.1")
+def definite_gramian(given: Given) -> Derivation[Answers]:
+    """The pair is controllable if and only if its Gramian is positive definite."""
+    return (yield from by_gramian(controllability_pair(given), given.horizon))
+
+
+@controllability.verification(*controllability.answers)
+def by_ranks_and_defining_equations(given: Given, answers: Answers) -> Iterable[Check]:
+    """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
+    yield from checks_of(controllability_pair(given), given, answers)

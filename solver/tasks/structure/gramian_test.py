@@ -1,0 +1,163 @@
+"""The Gramian: over an infinite time from its Lyapunov equation, over a finite one from the integral or the sum."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation.stated import (
+    determinant,
+    difference,
+    exponential,
+    integral,
+    power,
+    product,
+    rank,
+    summation,
+    total,
+    transpose,
+)
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
+from solver.tasks.structure.pairs import Pair
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+LISTED = 6
+"""A sum of more terms is not written out."""
+
+MOST_EQUATIONS = 10
+"""More linear equations than this are not written out."""
+
+
+@lemma("gramian_test")
+def infinite_gramian_of(pair: Pair) -> Derivation[ImmutableMatrix]:
+    """A W + W Aᵀ = −B Bᵀ (dual: with Aᵀ and Cᵀ; discrete: A W Aᵀ − W = −B Bᵀ), for a stable A only."""
+    yield from eigenvalues_of(pair.A)
+    where = exact.location(pair.A, discrete=pair.discrete)
+    outside = [each.root.value for each in where.placed if each.position in (0, 1)]
+    undecided = [each.root.value for each in where.placed if each.position is None]
+    yield Step(
+        "existence",
+        unclaimed="the eigenvalues are checked above",
+        outside=outside,
+        undecided=undecided,
+        dual=pair.dual,
+        discrete=pair.discrete,
+    )
+    if outside:
+        raise Unsolved(_refusal(pair, outside))
+    Q = exact.multiply(pair.G, pair.G.T)
+    W = exact.lyapunov(pair.F, Q, dual=True, discrete=pair.discrete)
+    yield _equation(pair, Q)
+    F, Ft = (transpose(pair.A), pair.A) if pair.dual else (pair.A, transpose(pair.A))
+    minus = sp.ImmutableMatrix(-Q)
+    left = difference(product(F, W, Ft), W) if pair.discrete else total(product(F, W), product(W, Ft))
+    yield Step(
+        "solution",
+        claims={"equation": Claim(left, minus, "Lyapunov equation of the Gramian")},
+        W=W,
+        dual=pair.dual,
+        discrete=pair.discrete,
+    )
+    yield _definite(pair, W)
+    return W
+
+
+def _refusal(pair: Pair, outside: list[Any]) -> str:
+    place = r"inside the unit circle" if pair.discrete else "in the open left half plane"
+    values = ", ".join(f"${sp.latex(value)}$" for value in outside)
+    what = "the sum over all times" if pair.discrete else "the integral up to infinity"
+    return (
+        "The Gramian over an infinite time exists only if all eigenvalues of $A$ lie "
+        f"{place}; here {values} {'does' if len(outside) == 1 else 'do'} not, so {what} grows without bound. "
+        "Give a finite `horizon`, or use the method `rank` or `pbh`."
+    )
+
+
+def _equation(pair: Pair, Q: ImmutableMatrix) -> Step:
+    """The integral, the equation it satisfies, and the linear equations for the entries of W."""
+    n = pair.n
+    names = {(i, j): sp.Symbol(f"w_{i + 1}{j + 1}") for i in range(n) for j in range(i, n)}
+    unknown = sp.Matrix(n, n, lambda i, j: names[min(i, j), max(i, j)])
+    left = pair.F * unknown * pair.F.T - unknown if pair.discrete else pair.F * unknown + unknown * pair.F.T
+    equations = [(sp.expand(left[i, j]), -Q[i, j]) for i, j in names]
+    square = product(transpose(pair.other), pair.other) if pair.dual else product(pair.other, transpose(pair.other))
+    return Step(
+        "equation",
+        claims={"square": Claim(square, Q, "right side of the Lyapunov equation")},
+        equations=equations if len(equations) <= MOST_EQUATIONS else [],
+        count=len(equations),
+        unknown=sp.ImmutableMatrix(unknown),
+        dual=pair.dual,
+        discrete=pair.discrete,
+    )
+
+
+def _definite(pair: Pair, W: ImmutableMatrix) -> Step:
+    """The leading principal minors where all are positive; the rank of W in any case."""
+    r = exact.rank(W)
+    claims = {"rank": Claim(rank(W), sp.Integer(r), "rank of the Gramian")}
+    if r == pair.n:
+        for k in range(1, pair.n + 1):
+            minor = sp.ImmutableMatrix(W[:k, :k])
+            value = sp.factor(exact.determinant_and_adjugate(minor)[0])
+            claims[f"minor{k}"] = Claim(determinant(minor), value, f"leading minor {k} of the Gramian")
+    minors = [claims[f"minor{k}"].right for k in range(1, pair.n + 1)] if r == pair.n else []
+    return Step("definite", claims=claims, W=W, minors=minors, r=r, n=pair.n, dual=pair.dual)
+
+
+@lemma("gramian_test")
+def finite_gramian_of(pair: Pair, horizon: Any) -> Derivation[ImmutableMatrix]:
+    """∫₀ᵀ e^{At} B Bᵀ e^{Aᵀt} dt (dual: e^{Aᵀt} Cᵀ C e^{At}); discrete: the sum of as many terms."""
+    if pair.discrete:
+        return (yield from _sum_of(pair, int(horizon)))
+    t = sp.Symbol("t")
+    response = exact.input_response(pair.F, pair.G, t)
+    moved = pair.turned(response.matrix)
+    e = exponential(product(pair.A, t))
+    motion = product(pair.other, e) if pair.dual else product(e, pair.other)
+    yield Step("response", claims={"motion": Claim(motion, moved, "response of the modes")}, dual=pair.dual)
+    W = exact.finite_gramian(pair.F, pair.G, horizon)
+    squared = product(transpose(moved), moved) if pair.dual else product(moved, transpose(moved))
+    claim = Claim(integral(squared, t, sp.Integer(0), horizon), W, "integral of the Gramian")
+    yield Step("integral", claims={"integral": claim}, horizon=horizon, W=W, dual=pair.dual)
+    stacked = pair.turned(response.stacked)
+    r = exact.rank(stacked)
+    yield Step(
+        "independence",
+        claims={"rank": Claim(rank(stacked), sp.Integer(r), "rank of the coefficients of the modes")},
+        functions=response.functions,
+        stacked=stacked,
+        r=r,
+        n=pair.n,
+        dual=pair.dual,
+    )
+    return W
+
+
+def _sum_of(pair: Pair, steps: int) -> Derivation[ImmutableMatrix]:
+    """Σ_{k<N} Aᵏ B Bᵀ (Aᵀ)ᵏ: written out where it is short."""
+    W = exact.discrete_gramian(pair.F, pair.G, steps)
+    r = exact.rank(W)
+    claims = {"rank": Claim(rank(W), sp.Integer(r), "rank of the Gramian")}
+    if steps <= LISTED:
+        terms = []
+        M = pair.G
+        for _ in range(steps):
+            shown = pair.turned(M)
+            terms.append(product(transpose(shown), shown) if pair.dual else product(shown, transpose(shown)))
+            M = exact.multiply(pair.F, M)
+        claims["sum"] = Claim(total(*terms), W, "sum of the Gramian")
+    else:
+        claims["sum"] = Claim(_summation(pair.F, pair.G, sp.Symbol("k"), steps), W, "sum of the Gramian")
+    yield Step("sum", claims=claims, count=steps, W=W, listed=steps <= LISTED, r=r, n=pair.n, dual=pair.dual)
+    return W
+
+
+def _summation(F: ImmutableMatrix, G: ImmutableMatrix, k: Any, steps: int) -> Any:
+    """Σ_{k<N} Fᵏ G Gᵀ (Fᵀ)ᵏ as stated."""
+    term = product(power(F, k), G, transpose(G), power(transpose(F), k))
+    return summation(term, k, sp.Integer(0), sp.Integer(steps - 1))

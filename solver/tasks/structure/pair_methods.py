@@ -1,0 +1,77 @@
+"""The three tests of a pair, and what the tasks of controllability and observability have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Answers, Derivation, Number, Option
+from solver.lazy import sympy as sp
+from solver.tasks.structure.gramian_test import finite_gramian_of, infinite_gramian_of
+from solver.tasks.structure.hidden_part import hidden_modes_of
+from solver.tasks.structure.pairs import Pair
+from solver.tasks.structure.pbh_test import deficient_eigenvalues_of
+from solver.tasks.structure.rank_test import Rank, rank_in_short, rank_of
+
+if TYPE_CHECKING:
+    from solver.systems import System
+
+HORIZON = Option(
+    "horizon",
+    Number(),
+    "the Gramian up to this time (discrete: over so many steps); without it up to infinity",
+    methods=("gramian",),
+)
+
+LONGEST = 1000
+
+
+def horizon_refusals(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """The horizon is a positive time; in discrete time a number of steps."""
+    horizon = options.get("horizon")
+    if horizon is None:
+        return
+    if system.discrete:
+        if not (horizon.is_Integer and 0 < horizon <= LONGEST):
+            yield "horizon", f"in discrete time the horizon is a number of steps, a whole number from 1 to {LONGEST}"
+    elif horizon.is_positive is False or horizon.is_finite is False or horizon.has(sp.I):
+        yield "horizon", "the horizon must be a positive, finite time (leave it out for an infinite one)"
+
+
+def by_rank(pair: Pair) -> Derivation[Answers]:
+    """The rank of the whole matrix, then what it leaves out."""
+    found = yield from rank_of(pair)
+    return (yield from _answers(pair, found))
+
+
+def by_pbh(pair: Pair) -> Derivation[Answers]:
+    """The rank at every eigenvalue; the whole matrix agrees."""
+    yield from deficient_eigenvalues_of(pair)
+    found = yield from rank_in_short(pair)
+    return (yield from _answers(pair, found))
+
+
+def by_gramian(pair: Pair, horizon: Any) -> Derivation[Answers]:
+    """The Gramian and its rank; the whole matrix agrees."""
+    W = yield from infinite_gramian_of(pair) if horizon is None else finite_gramian_of(pair, horizon)
+    found = yield from rank_in_short(pair)
+    answers = yield from _answers(pair, found)
+    return Answers(**answers, gramian=W)
+
+
+def _answers(pair: Pair, found: Rank) -> Derivation[Answers]:
+    hidden = yield from hidden_modes_of(pair, found.matrix)
+    matrix, verdict, modes = (
+        ("observability_matrix", "observable", "unobservable_modes")
+        if pair.dual
+        else ("controllability_matrix", "controllable", "uncontrollable_modes")
+    )
+    answers = {
+        matrix: found.matrix,
+        "determinant": found.determinant,
+        "rank": sp.Integer(found.rank),
+        verdict: found.rank == pair.n,
+        modes: hidden,
+        "exceptions": found.exceptions,
+    }
+    return Answers(**{name: value for name, value in answers.items() if value is not None})

@@ -1,0 +1,124 @@
+"""The rank of the controllability or observability matrix: by its determinant where it is square, else by rows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.stated import determinant, product, rank
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.structure.pairs import Pair
+from solver.tasks.structure.row_operations import row_operations
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+
+@dataclass(frozen=True)
+class Rank:
+    """What the test found; `determinant` is None where the matrix is not square, `exceptions` without parameters."""
+
+    matrix: ImmutableMatrix
+    determinant: Any
+    rank: int
+    exceptions: list[Any] | None
+
+
+@lemma("rank_test")
+def rank_of(pair: Pair) -> Derivation[Rank]:
+    """Build the matrix block by block, find its rank, and the parameters for which this is lower."""
+    matrix = pair.matrix
+    yield _matrix(pair, matrix)
+    det = None
+    if matrix.rows == matrix.cols:
+        det = sp.factor(exact.determinant_and_adjugate(matrix)[0])
+        yield Step(
+            "determinant",
+            claims={"value": Claim(determinant(matrix), det, "determinant")},
+            dual=pair.dual,
+            det=det,
+            n=pair.n,
+        )
+    r = exact.rank(matrix)
+    if not det:
+        yield _reduction(pair, matrix, r)
+    exceptions = None
+    if pair.parameters:
+        exceptions = _exceptions(matrix)
+        yield Step(
+            "exceptions",
+            unclaimed="the conditions are checked with the answers",
+            exceptions=exceptions,
+            dual=pair.dual,
+            det=det,
+            r=r,
+            n=pair.n,
+        )
+    yield Step(
+        "verdict",
+        claims={"rank": Claim(rank(matrix), sp.Integer(r), "rank")},
+        dual=pair.dual,
+        r=r,
+        n=pair.n,
+        generic=bool(exceptions),
+    )
+    return Rank(matrix, det, r, exceptions)
+
+
+@lemma("rank_test")
+def rank_in_short(pair: Pair) -> Derivation[Rank]:
+    """The matrix and its rank, where another test has given the verdict."""
+    matrix = pair.matrix
+    det = sp.factor(exact.determinant_and_adjugate(matrix)[0]) if matrix.rows == matrix.cols else None
+    r = exact.rank(matrix)
+    claims = {"rank": Claim(rank(matrix), sp.Integer(r), "rank")}
+    if det is not None:
+        claims["determinant"] = Claim(determinant(matrix), det, "determinant")
+    exceptions = _exceptions(matrix) if pair.parameters else None
+    yield Step("agreement", claims=claims, pair=pair, matrix=matrix, exceptions=exceptions, r=r, n=pair.n)
+    return Rank(matrix, det, r, exceptions)
+
+
+def _exceptions(matrix: ImmutableMatrix) -> list[Any] | None:
+    """The conditions under which the rank is lower; None if they cannot be found."""
+    try:
+        return list(exact.rank_conditions(matrix))
+    except exact.NotExact:
+        return None
+
+
+def _matrix(pair: Pair, matrix: ImmutableMatrix) -> Step:
+    """Each block is A times the one before it (dual: the one before it times A)."""
+    blocks, names = pair.blocks, pair.names
+    claims = {
+        f"block{i}": Claim(
+            product(blocks[i - 1], pair.A) if pair.dual else product(pair.A, blocks[i - 1]), blocks[i], f"${names[i]}$"
+        )
+        for i in range(1, pair.n)
+    }
+    return Step(
+        "matrix",
+        claims=claims,
+        unclaimed="for one state there is nothing to multiply",
+        names=names,
+        matrix=matrix,
+        pair=pair,
+        n=pair.n,
+    )
+
+
+def _reduction(pair: Pair, matrix: ImmutableMatrix, r: int) -> Step:
+    """Row operations on the matrix (of the dual: too) leave as many rows as the rank."""
+    reduction = exact.row_reduction(matrix)
+    reduced = sp.ImmutableMatrix(reduction.reduced)
+    return Step(
+        "reduction",
+        claims={"rank": Claim(rank(matrix), rank(reduced), "row operations leave the rank as it is")},
+        steps=row_operations(matrix, reduction),
+        reduced=reduced,
+        pivots=[j + 1 for j in reduction.pivots],
+        r=r,
+        dual=pair.dual,
+    )

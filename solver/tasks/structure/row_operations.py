@@ -1,0 +1,34 @@
+"""Row operations one by one, for the tutor's level of detail."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from solver.derivation import Derivation, Step, lemma
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+    from solver import exact
+
+
+@lemma("row_operations")
+def row_operations_of(start: ImmutableMatrix, reduction: exact.RowReduction) -> Derivation[None]:
+    """From the matrix to its reduced row echelon form."""
+    stages = [
+        (operation, sp.ImmutableMatrix(stage))
+        for operation, stage in zip(reduction.operations, reduction.stages[1:], strict=True)
+    ]
+    yield Step(
+        "row_operations",
+        detail="tutor",
+        unclaimed="the row operations are checked by what they lead to",
+        start=start,
+        stages=stages,
+    )
+
+
+def row_operations(start: ImmutableMatrix, reduction: exact.RowReduction | None) -> tuple[Step, ...]:
+    """The same as a substep; none where there is nothing to do."""
+    return tuple(row_operations_of(start, reduction)) if reduction and reduction.operations else ()
