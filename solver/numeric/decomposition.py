@@ -20,6 +20,7 @@ from solver.numeric.environment import Environment
 from solver.numeric.evaluate import value_of
 from solver.numeric.points import SEED, admissible, free_symbols
 from solver.numeric.rank import independent, rank
+from solver.numeric.similar import SMALL, misfit
 
 PATTERNS: Mapping[str, tuple[tuple[int, ...], ...]] = {
     "controllable": ((0,), (0, 1)),
@@ -27,9 +28,6 @@ PATTERNS: Mapping[str, tuple[tuple[int, ...], ...]] = {
     "full": ((0, 1), (1,), (0, 1, 2, 3), (1, 3)),
 }
 """For each part, the parts of T₀ of which its columns of T may be combinations."""
-
-SMALL = 1e-9
-"""Singular values below this, relative to the largest and to one, are zero."""
 
 
 def krylov(A: Any, B: Any) -> Any:
@@ -58,10 +56,20 @@ def kalman_orders(part: str, A: Any, B: Any, C: Any) -> list[int]:
     return [both, r - both, q - both, n - r - q + both]
 
 
-def separates(part: str, T: Any, A: Any, B: Any, C: Any) -> bool:
-    """Whether T (n×n) is invertible and its columns lie where the decomposition wants them. Raises NotEvaluable."""
+def separation_residual(part: str, T: Any, A: Any, B: Any, C: Any) -> float:
+    """How far columns of T (n×n) lie outside of their subspaces, as the sine of an angle; infinite if T is singular.
+
+    Zero where ranks with 50 digits find them inside. Raises NotEvaluable.
+    """
     if T.shape != A.shape or not independent(T):
-        return False
+        return float("inf")
+    if _separates(part, T, A, B, C):
+        return 0.0
+    return max(_largest_sine(part, at(T, point), whole) for point, whole in references(part, A, B, C, [T]))
+
+
+def _separates(part: str, T: Any, A: Any, B: Any, C: Any) -> bool:
+    """Whether the columns of T lie where the decomposition wants them, by ranks."""
     orders = kalman_orders(part, A, B, C)
     ends = [sum(orders[:i]) for i in range(len(orders) + 1)]
     if part != "observable":
@@ -73,14 +81,28 @@ def separates(part: str, T: Any, A: Any, B: Any, C: Any) -> bool:
     return not columns or rank(observability(A, C) * T[:, columns]) == 0
 
 
+def _largest_sine(part: str, T: Array, whole: Reference) -> float:
+    """The largest part of a column of T, of unit length, that lies in bases of T₀ where it should not."""
+    S = np.linalg.inv(whole.T) @ (T / np.linalg.norm(T, axis=0))
+    outside = np.where(_mask(part, whole.orders), 0.0, S)
+    return max(2 * SMALL, float(np.max(np.linalg.norm(outside, axis=0), initial=0.0)))
+
+
 @dataclass(frozen=True)
 class Reference:
     """The plant at one point in coordinates T₀ of the decomposition: orthonormal bases of its subspaces."""
 
     orders: tuple[int, ...]
+    T: Array
     A: Array
     B: Array
     C: Array
+
+    @property
+    def visible(self) -> Reference:
+        """The first part alone."""
+        k = self.orders[0]
+        return Reference((k,), np.eye(k), self.A[:k, :k], self.B[:k, :], self.C[:, :k])
 
 
 def references(part: str, A: Any, B: Any, C: Any, others: Sequence[Any] = ()) -> list[tuple[Any, Reference]]:
@@ -119,7 +141,7 @@ def _reference(part: str, orders: tuple[int, ...], A: Array, B: Array, C: Array)
         bases = [first, both, _complement(_orthonormal(np.hstack([first, both, fourth]), n - orders[2])), fourth]
     T = np.hstack(bases)
     inverse = np.linalg.inv(T)
-    return Reference(orders, inverse @ A @ T, inverse @ B, C @ T)
+    return Reference(orders, T, inverse @ A @ T, inverse @ B, C @ T)
 
 
 def _basis(A: Array, B: Array, dimension: int) -> Array:
@@ -150,25 +172,24 @@ def _complement(Q: Array) -> Array:
     return np.asarray(np.linalg.svd(Q, full_matrices=True)[0][:, Q.shape[1] :])
 
 
-def leads_to(part: str, plant: tuple[Any, Any, Any], answers: Mapping[str, Any]) -> bool:
-    """Whether some T of the decomposition leads to all of the answers A, B, C that are given (any of the three)."""
+def coordinates_residual(part: str, plant: tuple[Any, Any, Any], answers: Mapping[str, Any]) -> float:
+    """How far the answers A, B, C (any of them) are from what some T of the decomposition leads to; zero if one does.
+
+    A singular value of the conditions on T; infinite where shapes misfit or only singular T satisfy them.
+    """
     pairs = references(part, *plant, others=list(answers.values()))
-    for point, reference in pairs:
-        mask = _mask(part, reference.orders)
-        if not _some_invertible(reference, mask, {name: at(M, point) for name, M in answers.items()}):
-            return False
-    return True
+    return max(misfit(whole, _mask(part, whole.orders), _at(answers, point)) for point, whole in pairs)
 
 
-def similar_to_visible(part: str, plant: tuple[Any, Any, Any], answers: Mapping[str, Any]) -> bool:
-    """Whether answers A, B, C (any of them) describe the first part of the decomposition in some coordinates."""
-    for point, whole in references(part, *plant, others=list(answers.values())):
-        k = whole.orders[0]
-        visible = Reference((k,), whole.A[:k, :k], whole.B[:k, :], whole.C[:, :k])
-        mask = np.ones((k, k), dtype=bool)
-        if not _some_invertible(visible, mask, {name: at(M, point) for name, M in answers.items()}):
-            return False
-    return True
+def visible_part_residual(part: str, plant: tuple[Any, Any, Any], answers: Mapping[str, Any]) -> float:
+    """How far A, B, C (any of them) are from describing the first part of the decomposition in some coordinates."""
+    pairs = references(part, *plant, others=list(answers.values()))
+    k = pairs[0][1].orders[0]
+    return max(misfit(whole.visible, np.ones((k, k), dtype=bool), _at(answers, point)) for point, whole in pairs)
+
+
+def _at(answers: Mapping[str, Any], point: Any) -> dict[str, Array]:
+    return {name: at(M, point) for name, M in answers.items()}
 
 
 def hidden_polynomial_residual(part: str, plant: tuple[Any, Any, Any], modes: Sequence[Any]) -> float:
@@ -192,57 +213,3 @@ def hidden_polynomial_residual(part: str, plant: tuple[Any, Any, Any], modes: Se
 def _mask(part: str, orders: tuple[int, ...]) -> Array:
     owner = [i for i, order in enumerate(orders) for _ in range(order)]
     return np.array([[i in PATTERNS[part][j] for j in owner] for i in owner], dtype=bool).reshape(len(owner), -1)
-
-
-def _some_invertible(reference: Reference, mask: Array, answers: Mapping[str, Array]) -> bool:
-    """Whether an invertible S, zero outside of the mask, has A₀S = SA, SB = B₀, C₀S = C (those that are given)."""
-    k, m, p = len(reference.A), reference.B.shape[1], len(reference.C)
-    shapes = {"A": (k, k), "B": (k, m), "C": (p, k)}
-    if any(M.shape != shapes[name] for name, M in answers.items()):
-        return False
-    if k == 0:
-        return True
-    columns = []
-    for i, j in np.argwhere(mask):
-        S = np.zeros((k, k))
-        S[i, j] = 1.0
-        columns.append(_conditions(reference, S, answers))
-    right = _conditions(reference, np.zeros((k, k)), answers, given=1.0)
-    system = np.column_stack([*columns, right])
-    solutions = _null_space(system)
-    if not solutions.shape[1]:
-        return False
-    random = np.random.default_rng(SEED)
-    for _ in range(3):
-        vector = solutions @ random.standard_normal(solutions.shape[1])
-        S = np.zeros((k, k), dtype=complex)
-        S[mask] = vector[:-1]
-        sizes = np.linalg.svd(S, compute_uv=False)
-        homogeneous = not {"B", "C"} & set(answers)
-        if sizes[-1] > 1e-7 * sizes[0] and (homogeneous or abs(vector[-1]) > 1e-7 * np.linalg.norm(vector)):
-            return True
-    return False
-
-
-def _conditions(reference: Reference, S: Array, answers: Mapping[str, Array], given: float = 0.0) -> Array:
-    """A₀S − SA, SB − g B₀, C₀S − g C in one column, each relative to its size; linear in S and g."""
-    parts = []
-    if "A" in answers:
-        parts.append((reference.A @ S - S @ answers["A"]) / _size(reference.A, answers["A"]))
-    if "B" in answers:
-        parts.append((S @ answers["B"] - given * reference.B) / _size(reference.B, answers["B"]))
-    if "C" in answers:
-        parts.append((reference.C @ S - given * answers["C"]) / _size(reference.C, answers["C"]))
-    return np.concatenate([part.reshape(-1) for part in parts])
-
-
-def _size(*matrices: Array) -> float:
-    """The largest norm; one where all are zero."""
-    return max(float(np.linalg.norm(M)) for M in matrices) or 1.0
-
-
-def _null_space(M: Array) -> Array:
-    """Columns that span {v : M v = 0}; the terms of M are of the size of one."""
-    _, sizes, right = np.linalg.svd(M)
-    count = int(np.sum(sizes > SMALL * max(1.0, float(np.max(sizes, initial=0.0)))))
-    return np.asarray(right[count:].conj().T)

@@ -7,6 +7,7 @@ from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from solver import numeric
 from solver.derivation import Answers, CheckStatus, Given, Status
 from solver.tasks import catalogue
 
@@ -234,3 +235,21 @@ def test_parameters_are_judged_too():
     assert rejected(TASK, plant, {"T": sp.ImmutableMatrix([[k, 1], [a, 0]])}, part="controllable")
     assert rejected(TASK, plant, {"A": sp.ImmutableMatrix([[-a - k, 7], [0, k - a]])}, part="controllable")
     assert rejected(TASK, plant, {"hidden_modes": [k - a]}, part="controllable")
+
+
+def test_the_residual_of_a_rounded_answer_is_small_and_of_a_wrong_one_is_not():
+    """So that marking can tell rounding from a mistake."""
+    plant = (COURSE.A, COURSE.B, COURSE.C)
+    T = sp.Matrix([[1, -2, 0], [0, 1, -1], [0, 1, 1]])
+    off = sp.zeros(3)
+    off[2, 0] = sp.Rational(1, 1000)
+    assert 1e-4 < numeric.separation_residual("controllable", sp.ImmutableMatrix(T + off), *plant) < 2e-3
+    A = sp.Matrix([[0, -4, -2], [1, -2, -1], [0, 0, -1]])
+    assert 1e-6 < numeric.coordinates_residual("controllable", plant, {"A": A + off}) < 2e-3
+    assert numeric.coordinates_residual("controllable", plant, {"A": A}) <= 1e-9
+    assert (
+        numeric.visible_part_residual(
+            "controllable", plant, {"A": A[:2, :2], "B": sp.Matrix([1, 0]), "C": sp.Matrix([[1, 5]])}
+        )
+        > 1e-2
+    )

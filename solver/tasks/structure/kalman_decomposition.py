@@ -49,10 +49,10 @@ kalman_decomposition = Task(
         )
     ],
     answers=[
-        AnswerName("T", "T", "x = T ξ (n×n); its columns are bases of the subspaces, in the order of the parts"),
-        AnswerName("A", r"\bar{A}", "T⁻¹ A T"),
-        AnswerName("B", r"\bar{B}", "T⁻¹ B"),
-        AnswerName("C", r"\bar{C}", "C T", optional=True),
+        AnswerName("T", "T", "x = T ξ (n×n); its columns are bases of the subspaces, part by part", free=True),
+        AnswerName("A", r"\bar{A}", "T⁻¹ A T", free=True),
+        AnswerName("B", r"\bar{B}", "T⁻¹ B", free=True),
+        AnswerName("C", r"\bar{C}", "C T", optional=True, free=True),
         AnswerName(
             "orders", r"\text{orders}", "dimensions: [r, n − r], or [co, c not o, o not c, neither] for the full one"
         ),
@@ -63,6 +63,7 @@ kalman_decomposition = Task(
                 rf"{name}_{{{suffix}}}" if len(suffix) > 1 else f"{name}_{suffix}",
                 f"{name} of the {words} part",
                 optional=True,
+                free=True,
             )
             for suffix, words in (("c", "controllable"), ("o", "observable"), ("co", "controllable and observable"))
             for name in "ABC"
@@ -162,16 +163,15 @@ def separates_what_is_hidden(given: Given, answers: Answers) -> Iterable[Check]:
     part, plant = given.part or "controllable", _matrices(given)
     T = answers.get("T")
     if T is not None:
-        check = _that(
-            "$T$ is invertible and its columns separate the subspaces", "T", lambda: numeric.separates(part, T, *plant)
-        )
+        says = "$T$ is invertible and its columns separate the subspaces"
+        check = _check(says, "T", lambda: numeric.separation_residual(part, T, *plant))
         T = T if check.status is CheckStatus.PASSED else None
         yield check
     yield from _new_matrices(given, answers, T)
     yield from _first_part(given, answers, T)
     if "orders" in answers:
-        orders = answers["orders"]
-        yield _that("dimensions by ranks", "orders", lambda: list(orders) == numeric.kalman_orders(part, *plant))
+        right = numeric.kalman_orders(part, *plant)
+        yield Check.that("dimensions by ranks", "numpy.linalg.svd", list(answers["orders"]) == right, answer="orders")
     if "hidden_modes" in answers:
         modes = answers["hidden_modes"]
         yield numeric.check_residual(
@@ -187,9 +187,8 @@ def _matrices(given: Given) -> tuple[Any, Any, Any]:
     return given.system.A, given.system.B, given.system.C
 
 
-def _that(says: str, answer: str, holds: Callable[[], bool]) -> Check:
-    """The check of what holds or not; skipped where the numbers do not tell."""
-    return numeric.check_residual(says, "numpy.linalg.svd", lambda: 0.0 if holds() else float("inf"), answer=answer)
+def _check(says: str, answer: str, residual: Callable[[], float]) -> Check:
+    return numeric.check_residual(says, "numpy.linalg.svd", residual, answer=answer)
 
 
 def _new_matrices(given: Given, answers: Answers, T: ImmutableMatrix | None) -> Iterator[Check]:
@@ -201,7 +200,7 @@ def _new_matrices(given: Given, answers: Answers, T: ImmutableMatrix | None) -> 
             found,
             {name: name for name in found},
             r"some $T$ leads to $\bar{{{}}}$",
-            lambda those: numeric.leads_to(part, (A, B, C), those),
+            lambda those: numeric.coordinates_residual(part, (A, B, C), those),
         )
         return
     for name, M in found.items():
@@ -220,7 +219,7 @@ def _first_part(given: Given, answers: Answers, T: ImmutableMatrix | None) -> It
             found,
             names,
             f"${{}}_{{{{{SUFFIXES[part]}}}}}$ is of that part, in some coordinates",
-            lambda those: numeric.similar_to_visible(part, plant, those),
+            lambda those: numeric.visible_part_residual(part, plant, those),
         )
         return
     A, B, C = plant
@@ -232,12 +231,12 @@ def _first_part(given: Given, answers: Answers, T: ImmutableMatrix | None) -> It
 
 
 def _one_by_one(
-    found: Mapping[str, Any], names: Mapping[str, str], says: str, hold: Callable[[Mapping[str, Any]], bool]
+    found: Mapping[str, Any], names: Mapping[str, str], says: str, residual: Callable[[Mapping[str, Any]], float]
 ) -> Iterator[Check]:
     """Each matrix together with those found right before it, so that one wrong matrix spoils no other."""
     right: dict[str, Any] = {}
     for name, M in found.items():
         together = {**right, name: M}
-        check = _that(says.format(name), names[name], partial(hold, together))
+        check = _check(says.format(name), names[name], partial(residual, together))
         right = together if check.status is CheckStatus.PASSED else right
         yield check
