@@ -16,6 +16,7 @@ from solver.classroom.values import Reader, Submitted, names_for
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.derivation import Answers, PartResult, Status
 from solver.engine import Solution, given_of, solve_part
+from solver.limits import Exceeded, Limits, call_within
 from solver.problem.model import Part, Reference
 from solver.problem.nodes import Node
 from solver.problem.source import Fault, InputError, Report
@@ -29,10 +30,20 @@ def mark(solution: Solution, submission: Submission) -> Marking:
 
     Raises InputError with everything in the file that cannot be read.
     """
-    return _Marker(solution, submission).marking()
+    return Marker(solution, submission).marking()
 
 
-class _Marker:
+def mark_within(solution: Solution, submission: Submission, limits: Limits) -> Marking:
+    """Return the marking, judged in a child process; a part that meets a limit is not judged, the others are."""
+    marker = Marker(solution, submission)
+    try:
+        marking: Marking = call_within(limits, marker.marking)
+    except Exceeded:
+        return Marking(submission.student, tuple(marker.within(part, limits) for part in solution.problem.parts))
+    return marking
+
+
+class Marker:
     """Marks the parts in order; `values` holds what was submitted for earlier ones."""
 
     def __init__(self, solution: Solution, submission: Submission) -> None:
@@ -46,7 +57,31 @@ class _Marker:
 
     def marking(self) -> Marking:
         """Return the verdicts and marks of all parts."""
-        return Marking(self.submission.student, tuple(self._part(part) for part in self.solution.problem.parts))
+        return Marking(self.submission.student, tuple(map(self._next, self.solution.problem.parts)))
+
+    def _next(self, part: Part) -> PartVerdict:
+        verdict = self.part(part)
+        self.judged[part.id] = verdict.answers
+        return verdict
+
+    def within(self, part: Part, limits: Limits) -> PartVerdict:
+        """Return what `part` does, within limits of time and memory."""
+        try:
+            verdict: PartVerdict = call_within(limits, self.part, part)
+        except Exceeded as limit:
+            verdict = self.unjudged(part, str(limit))
+        self.judged[part.id] = verdict.answers
+        return verdict
+
+    def unjudged(self, part: Part, reason: str) -> PartVerdict:
+        """Return the part as it is where judging it met a limit."""
+        submitted = self.submission.answers.get(part.id, {})
+        answers = {name: AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason) for name in submitted}
+        return PartVerdict(part.id, part.task, answers, Fraction(0), self._out_of(part), reason)
+
+    def _out_of(self, part: Part) -> Fraction:
+        """The marks of a part; one each where the problem gives none to any part."""
+        return _fraction(part.marks) if part.marks is not None else Fraction(int(not self._any_marks()))
 
     def _read_all(self) -> dict[str, Values]:
         """Read every value submitted by the kind of our own answer; all that can't be read is reported together."""
@@ -76,14 +111,14 @@ class _Marker:
                 found = {**result.answers, **found}
         return found
 
-    def _part(self, part: Part) -> PartVerdict:
-        out_of = _fraction(part.marks) if part.marks is not None else Fraction(int(not self._any_marks()))
+    def part(self, part: Part) -> PartVerdict:
+        """Return the verdicts and marks of one part; the earlier ones must be in `judged`."""
+        out_of = self._out_of(part)
         submitted = self.submission.answers.get(part.id, {})
         ours, values = self._ours(part.id), self.values[part.id]
         verdicts = {name: self._unreadable(part, name) for name in submitted if name not in values}
         for name, verdict in self._judged(part, ours, values).items():
             verdicts[name] = verdict
-        self.judged[part.id] = verdicts
         ordered = {name: verdicts[name] for name in submitted}
         earned = sum((verdict.share for verdict in ordered.values()), Fraction(0))
         marks = out_of * earned / len(ordered) if ordered else Fraction(0)

@@ -11,8 +11,9 @@ from collections.abc import Sequence
 import click
 
 from solver import __version__
+from solver.cli.check import check
 from solver.cli.group import FileOrCommand, stop_writing
-from solver.cli.listing import check, new, schema, tasks
+from solver.cli.listing import new, schema, tasks
 from solver.cli.run import run
 
 INTERRUPTED = 130
@@ -20,7 +21,7 @@ INTERRUPTED = 130
 EPILOG = """\b
 Exit codes:
   0  every part is solved and every check passed
-  1  a part could not be solved, or a check failed
+  1  a part could not be solved, a check failed, or (check) an answer is wrong
   2  the input is at fault
 """
 
@@ -34,7 +35,7 @@ def cli() -> None:
     """
 
 
-for command in (run, tasks, new, schema, check):
+for command in (run, check, tasks, new, schema):
     cli.add_command(command)
 
 

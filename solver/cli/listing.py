@@ -1,4 +1,4 @@
-"""`solve tasks`, `solve new`, `solve schema`: what can be asked. `solve check` is reserved."""
+"""`solve tasks`, `solve new`, `solve schema`: what can be asked."""
 
 from __future__ import annotations
 
@@ -49,13 +49,6 @@ def schema() -> None:
     from solver.tasks import catalogue
 
     click.echo(json.dumps(json_schema(catalogue()), indent=2, ensure_ascii=False))
-
-
-@click.command(short_help="Mark a student's answers (not available yet).")
-@click.argument("files", nargs=-1, metavar="PROBLEM ANSWERS")
-def check(files: tuple[str, ...]) -> None:  # noqa: ARG001 - the arguments are reserved with the command
-    """Mark a student's answers. Not available yet: the name is reserved."""
-    raise click.UsageError("marking answers is not available yet.")
 
 
 def _found(name: str) -> Task:

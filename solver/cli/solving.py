@@ -47,16 +47,21 @@ class Request:
 
 def solve_files(request: Request) -> int:
     """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
-    gc.set_threshold(100_000, 20, 20)  # importing makes many objects and no garbage: a fifth faster
-    for name in SINGLE_THREAD:  # the matrices are small, and a process with threads should not fork
-        os.environ.setdefault(name, "1")
-    _end_orderly()
+    quiet_threads()
     if len(request.files) > 1:
         from solver.limits.child import load_algebra
 
         load_algebra()  # once, and not in the child of each file
     meter = Meter(len(request.files))
     return max(_guarded(request, file, meter) for file in request.files)
+
+
+def quiet_threads() -> None:
+    """Set this process up for solving: one thread, little garbage collection, an orderly end."""
+    gc.set_threshold(100_000, 20, 20)  # importing makes many objects and no garbage: a fifth faster
+    for name in SINGLE_THREAD:  # the matrices are small, and a process with threads should not fork
+        os.environ.setdefault(name, "1")
+    _end_orderly()
 
 
 def _end_orderly() -> None:
@@ -101,7 +106,7 @@ def _solve(request: Request, file: str, meter: Meter) -> int:
         from solver.problem.reader import read_problem
         from solver.tasks import catalogue
 
-        problem = read_problem(_source(file), catalogue())
+        problem = read_problem(source_of(file), catalogue())
         with meter.file(file) as notify:
             rehearsal = partial(_rehearse, request, problem)
             solution = solve_problem(problem, in_child(limits, notify, rehearsal, child))
@@ -120,7 +125,7 @@ def _rehearse(request: Request, problem: Problem) -> None:
                 _rendered(empty, format_)
 
 
-def _source(file: str) -> Source:
+def source_of(file: str) -> Source:
     """Return the text of a file, or of standard input for "-"."""
     from solver.problem.files import load
     from solver.problem.yaml_tree import MAX_BYTES
@@ -141,7 +146,7 @@ def _deliver(request: Request, file: str, solution: Solution) -> int:
     from solver.cli.formats import Document
 
     document = Document(solution, request.detail, request.templates, "" if file == STANDARD else file)
-    with _in_words("the solution"):
+    with in_words("the solution"):
         view = document.view
     if request.destination.standard_output:
         content = _rendered(document, request.destination.formats[0])
@@ -165,12 +170,12 @@ def _deliver(request: Request, file: str, solution: Solution) -> int:
 
 
 def _rendered(document: Document, format_: str) -> bytes:
-    with _in_words(format_):
+    with in_words(format_):
         return document.rendered(format_)
 
 
 @contextmanager
-def _in_words(what: str) -> Iterator[None]:
+def in_words(what: str) -> Iterator[None]:
     """Turn a fault of templates or of TeX into an error in words: it lies outside of the program."""
     from jinja2 import TemplateError
 

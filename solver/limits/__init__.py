@@ -13,13 +13,14 @@ from time import monotonic
 from typing import TYPE_CHECKING
 
 from solver.derivation import PartResult
+from solver.limits.call import Exceeded, call_within
 from solver.limits.child import Child, Limits, Unit, unsolved
 
 if TYPE_CHECKING:
     from solver.engine import Runner
     from solver.problem.model import Problem
 
-__all__ = ["Child", "Limits", "Progress", "in_child"]
+__all__ = ["Child", "Exceeded", "Limits", "Progress", "call_within", "in_child"]
 
 TICK = 0.1  # seconds between two reports of progress
 

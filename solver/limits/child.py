@@ -24,6 +24,8 @@ except ImportError:  # Windows
 from solver.derivation import PartResult, Status
 
 if TYPE_CHECKING:
+    from multiprocessing.context import ForkContext, SpawnContext
+
     from solver.engine import Earlier
     from solver.problem.model import Part
 
@@ -48,7 +50,7 @@ class Child:
     """
 
     def __init__(self) -> None:
-        context = multiprocessing.get_context("fork") if FORKS else multiprocessing.get_context("spawn")
+        context = new_context()
         self.channel, its_end = context.Pipe()
         self.process = context.Process(target=_live, args=(its_end,), daemon=True)
         self.process.start()
@@ -84,7 +86,7 @@ class Child:
             result, self.exhausted = self.channel.recv()
         except (EOFError, OSError):
             self.process.join(1.0)
-            return _cause_of_death(self.process.exitcode)
+            return cause_of_death(self.process.exitcode)
         return result
 
     def kill(self) -> None:
@@ -96,7 +98,13 @@ class Child:
         self.channel.close()
 
 
-def _cause_of_death(code: int | None) -> str:
+def new_context() -> ForkContext | SpawnContext:
+    """Return how processes are started: by fork, where that is safe."""
+    return multiprocessing.get_context("fork") if FORKS else multiprocessing.get_context("spawn")
+
+
+def cause_of_death(code: int | None) -> str:
+    """Return how a process ended that gave no result, in words."""
     if code is not None and code < 0:
         return f"its computation was ended by the system (signal {signal.Signals(-code).name})"
     return "its computation ended unexpectedly"
@@ -111,7 +119,7 @@ def _live(channel: Connection) -> None:
         units, known, limits = channel.recv()
     except EOFError:  # the parent is gone
         return
-    _restrict(limits, len(units))
+    restrict(limits, len(units))
     channel.send(True)
     for unit in units:
         result, exhausted = _solve_guarded(unit, known, limits)
@@ -139,7 +147,7 @@ def _solve_guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[PartResu
     except RecursionError:
         return unsolved(unit, "its expressions are nested too deeply"), False
     except Exception as bug:  # noqa: BLE001 - the boundary of a part: a bug in one must not lose the others
-        return unsolved(unit, _as_bug(bug)), False
+        return unsolved(unit, as_bug(bug)), False
     return unsolved(unit, reason), True
 
 
@@ -150,7 +158,7 @@ def _send(result: PartResult, exhausted: bool, channel: Connection) -> None:
     except (RecursionError, MemoryError):
         channel.send((_without_answers(result, "its result is too large"), exhausted))
     except (PickleError, TypeError, AttributeError, ValueError) as bug:
-        channel.send((_without_answers(result, _as_bug(bug)), exhausted))
+        channel.send((_without_answers(result, as_bug(bug)), exhausted))
 
 
 def unsolved(unit: Unit, reason: str, seconds: float = 0.0) -> PartResult:
@@ -163,14 +171,14 @@ def _without_answers(result: PartResult, reason: str) -> PartResult:
     return PartResult(result.id, result.task, result.method, Status.UNSOLVED, reason=reason, seconds=result.seconds)
 
 
-def _as_bug(bug: Exception) -> str:
+def as_bug(bug: Exception) -> str:
     """Return a bug of the program in words; the traceback goes to standard error if SOLVE_DEBUG is set."""
     if os.environ.get("SOLVE_DEBUG"):
         traceback.print_exception(bug)
     return f"internal error: {type(bug).__name__}: {bug}; please report it"
 
 
-def _restrict(limits: Limits, units: int) -> None:
+def restrict(limits: Limits, units: int) -> None:
     """Limit this process's memory, and its time in case the parent is gone and can't end it."""
     if resource is None:
         return

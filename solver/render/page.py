@@ -39,13 +39,15 @@ def render_page(
     `name` is the problem's file, `detail` the level of detail; both are named in the footer. `html/page.html.jinja`
     and `html/style.css` of the folder `templates`, if it has them, come before the installed ones.
     """
+    return rendered("page.html.jinja", templates, view=view, name=name, detail=detail, language=language)
+
+
+def rendered(template: str, templates: Path | None = None, **values: Any) -> str:
+    """Return a page made by one of the templates in `html/`, with the style, the font and the policy of all pages."""
     environment = _environment(templates)
     style = environment.get_template("style.css").render(font=_font())
-    return environment.get_template("page.html.jinja").render(
-        view=view,
-        name=name,
-        detail=detail,
-        language=language,
+    return environment.get_template(template).render(
+        **values,
         version=__version__,
         policy=POLICY,
         style=Markup(style.replace("</", "<\\/")),  # noqa: S704 - our own file; nothing in it can end the element

@@ -1,0 +1,176 @@
+"""A marking as data, as text for a terminal, as a sheet to hand back, and as a line of a table of marks."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
+from solver.engine import Solution
+from solver.problem.model import Part
+from solver.render.numbers import NumberFormat
+from solver.render.page import rendered
+from solver.render.plain import sympy_text
+from solver.render.prose import inline_as_text
+from solver.render.view import SolutionView
+from solver.render.wording import Wording
+from solver.tasks import catalogue
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+SIGNS = {Verdict.CORRECT: "✓", Verdict.WRONG: "✗", Verdict.NOT_JUDGED: "?"}
+COLOURS = {Verdict.CORRECT: "green", Verdict.WRONG: "bold red", Verdict.NOT_JUDGED: "yellow"}
+
+
+def as_json(marking: Marking) -> str:
+    """Return the marking as JSON text."""
+    return json.dumps(as_data(marking), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def as_data(marking: Marking) -> dict[str, Any]:
+    """Return the marking as dictionaries, lists, texts and numbers."""
+    head = {"student": marking.student} if marking.student else {}
+    totals = {"marks": number(marking.marks), "out_of": number(marking.out_of)}
+    return {"version": 1, **head, **totals, "parts": [_part_data(part) for part in marking.parts]}
+
+
+def _part_data(part: PartVerdict) -> dict[str, Any]:
+    data: dict[str, Any] = {
+        "id": part.id,
+        "task": part.task,
+        "answers": {name: _answer_data(verdict) for name, verdict in part.answers.items()},
+        "marks": number(part.marks),
+        "out_of": number(part.out_of),
+    }
+    return data | ({"note": part.note} if part.note else {})
+
+
+def _answer_data(answer: AnswerVerdict) -> dict[str, Any]:
+    data: dict[str, Any] = {"verdict": str(answer.verdict)}
+    for key, text in (("reason", answer.reason), ("note", answer.note)):
+        data |= {key: text} if text else {}
+    data |= {"follows": True} if answer.follows else {}
+    data |= {"value": _shown(answer.value)} if answer.value is not None else {}
+    return data | ({"entries": answer.entries} if isinstance(answer.entries, list) else {})
+
+
+def _shown(value: Any) -> str:
+    return str(value) if isinstance(value, bool | str) else sympy_text(value)
+
+
+def number(marks: Fraction) -> int | float:
+    """Return marks as a number of JSON, to two decimals."""
+    return int(marks) if marks.denominator == 1 else round(float(marks), 2)
+
+
+def print_marking(marking: Marking, name: str, console: Console) -> None:
+    """Print the verdicts of one answer file."""
+    from rich.text import Text  # noqa: PLC0415 - rich is needed only to print
+
+    who = f"{name} ({marking.student})" if marking.student else name
+    console.rule(f"{who}: {number(marking.marks)} of {number(marking.out_of)}", align="left", style="dim")
+    for part in marking.parts:
+        head = Text(f"{part.id}  ", style="bold")
+        note = f" ({part.note})" if part.note else ""
+        head.append(f"{catalogue()[part.task].title}: {number(part.marks)} of {number(part.out_of)}{note}")
+        console.print(head)
+        for answer in part.answers.values():
+            line = Text(f"    {SIGNS[answer.verdict]} ", style=COLOURS[answer.verdict])
+            line.append(f"{answer.name}: {answer.verdict}{_words(answer)}", style="default")
+            console.print(line)
+
+
+def _words(answer: AnswerVerdict) -> str:
+    """What is said of a verdict in a line of text."""
+    said = [inline_as_text(each) for each in (answer.reason, answer.note) if each]
+    places = ", ".join(wrong_places(answer))
+    said += [f"wrong at {places}"] if places else []
+    return f" – {'; '.join(said)}" if said else ""
+
+
+def wrong_places(answer: AnswerVerdict) -> list[str]:
+    """The places of wrong entries, counted from 1, where some entries are right: "row 1, column 2"."""
+    entries = answer.entries
+    if answer.verdict is not Verdict.WRONG or not isinstance(entries, list) or answer.share == 0:
+        return []
+    if entries and isinstance(entries[0], list):
+        return [
+            f"row {i}, column {j}"
+            for i, row in enumerate(entries, 1)
+            for j, each in enumerate(row, 1)
+            if each == Verdict.WRONG
+        ]
+    return [f"item {i}" for i, each in enumerate(entries, 1) if each == Verdict.WRONG]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One submitted value on the sheet: LaTeX of symbol and value ("" where it was not read), and the words."""
+
+    name: str
+    tex: str
+    verdict: str
+    words: tuple[str, ...]
+
+
+def render_sheet(
+    solution: Solution, marking: Marking, view: SolutionView | None = None, templates: Path | None = None
+) -> str:
+    """Return the page to hand back: values, verdicts and marks; with a view the worked solution below."""
+    wording = Wording(NumberFormat.of(solution.problem.display))
+    parts = {part.id: part for part in solution.problem.parts}
+    return rendered(
+        "sheet.html.jinja",
+        templates,
+        title=solution.problem.title,
+        marking=marking,
+        number=number,
+        parts=[(part, catalogue()[part.task].title, _lines(part, parts[part.id], wording)) for part in marking.parts],
+        view=view,
+    )
+
+
+def _lines(part: PartVerdict, asked: Part, wording: Wording) -> list[Line]:
+    declared = catalogue()[asked.task].answers
+    lines = []
+    for answer in part.answers.values():
+        tex = "" if answer.value is None else wording.equation(wording.symbol(declared[answer.name]), answer.value)
+        places = ", ".join(wrong_places(answer))
+        words = [answer.reason, answer.note, f"wrong at {places}" if places else ""]
+        lines.append(Line(answer.name, tex, str(answer.verdict), tuple(filter(None, words))))
+    return lines
+
+
+def as_csv(rows: Iterable[tuple[str, Marking | None]], parts: Sequence[str]) -> str:
+    """Return a table of marks: a line for each file, a column for each part; a file at fault has none."""
+    content = io.StringIO()
+    writer = csv.writer(content, lineterminator="\n")
+    writer.writerow(["file", "student", *parts, "total", "out of"])
+    for name, marking in rows:
+        writer.writerow([_harmless(name), *_cells(marking, parts)])
+    return content.getvalue()
+
+
+def _cells(marking: Marking | None, parts: Sequence[str]) -> Iterator[Any]:
+    if marking is None:
+        yield from ["", *("" for _ in parts), "not readable", ""]
+        return
+    earned = {part.id: number(part.marks) for part in marking.parts}
+    yield _harmless(marking.student)
+    yield from (earned.get(part, "") for part in parts)
+    yield from (number(marking.marks), number(marking.out_of))
+
+
+def _harmless(text: str) -> str:
+    """A text that no spreadsheet takes for a formula."""
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t") else text
+
+
+__all__ = ["as_csv", "as_data", "as_json", "print_marking", "render_sheet"]

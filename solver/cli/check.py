@@ -1,0 +1,49 @@
+"""`solve check problem.yaml answers.yaml`: the options. The work is in `checking`, imported when it is wanted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from solver.cli.run import DETAILS, Seconds
+
+FORMATS = ("text", "json", "html")
+
+
+@click.command(short_help="Mark students' answers to a problem.")
+@click.argument("files", nargs=-1, required=True, metavar="[PROBLEM] ANSWERS...")
+@click.option("-f", "--format", "format_", type=click.Choice(FORMATS), help="text (on the terminal), json, or html: "
+              "a sheet to hand back.")  # fmt: skip
+@click.option("-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: "
+              "sheets beside the answers, text and json on standard output.")  # fmt: skip
+@click.option("--csv", "table", metavar="FILE", help="Also write a table of marks, one line for each answer file.")
+@click.option("--solution", is_flag=True, help="Show the worked solution below the sheet.")
+@click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much of it.")
+@click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
+              help="Templates that take precedence over the program's own.")  # fmt: skip
+@click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
+              show_default=True, help="For each part, solved or marked.")  # fmt: skip
+@click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
+              help="For each part, solved or marked.")  # fmt: skip
+@click.pass_context
+def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
+    ctx: click.Context,
+    files: tuple[str, ...],
+    format_: str | None,
+    output: str | None,
+    table: str | None,
+    solution: bool,
+    detail: str,
+    templates: Path | None,
+    time_limit: float,
+    memory_limit: int,
+) -> None:
+    """Mark each file of ANSWERS by what PROBLEM asks, not by likeness to a key.
+
+    Without PROBLEM the answer file names it by the key 'problem'. One bad file does not stop the rest.
+    """
+    from solver.cli.checking import CheckRequest, check_files
+
+    request = CheckRequest(files, format_, output, table, solution, detail, templates, time_limit, memory_limit)
+    ctx.exit(check_files(request))

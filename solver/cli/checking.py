@@ -1,0 +1,189 @@
+"""The work of `solve check`: solve the problem once, mark each answer file, report, tabulate."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from solver.classroom import Marking, mark_within, read_submission
+from solver.classroom.answer_file import problem_named_in
+from solver.classroom.report import as_csv, as_json, print_marking, render_sheet
+from solver.cli.destination import STANDARD, AtFault, write_whole
+from solver.cli.progress import Meter
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, quiet_threads, source_of
+from solver.engine import Solution, solve_problem
+from solver.limits import Limits, in_child
+from solver.problem.nodes import MappingNode
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
+from solver.problem.yaml_tree import parse_yaml
+from solver.render.numbers import NumberFormat
+from solver.render.view import SolutionView, view_of
+from solver.render.wording import Wording
+from solver.tasks import catalogue
+
+SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt"}
+
+
+@dataclass(frozen=True, slots=True)
+class CheckRequest:
+    """What the command line asks for."""
+
+    files: tuple[str, ...]
+    format: str | None
+    output: str | None
+    table: str | None
+    solution: bool
+    detail: str
+    templates: Path | None
+    time_limit: float
+    memory_limit: int
+
+    @property
+    def limits(self) -> Limits:
+        """Limits of each part."""
+        return Limits(self.time_limit, self.memory_limit)
+
+    @property
+    def chosen_format(self) -> str:
+        """The format asked for, meant by the ending of the output, or text."""
+        endings = {".html": "html", ".json": "json"}
+        return self.format or endings.get(Path(self.output or "").suffix.lower(), "html" if self.solution else "text")
+
+
+def check_files(request: CheckRequest) -> int:
+    """Mark all answer files; return the worst exit code: 1 where an answer is wrong, 2 where a file is at fault."""
+    quiet_threads()
+    problem, answers = _told_apart(request.files)
+    if request.output and request.output != STANDARD and len(answers) > 1 and Path(request.output).is_file():
+        raise click.UsageError(f"{request.output} is one file; name a folder for {len(answers)} answer files.")
+    desk = _Desk(request, len(answers))
+    codes = [desk.mark(problem, file) for file in answers]
+    if request.table:
+        parts = list(dict.fromkeys(part.id for solution in desk.solutions.values() for part in solution.problem.parts))
+        write_whole(Path(request.table), as_csv(desk.rows, parts).encode())
+        click.echo(f"wrote {request.table}", err=True)
+    return max(codes)
+
+
+def _told_apart(files: tuple[str, ...]) -> tuple[str | None, tuple[str, ...]]:
+    """Return the problem file, None if the answer files name theirs, and the answer files."""
+    if len(files) == 1 or _is_answer_file(files[0]):
+        return None, files
+    return files[0], files[1:]
+
+
+def _is_answer_file(file: str) -> bool:
+    try:
+        root = parse_yaml(source_of(file)) if file != STANDARD else None
+    except InputError:
+        return False
+    return isinstance(root, MappingNode) and "answers" in root and "find" not in root
+
+
+class _Desk:
+    """Marks answer files one after the other; a problem is solved once."""
+
+    def __init__(self, request: CheckRequest, files: int) -> None:
+        self.request = request
+        self.solutions: dict[str, Solution] = {}
+        self.views: dict[str, SolutionView] = {}
+        self.rows: list[tuple[str, Marking | None]] = []
+        self.meter = Meter(files)
+        self.several = files > 1
+
+    def mark(self, problem: str | None, file: str) -> int:
+        """Mark one file; whatever is wrong with it becomes words on standard error and an exit code."""
+        try:
+            source = source_of(file)
+            name = problem or self._named(source, file)
+            submission = read_submission(source, self._solution(name).problem)
+            with self.meter.file(file):
+                marking = mark_within(self.solutions[name], submission, self.request.limits)
+        except InputError as error:
+            click.echo(error.render(), err=True)
+            self.rows.append((file, None))
+            return INPUT_AT_FAULT
+        except AtFault as error:
+            click.echo(f"{file}: error: {error.format_message()}", err=True)
+            self.rows.append((file, None))
+            return error.exit_code
+        finally:
+            self.meter.next_file()
+        self.rows.append((file, marking))
+        self._deliver(name, file, marking)
+        return SOLVED if marking.all_right else UNSOLVED
+
+    def _named(self, source: Source, file: str) -> str:
+        """Return the problem that an answer file names, found beside it."""
+        name = problem_named_in(source)
+        if not name:
+            raise AtFault("it names no problem; call solve check PROBLEM ANSWERS, or add the key 'problem'")
+        return str(Path(name) if file == STANDARD else Path(file).parent / name)
+
+    def _solution(self, name: str) -> Solution:
+        """Return the solved problem."""
+        if name not in self.solutions:
+            problem = read_problem(source_of(name), catalogue())
+            with self.meter.file(name) as notify:
+                self.solutions[name] = solve_problem(problem, in_child(self.request.limits, notify))
+        return self.solutions[name]
+
+    def _view(self, name: str) -> SolutionView | None:
+        """Return the worked solution in words where it is to be shown."""
+        if not self.request.solution:
+            return None
+        if name not in self.views:
+            solution = self.solutions[name]
+            numbers = NumberFormat.of(solution.problem.display)
+            with in_words("the solution"):
+                self.views[name] = view_of(solution, Wording(numbers, self.request.detail, self.request.templates))
+        return self.views[name]
+
+    def _deliver(self, name: str, file: str, marking: Marking) -> None:
+        """Write or print the marking of one file."""
+        format_ = self.request.chosen_format
+        content = self._content(format_, name, file, marking)
+        output = self.request.output
+        if output == STANDARD or (output is None and format_ != "html"):
+            sys.stdout.write(content)
+            sys.stdout.flush()
+            return
+        path = self._path(file, format_)
+        write_whole(path, content.encode())
+        click.echo(f"{file}: {_total(marking)}; wrote {path}")
+
+    def _content(self, format_: str, name: str, file: str, marking: Marking) -> str:
+        if format_ == "json":
+            return as_json(marking)
+        if format_ == "html":
+            with in_words("the sheet"):
+                return render_sheet(self.solutions[name], marking, self._view(name), self.request.templates)
+        from rich.console import Console
+
+        from solver.render.terminal import WIDTH
+
+        to_terminal = self.request.output is None and sys.stdout.isatty()
+        console = Console(highlight=False, width=None if to_terminal else WIDTH, force_terminal=to_terminal)
+        with console.capture() as captured:
+            print_marking(marking, file, console)
+        return captured.get()
+
+    def _path(self, file: str, format_: str) -> Path:
+        """Where the marking of a file goes: as named, into the folder named, or beside the answers."""
+        stem = "answers" if file == STANDARD else Path(file).stem
+        name = stem + SUFFIXES[format_]
+        if self.request.output is None:
+            return Path(name) if file == STANDARD else Path(file).with_name(name)
+        place = Path(self.request.output)
+        folder = self.several or place.is_dir() or self.request.output.endswith("/")
+        return place / name if folder else place
+
+
+def _total(marking: Marking) -> str:
+    from solver.classroom.report import number
+
+    return f"{number(marking.marks)} of {number(marking.out_of)} marks"

@@ -1,0 +1,53 @@
+"""One function called within limits, in a child process that can be killed."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from pickle import PickleError
+from typing import Any
+
+from solver.limits.child import Limits, as_bug, cause_of_death, new_context, restrict
+
+
+class Exceeded(Exception):  # noqa: N818 - a limit was met; no error of the program
+    """The call was ended, or died; the message says why, in words."""
+
+
+def call_within(limits: Limits, function: Callable[..., Any], *arguments: Any) -> Any:
+    """Return what the function returns; raises Exceeded where it takes too long or too much memory, or dies."""
+    context = new_context()
+    channel, its_end = context.Pipe(duplex=False)
+    process = context.Process(target=_call, args=(its_end, limits, function, arguments), daemon=True)
+    process.start()
+    its_end.close()
+    try:
+        if not channel.poll(limits.seconds):
+            raise Exceeded(f"time limit of {limits.seconds:g} s")
+        answered, result = channel.recv()
+    except (EOFError, OSError):
+        process.join(1.0)
+        raise Exceeded(cause_of_death(process.exitcode)) from None
+    finally:
+        process.kill()
+        process.join()
+        channel.close()
+    if not answered:
+        raise Exceeded(result)
+    return result
+
+
+def _call(channel: Connection, limits: Limits, function: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
+    """Call the function in the child and send (True, result), or (False, the reason)."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    restrict(limits, 1)
+    try:
+        channel.send((True, function(*arguments)))
+    except MemoryError:
+        channel.send((False, f"memory limit of {limits.megabytes} MB"))
+    except (RecursionError, PickleError):
+        channel.send((False, "its result is nested too deeply"))
+    except Exception as bug:  # noqa: BLE001 - the boundary of a call: a bug in one must not lose the others
+        channel.send((False, as_bug(bug)))
