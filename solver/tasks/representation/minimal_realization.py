@@ -96,7 +96,7 @@ def _kept(A: Any, B: Any, C: Any, found: exact.Decomposition, part: str) -> Deri
     """The first part of a decomposition, which is all that the transfer function needs."""
     n, r = A.rows, found.orders[0]
     matrix = exact.controllability_matrix(A, B) if part == "controllable" else _observability_matrix(A, C)
-    claims = {"rank": Claim(rank(matrix), sp.Integer(r), f"rank of the {part[:-3]}ility matrix")}
+    claims = {"rank": Claim(rank(matrix), sp.Integer(r), f"rank of the {part[:-2]}ility matrix")}
     if r == n:
         yield Step("complete", claims=claims, part=part, n=n, matrix=matrix)
         return A, B, C

@@ -32,10 +32,16 @@ similarity_transformation = Task(
 
 
 @similarity_transformation.refusal
-def of_a_singular_matrix(_system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
-    """T must have an inverse."""
-    T = options.get("T")
-    if T is not None and T.rows == T.cols and exact.is_singular(T):
+def of_a_matrix_that_is_no_change_of_coordinates(
+    system: System, options: Mapping[str, Any]
+) -> Iterable[tuple[str, str]]:
+    """T is n×n and has an inverse."""
+    T, n = options.get("T"), getattr(system, "order", None)
+    if T is None:
+        return
+    if T.rows != T.cols or n not in (None, T.rows):
+        yield "T", f"T is {T.rows}×{T.cols}, but x = T ξ needs a square matrix as large as A"
+    elif exact.is_singular(T):
         yield "T", "T is singular (its determinant is zero), so x = T ξ is no change of coordinates"
 
 
