@@ -17,6 +17,7 @@ from solver.exact.functions import MatrixFunction, exponential, interpolation_co
 from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response, reached_in
 from solver.exact.inequalities import Generator, all_positive, generator_of, sign_of
 from solver.exact.interpolation import Condition, interpolation
+from solver.exact.long_run import Peak, horizon
 from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
 from solver.exact.matrix_functions import FunctionOfMatrix, matrix_function
@@ -67,6 +68,7 @@ from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_part
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.scalar_functions import ScalarFunction
 from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
+from solver.exact.set_point import NoSetPoint, SetPoint, set_point
 from solver.exact.spectral_factor import OnTheAxis
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
 from solver.exact.stability import (
@@ -113,10 +115,12 @@ __all__ = [
     "Location",
     "MatrixFunction",
     "Mode",
+    "NoSetPoint",
     "NotExact",
     "NotStabilizable",
     "OnTheAxis",
     "Partition",
+    "Peak",
     "PencilRank",
     "Piece",
     "RationalMatrix",
@@ -130,6 +134,7 @@ __all__ = [
     "RowReduction",
     "ScalarFunction",
     "SecondOrder",
+    "SetPoint",
     "SingularEquation",
     "Solution",
     "Spectrum",
@@ -168,6 +173,7 @@ __all__ = [
     "generator_of",
     "hidden_modes",
     "hidden_part",
+    "horizon",
     "independent_columns",
     "input_response",
     "interpolation",
@@ -223,6 +229,7 @@ __all__ = [
     "row_reduce",
     "row_reduction",
     "second_order",
+    "set_point",
     "shifted",
     "sign_of",
     "solve_affine",

@@ -91,6 +91,7 @@ from solver.numeric.structure import (
     rank_falls_where,
 )
 from solver.numeric.tracking import completed_residual, feedforward_residual, steady_residual
+from solver.numeric.trajectory import difference, final_output, largest_output, samples_of_output, simulations
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
@@ -118,6 +119,7 @@ __all__ = [
     "counterexample",
     "definiteness_holds",
     "diagonalizable",
+    "difference",
     "driven_error_residual",
     "eigenpair_residual",
     "equality_residual",
@@ -127,6 +129,7 @@ __all__ = [
     "exponential_residual",
     "externally_stable",
     "feedforward_residual",
+    "final_output",
     "fit_residual",
     "fixed_modes_residual",
     "gain_residual",
@@ -144,6 +147,7 @@ __all__ = [
     "joined_spectrum_residual",
     "kalman_orders",
     "krylov_matrix",
+    "largest_output",
     "left_residual",
     "locations",
     "loop_residual",
@@ -160,6 +164,7 @@ __all__ = [
     "rank",
     "rank_falls_where",
     "realized",
+    "reference_residual_at_optimum",
     "residual_of_pairs",
     "riccati_residual",
     "roots_residual",
@@ -168,14 +173,15 @@ __all__ = [
     "same_jordan_structure",
     "sampled",
     "samples",
+    "samples_of_output",
     "second_order_poles",
     "second_order_residual",
     "separation_residual",
+    "set_point_residual",
     "shape_residual",
+    "simulations",
     "spectrum_residual",
     "spread_points",
-    "reference_residual_at_optimum",
-    "set_point_residual",
     "stabilizes",
     "steady_residual",
     "symmetry_residual",

@@ -53,6 +53,8 @@ kalman_filter = Task(
 @kalman_filter.refusal
 def wrong_intensities(_system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
     """Intensities that are not symmetric and definite as they must be."""
+    if "Q" not in options and "R" not in options:
+        yield "", "say how strong the noise is: give Q (on x') and R (on y)"
     yield from faulty_weights(options)
 
 

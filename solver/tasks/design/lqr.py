@@ -73,7 +73,18 @@ lqr = Task(
 @lqr.refusal
 def wrong_weights(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
     """Weights given twice, of the wrong size, or not definite as they must be."""
+    yield from faulty_weights(options)
+    yield from _faulty_state_weight(system, options)
+    factor = options.get("cost_factor")
+    if factor is not None and factor.is_positive is False:
+        yield "cost_factor", "cost_factor must be positive"
+
+
+def _faulty_state_weight(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Faults of the weight of the state: given twice or not at all, of the wrong size or sign."""
     ways = [name for name in ("Q", "output_weight", "tolerances") if name in options]
+    if not ways and "R" not in options:
+        yield "", "say what is weighed: give Q and R, or output_weight, or tolerances"
     for other in ways[1:]:
         yield other, f"the weight of the state is given twice, by {ways[0]} and by {other}"
     W: Any = options.get("output_weight")
@@ -91,10 +102,6 @@ def wrong_weights(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str
     tolerances = options.get("tolerances")
     if tolerances is not None and any(x.is_positive is False for x in tolerances):
         yield "tolerances", "tolerances must be positive"
-    factor = options.get("cost_factor")
-    if factor is not None and factor.is_positive is False:
-        yield "cost_factor", "cost_factor must be positive"
-    yield from faulty_weights(options)
 
 
 def _weights_as_stated(given: Given) -> tuple[Any, ImmutableMatrix]:

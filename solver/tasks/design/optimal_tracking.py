@@ -1,0 +1,130 @@
+"""Optimal tracking of a constant reference: the regulator around a set point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    MatrixOf,
+    Option,
+    Step,
+    Task,
+    Unsolved,
+)
+from solver.derivation.figures import Diagram
+from solver.derivation.stated import inverse, product
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.design.regulator import Regulator, faulty_weights
+from solver.tasks.design.riccati import solution_by_hamiltonian
+from solver.tasks.design.riccati_checks import FLOATS, gain_check
+from solver.tasks.design.set_point import equations_of_rest, reference_gain, set_point_checks, set_point_of
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+optimal_tracking = Task(
+    "optimal_tracking",
+    group="Design",
+    title="Optimal tracking",
+    doc="The control u = −K x + K_o r that brings the output to a constant r, optimal around the set point.",
+    needs=("A", "B", "C"),
+    options=[
+        Option("Q", MatrixOf("n", "n"), "weight of x − x_d, n×n, symmetric and positive semidefinite (default I)"),
+        Option("R", MatrixOf("m", "m"), "weight of u − u_d, m×m, symmetric and positive definite (default I)"),
+        Option("gain", MatrixOf("m", "n", flat="row"), "K itself, instead of weights"),
+    ],
+    answers=[
+        AnswerName("K", "K_f", "the gain in u = −K x + K_o r, m×n"),
+        AnswerName("F", "F", "x_d = F r, n×p"),
+        AnswerName("N", "N", "u_d = N r, m×p"),
+        AnswerName("K_o", "K_o", "N + K F, m×p"),
+    ],
+)
+
+
+@optimal_tracking.refusal
+def wrong_weights(_system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Weights and gain together, neither, or weights that are not definite as they must be."""
+    weights = [name for name in ("Q", "R") if name in options]
+    if "gain" in options and weights:
+        yield "gain", f"the gain is given twice: by itself, and by the weight {weights[0]}"
+    if "gain" not in options and not weights:
+        yield "", "say how K is found: give the weights Q and R, or the gain"
+    yield from faulty_weights(options)
+
+
+def _weights(given: Given) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+    """Q and R, identity matrices where they are not given."""
+    Q = given.Q if given.Q is not None else sp.ImmutableMatrix(sp.eye(given.system.order))
+    return Q, given.R if given.R is not None else sp.ImmutableMatrix(sp.eye(given.system.B.cols))
+
+
+@optimal_tracking.method(source="Lecture note, section 5.4")
+def around_a_set_point(given: Given) -> Derivation[Answers]:
+    """Solve for the set point (x_d, u_d) and feed back the deviations from it."""
+    plant, K = given.system, given.gain
+    if K is None and plant.discrete:
+        raise Unsolved("The Riccati equation of discrete time is not solved here. Give the gain.")
+    found = yield from set_point_of(plant)
+    if K is None:
+        K = yield from _optimal_gain(given)
+    yield Step(
+        "deviations",
+        unclaimed="a definition: the coordinates are moved to the set point",
+        figures=(Diagram("The loop with a reference.", "state_feedback_reference", {"K": "K_f", "N": "K_o"}),),
+        K=K,
+        given=given.gain is not None,
+        discrete=plant.discrete,
+    )
+    K_o = yield from reference_gain(K, found)
+    return Answers(K=K, F=found.F, N=found.N, K_o=K_o)
+
+
+def _optimal_gain(given: Given) -> Derivation[ImmutableMatrix]:
+    """Find K of the regulator of the deviations."""
+    Q, R = _weights(given)
+    yield Step("weights", unclaimed="the weights are given", Q=Q, R=R, chosen=given.Q is None or given.R is None)
+    problem = Regulator.of(given.system.A, given.system.B, Q, R)
+    equation = yield from solution_by_hamiltonian(problem)
+    P = equation.stabilizing.P
+    K = exact.optimal_gain(problem.B, problem.R, P)
+    stated = product(inverse(problem.R), sp.ImmutableMatrix(problem.B.T), P)
+    yield Step("gain", claims={"K": Claim(stated, K, "the gain")})
+    restored: ImmutableMatrix = problem.restored(K)
+    return restored
+
+
+@optimal_tracking.verification("K")
+def is_optimal_or_given(given: Given, answers: Answers) -> Iterable[Check]:
+    """The gain given; else K stabilizes and is R⁻¹BᵀP for the P of its own cost."""
+    K = answers["K"]
+    if given.gain is not None:
+        yield numeric.check_claim(Claim(given.gain, K), "the gain given", answer="K")
+        return
+    weights = numeric.Weights(given.system.A, given.system.B, *_weights(given))
+    yield gain_check(weights, K, "K", "$K$ stabilizes, and $K = R^{-1}B^{T}P$ for the $P$ of its own cost")
+
+
+@optimal_tracking.verification("F", "N", "K_o")
+def belong_to_a_set_point(given: Given, answers: Answers) -> Iterable[Check]:
+    """A F + B N = 0, C F + D N = I and K_o = N + K F; alone, each must go with some set point."""
+    K = answers.get("K", given.gain)
+    yield from set_point_checks(given.system, answers, K)
+    if "K_o" in answers and K is None:
+        weights = numeric.Weights(given.system.A, given.system.B, *_weights(given))
+        M, p = equations_of_rest(given.system), given.system.C.rows
+        yield numeric.check_residual(
+            "$K_o = N + KF$ for a set point, with the optimal $K$",
+            "scipy.linalg.solve_continuous_are",
+            lambda: numeric.reference_residual_at_optimum(weights, M, p, answers["K_o"]),
+            FLOATS,
+            answer="K_o",
+        )

@@ -1,0 +1,111 @@
+"""Following a constant reference, as lemmas: the set point, and the gain of the reference."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Answers, Check, Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation.stated import determinant, inverse, product, total, transpose
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+
+def feedthrough(plant: Any) -> ImmutableMatrix:
+    """D, zero where the plant has none (p×m)."""
+    return plant.D if plant.D is not None else sp.ImmutableMatrix(sp.zeros(plant.C.rows, plant.B.cols))
+
+
+def equations_of_rest(plant: Any) -> ImmutableMatrix:
+    """[[A, B], [C, D]], in discrete time with A − I."""
+    A = plant.A - sp.eye(plant.order) if plant.discrete else plant.A
+    return sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[A, plant.B], [plant.C, feedthrough(plant)]])))
+
+
+def set_point_checks(plant: Any, answers: Answers, K: ImmutableMatrix | None = None) -> Iterable[Check]:
+    """F, N and K_o (with the gain K) belong to a set point: each by itself, and those that are present together."""
+    n, m, p = plant.order, plant.B.cols, plant.C.rows
+    M, identity = equations_of_rest(plant), sp.eye(n + m)
+    rows = {"F": identity[:n, :], "N": identity[n:, :]}
+    if K is not None and K.shape == (m, n):
+        rows["K_o"] = sp.Matrix(K).row_join(sp.eye(m))
+    conditions = {name: (sp.ImmutableMatrix(L), answers[name]) for name, L in rows.items() if name in answers}
+    labels = {"F": "$x_d = Fr$ is a state of rest with $y = r$", "N": "$u_d = Nr$ holds the plant at rest with $y = r$"}
+    for name, condition in conditions.items():
+        yield numeric.check_residual(
+            labels.get(name, "$u = -Kx + K_or$ brings $y$ to $r$"),
+            "numpy.linalg.lstsq",
+            lambda condition=condition: numeric.set_point_residual(M, p, [condition]),
+            answer=name,
+        )
+    if len(conditions) > 1:
+        yield numeric.check_residual(
+            f"${', '.join(conditions)}$ belong to the same set point",
+            "numpy.linalg.lstsq",
+            lambda: numeric.set_point_residual(M, p, list(conditions.values())),
+        )
+
+
+@lemma("set_point")
+def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
+    """F and N with x_d = F r, u_d = N r: the plant rests there with the output r. Raises Unsolved if there are none."""
+    A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
+    n, m, p = A.rows, B.cols, C.rows
+    try:
+        found = exact.set_point(A, B, C, D, discrete=plant.discrete)
+    except exact.NoSetPoint as finding:
+        raise Unsolved(_no_set_point(finding.rank, n, m, p, discrete=plant.discrete)) from finding
+    M, right = found.matrix, sp.ImmutableMatrix(sp.zeros(n, p).col_join(sp.eye(p)))
+    stacked = sp.ImmutableMatrix(found.F.col_join(found.N))
+    square = m == p and found.unique
+    claims = {"solution": Claim(product(M, stacked), right, "the set point")}
+    if square:
+        claims["determinant"] = Claim(
+            determinant(M), exact.determinant_and_adjugate(M)[0], "determinant of the equations"
+        )
+    elif found.rank == n + p:
+        least = product(transpose(M), inverse(product(M, transpose(M))), right)
+        claims["least"] = Claim(least, stacked, "the least solution")
+    yield Step(
+        "set_point",
+        claims=claims,
+        M=M,
+        right=right,
+        F=found.F,
+        N=found.N,
+        n=n,
+        m=m,
+        p=p,
+        discrete=plant.discrete,
+        square=square,
+        unique=found.unique,
+        full=found.rank == n + p,
+        exceptions=found.exceptions,
+    )
+    return found
+
+
+def _no_set_point(rank: int, n: int, m: int, p: int, *, discrete: bool) -> str:
+    point = "z = 1" if discrete else "s = 0"
+    if m < p:
+        return (
+            f"There are fewer inputs ({m}) than outputs ({p}): the {n + p} equations for the {n + m} entries of a set "
+            "point have no solution for every reference, so the outputs can't all be brought to arbitrary values."
+        )
+    return (
+        "The plant can't hold its output at every reference: the matrix of the equations for the set point has the "
+        f"rank {rank}, less than $n + p = {n + p}$. The plant has a zero at ${point}$, or a part at rest that no input "
+        "moves."
+    )
+
+
+@lemma("set_point")
+def reference_gain(K: ImmutableMatrix, found: exact.SetPoint) -> Derivation[ImmutableMatrix]:
+    """K_o = N + K F in u = −K x + K_o r."""
+    K_o = sp.ImmutableMatrix((found.N + K * found.F).applyfunc(exact.tidy))
+    stated = total(found.N, product(K, found.F))
+    yield Step("reference_gain", claims={"K_o": Claim(stated, K_o, "gain of the reference")})
+    return K_o
