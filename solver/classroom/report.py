@@ -6,7 +6,7 @@ import csv
 import io
 import json
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -90,7 +90,7 @@ def print_marking(marking: Marking, name: str, console: Console) -> None:
 def _words(answer: AnswerVerdict) -> str:
     """What is said of a verdict in a line of text."""
     said = [inline_as_text(each) for each in (answer.reason, answer.note) if each]
-    places = ", ".join(wrong_places(answer))
+    places = "; ".join(wrong_places(answer))
     said += [f"wrong at {places}"] if places else []
     return f" – {'; '.join(said)}" if said else ""
 
@@ -124,7 +124,8 @@ def render_sheet(
     solution: Solution, marking: Marking, view: SolutionView | None = None, templates: Path | None = None
 ) -> str:
     """Return the page to hand back: values, verdicts and marks; with a view the worked solution below."""
-    wording = Wording(NumberFormat.of(solution.problem.display))
+    typed = replace(solution.problem.display, decimals_typed=True)  # a student's decimals are shown as decimals
+    wording = Wording(NumberFormat.of(typed))
     parts = {part.id: part for part in solution.problem.parts}
     return rendered(
         "sheet.html.jinja",
@@ -142,10 +143,15 @@ def _lines(part: PartVerdict, asked: Part, wording: Wording) -> list[Line]:
     lines = []
     for answer in part.answers.values():
         tex = "" if answer.value is None else wording.equation(wording.symbol(declared[answer.name]), answer.value)
-        places = ", ".join(wrong_places(answer))
-        words = [answer.reason, answer.note, f"wrong at {places}" if places else ""]
+        places = "; ".join(wrong_places(answer))
+        words = map(_sentence, [answer.reason, answer.note, f"wrong at {places}" if places else ""])
         lines.append(Line(answer.name, tex, str(answer.verdict), tuple(filter(None, words))))
     return lines
+
+
+def _sentence(words: str) -> str:
+    """Begin with a capital letter where it begins with a letter."""
+    return words[:1].upper() + words[1:]
 
 
 def as_csv(rows: Iterable[tuple[str, Marking | None]], parts: Sequence[str]) -> str:
