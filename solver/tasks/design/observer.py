@@ -9,7 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import difference, product
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
-from solver.tasks.design.frames import Frame, Pair, characteristic
+from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
 
 if TYPE_CHECKING:
@@ -27,10 +27,10 @@ observer = Task(
     answers=[
         AnswerName("L", "L_c", "observer gain (n×p)"),
         AnswerName("error_A", "A - L_c C", "matrix of the estimation error"),
-        AnswerName("polynomial", r"\det(sI - A + L_c C)", "characteristic polynomial of A − LC, in `s` (`z`)"),
+        AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of A − LC, in `s` (`z`)"),
         AnswerName(
             "gain_polynomial",
-            r"\det(sI - A + L C)",
+            "p_l",
             "the same with the unknown entries `l1`, `l2`, … of L (one output)",
             ("coefficient_matching",),
             optional=True,
@@ -146,8 +146,7 @@ def is_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
     """det(sI − A + LC) at random values of s and of the entries of L."""
     A, C = given.system.A, given.system.C
     x = sp.Symbol("z" if given.system.discrete else "s")
-    desired = sp.Poly(sp.Mul(*(x - pole for pole in given.poles)), x).all_coeffs()
-    unknowns = Pair(Frame(dual=True), sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T), x, desired).unknowns
+    unknowns = unknown_gains((A.T, C.T), given.poles, dual=True)
     L = sp.ImmutableMatrix(list(unknowns))
     claim = Claim(characteristic(sp.ImmutableMatrix(A - L * C), x), answers["gain_polynomial"])
     yield numeric.check_claim(claim, r"$\det(sI - A + LC)$ with unknown gain")
