@@ -46,6 +46,18 @@ class Frame:
 
 
 @dataclass(frozen=True)
+class Wanted:
+    """What is asked of a gain beside poles: the `row` K (one input) with its `unknowns`, for coefficient matching.
+
+    `coefficients` of the desired polynomial may stand in place of the poles (of a controllable pair).
+    """
+
+    row: ImmutableMatrix | None = None
+    unknowns: Sequence[Symbol] = ()
+    coefficients: Sequence[Expr] = ()
+
+
+@dataclass(frozen=True)
 class Pair:
     """A pair (A, b), and what det(xI − A + bk) is to be: coefficients, highest power first, and the poles asked for."""
 

@@ -14,7 +14,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.stated import determinant, difference, inverse, power, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.tasks.design.frames import Frame, Pair, Placement, characteristic, linear_factors, movable_poles
+from solver.tasks.design.frames import Frame, Pair, Placement, Wanted, characteristic, linear_factors, movable_poles
 from solver.tasks.design.placement_methods import METHODS, matched
 
 if TYPE_CHECKING:
@@ -47,28 +47,27 @@ def place(
     method: str,
     *,
     x: Symbol,
-    frame: Frame | None = None,
-    shape: tuple[ImmutableMatrix, Sequence[Symbol]] | None = None,
-    coefficients: Sequence[Expr] = (),
+    dual: bool = False,
+    augmented: bool = False,
+    wanted: Wanted | None = None,
 ) -> Derivation[Placement]:
-    """Find K (m×n) with det(xI − A + BK) = Π(x − pᵢ). In a dual frame B is C (p×n), the gain is L (n×p) of A − LC.
+    """Find K (m×n) with det(xI − A + BK) = Π(x − pᵢ). `dual`: B is C (p×n), the gain is L (n×p) of A − LC.
 
     `poles` are all n, or those of the controllable (observable) part; `method` is one of METHODS. Several inputs are
-    joined to one first. `shape` is the row K with its unknowns (coefficient matching of one input). `coefficients` of
-    the desired polynomial may be given in place of the poles (of a controllable pair). Raises Unsolved if a mode that
-    no gain moves is not among n poles.
+    joined to one first. `augmented`: A and B are those of a plant with integrators and named so. Raises Unsolved if a
+    mode that no gain moves is not among n poles.
     """
-    frame = frame or Frame()
-    frame = replace(frame, several=(B.rows if frame.dual else B.cols) > 1)
+    wanted = wanted or Wanted()
+    frame = Frame(dual, several=(B.rows if dual else B.cols) > 1, augmented=augmented)
     plant, inputs = frame.shown(A), frame.shown(B)
-    desired = coefficients or (yield from desired_polynomial_of(poles, x, dual=frame.dual))
+    desired = wanted.coefficients or (yield from desired_polynomial_of(poles, x, dual=frame.dual))
     reduction = yield from _one_input(frame, plant, inputs)
     loop = plant if reduction.preliminary is None else sp.ImmutableMatrix(plant - inputs * reduction.preliminary)
     b = sp.ImmutableMatrix(inputs * reduction.g)
     pair = Pair(frame.reduced(shifted=reduction.preliminary is not None), loop, b, x, desired, poles)
     part = yield from _controllability(pair)
     if method == "coefficient_matching":
-        found = yield from matched(pair, *(shape or ()))
+        found = yield from matched(pair, wanted.row, wanted.unknowns)
     elif part.order == plant.rows:
         k = yield from METHODS[method](pair)
         found = Placement(k, loop, exact.polynomial_in(x, desired))

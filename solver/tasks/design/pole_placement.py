@@ -9,7 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Derivation, Expression
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.systems import StateSpace
-from solver.tasks.design.frames import Placement
+from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
 from solver.tasks.design.placement import place
@@ -82,8 +82,7 @@ def _placed(given: Given, method: str) -> Derivation[Answers]:
     yield from block_diagram("state_feedback", "State feedback $u = -K_f x$")
     poles = yield from asked_poles(given.options)
     row, unknowns = shape_of(given)
-    shape = (row, unknowns) if row is not None else None
-    found = yield from place(plant.A, plant.B, poles, method, x=x, shape=shape)
+    found = yield from place(plant.A, plant.B, poles, method, x=x, wanted=Wanted(row, unknowns))
     if not found.free:
         yield from zero_input_response(found.loop, plant)
     return _answers(found, structured=row is not None)

@@ -1,0 +1,195 @@
+"""Integral action: the error of each output is integrated and fed back, so that y = r in the steady state."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, Unsolved, lemma
+from solver.derivation.stated import determinant, difference, inverse, product, rank
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.design.gain_checks import Asked, judge_gain
+from solver.tasks.design.loop_figures import block_diagram
+from solver.tasks.design.placement import place
+from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.design.reference_tracking import feedthrough
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+servo = Task(
+    "servo",
+    group="Design",
+    title="Servo with integral action",
+    doc="K and k_I of u = −K x + k_I ξ, ξ' = r − y (discrete: ξ(k+1) = ξ(k) + r − y), for the poles asked for.",
+    needs=("A", "B", "C"),
+    options=POLE_OPTIONS,
+    answers=[
+        AnswerName("K", "K_f", "gain of the states, m×n"),
+        AnswerName("k_I", "k_I", "gain of the integrated error, m×p"),
+        AnswerName("closed_loop_A", r"A_{\text{cl}}", "matrix of the closed loop in (x, ξ)"),
+    ],
+)
+
+
+def augmented(plant: Any) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+    """Return Ā and B̄ of (x, ξ)."""
+    A, B = exact.with_integrators(plant.A, plant.B, plant.C, feedthrough(plant), discrete=plant.discrete)
+    return A, B
+
+
+@servo.refusal
+def a_pole_for_each_state_and_integrator(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """There are n + p poles."""
+    outputs = getattr(system, "C", None)
+    if outputs is not None:
+        yield from pole_faults(system, options, extra=outputs.rows)
+
+
+@lemma("integrators")
+def _designed(given: Given, method: str) -> Derivation[Answers]:
+    """Augment the plant by integrators, look whether the inputs move them, and place all poles."""
+    plant, x = given.system, variable(given.system)
+    n, p, D = plant.order, plant.C.rows, feedthrough(plant)
+    yield from block_diagram("servo", r"Servo with integral action, $u = -K_f x + k_I \xi$")
+    A, B = augmented(plant)
+    yield Step(
+        "augmented",
+        unclaimed="a definition: the state equations of the plant and of the integrators in one",
+        A=A,
+        B=B,
+        direct=not D.is_zero_matrix,
+        discrete=plant.discrete,
+        outputs=p,
+    )
+    yield from _integrators_reached(plant, D)
+    poles = yield from asked_poles(given.options)
+    found = yield from place(A, B, poles, method, x=x, augmented=True)
+    K, k_I = sp.ImmutableMatrix(found.K[:, :n]), sp.ImmutableMatrix(-found.K[:, n:])
+    yield Step(
+        "parts",
+        claims={"whole": Claim(found.K, sp.ImmutableMatrix(sp.Matrix.hstack(K, -k_I)), "$[K, -k_I]$")},
+        K=K,
+        k_I=k_I,
+    )
+    yield from _steady_state(plant, found.loop, K, k_I)
+    return Answers(K=K, k_I=k_I, closed_loop_A=found.loop)
+
+
+def _integrators_reached(plant: Any, D: ImmutableMatrix) -> Derivation[None]:
+    """The integrators can be moved unless the plant has a zero at the origin (z = 1): full rank of [[A, B], [C, D]]."""
+    m, p, n = plant.B.cols, plant.C.rows, plant.order
+    steady = exact.steady_state(plant.A, plant.B, plant.C, D, discrete=plant.discrete)
+    claims = {"rank": Claim(rank(steady.M), sp.Integer(steady.order), "rank of the matrix of the steady state")}
+    if m == p:
+        det = exact.determinant_and_adjugate(steady.M)[0]
+        claims["determinant"] = Claim(determinant(steady.M), det, "determinant of the matrix of the steady state")
+    yield Step(
+        "condition", claims=claims, M=steady.M, order=steady.order, needed=n + p, discrete=plant.discrete, square=m == p
+    )
+    if steady.order == n + p:
+        return
+    if m < p:
+        raise Unsolved(
+            f"There are fewer inputs ({m}) than outputs ({p}): the errors of all outputs cannot be integrated to zero "
+            "by independent integrators. Give as many outputs as inputs."
+        )
+    where = "$z = 1$" if plant.discrete else "the origin"
+    raise Unsolved(
+        f"The plant has a zero at {where} (or an eigenvalue there that the inputs do not reach), which cancels the "
+        "pole of an integrator: the augmented system is not controllable, and its pole there cannot be moved."
+    )
+
+
+def _steady_state(plant: Any, loop: ImmutableMatrix, K: ImmutableMatrix, k_I: ImmutableMatrix) -> Derivation[None]:
+    """The closed loop's gain from r to y in the steady state is the identity: C̄ (−Ā_cl)⁻¹ [0; I] = I."""
+    D, n, p = feedthrough(plant), plant.order, k_I.cols
+    rest = exact.at_rest(loop, discrete=plant.discrete)
+    reference = sp.ImmutableMatrix(sp.Matrix.vstack(sp.zeros(n, p), sp.eye(p)))
+    if exact.is_singular(rest):
+        raise Unsolved("A closed-loop pole lies at the point of rest, so the loop does not settle at the reference.")
+    seen = sp.ImmutableMatrix(sp.Matrix.hstack(sp.Matrix(exact.added(plant.C, -D * K)), sp.Matrix(D * k_I)))
+    gain = product(-1, seen, inverse(rest), reference)
+    yield Step(
+        "no_error",
+        claims={
+            "gain": Claim(gain, sp.ImmutableMatrix(sp.eye(p)), "steady-state gain from the reference to the output")
+        },
+        discrete=plant.discrete,
+        seen=seen,
+        outputs=p,
+    )
+
+
+@servo.method("coefficient_matching", title="Comparison of coefficients", source="Lecture note, section 3.3")
+def by_coefficient_matching(given: Given) -> Derivation[Answers]:
+    """det(sI − Ā + B̄K̄) with unknown entries of K̄ = [K, −k_I] is compared with the desired polynomial."""
+    return (yield from _designed(given, "coefficient_matching"))
+
+
+@servo.method("bass_gura", title="Formula of Bass and Gura", source="Lecture note, sections 3.1 and 3.3")
+def by_bass_gura(given: Given) -> Derivation[Answers]:
+    """K̄ = (â − a)ᵀ (𝒞 W)⁻¹ for the augmented plant."""
+    return (yield from _designed(given, "bass_gura"))
+
+
+@servo.method("canonical_form", title="Canonical form", source="Lecture note, sections 3.1 and 3.3")
+def by_canonical_form(given: Given) -> Derivation[Answers]:
+    """The augmented plant in canonical form, where the gain is â − a."""
+    return (yield from _designed(given, "canonical_form"))
+
+
+@servo.method("ackermann", title="Ackermann's formula", source="Lecture note, sections 3.1 and 3.3")
+def by_ackermann(given: Given) -> Derivation[Answers]:
+    """K̄ = (0, …, 0, 1) 𝒞⁻¹ p̂(Ā)."""
+    return (yield from _designed(given, "ackermann"))
+
+
+@servo.method("unity_rank", title="Gain of unity rank", source="Kailath, Linear Systems, section 7.1")
+def by_unity_rank(given: Given) -> Derivation[Answers]:
+    """K̄ = g k: the inputs of the augmented plant act together as one."""
+    return (yield from _designed(given, "unity_rank"))
+
+
+@servo.verification("K", "k_I", "closed_loop_A")
+def has_the_poles_and_no_error(given: Given, answers: Answers) -> Iterable[Check]:
+    """The spectrum of the closed loop in (x, ξ); a gain alone is judged by whether another completes it (one input)."""
+    plant = given.system
+    A, B, C, D, n = plant.A, plant.B, plant.C, feedthrough(plant), plant.order
+    below = sp.eye(C.rows) if plant.discrete else sp.zeros(C.rows)
+    big = sp.ImmutableMatrix(sp.BlockMatrix([[A, sp.ZeroMatrix(n, C.rows)], [-C, below]]).as_explicit())
+    inputs = sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix(B), sp.Matrix(-D)))
+    poles = numeric_poles(given.options)
+    K, k_I, loop = answers.get("K"), answers.get("k_I"), answers.get("closed_loop_A")
+    asked = Asked(big, inputs, poles, variable(plant))
+    shapes = {"K": (B.cols, n), "k_I": (B.cols, C.rows)}
+    misfits = [name for name, shape in shapes.items() if name in answers and answers[name].shape != shape]
+    for name in misfits:
+        yield Check.that(
+            "the gain has one row an input and one column a state (an output)", "shape", False, answer=name
+        )
+    if misfits:
+        return
+    if K is not None and k_I is not None:
+        whole = sp.ImmutableMatrix(sp.Matrix.hstack(sp.Matrix(K), -sp.Matrix(k_I)))
+        label = r"$\det(xI - \bar{A} + \bar{B}[K, -k_I]) = \prod_i (x - p_i)$ at random $x$"
+        yield numeric.check_residual(
+            label, "numpy.linalg.det", lambda: numeric.placed_residual(big, inputs, whole, poles)
+        )
+        if loop is not None:
+            yield from judge_gain(asked, Answers(closed_loop_A=loop))
+            stated = difference(big, product(inputs, whole))
+            yield numeric.check_claim(Claim(stated, loop), r"$\bar{A} - \bar{B}[K, -k_I]$", answer="closed_loop_A")
+        return
+    if loop is not None:
+        yield from judge_gain(asked, Answers(closed_loop_A=loop))
+    for name, value, start in (("K", K, 0), ("k_I", k_I, n)):
+        if value is not None:
+            known = {start + j: (value[0, j] if name == "K" else -value[0, j]) for j in range(value.cols)}
+            yield numeric.check_residual(
+                f"${name}$ is part of a gain that places the poles",
+                "numpy.linalg.lstsq",
+                lambda known=known: numeric.completed_residual(big, inputs, known, poles),  # type: ignore[misc]
+                answer=name,
+            )
