@@ -6,26 +6,35 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import product
+from solver.derivation.stated import product, rank
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.structure.pairs import Pair
+from solver.tasks.structure.row_operations import row_operations
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
+
+
+def input_pair(plant: Any) -> Pair:
+    """(A, B)."""
+    return Pair(plant.A, plant.B, dual=False, discrete=plant.discrete)
+
+
+def output_pair(plant: Any) -> Pair:
+    """(A, C), dual."""
+    return Pair(plant.A, plant.C, dual=True, discrete=plant.discrete)
 
 
 @lemma("subspaces")
 def subspaces_of(plant: Any, part: str) -> Derivation[None]:
     """The ranks and independent columns (rows) that the part of the decomposition asks for."""
     if part != "observable":
-        yield _reachable(plant, part)
+        pair = input_pair(plant)
+        yield Step("reachable", claims=_claims(pair), steps=_row_operations(pair), **_values(pair, part))
     if part != "controllable":
-        yield _seen(plant, part)
-
-
-def observability_matrix(plant: Any) -> ImmutableMatrix:
-    """[C; CA; …; CAⁿ⁻¹] (np×n)."""
-    return sp.ImmutableMatrix(exact.controllability_matrix(plant.A.T, plant.C.T).T)
+        pair = output_pair(plant)
+        yield Step("seen", claims=_claims(pair), steps=_row_operations(pair), **_values(pair, part))
 
 
 def rank_exceptions(matrix: ImmutableMatrix) -> Sequence[Any] | None:
@@ -37,45 +46,33 @@ def rank_exceptions(matrix: ImmutableMatrix) -> Sequence[Any] | None:
     return conditions
 
 
-def _reachable(plant: Any, part: str) -> Step:
-    """The controllability matrix, its rank and its independent columns."""
-    A, n, m = plant.A, plant.order, plant.B.cols
-    matrix = exact.controllability_matrix(A, plant.B)
-    blocks = [sp.ImmutableMatrix(matrix[:, i * m : (i + 1) * m]) for i in range(n)]
-    claims = {f"block{i}": Claim(product(A, blocks[i - 1]), blocks[i], f"${_power(i)}B$") for i in range(1, n)}
-    return Step(
-        "reachable",
-        claims=claims,
-        unclaimed="for one state the matrix is B itself",
-        names=[f"{_power(i)}B" for i in range(n)],
-        matrix=matrix,
-        chosen=[j + 1 for j in exact.independent_columns(matrix)],
-        n=n,
-        part=part,
-        exceptions=rank_exceptions(matrix),
-        discrete=plant.discrete,
-    )
+def _claims(pair: Pair) -> dict[str, Claim]:
+    """Each block from the one before it, and the rank."""
+    blocks, names = pair.blocks, pair.names
+    claims = {}
+    for i in range(1, pair.n):
+        stated = product(blocks[i - 1], pair.A) if pair.dual else product(pair.A, blocks[i - 1])
+        claims[f"block{i}"] = Claim(stated, blocks[i], f"${names[i]}$")
+    return claims | {"rank": Claim(rank(pair.matrix), sp.Integer(len(_chosen(pair))), "rank")}
 
 
-def _seen(plant: Any, part: str) -> Step:
-    """The observability matrix, its rank and its independent rows."""
-    A, n, p = plant.A, plant.order, plant.C.rows
-    matrix = observability_matrix(plant)
-    blocks = [sp.ImmutableMatrix(matrix[i * p : (i + 1) * p, :]) for i in range(n)]
-    claims = {f"block{i}": Claim(product(blocks[i - 1], A), blocks[i], f"$C{_power(i)}$") for i in range(1, n)}
-    return Step(
-        "seen",
-        claims=claims,
-        unclaimed="for one state the matrix is C itself",
-        names=[f"C{_power(i)}" for i in range(n)],
-        matrix=matrix,
-        chosen=[i + 1 for i in exact.independent_columns(matrix.T)],
-        n=n,
-        part=part,
-        exceptions=rank_exceptions(matrix),
-        discrete=plant.discrete,
-    )
+def _chosen(pair: Pair) -> tuple[int, ...]:
+    """The numbers (from 0) of the independent columns (dual: rows)."""
+    return exact.independent_columns(pair.turned(pair.matrix))
 
 
-def _power(i: int) -> str:
-    return "" if i == 0 else "A" if i == 1 else f"A^{{{i}}}"
+def _row_operations(pair: Pair) -> tuple[Step, ...]:
+    matrix = pair.turned(pair.matrix)
+    return row_operations(matrix, exact.row_reduction(matrix))
+
+
+def _values(pair: Pair, part: str) -> dict[str, Any]:
+    return {
+        "names": pair.names,
+        "matrix": pair.matrix,
+        "chosen": [j + 1 for j in _chosen(pair)],
+        "n": pair.n,
+        "part": part,
+        "exceptions": rank_exceptions(pair.matrix),
+        "discrete": pair.discrete,
+    }
