@@ -11,7 +11,7 @@ from solver.derivation.figures import Diagram
 from solver.derivation.stated import determinant, difference, product, transpose
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.tasks.design.frames import Frame, Placement, characteristic
+from solver.tasks.design.frames import Placement, characteristic
 from solver.tasks.design.observer_gain import decays
 from solver.tasks.design.placement import place
 
@@ -56,7 +56,7 @@ def observer_gain_of(
         raise Unsolved(fault)
     yield Step("error", unclaimed="the definition of the observer and of its error", discrete=system.discrete)
     require_detectable(A, C, discrete=system.discrete)
-    found = yield from place(A, C, poles, method, x=x, frame=Frame(dual=True))
+    found = yield from place(A, C, poles, method, x=x, dual=True)
     if found.free:
         L = sp.ImmutableMatrix(found.K.subs(dict.fromkeys(found.free, 0)).applyfunc(exact.tidy))
         loop = sp.ImmutableMatrix((A - L * C).applyfunc(exact.tidy))
