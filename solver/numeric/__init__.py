@@ -86,6 +86,7 @@ from solver.numeric.set_point import reference_residual_at_optimum, set_point_re
 from solver.numeric.stability import externally_stable, locations, planar_kinds, routh_fault, spread_points
 from solver.numeric.structure import (
     every_fall_is_named,
+    hidden_modes_decay,
     hidden_modes_residual,
     krylov_matrix,
     rank_falls_where,
@@ -134,6 +135,7 @@ __all__ = [
     "fixed_modes_residual",
     "gain_residual",
     "hamiltonian_spectrum_residual",
+    "hidden_modes_decay",
     "hidden_modes_residual",
     "hidden_polynomial_residual",
     "impulses",

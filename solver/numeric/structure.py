@@ -28,6 +28,8 @@ from solver.numeric.values import NotEvaluable
 DIGITS = 50
 ZERO = mpmath.mpf(10) ** -25
 LINES = 3
+NEAR = 1e-10
+"""Eigenvalues nearer to the boundary of the region of stability count as on it."""
 
 
 def krylov_matrix(A: Any, B: Any) -> Any:
@@ -54,6 +56,31 @@ def hidden_modes_residual(A: Any, B: Any, modes: Sequence[Any]) -> float:
             here = [sp.S(mode).xreplace(exact) for mode in modes]
             worst = max(worst, spectrum_residual(H, here))
     return worst
+
+
+def hidden_modes_decay(A: Any, B: Any, *, discrete: bool) -> bool:
+    """Whether all that B does not reach decays, at random values of the parameters.
+
+    Raises NotEvaluable where it depends on them.
+    """
+    symbols = free_symbols([A, B])
+    found = set()
+    for point in PointSource(symbols).several(5 if symbols else 1):
+        exact = {symbol: sp.Rational(value.real) for symbol, value in _complex(point).items()}
+        found.add(_decays(_unreached(A.xreplace(exact), B.xreplace(exact)), discrete=discrete))
+    if len(found) > 1:
+        raise NotEvaluable("it depends on the values of the parameters")
+    return found.pop()
+
+
+def _decays(H: Any, *, discrete: bool) -> bool:
+    """Whether the eigenvalues are inside the region of stability; those that may be on its boundary are not."""
+    if H.rows == 0:
+        return True
+    mp = multiple(2 * DIGITS).context
+    M = value_of(H, Environment.at([{}], multiple(2 * DIGITS))).value[0]
+    values = mp.eig(mp.matrix(M.tolist()), right=False) if len(M) > 1 else [M[0, 0]]
+    return all((abs(value) - 1 if discrete else mp.re(value)) < -NEAR * (1 + abs(value)) for value in values)
 
 
 def _complex(point: Mapping[Any, Any]) -> dict[Any, complex]:

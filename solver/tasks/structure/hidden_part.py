@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import determinant, difference, power, product
+from solver.derivation.stated import determinant, power, product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.structure.pairs import Pair
@@ -37,13 +37,13 @@ def hidden_modes_of(pair: Pair, matrix: Any) -> Derivation[list[Any] | None]:
     except exact.NotExact:
         roots = None
     if k > 1:
-        identity = sp.ImmutableMatrix(sp.eye(k))
+        pencil = sp.ImmutableMatrix(lamda * sp.eye(k) - H)
         found = (
             exact.factored(H, lamda)
             if roots is None
             else product(*(power(lamda - root.value, root.multiplicity) for root in roots))
         )
-        claims["polynomial"] = Claim(determinant(difference(product(lamda, identity), H)), found, "hidden eigenvalues")
+        claims["polynomial"] = Claim(determinant(pencil), found, "hidden eigenvalues")
     yield Step("motion", claims=claims, N=N, H=H, k=k, dual=pair.dual, roots=roots, discrete=pair.discrete)
     return None if roots is None else hidden.spectrum.eigenvalues
 

@@ -1,0 +1,33 @@
+"""Stabilizability: whether feedback can make the system stable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
+from solver.tasks.structure.pairs import controllability_pair
+from solver.tasks.structure.weak_conditions import decay_of_hidden_modes, weak_checks
+
+stabilizability = Task(
+    "stabilizability",
+    group="Representation and analysis",
+    title="Stabilizability",
+    doc="Whether every mode that the input does not reach is stable.",
+    needs=("A", "B"),
+    answers=[
+        AnswerName("stabilizable", r"\text{stabilizable}", "whether every uncontrollable mode is stable"),
+        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "uncontrollable eigenvalues, with multiplicity"),
+    ],
+)
+
+
+@stabilizability.method(source="Lecture note, chapter 2")
+def by_hidden_modes(given: Given) -> Derivation[Answers]:
+    """The uncontrollable modes, and whether all of them decay by themselves."""
+    return (yield from decay_of_hidden_modes(controllability_pair(given)))
+
+
+@stabilizability.verification("stabilizable", "hidden_modes")
+def hidden_modes_and_their_decay(given: Given, answers: Answers) -> Iterable[Check]:
+    """The polynomial of what is hidden, and where its roots lie."""
+    yield from weak_checks(controllability_pair(given), answers)
