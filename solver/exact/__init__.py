@@ -18,9 +18,11 @@ from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian
 from solver.exact.inequalities import Generator, all_positive, generator_of, sign_of
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.long_run import Peak, horizon
+from solver.exact.luenberger import CompanionCoordinates, controllable_coordinates, observable_coordinates
 from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
 from solver.exact.matrix_functions import FunctionOfMatrix, matrix_function
+from solver.exact.model_matching import Matching, descending_form, matching
 from solver.exact.modes import (
     Mode,
     diagonal_realization,
@@ -63,7 +65,7 @@ from solver.exact.realization import (
     observable_realization,
 )
 from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response, shifted
-from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, optimal_gain, riccati, weighted_input
+from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.scalar_functions import ScalarFunction
@@ -98,6 +100,7 @@ from solver.exact.transforms import pairs_for, partial_fractions, resolvent, tra
 __all__ = [
     "SPECIFICATIONS",
     "ClosedForm",
+    "CompanionCoordinates",
     "Condition",
     "ControllablePart",
     "CriticalValues",
@@ -113,6 +116,7 @@ __all__ = [
     "Inconsistent",
     "InputResponse",
     "Location",
+    "Matching",
     "MatrixFunction",
     "Mode",
     "NoSetPoint",
@@ -152,6 +156,7 @@ __all__ = [
     "common_denominators",
     "companion_rows",
     "controllability_matrix",
+    "controllable_coordinates",
     "controllable_decomposition",
     "controllable_form",
     "controllable_part",
@@ -159,6 +164,7 @@ __all__ = [
     "critical_values",
     "definiteness",
     "definiteness_of_numbers",
+    "descending_form",
     "determinant_and_adjugate",
     "diagonal_realization",
     "direction",
@@ -192,6 +198,7 @@ __all__ = [
     "lyapunov",
     "lyapunov_equations",
     "lyapunov_residual",
+    "matching",
     "matrix_function",
     "measured_first",
     "modal_realization",
@@ -200,10 +207,10 @@ __all__ = [
     "multiply",
     "null_basis",
     "null_space",
+    "observable_coordinates",
     "observable_decomposition",
     "observable_realization",
     "off_the_point_one",
-    "optimal_gain",
     "pairs_for",
     "partial_fractions",
     "pencil_ranks",

@@ -16,6 +16,7 @@ import sympy as sp
 from sympy.functions.combinatorial.numbers import stirling
 
 from solver.exact.fields import NotExact
+from solver.exact.long_run import Peak, limit, peak
 from solver.exact.rational import RationalMatrix, between
 from solver.exact.signals import Signal, Term, delayed, read_signal, written
 from solver.systems import StateSpace
@@ -229,6 +230,27 @@ class ClosedForm:
             return None
         y = self._put_together(images)
         return sp.ImmutableMatrix(y + self.impulse) if self.impulse is not None else y
+
+    @cached_property
+    def y_final(self) -> sp.ImmutableMatrix | None:
+        """The limit of y; None where none is known to exist."""
+        images = [each.y for _, each in self.pieces if each.y is not None]
+        limits = [limit(image, discrete=self.system.discrete) for image in images]
+        found = [each for each in limits if each is not None]
+        if not images or len(found) < len(images):
+            return None
+        total = sp.zeros(*images[0].shape)
+        for each in found:
+            total += each
+        return sp.ImmutableMatrix(total)
+
+    @cached_property
+    def y_peak(self) -> Peak | None:
+        """The peak of a single output; None where its size is largest at the start or in the limit."""
+        image = self.pieces[0][1].y
+        if self.y is None or image is None or len(self.y) > 1 or len(self.pieces) > 1 or self.impulse is not None:
+            return None
+        return peak(image, self.y[0], self.time, discrete=self.system.discrete)
 
     def _put_together(self, images: Sequence[tuple[sp.Expr, RationalMatrix]]) -> sp.ImmutableMatrix:
         total = sp.zeros(*images[0][1].shape)

@@ -20,7 +20,7 @@ from solver.derivation import (
 from solver.lazy import systems
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
 from solver.tasks.time_response import response_parts as parts
-from solver.tasks.time_response.response_checks import checks_of
+from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks
 from solver.tasks.time_response.response_parts import Question
 
 if TYPE_CHECKING:
@@ -124,3 +124,15 @@ def states_solve_the_state_equation(given: Given, answers: Answers) -> Iterable[
 def output_follows_the_convolution_formula(given: Given, answers: Answers) -> Iterable[Check]:
     """The equation y = C x + D u with x by the convolution formula, in discrete time by the recursion."""
     yield from checks_of(given, answers["y"], "y")
+
+
+@response.verification("y_final")
+def limit_is_the_equilibrium(given: Given, answers: Answers) -> Iterable[Check]:
+    """The equilibrium of the system for the limit of its input."""
+    yield from final_value_checks(given, answers["y_final"])
+
+
+@response.verification("y_peak", "t_peak")
+def peak_is_that_of_a_simulation(given: Given, answers: Answers) -> Iterable[Check]:
+    """Simulated step by step, and refined between the steps."""
+    yield from peak_checks(given, answers.get("y_peak"), answers.get("t_peak"))

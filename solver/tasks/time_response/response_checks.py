@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Check, Claim, Given
@@ -49,7 +50,7 @@ class Truth:
 def checks_of(given: Given, value: Any, answer: str) -> Iterable[Check]:
     """The checks of x or of y, each for itself."""
     truth = Truth.of(given)
-    column = value if hasattr(value, "rows") else sp.ImmutableMatrix([value])
+    column = _column(value)
     judge = _sample_by_sample if given.system.discrete else _interval_by_interval
     try:
         yield from judge(truth, column, answer)
@@ -114,3 +115,46 @@ def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]
         lambda: numeric.residual_of_pairs(pairs),
         answer=answer,
     )
+
+
+def final_value_checks(given: Given, value: Any) -> Iterable[Check]:
+    """The limit of y against the equilibrium that a stable system reaches."""
+    truth, column = Truth.of(given), _column(value)
+
+    def residual() -> float:
+        found = numeric.simulations(truth.system, truth.x0, truth.inputs, truth.time, late=True)
+        return max(
+            numeric.difference(numeric.final_output(each, discrete=truth.system.discrete), column, point)
+            for point, each in found
+        )
+
+    yield numeric.check_residual(r"limit of $y$", "numpy.linalg.solve", residual, 1e-7, answer="y_final")
+
+
+def peak_checks(given: Given, peak: Any, time: Any) -> Iterable[Check]:
+    """The peak of y and its time (either may be missing) against a simulation."""
+    truth = Truth.of(given)
+
+    for name, value, which in (("t_peak", time, 0), ("y_peak", peak, 1)):
+        if value is not None:
+            label = "time of the largest $|y|$" if which == 0 else "largest $|y|$"
+            residual = partial(_peak_residual, truth, value, which)
+            yield numeric.check_residual(label, "simulation", residual, 1e-7, answer=name)
+
+
+def _peak_residual(truth: Truth, submitted: Any, which: int) -> float:
+    """How far the time (0) or the value (1) of the peak is off."""
+    ((_, simulation),) = numeric.simulations(truth.system, truth.x0, truth.inputs, truth.time)
+    found = _peak_in_samples(simulation) if truth.system.discrete else numeric.largest_output(simulation)
+    return numeric.difference(found[which], _column(submitted), {})
+
+
+def _peak_in_samples(simulation: Any) -> tuple[float, float]:
+    y = numeric.samples_of_output(simulation, 400)[:, 0]
+    k = int(abs(y).argmax())
+    k = next(i for i in range(len(y)) if abs(y[i]) >= abs(y[k]) * (1 - 1e-12))
+    return float(k), float(y[k])
+
+
+def _column(value: Any) -> Any:
+    return value if hasattr(value, "rows") else sp.ImmutableMatrix([value])

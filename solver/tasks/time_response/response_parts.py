@@ -7,7 +7,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Claim, Derivation, Given, Step, lemma
+from solver.derivation.figures import Curve, Mark, Plot
 from solver.derivation.stated import (
+    derivative,
     integral,
     inverse,
     inverse_laplace,
@@ -16,6 +18,7 @@ from solver.derivation.stated import (
     quotient,
     summation,
     total,
+    value_at,
 )
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -282,8 +285,17 @@ def put_together(asked: Question) -> Derivation[Answers]:
     if found.y is None:
         return answers
     yield _output(asked)
-    answers["y"] = found.y[0] if len(found.y) == 1 else found.y
+    answers["y"] = _unwrapped(found.y)
+    if found.y_final is not None:
+        answers["y_final"] = _unwrapped(found.y_final)
+    if found.y_peak is not None:
+        answers |= {"y_peak": found.y_peak.value, "t_peak": found.y_peak.time}
+    yield behaviour(asked)
     return answers
+
+
+def _unwrapped(column: ImmutableMatrix) -> Any:
+    return column[0] if len(column) == 1 else column
 
 
 def _output(asked: Question) -> Step:
@@ -307,3 +319,62 @@ def _output(asked: Question) -> Step:
         impulse=found.impulse,
         single=len(y) == 1,
     )
+
+
+def behaviour(asked: Question) -> Step:
+    """The limit and the peak of y, the modes that it does not show, and a plot."""
+    found, t, s = asked.answer, asked.time, asked.variable
+    claims: dict[str, Claim] = {}
+    image = found.pieces[0][1].y
+    if found.y_final is not None and image is not None and len(found.pieces) == 1:
+        at = sp.Integer(1 if asked.discrete else 0)
+        carried = image.expression(s).applyfunc(lambda entry: (s - at) * entry)
+        claims["final"] = Claim(value_at(carried, s, at), found.y_final, "final value theorem")
+    peak = found.y_peak
+    if peak is not None:
+        y: Any = found.y
+        if not asked.discrete:
+            claims["slope"] = Claim(value_at(derivative(y[0], t), t, peak.time), sp.Integer(0), "slope at the peak")
+        claims["peak"] = Claim(value_at(y[0], t, peak.time), peak.value, "value at the peak")
+    figure = _plot(asked)
+    return Step(
+        "behaviour",
+        claims=claims,
+        unclaimed="" if claims else "a description of the answer",
+        figures=(figure,) if figure else (),
+        discrete=asked.discrete,
+        peak=peak,
+        final=None if found.y_final is None else _unwrapped(found.y_final),
+        hidden=_hidden_modes(asked),
+        plotted=figure is not None,
+        single=image is not None and image.shape == (1, 1),
+    )
+
+
+def _hidden_modes(asked: Question) -> list[Any]:
+    """The eigenvalues of A whose modes are missing in y."""
+    images = [each.y for _, each in asked.answer.pieces if each.y is not None]
+    seen = {root.value for image in images for each, _ in image.poles for root in each.factor.roots}
+    return [root.value for root in exact.spectrum(asked.system.A).roots if root.value not in seen]
+
+
+def _plot(asked: Question) -> Plot | None:
+    """States and output over time; None where symbols other than time are left."""
+    found, t = asked.answer, asked.time
+    y: Any = found.y
+    smooth = y - found.impulse if found.impulse is not None else y
+    if (found.x.free_symbols | smooth.free_symbols) - {t}:
+        return None
+    stop = exact.horizon([each.x for _, each in found.pieces], discrete=asked.discrete)
+    if stop is None:
+        return None
+    stop += max((delay for delay, _ in found.pieces), default=0)
+    style = "samples" if asked.discrete else "line"
+    lines = "samples" if asked.discrete else "dashed"
+    states = [Curve(x, f"x_{{{i}}}", style=lines) for i, x in enumerate(found.x.flat(), 1)]
+    several = len(y) > 1
+    outputs = [Curve(each, f"y_{{{i}}}" if several else "y", style=style) for i, each in enumerate(smooth.flat(), 1)]
+    marks = (Mark(found.y_peak.time, found.y_peak.value, r"y_{\text{peak}}"),) if found.y_peak else ()
+    caption = "States and output" + ("s" if several else "")
+    letter = "k" if asked.discrete else "t"
+    return Plot(caption, letter, "", t, sp.Integer(0), stop, (*states, *outputs), marks)
