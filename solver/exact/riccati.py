@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, reduce
 from itertools import chain
 from typing import Any
 
@@ -38,6 +38,7 @@ from solver.exact.spectrum import irreducible_factors, spectrum
 from solver.exact.square_roots import Nested, RootTower
 
 MOST_SOLUTIONS = 64
+LARGEST_NUMBER = 10**5
 LONGEST_ENTRY = 90
 """Characters of an entry with nested roots that still is readable; beyond, decimals say more."""
 
@@ -110,6 +111,24 @@ class Riccati:
     def eigenvalues(self) -> list[sp.Expr]:
         """The eigenvalues of the stabilizing solution's closed loop A − GP, by multiplicity."""
         return list(chain.from_iterable(map(_spelled, (group.choices[0] for group in self.groups))))
+
+    def gain(self, B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+        """K = R⁻¹ Bᵀ P (m×n) of the stabilizing solution."""
+        P, W = self.stabilizing.P, weighted_transpose(B, R)
+        found = exact_polynomial(domain_matrix(self.H).domain, self.stabilizing.choices) if P.free_symbols else None
+        if found is None:
+            return sp.ImmutableMatrix((W * P).expand())
+        tower, coefficients = found
+        K = tower.K
+        entries = _solved(tower, _polynomial_at(tower, coefficients, domain_matrix(self.H)))
+        weights = domain_matrix(W).convert_to(K.unify(domain_matrix(W).domain))
+        if weights.domain != K:
+            return sp.ImmutableMatrix((W * P).expand())
+        rows = [
+            [reduce(tower.add, (tower.scale(w, entries[k][j]) for k, w in enumerate(row))) for j in range(self.order)]
+            for row in weights.to_list()
+        ]
+        return sp.ImmutableMatrix([[_shown(tower, entry) for entry in row] for row in rows])
 
     def polynomial_of_hamiltonian(self, solution: RiccatiSolution) -> sp.ImmutableMatrix | None:
         """p(H) (2n×2n), exact, or None where p is decimal."""
@@ -198,17 +217,14 @@ def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix
 
 def weighted_input(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
     """G = B R⁻¹ Bᵀ (n×n)."""
-    wide = domain_matrix(sp.Matrix(sp.BlockMatrix([[R, B.T]])))
-    m = R.rows
-    inverted = wide[:, :m].lu_solve(wide[:, m:])
-    return matrix_of(wide[:, m:].transpose() * inverted)
+    left, right = domain_matrix(B).unify(domain_matrix(weighted_transpose(B, R)))
+    return matrix_of(left * right)
 
 
-def optimal_gain(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix, P: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
-    """K = R⁻¹ Bᵀ P (m×n)."""
+def weighted_transpose(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+    """R⁻¹ Bᵀ (m×n)."""
     wide = domain_matrix(sp.Matrix(sp.BlockMatrix([[R, B.T]])))
-    RB = matrix_of(wide[:, : R.rows].lu_solve(wide[:, R.rows :]))
-    return sp.ImmutableMatrix((RB * P).applyfunc(lambda entry: entry if entry.free_symbols else sp.expand(entry)))
+    return matrix_of(wide[:, : R.rows].lu_solve(wide[:, R.rows :]))
 
 
 def _unreached(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> sp.ImmutableMatrix | None:
@@ -305,7 +321,11 @@ def _shown(tower: RootTower, element: Nested) -> sp.Expr:
 
 
 def _readable(entry: sp.Expr) -> bool:
-    return len(str(entry)) <= LONGEST_ENTRY
+    """Whether a person would write the entry with its roots: it is not long, and has no large numbers."""
+    if len(str(entry)) > LONGEST_ENTRY:
+        return False
+    numbers = [part for number in entry.atoms(sp.Rational) for part in (abs(number.p), number.q)]
+    return entry.is_Rational or max(numbers, default=0) < LARGEST_NUMBER
 
 
 def _spelled(choice: Choice) -> Iterator[sp.Expr]:

@@ -175,7 +175,7 @@ class RootTower:
         if len(a) == 1 and K.is_Composite:
             outside = _known_square(K, a[0])
             return outside, (a[0] / outside**2,)
-        if K.is_FractionField and K.domain.is_QQ:
+        if _has_factors(K):
             below = reduce(lambda d, x: d.lcm(x.denom), a, K.one.numer)
             if below.as_expr().is_positive:
                 outside = K.one / K(below)
@@ -217,31 +217,42 @@ def _root_in(K: Any, c: Any) -> Any | None:
         if p < 0 or isqrt(p) ** 2 != p or isqrt(q) ** 2 != q:
             return None
         return K(isqrt(p), isqrt(q))
-    if not (K.is_FractionField and K.domain.is_QQ):
+    if not _has_factors(K):
         return None
     content, powers = _factors(c)
     number = _root_in(sp.QQ, content)
     if number is None or any(power % 2 for _, power in powers):
         return None
-    root = K(number)
+    root = _rational(K, number)
     for factor, power in powers:
         root = root * K(factor) ** (power // 2)
     return root
+
+
+def _has_factors(K: Any) -> bool:
+    """Whether K is a field of rational functions over the rational numbers."""
+    return bool(K.is_FractionField and (K.domain.is_QQ or K.domain.is_ZZ))
+
+
+def _rational(K: Any, number: Any) -> Any:
+    """A rational number as an element of K."""
+    return K(int(number.numerator)) / K(int(number.denominator))
 
 
 def _factors(c: Any) -> tuple[Any, list[tuple[Any, int]]]:
     """Return a rational number and the irreducible polynomials with their powers that make up c."""
     above, numerator = c.numer.factor_list()
     below, denominator = c.denom.factor_list()
-    return above / below, [*numerator, *((factor, -power) for factor, power in denominator)]
+    content = sp.QQ.convert(above) / sp.QQ.convert(below)
+    return content, [*numerator, *((factor, -power) for factor, power in denominator)]
 
 
 def _known_square(K: Any, c: Any) -> Any:
     """A factor x with c/x² free of squares and denominators, as far as these are known to be positive."""
-    if not (K.is_FractionField and K.domain.is_QQ):
+    if not _has_factors(K):
         return K.one
     content, powers = _factors(c)
-    outside = K(sp.QQ(*_square_content([content])))
+    outside = _rational(K, sp.QQ(*_square_content([content])))
     for factor, power in powers:
         if factor.as_expr().is_positive:
             outside = outside * K(factor) ** (power // 2)

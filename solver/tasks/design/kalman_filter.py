@@ -114,10 +114,10 @@ def by_the_hamiltonian_matrix(given: Given) -> Derivation[Answers]:
 def _filter(problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
     """Find L = P Cᵀ R⁻¹ and the matrix of the error."""
     P, C = equation.stabilizing.P, sp.ImmutableMatrix(problem.B.T)
-    L = sp.ImmutableMatrix(exact.optimal_gain(problem.B, problem.R, P).T)
+    L = sp.ImmutableMatrix(equation.gain(problem.B, problem.R).T)
     yield Step("gain", claims={"L": Claim(product(P, problem.B, inverse(problem.R)), L, "the gain of the filter")}, L=L)
     A = sp.ImmutableMatrix(problem.A.T)
-    error = sp.ImmutableMatrix((A - L * C).applyfunc(exact.tidy))
+    error = sp.ImmutableMatrix((A - L * C).expand())
     yield Step(
         "error",
         claims={"error": Claim(difference(A, product(L, C)), error, "matrix of the error $A - LC$")},

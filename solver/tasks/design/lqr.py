@@ -182,7 +182,7 @@ def by_the_hamiltonian_matrix(given: Given) -> Derivation[Answers]:
 def _control(given: Given, problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
     """Find K = R⁻¹BᵀP, u = −K x, the closed loop and the cost."""
     P, n = equation.stabilizing.P, problem.A.rows
-    K = exact.optimal_gain(problem.B, problem.R, P)
+    K = equation.gain(problem.B, problem.R)
     yield Step(
         "gain",
         claims={"K": Claim(product(inverse(problem.R), sp.ImmutableMatrix(problem.B.T), P), K, "the gain")},
@@ -192,7 +192,7 @@ def _control(given: Given, problem: Regulator, equation: exact.Riccati) -> Deriv
     control = sp.ImmutableMatrix(-K * sp.Matrix(states))
     u = control[0, 0] if control.rows == 1 else control
     yield Step("law", claims={"u": Claim(product(-1, K, sp.ImmutableMatrix(states)), control, "the control law")}, u=u)
-    loop = sp.ImmutableMatrix((problem.A - problem.B * K).applyfunc(exact.tidy))
+    loop = sp.ImmutableMatrix((problem.A - problem.B * K).expand())
     yield Step(
         "closed_loop",
         claims={"loop": Claim(difference(problem.A, product(problem.B, K)), loop, "closed loop $A - BK$")},
@@ -204,7 +204,7 @@ def _control(given: Given, problem: Regulator, equation: exact.Riccati) -> Deriv
     if x0 is not None:
         start = x0.xreplace({plain: positive for positive, plain in problem.plain.items()})
         stated = product(_factor(given), sp.ImmutableMatrix(start.T), P, start)
-        cost = exact.tidy((start.T * P * start)[0, 0] * _factor(given))
+        cost = sp.expand((start.T * P * start)[0, 0] * _factor(given))
         yield Step("cost", claims={"J": Claim(stated, cost, "the least cost")}, factor=_factor(given))
         answers["cost"] = cost
     return Answers(**{name: problem.restored(value) for name, value in answers.items()})

@@ -20,7 +20,7 @@ from solver.derivation import (
 )
 from solver.derivation.figures import Diagram
 from solver.derivation.stated import inverse, product
-from solver.lazy import exact, numeric
+from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.tasks.design.regulator import Regulator, faulty_weights
 from solver.tasks.design.riccati import solution_by_hamiltonian
@@ -95,7 +95,7 @@ def _optimal_gain(given: Given) -> Derivation[ImmutableMatrix]:
     problem = Regulator.of(given.system.A, given.system.B, Q, R)
     equation = yield from solution_by_hamiltonian(problem)
     P = equation.stabilizing.P
-    K = exact.optimal_gain(problem.B, problem.R, P)
+    K = equation.gain(problem.B, problem.R)
     stated = product(inverse(problem.R), sp.ImmutableMatrix(problem.B.T), P)
     yield Step("gain", claims={"K": Claim(stated, K, "the gain")})
     restored: ImmutableMatrix = problem.restored(K)
