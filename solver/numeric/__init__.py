@@ -27,7 +27,7 @@ from solver.numeric.eigen import (
 )
 from solver.numeric.evaluate import evaluate, values_at
 from solver.numeric.exponential import equality_residual, exponential_residual, power_residual
-from solver.numeric.forms import is_chain_form, is_companion, is_diagonal, is_unit_vector
+from solver.numeric.forms import has_companion_blocks, is_chain_form, is_companion, is_diagonal, is_unit_vector
 from solver.numeric.jordan import chains_residual, diagonalizable, is_jordan_form, same_jordan_structure
 from solver.numeric.matrix_functions import matrix_function_residual
 from solver.numeric.minimal import (
@@ -150,6 +150,7 @@ __all__ = [
     "hidden_modes_residual",
     "hidden_polynomial_residual",
     "impulses",
+    "has_companion_blocks",
     "independent",
     "intervals",
     "is_chain_form",

@@ -1,0 +1,225 @@
+"""Model matching: a state feedback that gives the plant the transfer function of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Option,
+    Step,
+    Task,
+    TransferFunctionOption,
+    Unsolved,
+)
+from solver.derivation.stated import difference, inverse, product, quotient, total
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.systems import StateSpace, TransferFunction
+from solver.tasks.design.frames import Wanted
+from solver.tasks.design.loop_figures import block_diagram
+from solver.tasks.design.placement import place
+from solver.tasks.design.pole_options import variable
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+    Matrices = tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]
+
+model_matching = Task(
+    "model_matching",
+    group="Design",
+    title="Model matching by state feedback",
+    doc="Whether state feedback (and a gain of the reference) can turn the plant's transfer function into a target.",
+    needs=("transfer_function",),
+    options=[Option("target", TransferFunctionOption(), "the transfer function wanted, proper", required=True)],
+    answers=[
+        AnswerName("feasible", r"\text{feasible}", "whether state feedback alone turns the plant into the target"),
+        AnswerName("compensator", "G/H", "the series compensator that would do the same: target over plant"),
+        AnswerName("A", "A", "realization used", (), True),
+        AnswerName("B", "B", "realization used", (), True),
+        AnswerName("C", "C", "realization used", (), True),
+        AnswerName("K", "K_f", "the gain for this realization", (), True),
+    ],
+)
+
+
+@model_matching.refusal
+def one_input_and_output(system: Any, _options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """The plant has one input and one output."""
+    if isinstance(system, TransferFunction):
+        single = system.matrix.shape == (1, 1)
+    else:
+        single = system.B is None or system.C is None or (system.B.cols, system.C.rows) == (1, 1)
+    if not single:
+        yield "", "model matching is done for one input and one output"
+
+
+def _fraction(system: Any, x: Symbol) -> tuple[Expr, Expr]:
+    """Return numerator and denominator of the plant, not cancelled."""
+    G = system
+    if isinstance(system, StateSpace):
+        D = system.D if system.D is not None else sp.ImmutableMatrix([[0]])
+        G = exact.transfer_matrix(system.A, system.B, system.C, D, x)
+    return G.numerators[0][0], G.denominators[0][0]
+
+
+def transfer_of(matrices: Matrices, x: Symbol) -> Any:
+    """C (xI − A)⁻¹ B + D as stated."""
+    A, B, C, D = matrices
+    resolvent = inverse(difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), A))
+    through = product(C, resolvent, B)
+    return through if D.is_zero_matrix else total(through, D)
+
+
+@model_matching.method(source="Lecture note, section 3.5")
+def by_moving_the_poles(given: Given) -> Derivation[Answers]:
+    """State feedback keeps the zeros of the plant and moves its poles; so the target's zeros must be among them."""
+    x, G = variable(given.system), given.target
+    top, bottom = _fraction(given.system, x)
+    if not top.free_symbols and top == 0:
+        raise Unsolved("The plant's transfer function is zero: the output does not depend on the input.")
+    found = exact.matching(top, bottom, G, x)
+    if found.order == 0:
+        raise Unsolved("The plant is a constant: it has no pole to move.")
+    yield from block_diagram("model_matching", "State feedback that turns $H$ into $G$")
+    H = quotient(found.numerator, found.denominator)
+    yield Step(
+        "compensator",
+        claims={"series": Claim(product(H, found.compensator), G, "plant times compensator")},
+        H=H,
+        G=quotient(found.target_numerator, found.target_denominator),
+        compensator=found.compensator,
+        x=x,
+        proper=found.relative_degrees[1] >= found.relative_degrees[0],
+    )
+    stable = _all_stable(found.hidden_zeros, discrete=given.system.discrete)
+    yield Step(
+        "conditions",
+        unclaimed="" if found.possible else "a comparison of zeros and degrees",
+        claims={
+            "polynomial": Claim(
+                product(found.target_denominator, found.hidden),
+                exact.polynomial_in(x, found.desired),
+                "desired closed-loop polynomial",
+            )
+        }
+        if found.desired
+        else {},
+        found=found,
+        stable=stable,
+        x=x,
+        discrete=given.system.discrete,
+    )
+    answers = Answers(feasible=found.possible and stable, compensator=found.compensator)
+    if answers["feasible"]:
+        yield from _designed(given, found, answers, x)
+    return answers
+
+
+def _all_stable(zeros: Iterable[Expr], *, discrete: bool) -> bool:
+    """Whether the zeros that become hidden poles decay; raises Unsolved where parameters leave it open."""
+    for zero in zeros:
+        size = 1 - sp.Abs(zero) if discrete else -sp.re(zero)
+        if not size.is_number and size.is_positive is None:
+            raise Unsolved(
+                f"Whether the zero ${sp.latex(zero)}$, which becomes a hidden pole, is stable depends on parameters."
+            )
+        if not size.is_positive:
+            return False
+    return True
+
+
+def _designed(given: Given, found: exact.Matching, answers: Answers, x: Symbol) -> Derivation[None]:
+    """Realize the plant, place the poles, and compare the closed loop with the target."""
+    matrices = yield from _realized(given, found, x)
+    A, B, C, D = matrices
+    if exact.reachable_order(A, B) < A.rows:
+        raise Unsolved("The realization given is not completely controllable, so its poles cannot all be moved.")
+    placed = yield from place(A, B, (), "coefficient_matching", x=x, wanted=Wanted(coefficients=found.desired or ()))
+    seen = exact.added(C, -D * placed.K)
+    loop = transfer_of((placed.loop, B, seen, D), x)
+    yield Step(
+        "matched",
+        claims={"transfer": Claim(product(found.gain, loop), sp.ImmutableMatrix([[given.target]]), "closed loop")},
+        loop=placed.loop,
+        B=B,
+        C=seen,
+        gain=found.gain,
+        target=quotient(found.target_numerator, found.target_denominator),
+        hidden=found.hidden,
+        x=x,
+    )
+    answers.update(A=A, B=B, C=C, K=placed.K)
+
+
+def _realized(given: Given, found: exact.Matching, x: Symbol) -> Derivation[Matrices]:
+    """The plant in state space: as given, or in controllable canonical form with the states in descending order."""
+    own = isinstance(given.system, StateSpace)
+    if own:
+        D = given.system.D if given.system.D is not None else sp.ImmutableMatrix([[0]])
+        matrices = (given.system.A, given.system.B, given.system.C, D)
+    else:
+        matrices = exact.descending_form(*_fraction(given.system, x), x)
+    H = sp.ImmutableMatrix([[found.numerator / found.denominator]])
+    A, B, C, D = matrices
+    yield Step(
+        "realization",
+        claims={"transfer": Claim(transfer_of(matrices, x), H, "the realization has the transfer function")},
+        own=own,
+        A=A,
+        B=B,
+        C=C,
+        D=D,
+        x=x,
+    )
+    return A, B, C, D
+
+
+@model_matching.verification("feasible", "compensator", "A", "B", "C", "K")
+def turns_the_plant_into_the_target(given: Given, answers: Answers) -> Iterable[Check]:
+    """Zeros and degrees compared in numbers; compensator, realization and closed loop at random points."""
+    x, G = variable(given.system), given.target
+    system = given.system
+    if isinstance(system, StateSpace):
+        D = system.D if system.D is not None else sp.ImmutableMatrix([[0]])
+        own = (system.A, system.B, system.C, D)
+        plant = numeric.fraction_of(own, x)
+    else:
+        own, plant = None, (system.numerators[0][0], system.denominators[0][0])
+    if "feasible" in answers:
+        holds = numeric.matching_possible(plant, G, x, discrete=system.discrete)
+        yield Check.that(
+            "the target's zeros are zeros of the plant, relative degrees agree, hidden poles are stable",
+            "numpy.roots",
+            bool(answers["feasible"]) == holds,
+            answer="feasible",
+        )
+    if "compensator" in answers:
+        series = product(quotient(*plant), answers["compensator"])
+        yield numeric.check_claim(Claim(series, G), "plant times compensator is the target", answer="compensator")
+    given_realization = all(name in answers for name in "ABC")
+    for name in "ABC":
+        if name in answers and not given_realization:
+            yield Check.skipped("realization", "random points", "it is judged with A, B and C together", answer=name)
+    matrices = own or numeric.first_row_form(plant, x)
+    if given_realization:
+        matrices = (answers["A"], answers["B"], answers["C"], numeric.direct_term(plant, x))
+        yield numeric.check_residual(
+            r"$C(xI - A)^{-1}B + D$ is the plant at random points",
+            "numpy.linalg.solve",
+            lambda: numeric.realization_residual(matrices, plant, x),
+        )
+    if "K" in answers:
+        yield numeric.check_residual(
+            "the closed loop is the target up to a constant gain",
+            "numpy.linalg.solve",
+            lambda: numeric.matched_residual(matrices, answers["K"], G, x),
+            answer="K",
+        )
