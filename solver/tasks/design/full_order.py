@@ -83,9 +83,17 @@ def observer_equation_of(system: StateSpace, found: Placement) -> Derivation[Non
     yield Step(
         "equation",
         claims=claims,
-        figures=(Diagram("The plant and its observer.", "observer", {"A": "A", "B": "B", "C": "C", "L": "L_c"}),),
+        figures=_diagram(system, through=forward is not B),
         forward=forward,
         L=L,
         fixed=found.fixed,
         discrete=system.discrete,
     )
+
+
+def _diagram(system: StateSpace, *, through: bool) -> tuple[Diagram, ...]:
+    """The block diagram; none without an input, or where it acts on the output directly."""
+    discrete = {"plant": "x(k+1)=Ax(k)+Bu(k)", "integrator": "z^{-1}"} if system.discrete else {}
+    if system.B is None or through:
+        return ()
+    return (Diagram("The plant and its observer.", "observer", {"L": "L_c", **discrete}),)

@@ -28,11 +28,10 @@ from solver.tasks.design.output_feedback import (
     feedback_of,
     full_compensator,
     full_loop_of,
-    given_design,
+    given_observer_of,
     reduced_compensator,
     reduced_loop_of,
     separation_of,
-    tidied,
 )
 from solver.tasks.design.plants import Plant, measuring
 from solver.tasks.design.reduced_order import (
@@ -119,8 +118,7 @@ def by_separation(given: Given) -> Derivation[Answers]:
         listed = [*given.observer_poles, *(placed.fixed if len(given.observer_poles) < plant.n else ())]
         observer = Design(placed.K, placed.polynomial, listed)
     else:
-        L = given.observer_gain
-        observer = given_design(tidied(plant.A - L * plant.C), L, plant.variable)
+        observer = yield from given_observer_of(plant.A, plant.C, given.observer_gain, plant.variable, reduced=False)
     whole = yield from full_loop_of(plant, control, observer)
     yield from separation_of(whole, plant, control, observer)
     found, claims = full_compensator(plant, control.gain, observer.gain)
@@ -137,8 +135,8 @@ def _with_reduced_observer(given: Given, plant: Plant, control: Design) -> Deriv
         fixed = design.fixed if len(given.observer_poles) < blocks["A22"].rows else ()
         observer = Design(design.L, design.polynomial, [*given.observer_poles, *fixed])
     else:
-        L = given.observer_gain
-        observer = given_design(tidied(blocks["A22"] - L * blocks["A12"]), L, plant.variable)
+        A22, A12 = blocks["A22"], blocks["A12"]
+        observer = yield from given_observer_of(A22, A12, given.observer_gain, plant.variable, reduced=True)
     J, N, M = yield from observer_matrices_of(parts, observer.gain, plant)
     whole = yield from reduced_loop_of(plant, parts, control, observer)
     yield from separation_of(whole, plant, control, observer)

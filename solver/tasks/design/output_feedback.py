@@ -15,7 +15,7 @@ from solver.tasks.design.frames import characteristic
 from solver.tasks.design.placement import place
 
 if TYPE_CHECKING:
-    from sympy import Expr, ImmutableMatrix
+    from sympy import Expr, ImmutableMatrix, Symbol
 
     from solver.tasks.design.plants import Plant
 
@@ -39,7 +39,7 @@ class Compensator:
     E: ImmutableMatrix
 
 
-def given_design(loop: ImmutableMatrix, gain: ImmutableMatrix, x: Any) -> Design:
+def given_design(loop: ImmutableMatrix, gain: ImmutableMatrix, x: Symbol) -> Design:
     """The design of a gain that is given: `loop` is the matrix that it makes."""
     polynomial = exact.faddeev_leverrier(loop).characteristic_polynomial(x)
     try:
@@ -71,6 +71,26 @@ def feedback_of(plant: Plant, poles: Sequence[Expr] | None, K: ImmutableMatrix |
     return design
 
 
+@lemma("output_feedback")
+def given_observer_of(
+    A: ImmutableMatrix, C: ImmutableMatrix, L: ImmutableMatrix, x: Symbol, *, reduced: bool
+) -> Derivation[Design]:
+    """The error of an observer whose gain L is given; A and C are A22 and A12 for one of reduced order."""
+    error = tidied(A - L * C)
+    design = given_design(error, L, x)
+    yield Step(
+        "given_observer",
+        claims={
+            "error": Claim(difference(A, product(L, C)), error, "matrix of the error"),
+            "polynomial": Claim(characteristic(error, x), design.polynomial, "polynomial of the error"),
+        },
+        L=L,
+        x=x,
+        reduced=reduced,
+    )
+    return design
+
+
 def tidied(M: Any) -> ImmutableMatrix:
     """The matrix with its entries in the form shown."""
     return sp.ImmutableMatrix(sp.Matrix(M).applyfunc(exact.tidy))
@@ -89,16 +109,17 @@ def full_loop_of(plant: Plant, control: Design, observer: Design) -> Derivation[
             "coupling": Claim(product(B, K), coupling, "$B K$"),
             "error": Claim(difference(A, product(L, C)), error, "$A - L C$"),
         },
-        figures=(_diagram(plant, "observer_feedback", "State feedback of the estimate of an observer."),),
+        figures=_diagram(plant, "observer_feedback", "State feedback of the estimate of an observer."),
         whole=partitioned(whole, (n,), (n,)),
         discrete=plant.discrete,
     )
     return whole
 
 
-def _diagram(plant: Plant, name: str, caption: str) -> Diagram:
+def _diagram(plant: Plant, name: str, caption: str) -> tuple[Diagram, ...]:
+    """The block diagram; none where the input acts on the output directly, which it does not show."""
     discrete = {"plant": "x(k+1)=Ax(k)+Bu(k)", "integrator": "z^{-1}"} if plant.discrete else {}
-    return Diagram(caption, name, {"L": "L_c", "K": "K_f", **discrete})
+    return (Diagram(caption, name, {"L": "L_c", "K": "K_f", **discrete}),) if plant.plain else ()
 
 
 @lemma("output_feedback")
@@ -133,11 +154,7 @@ def reduced_loop_of(
     yield Step(
         "reduced_loop",
         claims={**claims, "J": Claim(difference(A22, product(observer.gain, A12)), J, "$J$")},
-        figures=(
-            _diagram(
-                plant, "reduced_observer_feedback", "State feedback with the estimate of an observer of reduced order."
-            ),
-        ),
+        figures=_diagram(plant, "reduced_observer_feedback", "State feedback with an observer of reduced order."),
         whole=partitioned(whole, (p, n), (p, n)),
         discrete=plant.discrete,
     )
@@ -226,7 +243,7 @@ def compensator_of(
     return matrix
 
 
-def _unstable(chi: Expr, x: Any, *, discrete: bool) -> bool:
+def _unstable(chi: Expr, x: Symbol, *, discrete: bool) -> bool:
     """Whether a polynomial in numbers has a root outside the stable region (known for sure)."""
     if chi.free_symbols - {x}:
         return False

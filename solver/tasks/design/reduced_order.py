@@ -126,13 +126,7 @@ def estimate_of(parts: exact.Partition, design: Gain, J: ImmutableMatrix, plant:
             "y": Claim(product(parts.T, from_y), from_y_x, "what y adds to the estimate"),
             "omega": Claim(product(parts.T, from_omega), from_omega_x, "what the observer adds to the estimate"),
         },
-        figures=(
-            Diagram(
-                "The plant and its observer of reduced order.",
-                "reduced_observer",
-                {"J": "J", "L": "L_c", "N": "N", "M": "M"},
-            ),
-        ),
+        figures=_diagram(plant),
         unmeasured=_column(plant.state_names[j] for j in parts.unmeasured),
         from_y=from_y_x,
         from_omega=from_omega_x,
@@ -151,3 +145,10 @@ def estimate_of(parts: exact.Partition, design: Gain, J: ImmutableMatrix, plant:
         discrete=plant.discrete,
         fixed=design.fixed,
     )
+
+
+def _diagram(plant: Plant) -> tuple[Diagram, ...]:
+    """The block diagram; none where the input acts on the output directly, which it does not show."""
+    discrete = {"plant": "x(k+1)=Ax(k)+Bu(k)", "integrator": "z^{-1}"} if plant.discrete else {}
+    caption = "The plant and its observer of reduced order."
+    return (Diagram(caption, "reduced_observer", {"L": "L_c", **discrete}),) if plant.plain else ()
