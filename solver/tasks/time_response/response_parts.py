@@ -116,8 +116,7 @@ def zero_input_by_transform(asked: Question) -> Derivation[None]:
         "zero_input_transform",
         claims={"image": Claim(product(inverse(asked.pencil()), asked.x0), column, "transform of the free motion")},
         discrete=asked.discrete,
-        resolvent=exact.resolvent(asked.system.A, asked.variable),
-        x0=asked.x0,
+        shown=product(exact.resolvent(asked.system.A, asked.variable), asked.x0),
     )
     yield from _transformed_back(asked, image, column, ZERO_INPUT)
 
@@ -128,15 +127,14 @@ def zero_state_by_transform(asked: Question, piece: exact.Piece) -> Derivation[N
     s, image = asked.variable, asked.zero_state(piece)
     U, column = piece.image(s, discrete=asked.discrete), image.expression(s)
     yield _input_transform(asked, piece, U)
+    carried = s if asked.discrete else sp.Integer(1)
     divided = quotient(U, s) if asked.discrete else U
     stated = product(inverse(asked.pencil()), asked.system.B, divided)
     yield Step(
         "zero_state_transform",
         claims={"image": Claim(stated, column, "transform of the forced motion")},
         discrete=asked.discrete,
-        resolvent=exact.resolvent(asked.system.A, s),
-        B=asked.system.B,
-        shown=U[0] / (s if asked.discrete else 1) if len(U) == 1 else U / (s if asked.discrete else 1),
+        shown=product(exact.resolvent(asked.system.A, s), asked.system.B, _unwrapped(sp.ImmutableMatrix(U / carried))),
         delay=piece.delay,
     )
     yield from _transformed_back(asked, image, column, ZERO_STATE, piece.delay)
@@ -370,8 +368,7 @@ def _plot(asked: Question) -> Plot | None:
         return None
     stop += max((delay for delay, _ in found.pieces), default=0)
     style = "samples" if asked.discrete else "line"
-    lines = "samples" if asked.discrete else "dashed"
-    states = [Curve(x, f"x_{{{i}}}", style=lines) for i, x in enumerate(found.x.flat(), 1)]
+    states = [Curve(x, f"x_{{{i}}}", style=style) for i, x in enumerate(found.x.flat(), 1)]
     several = len(y) > 1
     outputs = [Curve(each, f"y_{{{i}}}" if several else "y", style=style) for i, each in enumerate(smooth.flat(), 1)]
     marks = (Mark(found.y_peak.time, found.y_peak.value, r"y_{\text{peak}}"),) if found.y_peak else ()
