@@ -56,7 +56,7 @@ from solver.exact.placement import (
     toeplitz,
 )
 from solver.exact.pole_placement import ackermann, controllability_matrix
-from solver.exact.rank_conditions import CriticalValues, critical_values, rank_conditions
+from solver.exact.rank_conditions import CriticalValues, critical_values, rank_conditions, telling_minors
 from solver.exact.rational import RationalMatrix, between
 from solver.exact.realization import (
     Realization,
@@ -246,6 +246,7 @@ __all__ = [
     "stable_where",
     "steady_state",
     "taylor",
+    "telling_minors",
     "tidy",
     "toeplitz",
     "transfer_matrix",

@@ -38,6 +38,22 @@ def is_companion(A: Any, *, transposed: bool, first: bool) -> bool:
     return M.shape == (n, n) and bool(np.all(np.abs((M - shift)[: n - 1]) <= SAME))
 
 
+def has_companion_blocks(A: Any, B: Any, channels: int) -> bool:
+    """Whether all rows of A but one for each channel only pass on another state, untouched by B (None: not asked)."""
+    M = values_of(A)
+    n = len(M)
+    shifts = [_is_unit(M[i]) and abs(M[i, i]) <= SAME for i in range(n)]
+    if B is not None:
+        driven = np.abs(values_of(B)).sum(axis=1) > SAME
+        shifts = [shift and not driven[i] for i, shift in enumerate(shifts)]
+    return M.shape == (n, n) and n - sum(shifts) <= channels
+
+
+def _is_unit(row: Array) -> bool:
+    ones = np.abs(row - 1) <= SAME
+    return bool(ones.sum() == 1 and np.all(np.abs(row[~ones]) <= SAME))
+
+
 def is_unit_vector(v: Any, place: int) -> bool:
     """Whether a row or column is zero but for a one at a place."""
     flat = values_of(v).reshape(-1)

@@ -155,6 +155,21 @@ def test_a_state_space_system_keeps_its_order():
         assert sorted(result.answers["A"].eigenvals()) == [-2, -1]
 
 
+def test_several_inputs_in_state_space_keep_the_order_too():
+    A, B, C = [[1, 2, 0], [0, 1, 1], [1, 0, 3]], [[1, 0], [0, 1], [0, 0]], [[1, 0, 1], [0, 1, 1]]
+    many = system(A, B=B, C=C)
+    for form in ("controllable", "observable"):
+        for convention in ("last_row", "first_row"):
+            result = realized(many, form, convention=convention)
+            assert result.status is Status.VERIFIED, result.reason
+            assert result.answers["A"].charpoly() == M(A).charpoly()
+    assert realized(many).answers["B"] == M([[0, 0], [1, 0], [0, 1]])
+    as_given = {**{name: getattr(many, name) for name in "ABC"}, "D": sp.zeros(2)}
+    assert rejected("realization", many, as_given, form="controllable", convention="last_row")
+    uncontrollable = system(sp.diag(-1, -1, -1), B=[[1, 0], [0, 1], [0, 0]], C=[[1, 1, 1]])
+    assert realized(uncontrollable).status is Status.VERIFIED
+
+
 def test_semisimple_repeated_eigenvalues_are_diagonal():
     result = realized(system([[-1, 0], [0, -1]], B=[[1], [1]], C=[[1, 0]]), "diagonal")
     assert result.status is Status.VERIFIED, result.reason

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import AnswerName, Answers, Check, Choice, Derivation, Given, Option, Task, Unsolved
 from solver.lazy import systems
 from solver.tasks.representation.modal_forms import mode_form_of
+from solver.tasks.representation.multivariable_forms import companion_coordinates_of
 from solver.tasks.representation.realization_checks import realization_checks
 from solver.tasks.representation.realization_lemmas import companion_form_of, direct_path_of
 from solver.tasks.representation.transfer_function import fractions_of, transfer_function_of
@@ -36,10 +37,10 @@ realization = Task(
         ),
     ],
     answers=[
-        AnswerName("A", "A", "n×n, n the degree of the denominator as given"),
-        AnswerName("B", "B", "n×m"),
-        AnswerName("C", "C", "p×n"),
-        AnswerName("D", "D", "p×m, G(∞)"),
+        AnswerName("A", "A", "system matrix; its order is the degree of the denominator as given"),
+        AnswerName("B", "B", "input matrix"),
+        AnswerName("C", "C", "output matrix"),
+        AnswerName("D", "D", "direct path, G(∞)"),
     ],
 )
 
@@ -59,16 +60,21 @@ def of_a_convention_of_another_form(_system: System, options: Mapping[str, Any])
 @realization.method(source="Lecture note, section 1.10; Kailath, Linear Systems, section 2.1")
 def by_inspection(given: Given) -> Derivation[Answers]:
     """The coefficients of the fraction, or its poles and residues, placed into matrices."""
+    form, discrete, first = given.form or FORMS[0], given.system.discrete, given.convention == "first_row"
     if isinstance(given.system, systems.TransferFunction):
         G = yield from fractions_of(given.system)
     else:
+        several = given.system.B.cols > 1 if form == "controllable" else given.system.C.rows > 1
+        if several and form in COMPANION:
+            moved = yield from companion_coordinates_of(given.system, form, first=first)
+            if moved is not None:
+                return Answers(A=moved.A, B=moved.B, C=moved.C, D=moved.D)
         G = yield from transfer_function_of(given.system)
     if G.common_denominator.degree() == 0:
         raise Unsolved("The transfer function is a constant: there is no state to write equations for.")
     yield from direct_path_of(G)
-    form, discrete = given.form or FORMS[0], given.system.discrete
     if form in COMPANION:
-        found = yield from companion_form_of(G, form, first=given.convention == "first_row", discrete=discrete)
+        found = yield from companion_form_of(G, form, first=first, discrete=discrete)
     else:
         found = yield from mode_form_of(G, form, superdiagonal=given.convention == "superdiagonal", discrete=discrete)
     return Answers(A=found.A, B=found.B, C=found.C, D=found.D)

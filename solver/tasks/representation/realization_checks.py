@@ -23,7 +23,7 @@ def realization_checks(given: Given, answers: Answers) -> Iterable[Check]:
         claim = Claim(answers["D"], at_infinity(given.system))
         yield numeric.check_claim(claim, r"$D = G(\infty)$", answer="D")
     if "A" in answers:
-        yield Check.that(_form_in_words(given), "inspection", _has_form(given, answers["A"]), answer="A")
+        yield Check.that(_form_in_words(given), "inspection", _has_form(given, answers), answer="A")
     if (outputs, inputs) == (1, 1):
         yield from _single_channel(given, answers)
     if {"A", "B", "C"} <= answers.keys():
@@ -76,6 +76,9 @@ def _misfits(answers: Answers, outputs: int, inputs: int) -> Iterator[Check]:
 def _form_in_words(given: Given) -> str:
     first = given.convention == "first_row"
     above = given.convention == "superdiagonal"
+    if shape_of(given.system) != (1, 1) and given.form in (None, "controllable", "observable"):
+        rows = "columns" if given.form == "observable" else "rows"
+        return f"$A$ has companion blocks: all {rows} but one a channel pass on a state"
     return {
         "controllable": f"$A$ is a companion matrix, coefficients in the {'first' if first else 'last'} row",
         "observable": f"$A$ is a companion matrix, coefficients in the {'first' if first else 'last'} column",
@@ -85,14 +88,19 @@ def _form_in_words(given: Given) -> str:
     }[given.form or "controllable"]
 
 
-def _has_form(given: Given, A: Any) -> bool:
+def _has_form(given: Given, answers: Answers) -> bool:
+    A = answers["A"]
     form, first, above = given.form, given.convention == "first_row", given.convention == "superdiagonal"
     if form == "diagonal":
         return bool(numeric.is_diagonal(A))
     if form in ("jordan", "modal"):
         return bool(numeric.is_chain_form(A, above=above, real=form == "modal"))
     if shape_of(given.system) != (1, 1):
-        return True  # blocks in any arrangement; the transfer function decides
+        outputs, inputs = shape_of(given.system)
+        if form == "observable":
+            C = answers.get("C")
+            return bool(numeric.has_companion_blocks(A.T, C.T if C is not None else None, outputs))
+        return bool(numeric.has_companion_blocks(A, answers.get("B"), inputs))
     return bool(numeric.is_companion(A, transposed=form == "observable", first=first))
 
 
