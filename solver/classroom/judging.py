@@ -162,11 +162,16 @@ def entrywise(each: Submitted, ours: Any) -> Any:
         return [[_word(_agrees(each, each.form[i, j], ours[i, j])) for j in range(ours.cols)] for i in rows]
     if isinstance(each.value, list) and isinstance(ours, list | tuple):
         return _as_set(each, list(ours))
-    if isinstance(each.value, sp.Expr) and isinstance(ours, sp.Expr):
+    if is_scalar(each.value) and is_scalar(ours):
         return _word(_agrees(each, each.form, ours))
     if isinstance(each.value, bool | str):
         return _word(each.value == ours)
     return None
+
+
+def is_scalar(value: Any) -> bool:
+    """Whether a value is an expression; sympy's immutable matrices are expressions too."""
+    return isinstance(value, sp.Expr) and not isinstance(value, sp.MatrixBase)
 
 
 def _as_set(each: Submitted, ours: list[Any]) -> list[Any]:
@@ -186,7 +191,7 @@ def _same_item(each: Submitted, form: Any, mine: Any) -> bool:
         return form.shape == mine.shape and all(
             _agrees(each, a, b) for a, b in zip(form.flat(), mine.flat(), strict=True)
         )
-    if isinstance(form, sp.Expr) and isinstance(mine, sp.Expr):
+    if is_scalar(form) and is_scalar(mine):
         return _agrees(each, form, mine)
     return bool(form == mine)
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.judging import STRANGE, Question, entrywise, judge
+from solver.classroom.judging import STRANGE, Question, entrywise, is_scalar, judge
 from solver.classroom.values import Submitted
 from solver.classroom.verdicts import Verdict
 from solver.derivation import Given, PartResult
@@ -84,7 +84,7 @@ def _careful(values: Callable[[Case], Iterable[Any]], case: Case) -> Iterator[An
 def _negative(case: Case) -> Values:
     if isinstance(case.ours, list):
         yield [-item for item in case.ours]
-    elif isinstance(case.ours, sp.MatrixBase | sp.Expr) and not isinstance(case.ours, sp.logic.boolalg.Boolean):
+    elif isinstance(case.ours, sp.MatrixBase | sp.Expr):
         yield -case.ours
 
 
@@ -171,13 +171,6 @@ def _in_degrees(angle: Callable[[Any], Any], z: Any) -> Any:
     return angle(z) * 180 / sp.pi
 
 
-def _left_for_right(case: Case) -> Values:
-    other = {"right_eigenvectors": "left_eigenvectors", "left_eigenvectors": "right_eigenvectors"}.get(case.name)
-    if other is not None and other in case.question.ours:
-        yield case.question.ours[other]
-        yield case.question.ours[other].T
-
-
 def _intermediate(case: Case) -> Values:
     """A result of one of the steps, of the answer's shape."""
     for result in case.results:
@@ -189,7 +182,7 @@ def _intermediate(case: Case) -> Values:
 def _alike(value: Any, ours: Any) -> bool:
     if isinstance(ours, sp.MatrixBase):
         return isinstance(value, sp.MatrixBase) and value.shape == ours.shape and value != ours
-    return isinstance(ours, sp.Expr) and isinstance(value, sp.Expr) and value != ours and not value.is_number
+    return is_scalar(ours) and is_scalar(value) and value != ours and not value.is_number
 
 
 def _map(value: Any, of: Callable[[Any], Any]) -> Any:
@@ -203,7 +196,6 @@ TRANSFORMED: tuple[tuple[str, Callable[[Case], Iterable[Any]]], ...] = (
     ("each value counts as often as its multiplicity", _without_multiplicity),
     ("$+$ stands where $-$ belongs: the feedback is subtracted", _plus_for_minus),
     ("it solves the Riccati equation, but it is not the stabilising solution", _other_solution),
-    ("left and right eigenvectors are exchanged", _left_for_right),
     ("a factor 2 is missing", _half),
     ("it is twice what it should be: a factor ½ is missing", _double),
     ("the factor $t$ (or $k$) of a repeated eigenvalue is missing", _without_factor_t),
@@ -239,6 +231,10 @@ def _A_transposed(part: Part) -> Part | None:
     return _system(part, A=part.system.A.T) if isinstance(part.system, StateSpace) else None
 
 
+def _left_for_right(part: Part) -> Part | None:
+    return _A_transposed(part) if part.task == "eigenstructure" else None
+
+
 def _without_D(part: Part) -> Part | None:
     D = getattr(part.system, "D", None)
     return None if D is None or D.is_zero_matrix else _system(part, D=sp.ImmutableMatrix(sp.zeros(*D.shape)))
@@ -261,6 +257,7 @@ CHANGED: tuple[tuple[str, Change], ...] = (
     ("the poles have the wrong sign", _poles_reversed),
     ("$D$ is forgotten", _without_D),
     ("the right side has the wrong sign: $-Q$ for $Q$", _weight_reversed),
+    ("left and right eigenvectors are exchanged", _left_for_right),
     ("$A$ is transposed", _A_transposed),
     ("$B$ has the wrong sign", _B_reversed),
     ("the initial state is forgotten", _without_initial_state),

@@ -1,0 +1,136 @@
+"""Verdicts by property: right answers in unusual forms pass, wrong ones do not, and the words fit."""
+
+import pytest
+from marked import marked, solved, verdict
+
+PLANT = solved(
+    """
+title: A plant
+system: {A: [[1, 2], [3, 1]], B: [0, 1], C: [1, 3], initial_state: [1, 0]}
+find:
+  a: eigenstructure
+  b: {task: pole_placement, method: ackermann, poles: ["-3 ± 2j"], marks: 3}
+  c: {task: eigenstructure, gain: {from: b}, marks: 2}
+  d: characteristic_polynomial
+  e: controllability
+  f: {task: state_transition_matrix, system: {A: [[-1, 1], [0, -1]]}}
+  g: {task: state_transition_matrix, system: {A: [[0, 1], [-5, -2]]}}
+  h: {task: eigenstructure, system: {A: [[3, 1, 0], [0, 3, 0], [0, 0, 2]]}}
+"""
+)
+
+RIGHT = [
+    ("a", "eigenvalues", "[1 - sqrt(6), 1 + sqrt(6)]"),
+    ("a", "eigenvalues", "1 ± sqrt(6)"),
+    ("a", "eigenvalues", "[3.449, -1.449]"),
+    ("a", "eigenvalues", "[3.4, -1.4]"),
+    ("a", "right_eigenvectors", "[[2, 2], [sqrt(6), -sqrt(6)]]"),
+    ("a", "right_eigenvectors", "[[2, -14], [sqrt(6), 7sqrt(6)]]"),
+    ("a", "right_eigenvectors", "[[0.632, 0.632], [0.775, -0.775]]"),
+    ("a", "right_eigenvectors", "[[0.8165, 1], [1, -1.2247]]"),
+    ("a", "left_eigenvectors", "[[sqrt(6), 2], [-sqrt(6), 2]]"),
+    ("a", "jordan_form", "[[1 + sqrt(6), 0], [0, 1 - sqrt(6)]]"),
+    ("a", "diagonalizable", "yes"),
+    ("a", "diagonalizable", "true"),
+    ("b", "K", "[13, 8]"),
+    ("b", "K", "[[26/2, 8.0]]"),
+    ("b", "polynomial", "(s + 3)^2 + 4"),
+    ("b", "polynomial", "s^2 + 6.0s + 13"),
+    ("d", "polynomial", "(lambda - 1)^2 - 6"),
+    ("d", "polynomial", "λ² - 2λ - 5"),
+    ("e", "controllable", "yes"),
+    ("e", "determinant", "-2"),
+    ("e", "uncontrollable_modes", "[]"),
+    ("f", "Phi", "[[exp(-t), t exp(-t)], [0, exp(-t)]]"),
+    ("f", "Phi", "[[e^(-t), t/e^t], [0, 1/e^t]]"),
+    ("f", "Phi", "[[exp(-1.00t), 1.0 t exp(-t)], [0, exp(-t)]]"),
+    ("g", "Phi", "[[exp(-t)(cos(2t) + sin(2t)/2), exp(-t) sin(2t)/2],"
+                 " [-5 exp(-t) sin(2t)/2, exp(-t)(cos(2t) - 0.5sin(2t))]]"),
+    ("h", "eigenvalues", "[2, 3, 3]"),
+    ("h", "right_eigenvectors", "[[0, 1, 0], [0, 0, 1], [1, 0, 0]]"),
+    ("h", "jordan_form", "[[2, 0, 0], [0, 3, 1], [0, 0, 3]]"),
+]  # fmt: skip
+
+WRONG = [
+    ("a", "eigenvalues", "[3.45, -1.44]", ""),
+    ("a", "eigenvalues", "[3.449]", ""),
+    ("a", "eigenvalues", "[1 + sqrt(6), 1 + sqrt(6)]", ""),
+    ("a", "right_eigenvectors", "[[2, 4], [sqrt(6), 2sqrt(6)]]", ""),
+    ("a", "right_eigenvectors", "[[0.64, 0.632], [0.775, -0.775]]", ""),
+    ("a", "right_eigenvectors", "[[sqrt(6), -sqrt(6)], [2, 2]]", "left and right eigenvectors are exchanged"),
+    ("a", "diagonalizable", "no", "the opposite is true"),
+    ("b", "K", "[-13, -8]", "the sign is reversed"),
+    ("b", "K", "[8, 13]", "the entries stand in reverse order"),
+    ("b", "K", "[13, 8.1]", ""),
+    ("b", "K", "[[13], [8]]", "it is transposed: rows and columns are exchanged"),
+    ("b", "K", "[-3, -4]", ""),
+    ("b", "K", "[7, -4]", "the poles have the wrong sign"),
+    ("b", "closed_loop_A", "[[1, 2], [16, 9]]", "$+$ stands where $-$ belongs: the feedback is subtracted"),
+    ("d", "polynomial", "lambda^2 - 2 lambda + 5", ""),
+    ("d", "polynomial", "-lambda^2 + 2lambda + 5", "the sign is reversed"),
+    ("e", "controllability_matrix", "[[0, 1], [2, 1]]", "it is transposed: rows and columns are exchanged"),
+    ("e", "controllable", "no", "the opposite is true"),
+    ("e", "rank", "1", ""),
+    ("f", "Phi", "[[exp(-t), exp(-t)], [0, exp(-t)]]",
+     "the factor $t$ (or $k$) of a repeated eigenvalue is missing"),
+    ("f", "Phi", "[[exp(t), -t exp(t)], [0, exp(t)]]", "the sign of the exponents is reversed"),
+    ("f", "Phi", "[[exp(-t), 0], [t exp(-t), exp(-t)]]", "it is transposed: rows and columns are exchanged"),
+    ("h", "eigenvalues", "[2, 3]", "each value counts as often as its multiplicity"),
+    ("h", "jordan_form", "[[3, 0, 0], [0, 3, 0], [0, 0, 2]]", ""),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("part", "name", "value"), RIGHT)
+def test_a_right_answer_is_right_in_any_form(part, name, value):
+    found = verdict(PLANT, part, name, f'"{value}"' if not value.startswith("[") else value)
+    assert found.verdict == "correct", found.reason
+
+
+@pytest.mark.parametrize(("part", "name", "value", "words"), WRONG)
+def test_a_wrong_answer_is_wrong_and_a_usual_mistake_is_named(part, name, value, words):
+    found = verdict(PLANT, part, name, f'"{value}"' if not value.startswith("[") else value)
+    assert found.verdict == "wrong"
+    assert found.reason == words or not words
+
+
+def test_decimals_must_be_right_to_the_last_digit_written():
+    assert verdict(PLANT, "a", "eigenvalues", "[3.4495, -1.4495]").verdict == "correct"
+    assert verdict(PLANT, "a", "eigenvalues", "[3.4494, -1.4495]").verdict == "wrong"  # cut off, not rounded
+    assert verdict(PLANT, "a", "eigenvalues", "[3.4495, -1.4496]").verdict == "wrong"
+
+
+def test_marks_are_split_equally_in_proportion_to_what_is_right():
+    found = marked(PLANT, "answers: {b: {K: [13, 9], polynomial: s^2+6s+13}}")["b"]
+    assert found.answers["K"].entries == [["correct", "wrong"]]
+    assert (found.marks, found.out_of) == (3 * (1 / 2 + 1) / 2, 3)
+    assert marked(PLANT, "answers: {a: {diagonalizable: yes}}")["b"].note == "not answered"
+
+
+def test_a_later_part_is_followed_through_with_the_students_own_gain():
+    found = marked(PLANT, "answers: {b: {K: [10, 5]}, c: {eigenvalues: ['(-3 ± sqrt(33) j)/2 - 0', 0]}}")
+    assert found["c"].answers["eigenvalues"].verdict == "wrong"
+    # with K = [10, 5]: A - BK = [[1, 2], [-7, -4]], eigenvalues (-3 ± j sqrt(31))/2
+    found = marked(PLANT, "answers: {b: {K: [10, 5]}, c: {eigenvalues: ['-3/2 ± j sqrt(31)/2']}}")
+    right = found["c"].answers["eigenvalues"]
+    assert (right.verdict, right.follows, right.note) == ("correct", True, "right with your own answer of part b")
+    assert found["c"].marks == 2
+
+
+def test_an_earlier_answer_that_makes_the_later_question_trivial_is_not_followed():
+    found = marked(PLANT, "answers: {b: {K: [0, 0]}, c: {eigenvalues: [1 + sqrt(6), 1 - sqrt(6)]}}")
+    assert found["c"].answers["eigenvalues"].verdict == "wrong"
+
+
+def test_answers_that_relate_to_each_other_are_judged_together():
+    wrong = "answers: {a: {right_eigenvectors: [[2, 2], [sqrt(6), -sqrt(6)]], jordan_form: [[1, 0], [0, 1]]}}"
+    found = marked(PLANT, wrong)["a"].answers
+    assert (found["right_eigenvectors"].verdict, found["jordan_form"].verdict) == ("correct", "wrong")
+
+
+def test_an_unsolved_part_is_not_judged_and_earns_nothing():
+    solution = solved("system: {transfer_function: '2'}\nfind: {a: {task: eigenstructure, marks: 2}}\n")
+    found = marked(solution, "answers: {a: {diagonalizable: yes}}")["a"]
+    assert found.answers["diagonalizable"].verdict == "not judged"
+    assert "constant" in found.answers["diagonalizable"].reason
+    assert (found.marks, found.out_of) == (0, 2)
+    assert "could not be judged" in found.note

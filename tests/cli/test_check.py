@@ -1,0 +1,69 @@
+"""`solve check` from the outside: exit codes, formats, sheets, tables of marks, files at fault."""
+
+import csv
+import json
+
+import pytest
+
+PROBLEM = """\
+title: A plant
+system: {A: [[1, 2], [3, 1]], B: [0, 1]}
+find:
+  a: {task: characteristic_polynomial, marks: 1}
+  b: {task: eigenstructure, marks: 2}
+"""
+RIGHT = "student: A-17\nanswers: {a: {polynomial: x}, b: {diagonalizable: yes}}\n".replace("x", "lamda^2-2lamda-5")
+WRONG = "student: =1+1\nanswers: {a: {polynomial: lamda^2+2lamda-5}, b: {diagonalizable: no}}\n"
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """The problem and four answer files, in the folder the command runs in."""
+    for name, text in {"problem": PROBLEM, "right": RIGHT, "wrong": WRONG, "bad": "answers: {a: {p: [}}"}.items():
+        (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+    named = "problem: problem.yaml\n" + RIGHT
+    (tmp_path / "named.yaml").write_text(named, encoding="utf-8")
+    return tmp_path
+
+
+def test_right_answers_end_with_zero_and_wrong_ones_with_one(solve, folder):
+    assert solve("check", "problem.yaml", "right.yaml").code == 0
+    assert solve("check", "problem.yaml", "wrong.yaml").code == 1
+    assert solve("check", "named.yaml").code == 0
+
+
+def test_json_is_as_documented(solve, folder):
+    data = json.loads(solve("check", "problem.yaml", "wrong.yaml", "-f", "json").out)
+    assert data["parts"][0]["id"] == "a"
+    assert data["parts"][0]["answers"]["polynomial"]["verdict"] == "wrong"
+    assert data["parts"][0]["answers"]["polynomial"]["reason"]
+    assert (data["parts"][1]["marks"], data["parts"][1]["out_of"]) == (0, 2)
+
+
+def test_a_bad_file_does_not_stop_the_rest_and_the_table_has_a_line_for_each(solve, folder):
+    done = solve("check", "problem.yaml", "right.yaml", "bad.yaml", "wrong.yaml", "--csv", "marks.csv")
+    assert done.code == 2
+    assert "bad.yaml:1:" in done.err
+    rows = list(csv.reader((folder / "marks.csv").read_text(encoding="utf-8").splitlines()))
+    assert rows == [
+        ["file", "student", "a", "b", "total", "out of"],
+        ["right.yaml", "A-17", "1", "2", "3", "3"],
+        ["bad.yaml", "", "", "", "not readable", ""],
+        ["wrong.yaml", "'=1+1", "0", "0", "0", "3"],
+    ]
+
+
+def test_a_sheet_shows_values_verdicts_and_on_request_the_solution(solve, folder):
+    assert solve("check", "problem.yaml", "wrong.yaml", "-f", "html").code == 1
+    sheet = (folder / "wrong.marked.html").read_text(encoding="utf-8")
+    assert "<math" in sheet
+    assert "The opposite is true." in sheet
+    assert "Worked solution" not in sheet
+    solve("check", "problem.yaml", "wrong.yaml", "--solution", "-o", "out.html")
+    assert "Worked solution" in (folder / "out.html").read_text(encoding="utf-8")
+
+
+def test_an_answer_file_without_problem_is_at_fault(solve, folder):
+    done = solve("check", "right.yaml")
+    assert done.code == 2
+    assert "names no problem" in done.err

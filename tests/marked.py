@@ -1,0 +1,23 @@
+"""Marking one answer file to one problem, as tests do."""
+
+from solver.classroom import mark, read_submission
+from solver.engine import solve_problem
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.tasks import catalogue
+
+
+def solved(text):
+    """The solution of a problem given as text."""
+    return solve_problem(read_problem(Source("problem.yaml", text), catalogue()))
+
+
+def marked(solution, answers):
+    """The verdicts of an answer file given as text: {part: PartVerdict}."""
+    submission = read_submission(Source("answers.yaml", answers), solution.problem)
+    return {part.id: part for part in mark(solution, submission).parts}
+
+
+def verdict(solution, part, name, value):
+    """The verdict of one value."""
+    return marked(solution, f"answers: {{{part}: {{{name}: {value}}}}}")[part].answers[name]
