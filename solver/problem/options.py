@@ -195,6 +195,7 @@ def _words(node: Node, context: Context) -> tuple[str, ...]:
         known = [str(symbol.name) for symbol in context.system.parameters]
         known += [name for of in ("state", "input", "output") for name in context.names(of)]
         numbers = [str(number + 1) for number in range(context.system.order)]
+        known += [] if context.names("state") else [f"x{number}" for number in numbers]  # states go by these names
         for item, word in zip(items, words, strict=True):
             if word not in known and word not in numbers:
                 note = f"it has: {', '.join(known)}" if known else ""

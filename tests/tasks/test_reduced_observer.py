@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 from strategies import systems
 
+import solver
 from solver.derivation import Status
 from solver.tasks import catalogue
 
@@ -262,3 +263,24 @@ def test_the_coordinates_of_the_combined_model_are_those_of_the_plant():
         answers = ask("reduced_observer", measuring(state), poles=POLES).answers
         assert answers["A_combined"][:3, :3] == M(COMPANION)
         assert answers["A_combined"][3:, :3] == answers["N"] * measuring(state).C
+
+
+def test_a_file_may_name_the_states_though_it_gives_no_names():
+    text = """\
+system: {A: [[0, 1, 0], [0, 0, 1], [-4, -4, -1]], B: [0, 0, 1]}
+find: {a: {task: reduced_observer, measured: [x3], poles: [-5, -5]}}
+"""
+    assert solver.solve(text).answers["a"]["J"] == M([[15, 16], [-25, -25]])
+
+
+def test_a_transfer_function_is_realized_first():
+    text = """\
+system: {transfer_function: "(s + 3)/(s^2 + 3s + 2)"}
+find:
+  a: {task: reduced_observer, poles: [-5]}
+  b: {task: observer, poles: [-5, -6]}
+  c: {task: observer_feedback, poles: [-4, -4], observer_poles: [-5], reduced: true}
+"""
+    solution = solver.solve(text)
+    assert solution.status == "verified"
+    assert solution.answers["a"]["J"] == M([[-5]])
