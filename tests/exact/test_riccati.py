@@ -63,7 +63,7 @@ def test_symbolic_weights_of_the_double_integrator():
     mu = sp.Symbol("mu", positive=True)
     found = riccati(*map(sp.ImmutableMatrix, ([[0, 1], [0, 0]], [[0], [1]], sp.diag(1, mu), [[1]])))
     root = sp.sqrt(mu + 2)
-    assert found.stabilizing.P == sp.ImmutableMatrix([[root, 1], [1, root]])
+    assert sp.ImmutableMatrix([[root, 1], [1, root]]) == found.stabilizing.P
     conditions = {each.radicand for each in found.solutions}
     assert conditions == {None, mu - 2}
 

@@ -91,7 +91,7 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
         words=words,
         exact=all(each.exact for each in always),
     )
-    yield _choice(problem, always)
+    yield _choice(problem, always, words)
     return equation, Listed(P, equations, [each.P for each in always], words)
 
 
@@ -185,7 +185,7 @@ def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) ->
     return "depends on the parameters"
 
 
-def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution]) -> Step:
+def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
     first = solutions[0]
     claims = {"polynomial": loop_polynomial_claim(problem, first)}
     return Step(
@@ -194,6 +194,7 @@ def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution]) -> S
         P=first.P,
         p=polynomial_of(first),
         others=[polynomial_of(each) for each in solutions[1:]],
+        cheaper=[number for number, word in enumerate(words[1:], 2) if word.startswith("positive")],
         **problem.names,
     )
 

@@ -1,0 +1,218 @@
+"""The regulator: course examples, both methods, all weights, refusals, corruptions, students' right answers."""
+
+import json
+
+import numpy as np
+import pytest
+import sympy as sp
+from asking import ask, rejected, system
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import solve_continuous_are
+
+from solver import solve
+from solver.derivation import Status
+
+METHODS = ("riccati", "hamiltonian")
+I2 = sp.ImmutableMatrix(sp.eye(2))
+ONE = sp.ImmutableMatrix([[1]])
+UNSTABLE = system([[0, 1], [0, 1]], B=[[0], [1]], C=[[1, 0]])
+ASKED = {"Q": I2, "R": ONE, "initial_state": sp.ImmutableMatrix([1, 2])}
+
+
+def floats(M) -> np.ndarray:
+    return np.array(sp.Matrix(M).evalf(30).tolist(), dtype=float)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_exam_with_a_double_pole(method):
+    result = ask("lqr", UNSTABLE, method, **ASKED)
+    assert result.status is Status.VERIFIED, result.reason
+    answers = result.answers
+    assert answers["P"] == sp.ImmutableMatrix([[2, 1], [1, 3]])
+    assert answers["K"] == sp.ImmutableMatrix([[1, 3]])
+    assert answers["u"] == -sp.Symbol("x1") - 3 * sp.Symbol("x2")
+    assert answers["eigenvalues"] == [-1, -1]
+    assert answers["closed_loop_A"] == sp.ImmutableMatrix([[0, 1], [-1, -2]])
+    assert answers["cost"] == sp.Rational(1, 2) * (2 + 2 * 2 + 12)
+
+
+def test_the_equations_and_all_solutions_of_the_exam():
+    answers = ask("lqr", UNSTABLE, **ASKED).answers
+    p11, p12, p22 = sp.symbols("p11 p12 p22")
+    expected = [1 - p12**2, p11 + p12 - p12 * p22, 1 + 2 * p12 + 2 * p22 - p22**2]
+    assert [sp.expand(a - b) for a, b in zip(answers["equations"], expected, strict=True)] == [0, 0, 0]
+    assert answers["definiteness"] == ["positive definite", "indefinite", "negative definite"]
+    assert [P.tolist() for P in answers["solutions"]] == [[[2, 1], [1, 3]], [[0, -1], [-1, 1]], [[-2, 1], [1, -1]]]
+
+
+def test_the_course_example_with_a_mode_out_of_reach():
+    plant = system([[-1, 0], [0, -2]], B=[[0], [1]], C=[[1, 0]])
+    half = sp.ImmutableMatrix([[sp.Rational(1, 2)]])
+    result = ask("lqr", plant, output_weight=ONE, R=half)
+    assert result.answers["solutions"] == [
+        sp.ImmutableMatrix(sp.diag("1/2", 0)),
+        sp.ImmutableMatrix(sp.diag("1/2", -2)),
+    ]
+    assert result.answers["K"] == sp.zeros(1, 2)
+    tolerances = sp.ImmutableMatrix([sp.Rational(1, 100), sp.Rational(1, 10)])
+    result = ask("lqr", plant, tolerances=tolerances, R=half)
+    assert result.answers["Q"] == sp.ImmutableMatrix(sp.diag(10000, 100))
+    assert result.status is Status.VERIFIED
+    assert abs(float(result.answers["K"][1]) - 12.2829) < 1e-4
+
+
+def test_without_a_weight_of_the_state_the_unstable_poles_are_mirrored():
+    plant = system([[1, 1], [0, 2]], B=[[0], [1]])
+    result = ask("lqr", plant, Q=sp.ImmutableMatrix(sp.zeros(2)), R=ONE)
+    assert sorted(result.answers["eigenvalues"]) == [-2, -1]
+    assert len(result.answers["solutions"]) == 4
+    assert any(step.values.get("cheaper") for step in result.steps)
+
+
+def test_symbolic_weights_in_the_symbols_of_the_problem():
+    q, r = sp.Symbol("q"), sp.Symbol("r")
+    plant = system([[0, 1], [0, 0]], B=[[0], [1]])
+    result = ask("lqr", plant, "hamiltonian", Q=sp.ImmutableMatrix(sp.diag(q, 0)), R=sp.ImmutableMatrix([[r]]))
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["K"].free_symbols == {q, r}
+    K = result.answers["K"].subs({q: 4, r: 1})
+    assert floats(K).tolist() == [[2.0, 2.0]]
+
+
+def test_a_continuum_of_solutions_is_described_and_not_listed():
+    plant = system([[0, 0], [0, 0]], B=[[1, 0], [0, 1]])
+    result = ask("lqr", plant, Q=I2, R=I2)
+    assert result.status is Status.VERIFIED
+    assert "solutions" not in result.answers
+    assert result.answers["P"] == I2
+    assert next(step for step in result.steps if step.kind == "endless").values["family"] is not None
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    ("plant", "Q", "words"),
+    [
+        (system([[1, 0], [0, -2]], B=[[0], [1]]), I2, "not stabilizable: the mode $\\lambda = 1$"),
+        (system([[0, 1], [-1, 0]], B=[[0], [1]]), sp.ImmutableMatrix(sp.zeros(2)), "imaginary axis"),
+    ],
+)
+def test_refusals_say_why(method, plant, Q, words):
+    result = ask("lqr", plant, method, Q=Q, R=ONE)
+    assert result.status is Status.UNSOLVED
+    assert words in result.reason
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ("Q: [[1, 0], [0, -1]], R: 1", "positive semidefinite"),
+        ("Q: [[1, 2], [0, 1]], R: 1", "symmetric"),
+        ("Q: [[1, 0], [0, 1]], R: 0", "R must be positive definite"),
+        ("Q: [[1, 0], [0, 1]], R: 1, output_weight: 2", "given twice"),
+        ("output_weight: [[1, 0], [0, 1]]", "1×1"),
+        ("tolerances: [0, 1]", "must be positive"),
+        ("cost_factor: -1, R: 1", "must be positive"),
+        ("initial_state: [1, 0]", "say what is weighed"),
+        ("Q: [[1]], R: 1", "2 rows"),
+    ],
+)
+def test_what_the_file_shows_to_be_wrong_is_refused(options, words):
+    text = f"system: {{A: [[0, 1], [0, 0]], B: [0, 1], C: [1, 0]}}\nfind:\n  a: {{task: lqr, {options}}}\n"
+    with pytest.raises(Exception, match=words):
+        solve(text)
+
+
+RIGHT = ask("lqr", UNSTABLE, **ASKED).answers
+OTHER = RIGHT["solutions"][1]
+
+
+def corruptions():
+    yield "P", OTHER
+    yield "P", -RIGHT["P"]
+    yield "P", RIGHT["P"] + sp.Matrix([[0, 1], [0, 0]]) / 1000
+    yield "P", sp.ImmutableMatrix([[2]])
+    for wrong in (
+        -RIGHT["K"],
+        2 * RIGHT["K"],
+        RIGHT["K"].T,
+        sp.ImmutableMatrix([[1, 2]]),
+        sp.ImmutableMatrix([[3, 1]]),
+    ):
+        yield "K", wrong
+    yield "u", -RIGHT["u"]
+    yield "u", RIGHT["u"] + sp.Symbol("x1")
+    yield "Q", 2 * RIGHT["Q"]
+    yield "R", 2 * RIGHT["R"]
+    yield "closed_loop_A", RIGHT["closed_loop_A"].T
+    yield "closed_loop_A", -RIGHT["closed_loop_A"]
+    yield "eigenvalues", [1, 1]
+    yield "eigenvalues", [-1, 1]
+    yield "eigenvalues", [-1]
+    yield "eigenvalues", [-1, -2]
+    yield "cost", 2 * RIGHT["cost"]
+    yield "equations", [RIGHT["equations"][0], RIGHT["equations"][1], RIGHT["equations"][2] + 1]
+    yield "equations", RIGHT["equations"][:2]
+    yield "solutions", RIGHT["solutions"][:2]
+    yield "solutions", [*RIGHT["solutions"], OTHER]
+    yield "solutions", [*RIGHT["solutions"][:2], OTHER]
+    yield "solutions", [*RIGHT["solutions"][:2], RIGHT["solutions"][2].applyfunc(lambda x: -x)]
+
+
+@pytest.mark.parametrize(("name", "wrong"), list(corruptions()))
+def test_a_corrupted_answer_is_rejected_alone(name, wrong):
+    if hasattr(wrong, "shape"):
+        wrong = sp.ImmutableMatrix(wrong)
+    assert rejected("lqr", UNSTABLE, {name: wrong}, **ASKED)
+
+
+def test_wrong_words_of_definiteness_are_rejected():
+    words = ["indefinite", "positive definite", "negative definite"]
+    assert rejected("lqr", UNSTABLE, {"solutions": RIGHT["solutions"], "definiteness": words}, **ASKED)
+
+
+@pytest.mark.parametrize("name", list(RIGHT))
+def test_every_answer_is_accepted_alone(name):
+    assert not rejected("lqr", UNSTABLE, {name: RIGHT[name]}, **ASKED)
+
+
+def test_other_orders_and_scales_are_right():
+    solutions, words = RIGHT["solutions"][::-1], RIGHT["definiteness"][::-1]
+    assert not rejected("lqr", UNSTABLE, {"solutions": solutions, "definiteness": words}, **ASKED)
+    equations = [-2 * RIGHT["equations"][2], RIGHT["equations"][0], RIGHT["equations"][1] / 3]
+    assert not rejected("lqr", UNSTABLE, {"equations": equations}, **ASKED)
+
+
+@st.composite
+def plants(draw):
+    n, m = draw(st.integers(2, 4)), draw(st.integers(1, 2))
+    A = sp.ImmutableMatrix(n, n, lambda i, j: draw(st.integers(-3, 3)))
+    B = sp.ImmutableMatrix(n, m, lambda i, j: draw(st.integers(-3, 3)))
+    return A, B
+
+
+@settings(max_examples=12)
+@given(plants())
+def test_random_plants_agree_with_scipy_by_both_methods(pair):
+    A, B = pair
+    plant = system(A, B=B)
+    Q, R = sp.ImmutableMatrix(sp.eye(A.rows)), sp.ImmutableMatrix(sp.eye(B.cols))
+    results = [ask("lqr", plant, method, Q=Q, R=R) for method in METHODS]
+    assert len({result.status for result in results}) == 1
+    for result in results:
+        assert result.status is not Status.FAILED, result.reason
+        if result.status is Status.VERIFIED:
+            K = floats(B).T @ solve_continuous_are(*map(floats, (A, B, Q, R)))
+            assert np.abs(floats(result.answers["K"]) - K).max() <= 1e-6 * (1 + np.abs(K).max())
+
+
+def test_decimals_carry_twelve_digits_through_json():
+    text = (
+        "system: {A: [[1, 2, 0], [1, -1, 1], [2, 0, -2]], B: [1, 1, 0]}\n"
+        "find: {a: {task: lqr, method: hamiltonian, Q: [[1, 0, 0], [0, 2, 0], [0, 0, 3]], R: 1}}\n"
+    )
+    data = json.loads(solve(text).json())
+    P = sp.Matrix(sp.sympify(data["parts"][0]["answers"]["P"]["value"]))
+    A, B = sp.Matrix([[1, 2, 0], [1, -1, 1], [2, 0, -2]]), sp.Matrix([1, 1, 0])
+    residual = A.T * P + P * A - P * B * B.T * P + sp.diag(1, 2, 3)
+    assert max(abs(entry) for entry in residual) < 1e-11
