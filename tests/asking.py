@@ -11,7 +11,10 @@ from solver.problem.model import Part
 from solver.systems import StateSpace
 from solver.tasks import catalogue
 
-EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {}
+EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
+    "matrix_function": {"function": sp.Symbol("A") ** 5},
+    "response": {"kind": "zero_state", "input": (sp.Integer(1),)},
+}
 """Options that make a question of a task that cannot be asked without them; used where all tasks are tried."""
 
 
