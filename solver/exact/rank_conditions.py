@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, reduce
-from itertools import combinations
+from itertools import combinations, islice
 from math import comb
 from typing import Any
 
@@ -224,6 +224,8 @@ def critical_values(M: sp.ImmutableMatrix, parameter: sp.Symbol) -> CriticalValu
     for p, multiplicity in divisor.factor_list()[1]:
         roots += roots_of(p, multiplicity)
     admissible = [root.value for root in roots if _admits(parameter, root)]
+    if all(value.is_real and not value.free_symbols for value in admissible):
+        admissible.sort(key=sp.N)
     left_out = [root.value for root in roots if root.value not in admissible]
     shown = sp.factor(divisor.as_expr())
     return CriticalValues(shown, tuple(admissible), tuple(left_out), others)
@@ -255,3 +257,26 @@ def _admits(parameter: sp.Symbol, root: Root) -> bool:
         if getattr(parameter, f"is_{assumption}") and getattr(value, f"is_{assumption}") is False:
             return False
     return True
+
+
+def telling_minors(M: sp.ImmutableMatrix, parameter: sp.Symbol, most: int = 200) -> list[tuple[list[int], sp.Expr]]:
+    """Some n×n minors of M (n×k) whose greatest common divisor is that of all: their columns and values.
+
+    Empty if no such choice is found among the first `most`; zero minors are left out. M has rank n.
+    """
+    D = domain_matrix(M)
+    wanted, _ = _divisor_in(D, parameter)
+    running: sp.Poly | None = None
+    chosen: list[tuple[list[int], sp.Expr]] = []
+    for columns in islice(combinations(range(M.cols), M.rows), most):
+        value = expression(D.domain, D.extract(list(range(M.rows)), list(columns)).det())
+        above = sp.Poly(sp.fraction(sp.together(value))[0], parameter, domain=wanted.domain)
+        if above.is_zero:
+            continue
+        common = above if running is None else sp.gcd(running, above)
+        if running is None or common.degree() < running.degree():
+            running = common
+            chosen.append((list(columns), sp.factor(value)))
+        if running.degree() == wanted.degree():
+            return chosen
+    return []

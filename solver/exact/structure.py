@@ -16,7 +16,7 @@ import sympy as sp
 
 from solver.exact.fields import Algebraic, Modulus, domain_matrix, expression, matrix_of
 from solver.exact.instances import element_at
-from solver.exact.multiples import cleared
+from solver.exact.multiples import Vector, cleared
 from solver.exact.pole_placement import controllability_matrix
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.spectrum import Factor, Root, Spectrum, spectrum, split_over
@@ -39,8 +39,14 @@ def null_basis(M: sp.MatrixBase) -> sp.ImmutableMatrix:
     trivial = Modulus((D.domain.zero,), D.domain)
     rows = tuple(tuple(Algebraic((c,), trivial) for c in row) for row in D.to_list())
     vectors = null_space(row_reduce(rows), Algebraic((D.domain.one,), trivial))
-    columns = [[expression(D.domain, a.coefficients[0]) for a in cleared(v)] for v in vectors]
+    columns = [[expression(D.domain, a.coefficients[0]) for a in _free_positive(cleared(v))] for v in vectors]
     return sp.ImmutableMatrix(len(columns), M.cols, [a for column in columns for a in column]).T
+
+
+def _free_positive(v: Vector) -> Vector:
+    """The vector or its negative, with a positive number for the free unknown: its last entry that is not zero."""
+    last = next(a for a in reversed(v) if a)
+    return tuple(-a for a in v) if last.modulus.domain.is_QQ and last.coefficients[0] < 0 else v
 
 
 @dataclass(frozen=True)

@@ -40,8 +40,10 @@ def independent(V: Any) -> bool:
 def rank_at(M: Any, point: Mapping[Any, complex]) -> int:
     """Return the rank of M with its parameters at a point."""
     values = value_of(M, Environment.at([dict(point)])).value[0]
-    lengths = np.linalg.norm(values, axis=0)
     full = min(values.shape)
+    if full == 0:
+        return 0
+    lengths = np.linalg.norm(values, axis=0)
     if np.all(lengths > 0) and np.linalg.svd(values / lengths, compute_uv=False)[full - 1] > CLEAR:
         return int(full)
     many = multiple(50)

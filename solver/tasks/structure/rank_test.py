@@ -68,6 +68,14 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
 
 
 @lemma("rank_test")
+def matrix_of(pair: Pair) -> Derivation[ImmutableMatrix]:
+    """The controllability (observability) matrix, block by block."""
+    matrix = pair.matrix
+    yield _matrix(pair, matrix)
+    return matrix
+
+
+@lemma("rank_test")
 def rank_in_short(pair: Pair) -> Derivation[Rank]:
     """The matrix and its rank, where another test has given the verdict."""
     matrix = pair.matrix

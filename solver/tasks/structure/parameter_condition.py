@@ -1,0 +1,166 @@
+"""The values of a parameter for which the plant is not controllable, or not observable."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Choice,
+    Claim,
+    Derivation,
+    Given,
+    Names,
+    Option,
+    Step,
+    Task,
+    Unsolved,
+)
+from solver.derivation.stated import determinant, rank
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.tasks.structure.pair_checks import condition_checks, that
+from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
+from solver.tasks.structure.rank_test import matrix_of
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+    from solver.systems import System
+
+parameter_condition = Task(
+    "parameter_condition",
+    group="Representation and analysis",
+    title="Parameter that costs controllability or observability",
+    doc="The values of a parameter for which the plant loses controllability, or observability.",
+    needs=("A",),
+    options=[
+        Option("property", Choice(("uncontrollable", "unobservable")), "which property the plant is to have"),
+        Option("parameter", Names(), "the parameter asked for; may be left out where there is only one"),
+    ],
+    answers=[
+        AnswerName("values", r"\text{values}", "the values of the parameter; `Reals` where any value will do"),
+    ],
+)
+
+
+@parameter_condition.refusal
+def matrices_and_one_parameter(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """The matrix that the property is about, and a parameter that occurs."""
+    wanted = options.get("property", "uncontrollable")
+    other = "C" if wanted == "unobservable" else "B"
+    if getattr(system, other, True) is None:
+        yield "property", f"whether the plant is {wanted} depends on {other}, which is not given"
+    names = options.get("parameter")
+    if names and len(names) > 1:
+        yield "parameter", "one parameter is asked for at a time; the others are taken as general"
+    if "gain" in options or not hasattr(system, "parameters"):
+        return
+    known = [str(symbol.name) for symbol in system.parameters]
+    if not known:
+        yield "", "the plant has no parameter: all its entries are numbers"
+    elif names and names[0] not in known:
+        yield "parameter", f"'{names[0]}' is no parameter of the plant; it has {', '.join(known)}"
+    elif not names and len(known) > 1:
+        yield "", f"say by 'parameter' which one is asked for: {', '.join(known)}"
+
+
+@parameter_condition.method(source="Lecture note, 2.6 example 6")
+def by_minors(given: Given) -> Derivation[Answers]:
+    """The rank is below n where all n×n minors vanish: the zeros of the determinant, or common zeros of minors."""
+    pair = _pair(given)
+    x = _parameter(given, pair)
+    matrix = yield from matrix_of(pair)
+    if exact.rank(matrix) < pair.n:
+        claim = Claim(rank(matrix), sp.Integer(exact.rank(matrix)), "rank for general values")
+        yield Step("always", claims={"rank": claim}, x=x, dual=pair.dual, n=pair.n)
+        return Answers(values=sp.S.Reals)
+    found = exact.critical_values(pair.turned(matrix), x)
+    yield _determinant(pair, matrix, x) if matrix.rows == matrix.cols else _minors(pair, matrix, x, found)
+    yield _roots(pair, matrix, x, found)
+    return Answers(values=list(found.values))
+
+
+def _determinant(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
+    """One input (output): the determinant of the square matrix."""
+    det = exact.determinant_and_adjugate(matrix)[0]
+    claims = {"expanded": Claim(determinant(matrix), sp.expand(det), "determinant")}
+    claims["factored"] = Claim(sp.expand(det), sp.factor(det), "determinant in factors")
+    return Step("determinant", claims=claims, x=x, dual=pair.dual, n=pair.n)
+
+
+def _minors(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalValues) -> Step:
+    """Several inputs (outputs): minors whose common zeros are those of all."""
+    whole = pair.turned(matrix)
+    claims, chosen = {}, []
+    for i, (columns, value) in enumerate(exact.telling_minors(whole, x), 1):
+        square = pair.turned(sp.ImmutableMatrix(whole[:, columns]))
+        claims[f"minor{i}"] = Claim(determinant(square), value, f"minor {i}")
+        chosen.append([j + 1 for j in columns])
+    return Step(
+        "minors",
+        claims=claims,
+        unclaimed="there are too many minors to write out; the values are checked one by one",
+        chosen=chosen,
+        divisor=found.divisor,
+        x=x,
+        dual=pair.dual,
+        n=pair.n,
+    )
+
+
+def _roots(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalValues) -> Step:
+    """The admissible zeros; with each of them the rank is below n."""
+    claims = {}
+    for i, value in enumerate(found.values, 1):
+        there = sp.ImmutableMatrix(matrix.xreplace({x: value}).applyfunc(sp.expand))
+        if not there.has(sp.zoo, sp.nan) and not value.has(sp.Float):
+            claims[f"rank{i}"] = Claim(rank(there), sp.Integer(exact.rank(there)), "rank at the value found")
+    return Step(
+        "roots",
+        claims=claims,
+        unclaimed="the values are checked with the answer" if found.values else "there is no value to try",
+        x=x,
+        found=list(found.values),
+        left_out=list(found.left_out),
+        others=list(found.others),
+        dual=pair.dual,
+        n=pair.n,
+    )
+
+
+def _pair(given: Given) -> Pair:
+    return observability_pair(given) if given.property == "unobservable" else controllability_pair(given)
+
+
+def _parameter(given: Given, pair: Pair) -> Any:
+    """The parameter asked for; the only one, if none is named."""
+    known = {str(symbol.name): symbol for symbol in pair.parameters}
+    names = given.parameter
+    if names and names[0] not in known:
+        known |= {str(symbol.name): symbol for symbol in given.system.parameters}
+    if names and names[0] in known:
+        return known[names[0]]
+    if not names and len(known) == 1:
+        return next(iter(known.values()))
+    raise Unsolved(
+        "The matrices that decide it contain no parameter."
+        if not known
+        else "Which parameter is asked for is not said."
+    )
+
+
+@parameter_condition.verification("values")
+def the_rank_falls_there_and_only_there(given: Given, answers: Answers) -> Iterable[Check]:
+    """The rank at every value named, and at all real values on lines of this parameter."""
+    pair, values = _pair(given), answers["values"]
+    x = _parameter(given, pair)
+    matrix = pair.turned(numeric.krylov_matrix(pair.F, pair.G))
+    if values == sp.S.Reals:
+        yield that("the rank is too low for general values", "values", lambda: numeric.rank(matrix) < pair.n)
+        return
+    yield that("the rank is $n$ for general values", "values", lambda: numeric.rank(matrix) == pair.n)
+    yield from condition_checks(matrix, [sp.Eq(x, value) for value in values], "values", along=x)
