@@ -42,6 +42,10 @@ class Eigenspace:
         """The row reduction of λI − A in expressions; made when asked for, since few pages show it."""
         return self.over_L and self.over_L.mapped(partial(element_at, root=self.root))
 
+    def __getstate__(self) -> dict[str, Any]:
+        """What is sent from one process to another: not the elements of L, since sympy can't pickle their fields."""
+        return {**self.__dict__, "over_L": None}
+
     @property
     def algebraic(self) -> int:
         """Algebraic multiplicity."""

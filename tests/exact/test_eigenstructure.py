@@ -1,5 +1,7 @@
 """Chains and Jordan forms: A V = V J and M A = J M exactly, against known structures and ranks by sympy."""
 
+import pickle
+
 import mpmath
 import pytest
 import sympy as sp
@@ -172,3 +174,10 @@ def test_a_chain_of_chains_at_order_six():
     found = exact.eigenstructure(A)
     assert found.eigenspaces[0].nullities == (3, 5, 6)
     assert is_zero(A * found.right - found.right * found.jordan_form)
+
+
+def test_eigenspaces_over_a_field_with_parameters_are_sent_to_another_process():
+    a, b = sp.symbols("a b")
+    found = exact.eigenstructure(sp.ImmutableMatrix([[0, -1], [a * b, a + b]]))
+    received = pickle.loads(pickle.dumps(found.eigenspaces))  # noqa: S301 - our own bytes
+    assert [space.chains for space in received] == [space.chains for space in found.eigenspaces]
