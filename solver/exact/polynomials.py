@@ -40,9 +40,11 @@ def factors_of(p: sp.Poly) -> list[tuple[sp.Poly, int]]:
     """The monic irreducible factors of a monic polynomial over K, with their multiplicities."""
     if p.degree() == 0:
         return []
-    x = p.gen
+    x, K = p.gen, p.domain
+    if K.is_Algebraic or (K.is_FractionField and K.domain.is_Algebraic):  # what is irreducible over QQ may split
+        return [(factor.monic(), multiplicity) for factor, multiplicity in p.factor_list()[1]]
     return [
-        (sp.Poly(factor.rep.to_list(), x, domain=factor.domain).set_domain(p.domain), multiplicity)
+        (sp.Poly(factor.rep.to_list(), x, domain=factor.domain).set_domain(K), multiplicity)
         for factor, multiplicity in irreducible_factors(companion(p))
     ]
 

@@ -142,6 +142,12 @@ class TransferMatrix:
         return quotient.monic() if rest.is_zero and not quotient.is_zero else self._one
 
     @property
+    def reduced(self) -> TransferMatrix:
+        """The only entry without the common factor of its numerator and denominator."""
+        c = self.cancelled_polynomial
+        return TransferMatrix(self.variable, ((self.tops[0][0].quo(c),),), ((self.bottoms[0][0].quo(c),),))
+
+    @property
     def _one(self) -> sp.Poly:
         return sp.Poly([self.domain.one], self.variable, domain=self.domain)
 

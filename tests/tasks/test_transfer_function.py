@@ -69,6 +69,14 @@ def test_a_fraction_is_brought_to_lowest_terms():
     assert result.status is Status.VERIFIED
 
 
+def test_a_factor_with_a_root_in_it_cancels():
+    result = ask("transfer_function", plant(s + sp.sqrt(2), s**2 - 2))
+    assert sp.cancel(result.answers["G"] - 1 / (s - sp.sqrt(2))) == 0
+    assert (result.answers["poles"], result.answers["cancelled"]) == ([sp.sqrt(2)], [-sp.sqrt(2)])
+    reduced = ask("minimal_realization", plant(s + sp.sqrt(2), s**2 - 2))
+    assert (reduced.status, reduced.answers["A"]) == (Status.VERIFIED, M([[sp.sqrt(2)]]))
+
+
 def test_discrete_systems_use_z():
     result = ask("transfer_function", system([[0, 1], [-6, -5]], B=[[0], [1]], C=[[2, 1]], discrete=True))
     assert result.answers["G"] == 1 / (z + 3)

@@ -53,8 +53,7 @@ def by_reduction(given: Given) -> Derivation[Answers]:
 def _from_lowest_terms(plant: TransferFunction, G: exact.TransferMatrix) -> Derivation[Answers]:
     """One input, one output: cancel, then write the companion form of what is left."""
     found = yield from lowest_terms_of(G)
-    top, bottom = sp.fraction(plant.matrix[0, 0])
-    reduced = exact.transfer_matrix_of_fractions([[top]], [[bottom]], plant.variable)
+    reduced = G.reduced
     yield from direct_path_of(reduced)
     form = exact.controllable_realization(reduced)
     if form.A.rows:
