@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 from strategies import systems
 
-from solver.derivation import Status
+from solver.derivation import CheckStatus, Claim, Stated, Status
+from solver.numeric import check_claim
 from solver.tasks import catalogue
 
 R, I = sp.Rational, sp.I
@@ -214,3 +215,38 @@ def test_what_the_file_shows_to_be_wrong_is_refused(options, words):
 
 def test_options_from_earlier_parts_are_known_to_be_given():
     assert not list(catalogue()["observer_feedback"].refused(PLANT, {"gain": None, "observer_gain": None}))
+
+
+def corrupted_sides(right):
+    if isinstance(right, Stated):
+        for i, operand in enumerate(right.operands):
+            for corrupted in corrupted_sides(operand):
+                yield Stated(right.operation, (*right.operands[:i], corrupted, *right.operands[i + 1 :]))
+    elif isinstance(right, sp.MatrixBase):
+        for i in range(len(right)):
+            changed = right.as_mutable()
+            changed[i] = changed[i] + R(1, 1000)
+            yield sp.ImmutableMatrix(changed)
+    elif isinstance(right, sp.Expr):
+        yield right + R(1, 1000)
+
+
+TWO = system(COMPANION, B=[[1, 0], [0, 0], [0, 1]], C=[[3, 1, 0], [0, 0, 1]], D=[[0, 1], [0, 0]])
+QUESTIONS = [
+    ("observer_feedback", PLANT, FULL),
+    ("observer_feedback", PLANT, REDUCED),
+    ("observer_feedback", TWO, {"poles": POLES, "observer_poles": [R(-5)], "reduced": True}),
+    ("observer", system([[2, 0, 0], [0, 2, 0], [0, 1, 1]], C=[[1, 1, 0], [0, 0, 1]]), {"poles": POLES}),
+    ("reduced_observer", TWO, {"poles": [R(-5)]}),
+]
+
+
+@pytest.mark.parametrize(("task", "plant", "options"), QUESTIONS)
+def test_corrupted_claims_are_rejected(task, plant, options):
+    result = ask(task, plant, **options)
+    assert result.status is Status.VERIFIED, result.reason
+    claims = [claim for step in result.steps for each in step.walk() for claim in each.claims.values()]
+    for claim in claims:
+        for corrupted in corrupted_sides(claim.right):
+            if check_claim(Claim(claim.right, corrupted), "").status is not CheckStatus.PASSED:
+                assert check_claim(Claim(claim.left, corrupted), "").status is CheckStatus.FAILED, claim
