@@ -156,7 +156,7 @@ def relational(intervals: Sequence[Interval], generator: Generator) -> Condition
     for each in intervals:
         bounds = []
         if each.low != -sp.oo and not each.low_end:
-            bounds.append(sp.Gt(g, each.low) if each.high in (sp.oo, generator.high) else sp.Lt(each.low, g))
+            bounds.append(sp.Gt(g, each.low))
         if each.high != sp.oo and not each.high_end:
             bounds.append(sp.Lt(g, each.high))
         parts.append(sp.And(*bounds))

@@ -16,8 +16,10 @@ from solver.numeric.points import SEED, free_symbols
 from solver.numeric.stability import STABLE, located
 from solver.numeric.values import NotEvaluable, Undefined
 
-RANDOM_POINTS = 60
-PAIRS = 4
+RANDOM_POINTS = 40
+PAIRS = 2
+EDGES = 10
+NEAR = sp.Rational(1, 10**5)
 STEPS = (sp.Rational(1, 10**3), sp.Rational(1, 10**7))
 Rational = dict[Any, Any]
 
@@ -53,19 +55,19 @@ class _Trial:
     def __init__(self, A: Any, condition: Any, discrete: bool) -> None:
         self.A, self.condition, self.discrete = A, condition, discrete
         self.decided = False
+        self.known: dict[tuple[Any, ...], bool | None] = {}
 
     def stable(self, point: Rational) -> bool | None:
         """Whether the system is asymptotically stable at a point; None where it is not defined."""
-        values = {symbol: complex(value) for symbol, value in point.items()}
-        try:
-            here = value_of(self.A, Environment.at([values] if values else [{}])).value[0]
-        except Undefined:
-            return None
-        exact = self.A.xreplace(point) if point else self.A
-        if not np.all(np.isfinite(here)) or exact.has(sp.zoo, sp.nan, sp.oo):
-            return None
-        self.decided = True
-        return located(exact, {}, discrete=self.discrete).verdict == STABLE
+        key = tuple(point.values())
+        if key not in self.known:
+            exact = self.A.xreplace(point) if point else self.A
+            try:
+                self.known[key] = located(exact, {}, discrete=self.discrete).verdict == STABLE
+                self.decided = True
+            except (Undefined, NotEvaluable):
+                self.known[key] = None
+        return self.known[key]
 
     def claimed(self, point: Rational) -> bool | None:
         """Whether the condition holds at a point."""
@@ -119,7 +121,7 @@ def _points(A: Any, condition: Any, symbols: Sequence[Any], discrete: bool) -> I
         yield from ({k: (low + high) / 2} for low, high in pairwise(values))
     for _ in range(RANDOM_POINTS):
         yield {symbol: _random_value(symbol, random) for symbol in symbols}
-    for rest in [{symbol: _random_value(symbol, random) for symbol in symbols} for _ in range(3)]:
+    for rest in [{symbol: _random_value(symbol, random) for symbol in symbols} for _ in range(EDGES)]:
         yield from _on_edges(condition, rest)
 
 
@@ -134,27 +136,27 @@ def _random_value(symbol: Any, random: Random) -> Any:
 
 
 def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
-    """The numbers that symbols are compared with: rational ones, and others by their first thirty digits."""
+    """The numbers that symbols are compared with: exact ones, and decimals as rationals."""
     found: dict[Any, tuple[list[Any], list[Any]]] = {}
     for each in condition.atoms(sp.core.relational.Relational):
         for left, right in ((each.lhs, each.rhs), (each.rhs, each.lhs)):
             if left.is_Symbol and not right.free_symbols and right.is_finite:
                 exact, rounded = found.setdefault(left, ([], []))
-                (exact if right.is_Rational else rounded).append(
-                    right if right.is_Rational else sp.Rational(str(sp.N(right, 30)))
+                (rounded if right.has(sp.Float) else exact).append(
+                    sp.Rational(str(sp.N(right, 30))) if right.has(sp.Float) else right
                 )
     return found
 
 
 def _on_edges(condition: Any, point: Rational) -> Iterable[Rational]:
-    """The point moved exactly onto the edge of each comparison that is linear in one of its symbols."""
+    """The point moved onto the edge of each comparison that is linear in one of its symbols, and beside it."""
     for each in condition.atoms(sp.core.relational.Relational):
         difference = each.lhs - each.rhs
         for symbol in sorted(difference.free_symbols, key=str):
             if difference.is_polynomial(symbol) and sp.degree(difference, symbol) == 1:
                 a, b = (c.xreplace(point) for c in sp.Poly(difference, symbol).all_coeffs())
                 if a.is_Rational and b.is_Rational and a != 0:
-                    yield {**point, symbol: -b / a}
+                    yield from ({**point, symbol: -b / a + side * NEAR * (1 + abs(b / a))} for side in (0, 1, -1))
                 break
 
 

@@ -96,7 +96,7 @@ def _with_many_digits(A: Any, point: Point, *, discrete: bool) -> Location:
         excess = abs(value) - 1 if discrete else mp.re(value)
         near = abs(excess) <= mp.mpf(10) ** -30 * max(1, abs(value))
         counts[1 if near else 0 if excess < 0 else 2] += size
-        semisimple = semisimple and not (near and nullity() < size)
+        semisimple = semisimple and not (near and size > 1 and nullity() < size)
     return Location(counts[0], counts[1], counts[2], semisimple)
 
 
@@ -125,6 +125,9 @@ def clusters(A: Any, point: Point) -> list[tuple[Any, int, Any, Any]]:
 def externally_stable(A: Any, B: Any, C: Any, point: Point, *, discrete: bool) -> bool:
     """Whether C (xI − A)⁻¹ B stays bounded near each eigenvalue that is not inside the region of stability."""
     n = A.rows
+    inside = certain_excess(value_of(A, Environment.at([dict(point)])).value[0], discrete=discrete)
+    if inside is not None and np.all(inside < 0):
+        return True
     for value, _, _, mp in clusters(A, point):
         excess = abs(value) - 1 if discrete else mp.re(value)
         if excess < -(mp.mpf(10) ** -30) * max(1, abs(value)):

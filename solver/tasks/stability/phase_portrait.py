@@ -35,8 +35,8 @@ def has_no_plane(system: System, options: Mapping[str, Any]) -> Iterable[tuple[s
     """There must be two states, in continuous time."""
     if system.discrete:
         yield "", "a phase portrait is drawn for continuous time; here time is discrete"
-    elif getattr(system, "order", 2) != 2:
-        yield "", f"a phase portrait needs two states, the system has {system.order}"
+    elif (order := getattr(system, "order", 2)) != 2:
+        yield "", f"a phase portrait needs two states, the system has {order}"
 
 
 @phase_portrait.method(source="Lecture note, section 1.15.2")
@@ -81,8 +81,8 @@ def _sign(x: Expr, name: str) -> int:
     sign = exact.sign_of(x)
     if sign is None:
         raise Unsolved(
-            f"The kind depends on the parameters: the {name} ${sp.latex(sp.factor(x))}$ is positive for some values and "
-            "not for others. Give the parameters values, or say by `assume` what is known of them."
+            f"The kind depends on the parameters: the {name} ${sp.latex(sp.factor(x))}$ is positive for some values "
+            "and not for others. Give the parameters values, or say by `assume` what is known of them."
         )
     return sign
 

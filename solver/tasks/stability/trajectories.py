@@ -18,6 +18,8 @@ EDGE = ((1, 0), (1, "1/2"), (1, 1), ("1/2", 1), (0, 1), ("-1/2", 1), (-1, 1), (-
 
 SAMPLES = 240
 TURNS = 4
+ROUND = 5
+"""Ellipses longer than this are drawn with a scale of its own for each axis."""
 
 
 def portrait_of(A: ImmutableMatrix, Phi: ImmutableMatrix, t: Symbol, kind: str) -> Plot:
@@ -33,7 +35,7 @@ def portrait_of(A: ImmutableMatrix, Phi: ImmutableMatrix, t: Symbol, kind: str) 
         sp.Integer(1),
         tuple(curves),
         marks=(Mark(sp.Integer(0), sp.Integer(0)),),
-        equal=True,
+        equal=_round(A),
     )
 
 
@@ -45,13 +47,13 @@ def _lines(A: ImmutableMatrix, u: Symbol) -> Iterator[Curve]:
         return  # every line is one
     for number, (value, v) in enumerate(vectors, 1):
         if not value.has(sp.I):
-            size = max(abs(sp.N(entry)) for entry in v)
-            x, y = (entry * (2 * u - 1) / _rational(size) * sp.Rational(5, 4) for entry in v)
+            size = max(abs(sp.N(entry)) for entry in v.flat())
+            x, y = (entry * (2 * u - 1) / _rational(size) * sp.Rational(5, 4) for entry in v.flat())
             yield Curve(y, rf"\nu_{{{number}}}", x, style="dashed")
 
 
 def _trajectories(A: ImmutableMatrix, Phi: ImmutableMatrix, t: Symbol, u: Symbol, kind: str) -> Iterator[Curve]:
-    for x0 in _starts(kind):
+    for x0 in _around_saddle(A) if kind == "saddle" else _starts(kind):
         x = sp.ImmutableMatrix(Phi * x0)
         if x == x0:  # an equilibrium
             continue
@@ -68,11 +70,31 @@ def _starts(kind: str) -> list[ImmutableMatrix]:
     edge += [sp.ImmutableMatrix(-x) for x in edge]
     if kind == "center":
         return [sp.ImmutableMatrix([sp.Rational(i, 4), 0]) for i in range(1, 5)]
-    if kind == "saddle":
-        return [sp.ImmutableMatrix(x * scale) for x in edge for scale in (sp.Rational(1, 5), sp.Rational(1, 2))]
+    if kind.endswith("focus"):
+        return edge[::2]
     if kind == "shear":
         return [sp.ImmutableMatrix(x * scale) for x in edge for scale in (sp.Rational(1, 3), sp.Rational(2, 3))]
     return edge
+
+
+def _around_saddle(A: ImmutableMatrix) -> list[ImmutableMatrix]:
+    """The tops of the hyperbolas, half way between the lines of the eigenvectors, and points on these lines."""
+    vectors = [chain[0] for space in exact.eigenstructure(A).eigenspaces for chain in space.chains]
+    v, w = (each / _rational(max(abs(sp.N(entry)) for entry in each.flat())) for each in vectors)
+    tops = [
+        scale * (v + sign * w)
+        for scale in (sp.Rational(1, 8), sp.Rational(1, 4), sp.Rational(2, 5))
+        for sign in (1, -1)
+    ]
+    along = [v / 2, w / 2]
+    return [sp.ImmutableMatrix(sign * x) for x in [*tops, *along] for sign in (1, -1)]
+
+
+def _round(A: ImmutableMatrix) -> bool:
+    """Whether trajectories fill the plane well enough to be drawn with equal scales."""
+    a, b = (abs(float(sp.N(entry))) for entry in (A[0, 1], A[1, 0]))
+    turning = exact.spectrum(A).roots[0].value.has(sp.I)
+    return not turning or ROUND**-2 < a / b < ROUND**2
 
 
 def _times(A: ImmutableMatrix, x: ImmutableMatrix, t: Symbol, kind: str) -> tuple[Expr, Expr]:
@@ -82,7 +104,7 @@ def _times(A: ImmutableMatrix, x: ImmutableMatrix, t: Symbol, kind: str) -> tupl
         return sp.Integer(0), _rational(2 * sp.pi.evalf() / abs(values[0].imag))
     rates = [abs(value.real) for value in values if value.real]
     turning = abs(values[0].imag)
-    longest = 5 / min(rates) if rates else 4 / max(abs(float(sp.N(entry))) for entry in A)
+    longest = 5 / min(rates) if rates else 4 / max(abs(float(sp.N(entry))) for entry in A.flat())
     if turning:
         longest = min(longest, TURNS * 6.2832 / turning)
     if kind in ("saddle", "shear"):
@@ -94,7 +116,7 @@ def _times(A: ImmutableMatrix, x: ImmutableMatrix, t: Symbol, kind: str) -> tupl
 def _until_out(x: ImmutableMatrix, t: Symbol, longest: float) -> float:
     """How long, forward or backward, the motion stays in the square |x₁|, |x₂| ≤ 1."""
     times = [longest * i / SAMPLES for i in range(SAMPLES + 1)]
-    sizes = [abs(numeric.values_at(entry, t, sp_array(times))) for entry in x]
+    sizes = [abs(numeric.values_at(entry, t, sp_array(times))) for entry in x.flat()]
     inside = [time for time, a, b in zip(times, *sizes, strict=True) if max(a, b) > 1]
     return abs(inside[0] if inside else longest)
 

@@ -1,0 +1,63 @@
+"""Where eigenvalues lie by numbers: near the boundary, multiple ones, hidden poles, arrays; conditions at points."""
+
+import pytest
+import sympy as sp
+
+from solver.numeric import counterexample, externally_stable, locations, routh_fault
+from solver.numeric.stability import located, spread_points
+
+k = sp.Symbol("k", real=True)
+small = sp.Rational(1, 10**12)
+
+
+@pytest.mark.parametrize(
+    ("rows", "verdict"),
+    [
+        ([[0, 1], [-1, small]], "unstable"),
+        ([[0, 1], [-1, -small]], "asymptotically stable"),
+        ([[0, 1], [-1, 0]], "marginally stable"),
+        ([[-(10**9), 0], [0, -small]], "asymptotically stable"),
+        ([[-(10**9), 0, 0], [0, 1, 0], [0, 0, -1]], "unstable"),
+        ([[0, 1, 0], [0, 0, 1], [0, 0, 0]], "unstable"),
+        ([[-small, 10**6], [0, -small]], "asymptotically stable"),
+    ],
+)
+def test_the_boundary_is_decided_with_digits(rows, verdict):
+    assert located(sp.ImmutableMatrix(rows), {}, discrete=False).verdict == verdict
+
+
+def test_points_respect_assumptions_and_are_of_many_sizes():
+    p = sp.Symbol("p", positive=True)
+    values = [point[p] for point in spread_points([sp.ImmutableMatrix([[p]])])]
+    assert min(values) > 0
+    assert max(values) / min(values) > 50
+
+
+def test_all_points_are_judged():
+    found = {each.verdict for each in locations(sp.ImmutableMatrix([[k]]), discrete=False)}
+    assert found == {"asymptotically stable", "unstable"}
+
+
+def test_a_pole_that_is_hidden_only_nearly_counts():
+    A, C = sp.ImmutableMatrix([[1, 0], [0, -1]]), sp.ImmutableMatrix([[1, 1]])
+    assert externally_stable(A, sp.ImmutableMatrix([0, 1]), C, {}, discrete=False)
+    assert not externally_stable(A, sp.ImmutableMatrix([sp.Rational(1, 10**5), 1]), C, {}, discrete=False)
+
+
+def test_an_array_of_another_polynomial_is_found_out():
+    A = sp.ImmutableMatrix([[0, 1], [-2, -3]])
+    assert not routh_fault(A, sp.ImmutableMatrix([[1, 2], [3, 0], [2, 0]]), discrete=False)
+    assert "row 2" in routh_fault(A, sp.ImmutableMatrix([[1, 2], [4, 0], [2, 0]]), discrete=False)
+    assert "rows" in routh_fault(A, sp.ImmutableMatrix([[1, 2], [3, 0]]), discrete=False)
+
+
+def test_a_narrow_range_is_not_overlooked():
+    A = sp.ImmutableMatrix([[0, 1], [k - 100, 99 - k]])  # stable for 99 < k < 100 only
+    assert not counterexample(A, (k > 99) & (k < 100), discrete=False)
+    assert counterexample(A, sp.false, discrete=False)
+
+
+def test_an_edge_that_is_included_is_found_out():
+    A = sp.ImmutableMatrix([[k]])
+    assert not counterexample(A, k < 0, discrete=False)
+    assert "k = 0" in counterexample(A, k <= 0, discrete=False)

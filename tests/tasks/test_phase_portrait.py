@@ -1,0 +1,112 @@
+"""Kinds of phase portraits, figures of exact trajectories, refusals, corruptions."""
+
+import numpy as np
+import pytest
+import sympy as sp
+from asking import ask, rejected, system
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import expm
+
+import solver
+from solver.derivation import Status
+from solver.problem.source import InputError
+
+p, d = sp.symbols("p d", positive=True)
+KINDS = {
+    "stable node": [[-2, 0], [1, -1]],
+    "unstable node": [[3, 1], [1, 3]],
+    "saddle": [[1, 2], [3, 0]],
+    "stable focus": [[0, 1], [-5, -2]],
+    "unstable focus": [[1, 2], [-2, 1]],
+    "center": [[0, 2], [-1, 0]],
+    "stable star": [[-2, 0], [0, -2]],
+    "unstable star": [[3, 0], [0, 3]],
+    "stable degenerate node": [[0, 1], [-1, -2]],
+    "unstable degenerate node": [[2, 1], [0, 2]],
+    "line of equilibria": [[-1, 1], [1, -1]],
+    "shear": [[0, 1], [0, 0]],
+    "all points are equilibria": [[0, 0], [0, 0]],
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_kinds(kind):
+    result = ask("phase_portrait", system(KINDS[kind]))
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["kind"] == kind
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_other_kind_is_rejected(kind):
+    plant = system(KINDS[kind])
+    for other in [*KINDS, "node"]:
+        assert rejected("phase_portrait", plant, {"kind": other}) == (other != kind)
+
+
+@settings(max_examples=25)
+@given(st.lists(st.integers(-3, 3), min_size=4, max_size=4))
+def test_numpys_eigenvalues_are_of_the_kind(entries):
+    A = np.array(entries, dtype=float).reshape(2, 2)
+    result = ask("phase_portrait", system(A.astype(int).tolist()))
+    assert result.status is Status.VERIFIED, result.reason
+    kind, values = result.answers["kind"], np.linalg.eigvals(A)
+    if "stable" in kind:
+        assert np.all(values.real < 1e-6) if not kind.startswith("un") else np.all(values.real > -1e-6)
+    if kind == "saddle":
+        assert values.real.min() < 0 < values.real.max()
+    if "focus" in kind or kind == "center":
+        assert abs(values[0].imag) > 1e-6
+
+
+def figures(plant):
+    return [figure for step in ask("phase_portrait", plant).steps for figure in step.figures]
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "all points are equilibria"])
+def test_the_trajectories_are_free_motions(kind):
+    (plot,) = figures(system(KINDS[kind]))
+    A = np.array(KINDS[kind], dtype=float)
+    arrows = [curve for curve in plot.curves if curve.style == "arrow"]
+    assert len(arrows) >= 4
+    for curve in arrows:
+        at = [np.array([float(part.subs(plot.variable, u)) for part in (curve.x, curve.y)]) for u in (0, 0.5, 1)]
+        slope = np.array([float(sp.diff(part, plot.variable).subs(plot.variable, 0)) for part in (curve.x, curve.y)])
+        time = slope @ (A @ at[0]) / np.sum((A @ at[0]) ** 2)  # x' = A x: the length of the whole motion
+        assert time > 0
+        assert np.allclose(at[1], expm(A * time / 2) @ at[0], atol=1e-6)
+        assert np.allclose(at[2], expm(A * time) @ at[0], atol=1e-6)
+
+
+def test_lines_of_real_eigenvectors_are_drawn():
+    (plot,) = figures(system(KINDS["saddle"]))
+    dashed = [curve for curve in plot.curves if curve.style == "dashed"]
+    assert len(dashed) == 2
+    for curve, value in zip(dashed, (-2, 3), strict=True):
+        v = sp.Matrix([curve.x, curve.y]).subs(plot.variable, 1)
+        assert sp.Matrix(KINDS["saddle"]) * v == value * v
+
+
+def test_without_numbers_there_is_no_figure():
+    plant = system([[0, 1], [-p, 0]])
+    assert ask("phase_portrait", plant).answers["kind"] == "center"
+    assert not figures(plant)
+
+
+def test_a_kind_that_parameters_decide_is_not_guessed():
+    result = ask("phase_portrait", system([[0, 1], [-p, -d]]))
+    assert result.status is Status.UNSOLVED
+    assert "discriminant" in result.reason
+
+
+@pytest.mark.parametrize(
+    ("plant", "words"),
+    [
+        ("{matrix: [[1]]}", "two states"),
+        ("{time: discrete, matrix: [[0, 1], [-1, 0]]}", "continuous time"),
+    ],
+)
+def test_other_systems_are_refused(plant, words):
+    with pytest.raises(InputError) as fault:
+        solver.solve(f"title: t\nsystem: {plant}\nfind: {{a: phase_portrait}}\n")
+    assert words in fault.value.render()

@@ -1,0 +1,157 @@
+"""Ranges of stability: course and textbook values, several parameters, discrete time, wrong conditions rejected."""
+
+import numpy as np
+import pytest
+import sympy as sp
+from asking import ask, rejected, system
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from solver.derivation import CheckStatus, Given, Status
+from solver.tasks import catalogue
+
+k, a, b = sp.symbols("k a b", real=True)
+p, d, m = sp.symbols("p d m", positive=True)
+n = sp.Symbol("n", integer=True)
+half = sp.Rational(1, 2)
+METHODS = ("routh", "eigenvalues")
+
+
+def companion(*coefficients):
+    order = len(coefficients)
+    return [[int(j == i + 1) for j in range(order)] for i in range(order - 1)] + [[-c for c in reversed(coefficients)]]
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    ("rows", "options", "discrete", "expected"),
+    [
+        ([[-1, 1], [sp.sin(k), sp.sin(k) - 3]], {"parameters": ("k",)}, False, sp.true),
+        ([[-1, 0], [0, 2 * sp.sin(k) - 1]], {}, False, sp.sin(k) < half),
+        ([[-k, 1], [-a, -b]], {"parameters": ("k",)}, False, (k > -b) & (a + b * k > 0)),
+        ([[0, 1], [-p / m, -d / m]], {}, False, sp.true),
+        ([[0, 1], [a, 0]], {}, False, sp.false),
+        ([[0, 1], [2, 1]], {}, False, sp.false),
+        ([[k]], {}, False, k < 0),
+        ([[0, 1], [-2 * k, k - 3]], {}, False, (k > 0) & (k < 3)),
+        ([[0, 1], [p - 2, -1]], {}, False, p < 2),
+        ([[0, 1], [-a, half]], {}, True, (a > -half) & (a < 1)),
+        ([[k]], {}, True, (k > -1) & (k < 1)),
+        ([[0, 1], [-b, -a]], {}, True, (b < 1) & (a + b + 1 > 0) & (b - a + 1 > 0)),
+        ([[k, 0], [0, 2]], {}, True, sp.false),
+        ([[k, 0], [0, 1]], {}, True, sp.false),
+    ],
+)
+def test_both_methods_find_the_condition(rows, options, discrete, expected, method):
+    result = ask("stability_range", system(rows, discrete=discrete), method, **options)
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["condition"] == expected
+
+
+@pytest.mark.parametrize(
+    ("rows", "expected"),
+    [
+        (companion(2, 1, k), (k > 0) & (k < 2)),
+        (companion(4, 6, 4, k), (k > 0) & (k < 5)),
+        (companion(a, b, k), (a > 0) & (k > 0) & (a * b - k > 0)),
+        (companion(0, k, 1), sp.false),
+        (companion(p, 1, k), (k > 0) & (p - k > 0)),
+    ],
+)
+def test_higher_orders_by_routh(rows, expected):
+    result = ask("stability_range", system(rows), "routh")
+    assert result.status is Status.VERIFIED, result.reason
+    found = result.answers["condition"]
+    if expected == sp.false or len(found.free_symbols) == 1:
+        assert found == expected
+    assert not rejected("stability_range", system(rows), {"condition": expected})
+
+
+def test_a_bound_that_is_a_root_of_a_cubic_is_a_decimal():
+    result = ask("stability_range", system(companion(k, k**2 - 1, 1)), "routh")
+    assert result.status is Status.VERIFIED, result.reason
+    roots = np.roots([1, 0, -1, -1])
+    assert abs(float(result.answers["condition"].rhs) - roots[np.isreal(roots)].real[0]) < 1e-12
+
+
+def test_roots_without_a_form_are_left_to_routh():
+    result = ask("stability_range", system(companion(2, 1, k)), "eigenvalues")
+    assert result.status is Status.UNSOLVED
+    assert "degree 3" in result.reason
+
+
+def test_a_complex_parameter_is_refused_in_words():
+    result = ask("stability_range", system([[0, 1], [sp.Symbol("c", complex=True), -1]]))
+    assert result.status is Status.UNSOLVED
+    assert "complex" in result.reason
+
+
+def test_the_closed_loop_is_asked_about_with_gain():
+    k1, k2 = sp.symbols("k1 k2", real=True)
+    plant = system([[0, 1], [2, -1]], B=[0, 1])
+    result = ask("stability_range", plant, gain=sp.ImmutableMatrix([[k1, k2]]))
+    assert result.answers["condition"] == (k1 > 2) & (k2 > -1)
+
+
+SYSTEMS = {
+    "cubic": (companion(2, 1, k), (k > 0) & (k < 2)),
+    "surd bounds": (companion(1, k**2 - 2), (k < -sp.sqrt(2)) | (k > sp.sqrt(2))),
+    "two parameters": ([[-k, 1], [-a, -b]], (k + b > 0) & (a + b * k > 0)),
+    "always": ([[0, 1], [-p, -d]], sp.true),
+    "never": ([[0, 1], [-k, 0]], sp.false),
+    "a narrow range": (companion(k - 99, 100 - k), (k > 99) & (k < 100)),
+    "no parameter": ([[-1]], sp.true),
+}
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_a_right_condition_in_another_form_is_accepted(name):
+    rows, condition = SYSTEMS[name]
+    assert not rejected("stability_range", system(rows), {"condition": condition})
+
+
+def wrong_conditions(condition):
+    """The opposite, all, none, and every comparison moved, turned round or made to include its edge."""
+    yield sp.Not(condition)
+    yield from {sp.true, sp.false} - {condition}
+    for each in condition.atoms(sp.core.relational.Relational):
+        for other in (
+            sp.Lt(each.gts, each.lts),
+            sp.Ge(each.gts, each.lts),
+            sp.Gt(each.gts, each.lts + sp.Rational(1, 1000)),
+            sp.Gt(each.gts, each.lts - sp.Rational(1, 1000)),
+            sp.true,
+        ):
+            changed = condition.subs(each, other)
+            if changed != condition:
+                yield changed
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_wrong_conditions_are_rejected(name):
+    rows, condition = SYSTEMS[name]
+    for wrong in wrong_conditions(condition):
+        assert rejected("stability_range", system(rows), {"condition": wrong}), wrong
+
+
+def test_a_wrong_condition_is_rejected_with_a_counterexample():
+    plant = system(companion(2, 1, k))
+    checks = list(catalogue()["stability_range"].verify(Given(plant), {"condition": k > 0}))
+    (failed,) = [check for check in checks if check.status is CheckStatus.FAILED]
+    assert "the system is not asymptotically stable, but the condition holds" in failed.reason
+
+
+def test_a_condition_on_something_else_is_rejected():
+    assert rejected("stability_range", system(companion(2, 1, k)), {"condition": (a > 0) & (a < 2)})
+
+
+@settings(max_examples=20)
+@given(st.lists(st.integers(-3, 3), min_size=4, max_size=4), st.lists(st.integers(-2, 2), min_size=4, max_size=4),
+       st.booleans())  # fmt: skip
+def test_random_pencils_are_verified_and_agree(constant, slope, discrete):
+    entries = [c + s * k / 2 for c, s in zip(constant, slope, strict=True)]
+    plant = system([entries[:2], entries[2:]], discrete=discrete)
+    results = [ask("stability_range", plant, method) for method in METHODS]
+    for result in results:
+        assert result.status is Status.VERIFIED, result.reason
+    assert results[0].answers["condition"] == results[1].answers["condition"]
