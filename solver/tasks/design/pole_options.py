@@ -74,6 +74,6 @@ def _numbers_of_poles(system: StateSpace, options: Mapping[str, Any]) -> set[int
             row = sp.ImmutableMatrix([list(structure)])
             unknowns = sorted(row.free_symbols - set(system.parameters), key=str)
             return {n, n + 1 - len(exact.fixed_factor(system.A, B, row, unknowns))}
-        return {n, exact.reachable_order(system.A, B)}
+        return {n, exact.reachable_order(system.A, B) or n}
     except exact.NotExact:
         return {n}
