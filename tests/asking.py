@@ -13,6 +13,7 @@ from solver.tasks import catalogue
 
 EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
     "matrix_function": {"function": sp.Symbol("A") ** 5},
+    "similarity_transformation": {"T": sp.ImmutableMatrix([[1, 1], [1, 2]])},
     "response": {"kind": "zero_state", "input": (sp.Integer(1),)},
 }
 """Options that make a question of a task that cannot be asked without them; used where all tasks are tried."""
