@@ -66,6 +66,7 @@ from solver.exact.realization import (
 )
 from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response, shifted
 from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
+from solver.exact.riccati_cases import Case, case_split
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.scalar_functions import ScalarFunction
@@ -99,6 +100,7 @@ from solver.exact.transforms import pairs_for, partial_fractions, resolvent, tra
 
 __all__ = [
     "SPECIFICATIONS",
+    "Case",
     "ClosedForm",
     "CompanionCoordinates",
     "Condition",
@@ -155,6 +157,7 @@ __all__ = [
     "combine",
     "common_denominators",
     "companion_rows",
+    "case_split",
     "controllability_matrix",
     "controllable_coordinates",
     "controllable_decomposition",

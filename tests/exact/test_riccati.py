@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_are
 
-from solver.exact import NotStabilizable, OnTheAxis, definiteness_of_numbers, riccati
+from solver.exact import NotStabilizable, OnTheAxis, case_split, definiteness_of_numbers, riccati
 from solver.exact.square_roots import RootTower
 
 I2 = sp.eye(2)
@@ -156,3 +156,40 @@ def test_a_root_that_is_in_the_tower_is_not_adjoined_again():
     assert len(tower.roots) == 2
     product = tower.multiply(three, tower.inverse(three))
     assert tower.expression(product) == 1
+
+
+def test_the_case_split_of_the_exam_and_its_ends():
+    p11, p12, p22 = unknowns = sp.symbols("p11 p12 p22")
+    split = case_split([1 - p12**2, p11 + p12 - p12 * p22, 1 + 2 * p12 + 2 * p22 - p22**2], unknowns)
+    assert (split.kind, split.unknown, set(split.values)) == ("roots", p12, {1, -1})
+    ends = {tuple(end[x] for x in unknowns) for end in split.ends()}
+    assert ends == {(2, 1, 3), (-2, 1, -1), (0, -1, 1)}
+
+
+def test_a_split_knows_contradictions_products_and_its_limits():
+    x, y = sp.symbols("x y")
+    assert {end[x] for end in case_split([x * (x - 1) * (x**2 + 1)], [x]).ends()} == {0, 1}
+    assert case_split([x, x - 1], [x]).following[0].kind == "contradiction"
+    assert case_split([x**2 + 1], [x]).ends() == []
+    assert case_split([x - y], [x, y]) is None
+    assert case_split([x**5 - x - 1], [x]) is None
+
+
+@settings(max_examples=15)
+@given(problems(largest=2))
+def test_case_splits_find_what_the_hamiltonian_finds(problem):
+    try:
+        found = riccati(*map(sp.ImmutableMatrix, problem))
+    except (NotStabilizable, OnTheAxis):
+        return
+    A, B, Q, R = problem
+    n = A.rows
+    P = sp.Matrix(n, n, lambda i, j: sp.Symbol(f"p{min(i, j)}{max(i, j)}"))
+    left = (A.T * P + P * A - P * B * R.inv() * B.T * P + Q).expand()
+    pairs = [(i, j) for i in range(n) for j in range(i, n)]
+    split = case_split([left[i, j] for i, j in pairs], [P[i, j] for i, j in pairs])
+    if split is not None and found.count is not None:
+        ends = {tuple(np.round(as_floats(P.subs(end)), 6).flat) for end in split.ends()}
+        listed = {tuple(np.round(as_floats(each.P), 6).flat) for each in found.solutions}
+        assert len(ends) == len(listed)
+        assert np.allclose(sorted(ends), sorted(listed), atol=1e-5)

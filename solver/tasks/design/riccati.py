@@ -11,6 +11,7 @@ from solver.derivation.stated import determinant, difference, inverse, power, pr
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.design.regulator import Regulator
+from solver.tasks.design.riccati_cases import cases_of
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -74,12 +75,14 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
         rows=[(i + 1, j + 1, equation) for (i, j), equation in zip(pairs, equations, strict=True)],
     )
     equation = riccati_of(problem)
-    yield from _splitting(problem, equation)
     if equation.count is None:
+        yield from _splitting(problem, equation, solved=False)
         yield from _endless(problem, equation)
         return equation, Listed(P, equations, None, None)
     always = [each for each in equation.solutions if each.radicand is None]
     conditional = [each for each in equation.solutions if each.radicand is not None]
+    solved = yield from cases_of(P, equations, [*always, *conditional])
+    yield from _splitting(problem, equation, solved=solved)
     for number, each in enumerate(always, 1):
         yield _solution(problem, each, number, len(always))
     if conditional:
@@ -130,10 +133,12 @@ def hamiltonian_step(problem: Regulator, equation: exact.Riccati) -> Step:
 
 
 @lemma("riccati_equations")
-def _splitting(problem: Regulator, equation: exact.Riccati) -> Derivation[None]:
+def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> Derivation[None]:
     """Where the solutions come from: the factors of degree n of det(sI − H)."""
     step = hamiltonian_step(problem, equation)
-    yield Step("splitting", claims=step.claims, count=equation.count, **step.values)
+    yield Step(
+        "splitting", claims=step.claims, count=equation.count, solved=solved, fixed=any(equation.fixed), **step.values
+    )
 
 
 def polynomial_of(solution: exact.RiccatiSolution) -> Expr:

@@ -1,0 +1,103 @@
+"""The Riccati equations of the entries solved case by case, where a pen can do it; shown only if nothing is missed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.stated import product, value_at
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix
+
+LARGEST = 3
+"""Larger matrices are not solved with a pen."""
+
+CLOSE = 1e-15
+
+
+@lemma("riccati_cases")
+def cases_of(
+    P: ImmutableMatrix, equations: Sequence[Expr], solutions: Sequence[exact.RiccatiSolution]
+) -> Derivation[bool]:
+    """Show the case split if it leads to just these solutions; returns whether it was shown."""
+    n = P.rows
+    unknowns = [P[i, j] for i in range(n) for j in range(i, n)]
+    split = exact.case_split(equations, unknowns) if n <= LARGEST else None
+    if split is None:
+        return False
+    ends = [sp.ImmutableMatrix(P.subs(end)) for end in split.ends()]
+    if not _same(ends, [each.P for each in solutions]):
+        return False
+    steps = tuple(_steps(split, P, [each.P for each in solutions]))
+    yield Step("cases", unclaimed="its parts are checked one by one", steps=steps, detail="full", n=n)
+    return True
+
+
+def _same(ends: Sequence[ImmutableMatrix], solutions: Sequence[ImmutableMatrix]) -> bool:
+    """Whether both list the same matrices; an end may be reached twice."""
+    reached = {_number(end, solutions) for end in ends}
+    return reached == set(range(1, len(solutions) + 1))
+
+
+def _number(end: ImmutableMatrix, solutions: Sequence[ImmutableMatrix]) -> int:
+    """The place of a matrix among the solutions, from 1; 0 if it is none of them. Parameters take some value."""
+    symbols = sorted(set().union(end.free_symbols, *(P.free_symbols for P in solutions)), key=str)
+    point = {symbol: sp.Rational(10 * i + 31, 10) for i, symbol in enumerate(symbols)}
+    for number, P in enumerate(solutions, 1):
+        gaps = ((end - P).subs(point)).evalf(30)
+        size = 1 + max(abs(entry) for entry in P.subs(point).evalf(30))
+        if max(abs(gap) for gap in gaps) < CLOSE * size:
+            return number
+    return 0
+
+
+def _steps(case: Any, P: ImmutableMatrix, solutions: Sequence[ImmutableMatrix]) -> list[Step]:
+    """The steps of one case and of what follows from it, cases within cases as substeps."""
+    following = [_steps(each, P, solutions) for each in case.following]
+    values, x, equation = case.values, case.unknown, case.equation
+    if case.kind == "found":
+        end = sp.ImmutableMatrix(P.subs(case.known))
+        number = _number(end, solutions)
+        return [Step("end", unclaimed="checked as a solution below", P=end, number=number, count=len(solutions))]
+    if case.kind == "contradiction":
+        return [Step("contradiction", unclaimed="an equation that does not hold", equation=equation)]
+    if case.kind == "factors":
+        claims = {
+            "factors": Claim(equation, product(_constant(equation, values), *values), "the equation as a product")
+        }
+        parts = zip(values, following, strict=True)
+        return [
+            Step("factors", claims=claims, equation=equation, values=values),
+            *(_factor(value, steps) for value, steps in parts),
+        ]
+    claims = {
+        f"root{i}": Claim(value_at(equation, x, value), sp.Integer(0), f"${sp.latex(x)}$ put into its equation")
+        for i, value in enumerate(values, 1)
+    }
+    if case.kind == "substitute":
+        return [Step("substitute", claims=claims, equation=equation, x=x, value=values[0]), *following[0]]
+    none = "" if claims else "there is no root to put in"
+    roots = Step(
+        "roots", claims=claims, unclaimed=none, equation=equation, x=x, values=values, condition=case.condition
+    )
+    if len(values) == 1:
+        return [roots, *following[0]]
+    return [roots, *(_case(x, value, steps) for value, steps in zip(values, following, strict=True))]
+
+
+def _constant(equation: Expr, factors: Sequence[Expr]) -> Expr:
+    """The number before the product of the factors."""
+    whole = sp.Mul(*factors)
+    return sp.cancel(equation / whole)
+
+
+def _case(x: Any, value: Expr, steps: Sequence[Step]) -> Step:
+    return Step("case", unclaimed="one of the cases", x=x, value=value, steps=tuple(steps))
+
+
+def _factor(value: Expr, steps: Sequence[Step]) -> Step:
+    return Step("zero_factor", unclaimed="one of the cases", value=value, steps=tuple(steps))
