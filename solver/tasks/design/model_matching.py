@@ -19,9 +19,8 @@ from solver.derivation import (
     Unsolved,
 )
 from solver.derivation.stated import difference, inverse, product, quotient, total
-from solver.lazy import exact, numeric
+from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
-from solver.systems import StateSpace, TransferFunction
 from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
@@ -53,7 +52,7 @@ model_matching = Task(
 @model_matching.refusal
 def one_input_and_output(system: Any, _options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
     """The plant has one input and one output."""
-    if isinstance(system, TransferFunction):
+    if isinstance(system, systems.TransferFunction):
         single = system.matrix.shape == (1, 1)
     else:
         single = system.B is None or system.C is None or (system.B.cols, system.C.rows) == (1, 1)
@@ -64,7 +63,7 @@ def one_input_and_output(system: Any, _options: Mapping[str, Any]) -> Iterable[t
 def _fraction(system: Any, x: Symbol) -> tuple[Expr, Expr]:
     """Return numerator and denominator of the plant, not cancelled."""
     G = system
-    if isinstance(system, StateSpace):
+    if isinstance(system, systems.StateSpace):
         D = system.D if system.D is not None else sp.ImmutableMatrix([[0]])
         G = exact.transfer_matrix(system.A, system.B, system.C, D, x)
     return G.numerators[0][0], G.denominators[0][0]
@@ -161,7 +160,7 @@ def _designed(given: Given, found: exact.Matching, answers: Answers, x: Symbol) 
 
 def _realized(given: Given, found: exact.Matching, x: Symbol) -> Derivation[Matrices]:
     """The plant in state space: as given, or in controllable canonical form with the states in descending order."""
-    own = isinstance(given.system, StateSpace)
+    own = isinstance(given.system, systems.StateSpace)
     if own:
         D = given.system.D if given.system.D is not None else sp.ImmutableMatrix([[0]])
         matrices = (given.system.A, given.system.B, given.system.C, D)
@@ -187,7 +186,7 @@ def turns_the_plant_into_the_target(given: Given, answers: Answers) -> Iterable[
     """Zeros and degrees compared in numbers; compensator, realization and closed loop at random points."""
     x, G = variable(given.system), given.target
     system = given.system
-    if isinstance(system, StateSpace):
+    if isinstance(system, systems.StateSpace):
         D = system.D if system.D is not None else sp.ImmutableMatrix([[0]])
         own = (system.A, system.B, system.C, D)
         plant = numeric.fraction_of(own, x)

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Derivation, Option, Poles
-from solver.lazy import exact, numeric
+from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
-from solver.systems import StateSpace
 from solver.tasks.design.desired_poles import NAMES, SPECIFICATIONS, band, faults, second_order_of, specified
 
 if TYPE_CHECKING:
@@ -18,7 +17,7 @@ POLES = Option("poles", Poles(), "poles of the closed loop: all n, or only those
 POLE_OPTIONS = (POLES, *SPECIFICATIONS)
 
 
-def variable(system: StateSpace) -> Symbol:
+def variable(system: systems.StateSpace) -> Symbol:
     """The variable of polynomials: s, or z in discrete time."""
     return sp.Symbol("z" if system.discrete else "s")
 
@@ -54,7 +53,7 @@ def pole_faults(system: Any, options: Mapping[str, Any], extra: int = 0) -> Iter
         yield "", "say where the poles are to be: 'poles', or two specifications of the step response"
     unknown = any(name in options and options[name] is None for name in ("poles", *NAMES))
     count = len(options.get("poles") or ()) + 2 * bool(specified(options))
-    if unknown or not count or not isinstance(system, StateSpace) or system.B is None:
+    if unknown or not count or not isinstance(system, systems.StateSpace) or system.B is None:
         return
     allowed = _numbers_of_poles(system, options) if not extra else {system.order + extra}
     if count not in allowed:
@@ -64,7 +63,7 @@ def pole_faults(system: Any, options: Mapping[str, Any], extra: int = 0) -> Iter
         yield where, f"the closed loop has {system.order + extra} poles; give {wanted}{note}, not {count}"
 
 
-def _numbers_of_poles(system: StateSpace, options: Mapping[str, Any]) -> set[int]:
+def _numbers_of_poles(system: systems.StateSpace, options: Mapping[str, Any]) -> set[int]:
     """Return n, and the number of poles that the gain can move."""
     n, B = system.order, system.B
     assert B is not None  # noqa: S101 - the caller has seen to it

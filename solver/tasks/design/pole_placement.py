@@ -6,9 +6,8 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, ExpressionList, Given, Option, Task
-from solver.lazy import numeric
+from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
-from solver.systems import StateSpace
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
@@ -61,7 +60,7 @@ def options_fit_the_plant(system: Any, options: Mapping[str, Any]) -> Iterable[t
     """Poles are given, as many as the plant has states (or movable ones); the structure is a row of n entries."""
     yield from pole_faults(system, options)
     structure = options.get("structure")
-    if not structure or not isinstance(system, StateSpace) or system.B is None:
+    if not structure or not isinstance(system, systems.StateSpace) or system.B is None:
         return
     n = system.order
     if system.B.cols > 1:
