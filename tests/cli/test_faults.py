@@ -35,7 +35,7 @@ def names(folder):
         (["good.yaml", "other.yaml", "-o", "-"], "one FILE"),
         (["good.yaml", "good.yml", "-o", "out/"], "would both be written to"),
         (["good.yaml", "-o", "good.yaml"], "will not be overwritten"),
-        (["check", "good.yaml", "answers.yaml"], "not available yet"),
+        (["check", "good.yaml", "answers.yaml"], "there is no such file"),
         (["tasks", "eigenstrcture"], "Did you mean 'eigenstructure'?"),
         (["tasks", "eigen"], "Did you mean 'eigenstructure'?"),
         (["new", "nothing_like_it"], "`solve tasks` lists them"),
