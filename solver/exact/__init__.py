@@ -19,7 +19,7 @@ from solver.exact.inequalities import Generator, all_positive, generator_of, sig
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.long_run import Peak, horizon
 from solver.exact.luenberger import CompanionCoordinates, controllable_coordinates, observable_coordinates
-from solver.exact.lyapunov import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
+from solver.exact.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
 from solver.exact.matrix_functions import FunctionOfMatrix, matrix_function
 from solver.exact.model_matching import Matching, descending_form, matching
@@ -146,6 +146,7 @@ __all__ = [
     "Spectrum",
     "SteadyState",
     "TransferMatrix",
+    "Unknowns",
     "ackermann",
     "added",
     "affine",
@@ -153,11 +154,11 @@ __all__ = [
     "at_rest",
     "between",
     "bilinear",
+    "case_split",
     "chosen_error_matrix",
     "combine",
     "common_denominators",
     "companion_rows",
-    "case_split",
     "controllability_matrix",
     "controllable_coordinates",
     "controllable_decomposition",

@@ -8,9 +8,14 @@ from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.stated import Stated, difference, product, total, transpose
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.structure.row_operations import row_operations
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
+
+
+FEW = 3
+"""Row operations are written out for so many unknowns at most."""
 
 
 @lemma("lyapunov_equation")
@@ -44,10 +49,21 @@ def lyapunov_solution_of(
     yield Step(
         "solution",
         claims={"solves": Claim(left_side(A, P, dual=dual, discrete=discrete), negative, "the Lyapunov equation")},
+        steps=_elimination(unknowns),
         P=P,
         count=len(unknowns.equations),
+        discrete=discrete,
     )
     return P
+
+
+def _elimination(unknowns: exact.Unknowns) -> tuple[Step, ...]:
+    """The linear equations as an augmented matrix, reduced; only where there are few."""
+    if len(unknowns.symbols) > FEW or any(x.free_symbols - set(unknowns.symbols) for x in unknowns.equations):
+        return ()
+    coefficients, right = sp.linear_eq_to_matrix(unknowns.equations, unknowns.symbols)
+    augmented = sp.ImmutableMatrix(sp.Matrix.hstack(coefficients, right))
+    return row_operations(augmented, exact.row_reduction(augmented))
 
 
 def left_side(A: ImmutableMatrix, P: ImmutableMatrix, *, dual: bool, discrete: bool) -> Stated:

@@ -105,7 +105,8 @@ def by_lyapunov(given: Given) -> Derivation[Answers]:
     Q = given.Q if given.Q is not None else sp.ImmutableMatrix(sp.eye(A.rows))
     decisive = yield from _right_side(A, Q, dual=dual)
     P = yield from lyapunov_solution_of(A, Q, dual=dual, discrete=discrete)
-    verdict = ""
+    verdict, semidefinite = "", exact.definiteness(Q) != "positive definite"
+    facts = {"discrete": discrete, "dual": dual, "semidefinite": semidefinite}
     if P is not None:
         minors = [exact.determinant_and_adjugate(sp.ImmutableMatrix(P[:k, :k]))[0] for k in range(1, A.rows + 1)]
         signs = [exact.sign_of(minor) for minor in minors]
@@ -119,17 +120,13 @@ def by_lyapunov(given: Given) -> Derivation[Answers]:
             yield from depends_on_parameters(A, discrete=discrete)
         verdict = (STABLE if definite else UNSTABLE) if decisive else ""
     if verdict:
-        yield Step(
-            "verdict", unclaimed="Lyapunov's theorem", verdict=verdict, discrete=discrete, decisive=decisive, dual=dual
-        )
+        yield Step("verdict", unclaimed="Lyapunov's theorem", decisive=True, verdict=verdict, **facts)
         yield from _confirmation(A)
     else:
         yield from eigenvalues_of(A)
         found = yield from location_of(A, discrete=discrete)
         verdict = str(found.verdict)
-        yield Step(
-            "verdict", unclaimed="by the eigenvalues", verdict=verdict, discrete=discrete, decisive=False, dual=dual
-        )
+        yield Step("verdict", unclaimed="by the eigenvalues", decisive=False, verdict=verdict, **facts)
     return (yield from _answers(given, verdict, **({} if P is None else {"P": P})))
 
 

@@ -95,6 +95,11 @@ def critical_eigenvalues(A: ImmutableMatrix, found: exact.Location, *, discrete:
 def depends_on_parameters(A: ImmutableMatrix, *, discrete: bool) -> Derivation[None]:
     """The verdict is not the same for all values of the parameters: say when it is asymptotic stability."""
     condition = exact.stable_where(A, discrete=discrete)
+    if condition is sp.true:
+        raise Unsolved(
+            "The signs that this method needs were not found for all values of the parameters. Routh's criterion shows "
+            "the system to be asymptotically stable for all of them; ask for that method, or for `stability_range`."
+        )
     yield Step(
         "depends",
         unclaimed="the condition is derived and checked by the task `stability_range`",
@@ -103,8 +108,8 @@ def depends_on_parameters(A: ImmutableMatrix, *, discrete: bool) -> Derivation[N
     )
     if condition is sp.false:
         raise Unsolved(
-            "The system is not asymptotically stable for any values of the parameters; whether it is marginally stable "
-            "or unstable depends on them. Give the parameters values, or say by `assume` what is known of them."
+            "The system is not asymptotically stable for any values of the parameters; the signs needed to say more depend "
+            "on them. Give the parameters values, or say by `assume` what is known of them."
         )
     parts = condition.args if isinstance(condition, sp.And) else (condition,)
     words = " and ".join(f"${sp.latex(part)}$" for part in parts)
