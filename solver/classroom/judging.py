@@ -122,7 +122,7 @@ def _within_rounding(
 
     To first order: the residual is at most the sum of what moving each decimal by half a unit changes in it.
     """
-    if not question.task.answers[name].free or not _numbers(failed):
+    if not question.task.answers[name].is_free(question.given) or not _numbers(failed):
         return False
     allowed = 0.0
     for symbol, (number, half) in each.decimals.items():

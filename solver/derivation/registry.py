@@ -53,8 +53,8 @@ Refuse = Callable[["System", Mapping[str, Any]], Iterable[Refusal]]
 class AnswerName:
     """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all).
 
-    An `optional` one is given when it makes sense; a `free` one is not determined by the question (eigenvectors, say:
-    any scale is right).
+    An `optional` one is given when it makes sense. A `free` one is not determined by the question (eigenvectors: any
+    scale is right); it may depend on what is given (a gain is free where there are several inputs).
     """
 
     name: str
@@ -62,7 +62,11 @@ class AnswerName:
     doc: str
     methods: tuple[str, ...] = ()
     optional: bool = False
-    free: bool = False
+    free: bool | Callable[[Given], bool] = False
+
+    def is_free(self, given: Given) -> bool:
+        """Whether several values are right."""
+        return self.free(given) if callable(self.free) else self.free
 
 
 @dataclass(frozen=True, slots=True)
