@@ -21,10 +21,10 @@ from solver.render.wording import Wording
 from solver.resources import root
 from solver.tasks import catalogue
 
-CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|\*\*")
+CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
 """What nobody would write: 1.0, - -2, + -, 1 · x, and remains of Python."""
 
-PROBLEMS = sorted(root("problems").rglob("*.yaml"))
+PROBLEMS = sorted(path for path in root("problems").rglob("*.yaml") if not path.name.endswith(".answers.yaml"))
 
 
 @cache
