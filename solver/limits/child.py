@@ -157,7 +157,7 @@ def _send(result: PartResult, exhausted: bool, channel: Connection) -> None:
         channel.send((result, exhausted))
     except (RecursionError, MemoryError):
         channel.send((_without_answers(result, "its result is too large"), exhausted))
-    except (PickleError, TypeError, AttributeError, ValueError) as bug:
+    except (PickleError, TypeError, AttributeError, ValueError, RuntimeError) as bug:  # sympy raises the last
         channel.send((_without_answers(result, as_bug(bug)), exhausted))
 
 
