@@ -5,23 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from solver.derivation import Answers, Check, Claim, Given
+from solver.derivation import Answers, Check, Claim, Given, Task
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.tasks.stability.lyapunov_equation import left_side
-from solver.tasks.stability.stability import stability as _stability
 
 BY_EIGENVALUES = "numpy.linalg.eigvals; on the boundary ranks with 100 digits"
 
 
-@_stability.verification("verdict")
 def is_where_the_eigenvalues_are(given: Given, answers: Answers) -> Iterable[Check]:
     """Inside, on the boundary without chains, or else: at several values of the parameters."""
     found = {each.verdict for each in numeric.locations(given.system.A, discrete=given.system.discrete)}
     yield Check.that("the verdict is that of the eigenvalues", BY_EIGENVALUES, found == {str(answers["verdict"])})
 
 
-@_stability.verification("bibo_stable")
 def is_bounded_near_the_eigenvalues(given: Given, answers: Answers) -> Iterable[Check]:
     """C (sI − A)⁻¹ B has no pole at an eigenvalue that is not inside; B or C that is not given is I."""
     plant = given.system
@@ -36,7 +33,6 @@ def is_bounded_near_the_eigenvalues(given: Given, answers: Answers) -> Iterable[
     )
 
 
-@_stability.verification("eigenvalues")
 def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
     """det(xI − A) = Π(x − λᵢ) at random x."""
     yield numeric.check_residual(
@@ -46,7 +42,6 @@ def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
     )
 
 
-@_stability.verification("P")
 def solves_the_equation(given: Given, answers: Answers) -> Iterable[Check]:
     """The equation itself, entry by entry."""
     A, P = given.system.A, answers["P"]
@@ -55,16 +50,28 @@ def solves_the_equation(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_claim(Claim(left, sp.ImmutableMatrix(-Q)), "$P$ put into Lyapunov's equation")
 
 
-@_stability.verification("array")
 def follows_row_by_row(given: Given, answers: Answers) -> Iterable[Check]:
     """The first rows from the coefficients, each further row from the two above it."""
     fault = numeric.routh_fault(given.system.A, answers["array"], discrete=given.system.discrete)
     yield replace(Check.that("each row follows from the two above it", "mpmath", not fault), reason=fault)
 
 
-@_stability.verification("right_half_plane_roots")
 def counts_the_eigenvalues_outside(given: Given, answers: Answers) -> Iterable[Check]:
     """The number of eigenvalues with positive real part (discrete: outside the unit circle)."""
     found = {each.outside for each in numeric.locations(given.system.A, discrete=given.system.discrete)}
     holds = len(found) == 1 and answers["right_half_plane_roots"] == next(iter(found))
     yield Check.that("the number of eigenvalues outside", BY_EIGENVALUES, bool(holds))
+
+
+def register(task: Task) -> None:
+    """Register the judges of the task's answers, one for each."""
+    judges = {
+        "verdict": is_where_the_eigenvalues_are,
+        "bibo_stable": is_bounded_near_the_eigenvalues,
+        "eigenvalues": are_the_roots,
+        "P": solves_the_equation,
+        "array": follows_row_by_row,
+        "right_half_plane_roots": counts_the_eigenvalues_outside,
+    }
+    for name, judge in judges.items():
+        task.verification(name)(judge)

@@ -23,6 +23,7 @@ from solver.derivation.stated import determinant, power, product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
+from solver.tasks.stability import checks
 from solver.tasks.stability.lyapunov_equation import lyapunov_solution_of
 from solver.tasks.stability.routh_array import Tabled, routh_array_of
 from solver.tasks.stability.verdicts import (
@@ -63,6 +64,8 @@ stability = Task(
         ),
     ],
 )
+
+checks.register(stability)
 
 
 @stability.refusal

@@ -108,8 +108,8 @@ def depends_on_parameters(A: ImmutableMatrix, *, discrete: bool) -> Derivation[N
     )
     if condition is sp.false:
         raise Unsolved(
-            "The system is not asymptotically stable for any values of the parameters; the signs needed to say more depend "
-            "on them. Give the parameters values, or say by `assume` what is known of them."
+            "The system is not asymptotically stable for any values of the parameters; the signs needed to say more "
+            "depend on them. Give the parameters values, or say by `assume` what is known of them."
         )
     parts = condition.args if isinstance(condition, sp.And) else (condition,)
     words = " and ".join(f"${sp.latex(part)}$" for part in parts)
