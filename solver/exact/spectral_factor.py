@@ -17,7 +17,7 @@ import mpmath
 import sympy as sp
 
 from solver.exact.fields import NotExact, expression
-from solver.exact.square_roots import Nested, RootTower, TooDeep
+from solver.exact.square_roots import Nested, RootTower, TooDeep, without_sign
 
 DIGITS = 30
 """Digits of decimals in results."""
@@ -143,7 +143,7 @@ def _sign(K: Any, c: Any) -> int:
         if form.is_nonnegative or form.is_nonpositive:
             return 1 if form.is_nonnegative else -1
     raise NotExact(
-        f"The solution depends on the sign of ${sp.latex(sp.factor(value))}$. "
+        f"The solution depends on the sign of ${sp.latex(without_sign(sp.factor(value)))}$. "
         "Say under `assume` whether the parameters are positive or negative."
     )
 

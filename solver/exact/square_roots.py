@@ -108,10 +108,10 @@ class RootTower:
         value = self.expression(a)
         if not value.free_symbols:
             return bool(sp.N(value, 30) > 0)
-        known = sp.factor(value).is_positive if len(_trimmed(a)) == 1 else value.is_positive
-        if known is None and len(_trimmed(a)) == 1:
-            known = sp.expand(value).is_positive
-        return known
+        terms = [c for c in a if c]
+        if len(terms) == 1:  # a multiple of a product of roots, which are positive
+            return sign_known(expression(self.K, terms[0]))
+        return sign_known(value)
 
     def _positive(self, a: Nested) -> Nested:
         positive = self.is_positive(a)
@@ -120,7 +120,7 @@ class RootTower:
             if opposite:
                 return self.negative(a)
             raise NotExact(
-                f"The result depends on the sign of ${sp.latex(sp.factor(self.expression(a)))}$. "
+                f"The result depends on the sign of ${sp.latex(without_sign(sp.factor(self.expression(a))))}$. "
                 "Say under `assume` whether the parameters are positive or negative."
             )
         return a if positive else self.negative(a)
@@ -195,6 +195,19 @@ class RootTower:
 
     def _joined(self, below: Nested, above: Nested, size: int) -> Nested:
         return self._padded(below, size // 2) + self._padded(above, size // 2)
+
+
+def sign_known(value: sp.Expr) -> bool | None:
+    """Whether a value with parameters is positive; None where their signs leave it open."""
+    for form in (sp.factor(value), sp.expand(value)):
+        if form.is_positive is not None:
+            return bool(form.is_positive)
+    return None
+
+
+def without_sign(value: sp.Expr) -> sp.Expr:
+    """The value or its opposite, the one that is written without a minus."""
+    return -value if value.could_extract_minus_sign() else value
 
 
 def _halves(a: Nested) -> tuple[Nested, Nested]:

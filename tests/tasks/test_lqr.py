@@ -80,6 +80,32 @@ def test_symbolic_weights_in_the_symbols_of_the_problem():
     assert floats(K).tolist() == [[2.0, 2.0]]
 
 
+def test_an_oscillator_with_parameters_that_are_declared_positive():
+    k, m = sp.symbols("k m", positive=True)
+    w, r = sp.symbols("w r")
+    plant = system([[0, 1], [-k / m, 0]], B=[[0], [1 / m]], C=[[1, 0]])
+    result = ask("lqr", plant, output_weight=sp.ImmutableMatrix([[w]]), R=sp.ImmutableMatrix([[r]]))
+    assert result.status is Status.VERIFIED, result.reason
+    point = {k: 3, m: 2, w: 5, r: sp.Rational(1, 2)}
+    A, B = (np.array(M, dtype=float) for M in ([[0, 1], [-1.5, 0]], [[0], [0.5]]))
+    P = solve_continuous_are(A, B, np.diag([5.0, 0.0]), np.array([[0.5]]))
+    assert np.abs(floats(result.answers["P"].subs(point)) - P).max() < 1e-9
+
+
+def test_an_undecided_sign_is_asked_for():
+    a = sp.Symbol("a")
+    plant = system([[a, 1], [0, -1]], B=[[1], [0]])
+    result = ask("lqr", plant, Q=sp.ImmutableMatrix(sp.zeros(2)), R=ONE)
+    assert result.status is Status.UNSOLVED
+    assert "sign of $a$" in result.reason
+
+
+def test_the_case_split_is_shown_and_leads_to_the_solutions():
+    steps = ask("lqr", UNSTABLE, **ASKED).steps
+    cases = next(step for step in steps if step.kind == "cases")
+    assert sorted(step.values["number"] for step in cases.walk() if step.kind == "end") == [1, 2, 3]
+
+
 def test_a_continuum_of_solutions_is_described_and_not_listed():
     plant = system([[0, 0], [0, 0]], B=[[1, 0], [0, 1]])
     result = ask("lqr", plant, Q=I2, R=I2)
