@@ -12,6 +12,11 @@ from solver.systems import StateSpace
 from solver.tasks import catalogue
 
 EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
+    "desired_poles": {"damping_ratio": sp.Rational(1, 2), "settling_time": sp.Integer(4)},
+    "pole_placement": {"poles": (sp.Integer(-1), sp.Integer(-2))},
+    "reference_tracking": {"poles": (sp.Integer(-1), sp.Integer(-2))},
+    "servo": {"poles": (sp.Integer(-1), sp.Integer(-2), sp.Integer(-3))},
+    "model_matching": {"target": 1 / ((sp.Symbol("s") + 1) * (sp.Symbol("s") + 4))},
     "matrix_function": {"function": sp.Symbol("A") ** 5},
     "similarity_transformation": {"T": sp.ImmutableMatrix([[1, 1], [1, 2]])},
     "response": {"kind": "zero_state", "input": (sp.Integer(1),)},

@@ -50,8 +50,11 @@ model_matching = Task(
 
 
 @model_matching.refusal
-def one_input_and_output(system: Any, _options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
-    """The plant has one input and one output."""
+def one_input_and_output(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """The plant has one input and one output, the target the plant's variable."""
+    target, other = options.get("target"), sp.Symbol("s" if system.discrete else "z")
+    if target is not None and target.has(other):
+        yield "target", f"the target is a function of {variable(system)}, as the plant is, not of {other}"
     if isinstance(system, systems.TransferFunction):
         single = system.matrix.shape == (1, 1)
     else:
@@ -82,6 +85,7 @@ def by_moving_the_poles(given: Given) -> Derivation[Answers]:
     """State feedback keeps the zeros of the plant and moves its poles; so the target's zeros must be among them."""
     x, G = variable(given.system), given.target
     top, bottom = _fraction(given.system, x)
+    yield _plant_shown(given.system, top, bottom, x)
     if not top.free_symbols and top == 0:
         raise Unsolved("The plant's transfer function is zero: the output does not depend on the input.")
     found = exact.matching(top, bottom, G, x)
@@ -92,7 +96,6 @@ def by_moving_the_poles(given: Given) -> Derivation[Answers]:
     yield Step(
         "compensator",
         claims={"series": Claim(product(H, found.compensator), G, "plant times compensator")},
-        H=H,
         G=quotient(found.target_numerator, found.target_denominator),
         compensator=found.compensator,
         x=x,
@@ -120,6 +123,18 @@ def by_moving_the_poles(given: Given) -> Derivation[Answers]:
     if answers["feasible"]:
         yield from _designed(given, found, answers, x)
     return answers
+
+
+def _plant_shown(system: Any, top: Expr, bottom: Expr, x: Symbol) -> Step:
+    """H as numerator over denominator, from the matrices where these are given."""
+    H = quotient(sp.factor(top), sp.factor(bottom))
+    if not isinstance(system, systems.StateSpace):
+        return Step("plant", unclaimed="as given", H=H, x=x)
+    plant: Any = system
+    D = plant.D if plant.D is not None else sp.ImmutableMatrix([[0]])
+    stated = transfer_of((plant.A, plant.B, plant.C, D), x)
+    found = sp.ImmutableMatrix([[top / bottom]])
+    return Step("plant", claims={"H": Claim(stated, found, "transfer function of the plant")}, H=H, x=x)
 
 
 def _all_stable(zeros: Iterable[Expr], *, discrete: bool) -> bool:

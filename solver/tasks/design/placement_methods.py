@@ -220,7 +220,7 @@ def _equated(
     yield Step(
         "solution",
         claims={"equations": claim},
-        found=list(zip(unknowns, solution.values, strict=True)),
+        found=[(u, value) for u, value in zip(unknowns, solution.values, strict=True) if u != value],
         free=[unknowns[j] for j in solution.free],
         **pair.flags,
     )

@@ -35,11 +35,15 @@ pole_placement = Task(
         ),
     ],
     answers=[
-        AnswerName("K", "K_f", "the gain in u = −K x, m×n; what does not matter stays a symbol"),
-        AnswerName("closed_loop_A", r"A - BK_f", "the matrix of the closed loop"),
+        AnswerName("K", "K_f", "gain in u = −K x, m×n; entries that may have any value stay symbols"),
+        AnswerName("closed_loop_A", r"A - BK_f", "matrix of the closed loop"),
         AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of the closed loop, in `s` (`z`)"),
         AnswerName(
-            "gain_polynomial", r"\det(sI - A + BK_f)", "the same with unknown `k1`, `k2`… (one input)", MATCHING, True
+            "gain_polynomial",
+            r"\det(sI - A + BK_f)",
+            "characteristic polynomial with unknown gains `k1`, `k2`… (one input)",
+            MATCHING,
+            True,
         ),
         AnswerName("fixed_poles", r"\lambda_{\text{fixed}}", "eigenvalues that no such gain moves", (), True),
         AnswerName("conditions", r"\text{conditions}", "equations for the symbols of `structure`", MATCHING, True),
