@@ -20,6 +20,8 @@ RANDOM_POINTS = 40
 PAIRS = 2
 EDGES = 10
 NEAR = sp.Rational(1, 10**5)
+ROUNDED, DECIMALS = 3, 16
+"""Bounds with so many decimals (at least, less than) are taken as rounded."""
 STEPS = (sp.Rational(1, 10**3), sp.Rational(1, 10**7))
 Rational = dict[Any, Any]
 
@@ -55,6 +57,7 @@ class _Trial:
     def __init__(self, A: Any, condition: Any, discrete: bool) -> None:
         self.A, self.condition, self.discrete = A, condition, discrete
         self.decided = False
+        self.vague = list(_rounded_bounds(condition))
         self.known: dict[tuple[Any, ...], bool | None] = {}
 
     def stable(self, point: Rational) -> bool | None:
@@ -78,7 +81,9 @@ class _Trial:
         return bool(truth)
 
     def disagreement(self, point: Rational) -> str:
-        """In words, if the condition is wrong at the point."""
+        """In words, if the condition is wrong at the point (not where rounded bounds leave it open)."""
+        if any(abs(point[k] - bound) <= half for k, bound, half in self.vague if k in point):
+            return ""
         stable = self.stable(point)
         claimed = self.claimed(point)
         if stable is None or stable == claimed:
@@ -146,6 +151,15 @@ def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
                     sp.Rational(str(sp.N(right, 30))) if right.has(sp.Float) else right
                 )
     return found
+
+
+def _rounded_bounds(condition: Any) -> Iterable[tuple[Any, Any, Any]]:
+    """The symbols compared with decimals of three digits or more behind the point, and half of their last digit."""
+    for symbol, (exact, _) in _boundaries_named(condition).items():
+        for bound in exact:
+            places = next((d for d in range(DECIMALS) if bound.is_Rational and (bound * 10**d).is_Integer), 0)
+            if places >= ROUNDED:
+                yield symbol, bound, sp.Rational(51, 10 ** (places + 2))
 
 
 def _on_edges(condition: Any, point: Rational) -> Iterable[Rational]:

@@ -110,6 +110,12 @@ def test_a_right_condition_in_another_form_is_accepted(name):
     assert not rejected("stability_range", system(rows), {"condition": condition})
 
 
+def test_decimals_are_right_to_the_digits_written():
+    plant = system(companion(k, k**2 - 1, 1))  # 1.32471795724...
+    for text, wrong in (("1.325", False), ("1.3247", False), ("1.324718", False), ("1.324", True), ("1.3248", True)):
+        assert rejected("stability_range", plant, {"condition": k > sp.Rational(text)}) is wrong, text
+
+
 def wrong_conditions(condition):
     """The opposite, all, none, and every comparison moved, turned round or made to include its edge."""
     yield sp.Not(condition)
@@ -118,8 +124,8 @@ def wrong_conditions(condition):
         for other in (
             sp.Lt(each.gts, each.lts),
             sp.Ge(each.gts, each.lts),
-            sp.Gt(each.gts, each.lts + sp.Rational(1, 1000)),
-            sp.Gt(each.gts, each.lts - sp.Rational(1, 1000)),
+            sp.Gt(each.gts, each.lts + sp.Rational(1, 999)),
+            sp.Gt(each.gts, each.lts - sp.Rational(1, 999)),
             sp.true,
         ):
             changed = condition.subs(each, other)

@@ -140,7 +140,7 @@ def holds_where_the_eigenvalues_say(given: Given, answers: Answers) -> Iterable[
     """At points on both sides of every edge, and at random ones, the condition is true if and only if A is stable."""
     fault = numeric.counterexample(given.system.A, answers["condition"], discrete=given.system.discrete)
     check = Check.that(
-        "the condition holds exactly where all eigenvalues are inside",
+        "the condition holds exactly where all eigenvalues are inside" + (f" ({fault})" if fault else ""),
         "numpy.linalg.eigvals, beside the edges mpmath.eig",
         not fault,
     )
