@@ -21,6 +21,8 @@ from solver.numeric.values import SAFETY, NotEvaluable
 
 NODES = 10
 MOST_STEPS = 60_000
+FLOOR = 1e-3
+"""Numbers smaller than this are compared absolutely."""
 SETTLED = 32.0
 """In units of the slowest time constant."""
 
@@ -127,6 +129,8 @@ def _settled(simulation: Simulation, *, discrete: bool) -> Array:
         steps = int(np.ceil(4.0 * last * fast)) + 1
         if steps > MOST_STEPS:
             raise NotEvaluable("the modes are too far apart for a simulation")
+        if last * float(np.max(np.linalg.eigvals(simulation.A).real)) > 12.0:
+            raise NotEvaluable("rounding grows with an unstable mode before the output has settled")
         x = _steps(simulation, simulation.x0, 0.0, last / steps, steps)
         ends = [steps * 3 // 4, steps]
         u = simulation.input_at(np.array([last / steps * end for end in ends]))
@@ -145,9 +149,10 @@ def samples_of_output(simulation: Simulation, count: int) -> Array:
     """Return y(0) … y(count − 1) of a discrete system (count×p)."""
     u = simulation.input_at(np.arange(count).astype(float))
     x, found = simulation.x0, []
-    for k in range(count):
-        found.append((simulation.C @ x + simulation.D @ u[k][:, None])[:, 0])
-        x = simulation.A @ x + simulation.B @ u[k][:, None]
+    with np.errstate(all="ignore"):  # an unstable mode may overflow
+        for k in range(count):
+            found.append((simulation.C @ x + simulation.D @ u[k][:, None])[:, 0])
+            x = simulation.A @ x + simulation.B @ u[k][:, None]
     return np.array(found).real
 
 
@@ -218,4 +223,4 @@ def difference(wanted: Any, found: Any, point: Mapping[Any, complex]) -> float:
     value, magnitude = here.value[0], np.broadcast_to(here.magnitude, here.value.shape)[0]
     numbers = np.asarray(wanted).reshape(value.shape) if np.size(wanted) == value.size else np.full(value.shape, np.inf)
     gap = np.maximum(np.abs(value - numbers) - SAFETY * DOUBLE.eps * magnitude, 0.0)
-    return float(np.max(gap) / max(1e-6, float(np.max(np.abs(numbers)))))
+    return float(np.max(gap) / max(FLOOR, float(np.max(np.abs(numbers)))))

@@ -1,0 +1,309 @@
+"""Responses: closed forms by hand, scipy and recursion on random systems, peaks, refusals, corruptions."""
+
+import numpy as np
+import pytest
+import sympy as sp
+from asking import ask, rejected, system
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+from strategies import systems
+
+from solver.derivation import CheckStatus, Status
+from solver.tasks import catalogue
+
+t, k = sp.symbols("t k")
+e, half = sp.exp, sp.Rational(1, 2)
+SCALE = system([[0, 1], [-20, -9]], B=[0, 1], C=[[2, 0]], D=[[0]])
+CIRCUIT = system([[-10, -10], [10, 0]], B=[10, 0], C=[[0, 1]], D=[[0]])
+OSCILLATOR = system([[0, 1], [-4, 0]], B=[0, 1], C=[[1, 0]], D=[[0]])
+LAG = system([[-1]], B=[1], C=[[1]], D=[[0]])
+METHODS = ("laplace", "convolution")
+
+
+def step(argument):
+    return sp.Heaviside(argument, evaluate=False)
+
+
+def respond(plant, method="", *, x0=None, u=None, kind="complete"):
+    options = {"kind": kind}
+    if u is not None:
+        options["input"] = tuple(map(sp.sympify, u if isinstance(u, list) else [u]))
+    if x0 is not None:
+        options["initial_state"] = sp.ImmutableMatrix(x0)
+    return ask("response", plant, method, **options)
+
+
+def same(a, b):
+    left, right = (list(side) if isinstance(side, list | sp.MatrixBase) else [side] for side in (a, b))
+    return len(left) == len(right) and all(sp.simplify(x - y) == 0 for x, y in zip(left, right, strict=True))
+
+
+BY_HAND = [
+    (SCALE, {"x0": [1, 0], "kind": "zero_input"}, 10 * e(-4 * t) - 8 * e(-5 * t)),
+    (SCALE, {"u": 1, "kind": "zero_state"}, sp.Rational(1, 10) - e(-4 * t) / 2 + 2 * e(-5 * t) / 5),
+    (OSCILLATOR, {"u": sp.sin(2 * t)}, sp.sin(2 * t) / 8 - t * sp.cos(2 * t) / 4),
+    (LAG, {"u": t * e(-t)}, t**2 * e(-t) / 2),
+    (LAG, {"u": t}, t - 1 + e(-t)),
+    (LAG, {"u": sp.DiracDelta(t)}, e(-t)),
+    (LAG, {"u": sp.sin(t) ** 2}, half - sp.cos(2 * t) / 10 - sp.sin(2 * t) / 5 - 2 * e(-t) / 5),
+    (system([[0, 1], [0, 0]], B=[0, 1], C=[[1, 0]], D=[[0]]), {"u": 1, "x0": [1, 2]}, 1 + 2 * t + t**2 / 2),
+    (system([[2]], B=[1], C=[[1]], D=[[3]]), {"u": e(2 * t)}, t * e(2 * t) + 3 * e(2 * t)),
+]
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(("plant", "question", "y"), BY_HAND)
+def test_outputs_by_hand(plant, question, y, method):
+    result = respond(plant, method, **question)
+    assert result.status is Status.VERIFIED, result.reason
+    assert same(result.answers["y"], y)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_pulse_is_two_steps(method):
+    result = respond(LAG, method, u=step(t) - step(t - 2))
+    assert result.status is Status.VERIFIED, result.reason
+    y = result.answers["y"]
+    for time in (0.5, 1.9, 2.1, 5.0):
+        expected = 1 - np.exp(-time) - (1 - np.exp(2 - time) if time > 2 else 0)
+        assert abs(complex(y.subs(t, time).evalf()) - expected) < 1e-12
+    assert result.answers["y_final"] == 0
+
+
+def test_an_impulse_moves_the_state_at_once_and_passes_through_d():
+    result = respond(system([[-1]], B=[3], C=[[1]], D=[[2]]), u=sp.DiracDelta(t), x0=[1])
+    assert result.status is Status.VERIFIED, result.reason
+    assert same(result.answers["x"], [4 * e(-t)])
+    assert result.answers["y"] == 4 * e(-t) + 2 * sp.DiracDelta(t)
+
+
+def test_a_symbolic_initial_state_and_two_inputs():
+    a, b = sp.symbols("x10 x20", real=True)
+    plant = system([[0, 1], [-2, -3]], B=[[1, 0], [0, 1]], C=[[1, 0], [0, 1]], D=[[0, 0], [0, 0]])
+    result = respond(plant, u=[e(-3 * t), 1], x0=[a, b])
+    assert result.status is Status.VERIFIED, result.reason
+    x = result.answers["x"]
+    assert same(x.subs(t, 0), [a, b])
+    forced = plant.A * x + sp.Matrix([e(-3 * t), 1])
+    assert same(x.diff(t), forced)
+    assert result.answers["y"] == x
+
+
+def test_parameters_in_plant_and_input():
+    a, w = sp.symbols("a omega", positive=True)
+    result = respond(system([[-a]], B=[1], C=[[1]], D=[[0]]), u=sp.cos(w * t))
+    assert result.status is Status.VERIFIED, result.reason
+    expected = (a * sp.cos(w * t) + w * sp.sin(w * t) - a * e(-a * t)) / (a**2 + w**2)
+    assert same(result.answers["y"], expected)
+
+
+def test_the_initial_state_of_the_system_is_taken_unless_the_question_has_one():
+    plant = system([[-1]], B=[1], C=[[1]], D=[[0]], x0=[5])
+    assert respond(plant, kind="zero_input").answers["y"] == 5 * e(-t)
+    assert respond(plant, kind="zero_input", x0=[2]).answers["y"] == 2 * e(-t)
+    assert respond(plant, kind="zero_state", u=1).answers["y"] == 1 - e(-t)
+
+
+def test_the_peak_of_an_underdamped_step_response_is_exact():
+    result = respond(CIRCUIT, u=1)
+    assert result.answers["y_final"] == 1
+    assert sp.simplify(result.answers["t_peak"] - sp.pi / (5 * sp.sqrt(3))) == 0
+    assert sp.simplify(result.answers["y_peak"] - 1 - e(-sp.pi / sp.sqrt(3))) == 0
+
+
+def test_the_peak_of_several_modes_is_found_in_decimals():
+    result = respond(CIRCUIT, u=e(-2 * t))
+    assert result.status is Status.VERIFIED, result.reason
+    times = np.linspace(0, 3, 300_001)
+    w = 5 * np.sqrt(3)
+    y = 25 / 21 * (np.exp(-2 * times) - np.exp(-5 * times) * (np.cos(w * times) + np.sqrt(3) / 5 * np.sin(w * times)))
+    assert abs(float(result.answers["y_peak"]) - y.max()) < 1e-9
+    assert abs(float(result.answers["t_peak"]) - times[y.argmax()]) < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("plant", "question"),
+    [(SCALE, {"u": 1}), (SCALE, {"x0": [1, 0], "kind": "zero_input"}), (OSCILLATOR, {"u": sp.sin(2 * t)})],
+)
+def test_no_peak_where_the_size_is_largest_at_the_start_in_the_limit_or_nowhere(plant, question):
+    answers = respond(plant, **question).answers
+    assert "y_peak" not in answers
+    assert "t_peak" not in answers
+
+
+def test_an_unstable_mode_that_the_output_does_not_see_is_remarked_on():
+    plant = system([[1, 0], [0, -1]], B=[0, 1], C=[[0, 1]], D=[[0]])
+    result = respond(plant, u=1, x0=[1, 3])
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["y_final"] == 1
+    assert result.steps[-1].values["hidden"] == [1]
+
+
+def test_an_integrator_with_a_fading_input_has_a_limit():
+    plant = system([[0, 1], [0, 0]], B=[0, 1], C=[[1, 0]], D=[[0]])
+    result = respond(plant, u=e(-t), x0=[1, -1])
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["y_final"] == 0
+
+
+INPUTS = [sp.Integer(1), t, e(-t), e(t), sp.sin(2 * t), t * e(-t), e(-2 * t) * sp.cos(t), t**2, sp.DiracDelta(t)]
+
+
+@settings(max_examples=12)
+@given(systems(3), st.sampled_from(INPUTS), st.booleans())
+def test_random_systems_agree_with_the_differential_equation_solved_by_scipy(A, u, moving):
+    n = A.rows
+    plant = system(A, B=[1] + [0] * (n - 1), C=[[0] * (n - 1) + [1]], D=[[1]])
+    x0 = [1] * n if moving else None
+    results = [respond(plant, method, u=u, x0=x0) for method in METHODS]
+    for result in results:
+        assert result.status is Status.VERIFIED, result.reason
+    assert results[0].answers["x"] == results[1].answers["x"]
+    start = np.array(x0 or [0] * n, dtype=float)
+    impulse = u == sp.DiracDelta(t)
+    start[0] += impulse
+    force = sp.lambdify(t, 0 if impulse else u)
+    matrix, column = np.array(A, dtype=float), np.eye(n)[0]
+    solved = solve_ivp(
+        lambda time, x: matrix @ x + column * force(time), (0, 0.8), start, rtol=1e-10, atol=1e-12, method="DOP853"
+    )
+    found = np.array(results[0].answers["x"].subs(t, sp.Rational(4, 5)).evalf(30).tolist(), dtype=float)[:, 0]
+    assert np.abs(found - solved.y[:, -1]).max() <= 1e-7 * max(1.0, np.abs(found).max())
+
+
+SEQUENCES = [sp.Integer(1), k, half**k, k * half**k, sp.DiracDelta(k), step(k - 2), sp.cos(sp.pi * k / 2), (-1) ** k]
+
+
+@settings(max_examples=12)
+@given(systems(3), st.sampled_from(SEQUENCES), st.booleans())
+def test_random_discrete_systems_follow_the_recursion(A, u, moving):
+    n = A.rows
+    plant = system(A, B=[1] + [0] * (n - 1), C=[[0] * (n - 1) + [1]], D=[[1]], discrete=True)
+    x0 = [1] * n if moving else None
+    results = [respond(plant, method, u=u, x0=x0) for method in ("z_transform", "convolution")]
+    for result in results:
+        assert result.status is Status.VERIFIED, result.reason
+    x = sp.Matrix(x0 or [0] * n)
+    for i in range(7):
+        value = {
+            sp.DiracDelta(k): int(i == 0),
+            step(k - 2): int(i >= 2),
+        }.get(u, u.subs(k, i))
+        found = results[0].answers["x"].subs(k, i)
+        assert np.abs(np.array((found - x).evalf(30).tolist(), dtype=float)).max() <= 1e-9 * max(
+            1, abs(max(x, key=abs))
+        )
+        x = plant.A * x + plant.B * value
+
+
+def test_the_peak_in_discrete_time_is_a_sample():
+    plant = system([[0, 1], [-half, 1]], B=[0, 1], C=[[1, 0]], D=[[0]], discrete=True)
+    answers = respond(plant, u=1).answers
+    assert (answers["t_peak"], answers["y_peak"], answers["y_final"]) == (4, sp.Rational(5, 2), 2)
+
+
+@pytest.mark.parametrize(
+    ("u", "says"), [(sp.tan(t), "not rational"), (1 / (t + 1), "not rational"), (sp.log(t), "not")]
+)
+def test_inputs_without_a_rational_transform_are_refused_by_name(u, says):
+    result = respond(LAG, u=u)
+    assert result.status is Status.UNSOLVED
+    assert says in result.reason
+
+
+@pytest.mark.parametrize(
+    ("plant", "options", "says"),
+    [
+        (LAG, {"kind": "zero_input"}, "initial state"),
+        (LAG, {"kind": "complete"}, "needs an input"),
+        (LAG, {"kind": "complete", "input": (t, t)}, "1 input"),
+        (system([[-1]]), {"kind": "zero_state", "input": (t,)}, "matrix B"),
+    ],
+)
+def test_what_the_question_lacks_is_said_from_the_file(plant, options, says):
+    messages = [message for _, message in catalogue()["response"].refused(plant, options)]
+    assert any(says in message for message in messages), messages
+
+
+CORRUPTIONS = {
+    "sign": lambda x: -x,
+    "factor": lambda x: x * sp.Rational(1001, 1000),
+    "time": lambda x: x.subs(t, 2 * t),
+    "constant": lambda x: x + sp.ones(*x.shape) / 1000 if isinstance(x, sp.MatrixBase) else x + sp.Rational(1, 1000),
+    "small mode": lambda x: (
+        x + sp.ones(*x.shape) * t * e(-9 * t) if isinstance(x, sp.MatrixBase) else x + t * e(-9 * t)
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CORRUPTIONS)
+@pytest.mark.parametrize("answer", ["x", "y"])
+@pytest.mark.parametrize(
+    ("plant", "u"),
+    [(CIRCUIT, e(-2 * t)), (OSCILLATOR, sp.sin(2 * t)), (LAG, step(t) - step(t - 2)), (LAG, sp.DiracDelta(t))],
+)
+def test_corrupted_responses_are_rejected_each_for_itself(plant, u, answer, name):
+    options = {"kind": "complete", "input": (u,)}
+    right = ask("response", plant, **options).answers[answer]
+    assert not rejected("response", plant, {answer: right}, **options)
+    assert rejected("response", plant, {answer: CORRUPTIONS[name](right)}, **options)
+
+
+@pytest.mark.parametrize("answer", ["y_final", "y_peak", "t_peak"])
+def test_corrupted_limits_and_peaks_are_rejected_each_for_itself(answer):
+    options = {"kind": "complete", "input": (sp.Integer(1),)}
+    right = ask("response", CIRCUIT, **options).answers[answer]
+    assert not rejected("response", CIRCUIT, {answer: right}, **options)
+    for wrong in (right + sp.Rational(1, 1000), -right, right * 2):
+        assert rejected("response", CIRCUIT, {answer: wrong}, **options)
+
+
+def test_an_impulse_left_out_of_the_output_is_found():
+    plant = system([[-1]], B=[1], C=[[1]], D=[[2]])
+    options = {"kind": "complete", "input": (sp.DiracDelta(t),)}
+    assert rejected("response", plant, {"y": e(-t)}, **options)
+    assert rejected("response", plant, {"y": e(-t) + sp.DiracDelta(t)}, **options)
+    assert not rejected("response", plant, {"y": e(-t) + 2 * sp.DiracDelta(t)}, **options)
+
+
+def test_other_forms_of_a_right_answer_are_accepted():
+    options = {"kind": "complete", "input": (sp.Integer(1),)}
+    for y in (1 - e(-t), 2 * e(-t / 2) * sp.sinh(t / 2), (e(t) - 1) / e(t)):
+        assert not rejected("response", LAG, {"y": y}, **options)
+    assert not rejected("response", LAG, {"x": sp.ImmutableMatrix([1 - e(-t)])}, **options)
+
+
+def test_corrupted_discrete_responses_are_rejected():
+    plant = system([[half]], B=[1], C=[[1]], D=[[1]], discrete=True)
+    options = {"kind": "complete", "input": (half**k,)}
+    y = ask("response", plant, **options).answers["y"]
+    for wrong in (y + sp.KroneckerDelta(k, 3), -y, y.subs(k, k + 1), y - half**k):
+        assert rejected("response", plant, {"y": wrong}, **options)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_steps_are_those_of_the_method(method):
+    kinds = [each.kind for each in respond(SCALE, method, u=sp.sin(2 * t), x0=[1, 0]).steps]
+    if method == "laplace":
+        wanted = [
+            "zero_input_transform",
+            "transformed_back",
+            "input_transform",
+            "zero_state_transform",
+            "sum",
+            "output",
+        ]
+    else:
+        wanted = ["convolution_formula", "transition", "free_motion", "convolution", "sum", "output"]
+    assert [kind for kind in kinds if kind in wanted] == (
+        wanted if method == "convolution" else [*wanted[:4], "transformed_back", *wanted[4:]]
+    )
+
+
+@pytest.mark.parametrize("plant", [SCALE, CIRCUIT, OSCILLATOR, LAG])
+@pytest.mark.parametrize("method", METHODS)
+def test_every_claim_and_check_passes(plant, method):
+    result = respond(plant, method, u=1 + t * e(-t))
+    assert {check.status for check in result.checks} <= {CheckStatus.PASSED, CheckStatus.SKIPPED}
+    assert sum(check.status is CheckStatus.PASSED for check in result.checks) > 8
