@@ -38,23 +38,27 @@ def independent(V: Any) -> bool:
 
 
 def rank_at(M: Any, point: Mapping[Any, complex]) -> int:
-    """Return the rank of M with its parameters at a point."""
-    values = value_of(M, Environment.at([dict(point)])).value[0]
+    """Return the rank of M with its parameters at a point. A column that is mere rounding counts as zero."""
+    value = value_of(M, Environment.at([dict(point)]))
+    values, sizes = value.value[0], np.broadcast_to(value.magnitude, value.value.shape)[0]
     full = min(values.shape)
     if full == 0:
         return 0
     lengths = np.linalg.norm(values, axis=0)
-    if np.all(lengths > 0) and np.linalg.svd(values / lengths, compute_uv=False)[full - 1] > CLEAR:
+    certain = np.all(lengths > CLEAR * sizes.max(axis=0)) and np.all(lengths > 0)
+    if certain and np.linalg.svd(values / lengths, compute_uv=False)[full - 1] > CLEAR:
         return int(full)
     many = multiple(50)
     exact = value_of(M, Environment.at([dict(point)], many))
-    columns = np.broadcast_to(exact.magnitude, exact.value.shape)[0]
-    known = 1e-30
-    for j in range(columns.shape[1]):
+    magnitudes = np.broadcast_to(exact.magnitude, exact.value.shape)[0]
+    kept, known = [], 1e-30
+    for j in range(magnitudes.shape[1]):
         length = float(_length(exact.value[0][:, j], many.context))
-        if length > 0:
-            known = max(known, float(np.max(columns[:, j])) / length * many.eps * 1e4)
-    return sum(remainder > known for remainder in _remainders(exact.value[0]))
+        noise = float(np.max(magnitudes[:, j])) * many.eps * 1e4
+        if length > noise:
+            kept.append(j)
+            known = max(known, noise / length)
+    return sum(remainder > known for remainder in _remainders(exact.value[0][:, kept]))
 
 
 def _remainders(V: Array) -> list[float]:

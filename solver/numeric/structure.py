@@ -91,18 +91,18 @@ def _unreached(A: Any, B: Any) -> Any:
     """N A Nᴴ with orthonormal rows N of the complement of the span of B, AB, …, in decimals."""
     many = multiple(DIGITS)
     F, G = (value_of(M, Environment.at([{}], many)).value[0] for M in (A, B))
-    n = len(F)
+    n, noise = len(F), 1e-40 * float(np.max(many.size(F), initial=0.0))
     reached: list[Array] = []
     fresh = [G[:, j] for j in range(G.shape[1])]
     while fresh:
         added = [q for v in fresh if (q := _added(reached, v, many.context)) is not None]
-        fresh = [F @ q for q in added]
+        fresh = [v for q in added if float(np.max(many.size(v := F @ q))) > noise]
     whole = list(reached)
     unit = many.array(np.eye(n))
     complement = [q for j in range(n) if (q := _added(whole, unit[:, j], many.context)) is not None]
     rows = [[sum(a.conjugate() * b for a, b in zip(q, F @ p, strict=True)) for p in complement] for q in complement]
     k = len(complement)
-    return sp.ImmutableMatrix(k, k, [_decimal(entry) for row in rows for entry in row])
+    return sp.ImmutableMatrix(k, k, [_decimal(entry) if abs(entry) > noise else 0 for row in rows for entry in row])
 
 
 def _added(basis: list[Array], v: Array, mp: Any) -> Array | None:
@@ -128,8 +128,19 @@ def _decimal(number: Any) -> Any:
 
 def rank_falls_where(M: Any, condition: Any) -> bool:
     """Whether the rank of M is below the generic one where a condition (Eq, or And of some) holds."""
-    point = _point_on(_equations(condition), free_symbols(M) | free_symbols(condition))
-    return rank_at(M, point) < rank(M)
+    equations = _equations(condition)
+    if condition.has(sp.Float):
+        return _falls_close_by(M, equations)
+    return rank_at(M, _point_on(equations, free_symbols(M) | free_symbols(condition))) < rank(M)
+
+
+def _falls_close_by(M: Any, equations: Sequence[Any]) -> bool:
+    """Whether the rank falls at a point that satisfies an equation with decimals to the digits these have."""
+    if len(equations) != 1 or len(equations[0].free_symbols) != 1:
+        raise NotEvaluable("decimals are judged in one equation for one parameter only")
+    (x,) = equations[0].free_symbols
+    found = [point for tau, line in _lines(M, x) for point in _falls(M, rank(M), tau, line)]
+    return any(_vanishes(equations[0], point) for point in found)
 
 
 def _equations(condition: Any) -> list[Any]:
@@ -254,4 +265,5 @@ def _holds_somewhere(conditions: Sequence[Any], point: Mapping[Any, Any]) -> boo
 
 def _vanishes(f: Any, point: Mapping[Any, Any]) -> bool:
     size = sum((abs(sp.N(term.xreplace(dict(point)), 30)) for term in sp.Add.make_args(sp.expand(f))), sp.Float(0))
-    return bool(abs(sp.N(f.xreplace(dict(point)), 30)) <= 1e-15 * (1 + size))
+    known = max([1e-15, *(10 * 2.0 ** -int(number._prec) for number in f.atoms(sp.Float))])
+    return bool(abs(sp.N(f.xreplace(dict(point)), 30)) <= known * (1 + size))
