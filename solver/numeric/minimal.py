@@ -25,6 +25,9 @@ MANY = multiple(50)
 NOTHING = 1e-20
 """A part of a vector of unit length that is smaller than this is rounding (of exact entries, or of 30 digits)."""
 
+ROUNDING = 1e-35
+"""A coefficient, scaled to the size of the polynomial on its circle, that is smaller than this is rounding."""
+
 
 def realized(numerators: Sequence[Sequence[Any]], denominators: Sequence[Sequence[Any]], x: Any) -> Quadruple:
     """Return A, B, C, D of a matrix of proper fractions, one companion block an input; not minimal."""
@@ -233,7 +236,8 @@ def _system_polynomial(A: Array, B: Array, C: Array, D: Array) -> list[Any]:
         sum(values[k] * turn[(-i * k) % (n + 1)] for k in range(n + 1)) / (n + 1) for i in range(n + 1)
     ]  # the coefficients times powers of the radius
     largest = max(abs(c) for c in scaled)
-    while len(scaled) > 1 and abs(scaled[-1]) <= NOTHING * largest:
+    scaled = [c if abs(c) > ROUNDING * largest else MANY.number(0) for c in scaled]
+    while len(scaled) > 1 and scaled[-1] == 0:
         scaled.pop()
     return [c / radius**i for i, c in enumerate(scaled)]
 
@@ -247,7 +251,8 @@ def _divided(p: list[Any], zeros: list[Any]) -> tuple[list[Any], float]:
         for c in reversed(p):
             value, size = value * zero + c, size * abs(zero) + abs(c)
             quotient.append(value)
-        worst = max(worst, float(abs(quotient.pop()) / size) if size else 0.0)
+        rest = quotient.pop()
+        worst = max(worst, float(abs(rest) / size) if size else 0.0)
         p = quotient[::-1]
         if not p:
             return p, float("inf")

@@ -40,6 +40,17 @@ def test_transmission_zeros():
         assert numeric.zero_residual(SQUARE, wrong) > 1e-9
 
 
+def test_zeros_at_the_origin_and_close_to_it():
+    differentiator = (sp.diag(-4, -4), M([0, -2]), M([[0, 2]]), M([[1]]))  # s/(s + 4)
+    assert numeric.zero_residual(differentiator, [0]) < 1e-12
+    assert numeric.zero_residual(differentiator, []) == float("inf")
+    assert numeric.zero_residual(differentiator, [sp.Rational(1, 10**6)]) > 1e-9
+    tiny = sp.Rational(1, 10**6)
+    slow = (M([[0, 1], [-2000, -1003]]), M([0, 1]), M([[tiny, 1]]), M([[0]]))
+    assert numeric.zero_residual(slow, [-tiny]) < 1e-12
+    assert numeric.zero_residual(slow, [-2 * tiny]) > 1e-9
+
+
 def test_a_realization_of_fractions_with_different_denominators():
     s = sp.Symbol("s")
     plant = numeric.realized([[s + 2, 1]], [[s**2 + 5 * s + 6, s + 1]], s)
