@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -67,7 +68,9 @@ def _power(function: Any, variable: Any, A: Array, here: Environment) -> Array:
     if exponent.has(variable):
         raise NotEvaluable("a power of a matrix to a matrix has no algorithm here")
     if exponent == sp.S.Half:
-        return np.asarray(sqrtm(B))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of a singular matrix; its root is compared like any other
+            return np.asarray(sqrtm(B))
     order = _number(exponent, here).real
     return np.asarray(
         np.linalg.matrix_power(B, round(order)) if order == round(order) else fractional_matrix_power(B, order)
@@ -86,7 +89,17 @@ def _elementary(function: Any) -> Callable[[Array], Array]:
         sp.cosh: linalg.coshm,
         sp.tanh: linalg.tanhm,
         sp.log: linalg.logm,
+        sp.atan: lambda X: (linalg.logm(np.eye(len(X)) + 1j * X) - linalg.logm(np.eye(len(X)) - 1j * X)) / 2j,
+        sp.asin: _arcsine,
+        sp.acos: lambda X: np.pi / 2 * np.eye(len(X)) - _arcsine(X),
     }
     if function not in known:
         raise NotEvaluable(f"no algorithm for the function {function.__name__} of a matrix")
     return known[function]
+
+
+def _arcsine(X: Array) -> Array:
+    """Return −j log(jX + √(I − X²))."""
+    from scipy.linalg import logm, sqrtm  # noqa: PLC0415
+
+    return np.asarray(-1j * logm(1j * X + sqrtm(np.eye(len(X)) - X @ X)))

@@ -86,8 +86,14 @@ def by_cayley_hamilton(given: Given) -> Derivation[Answers]:
         claims={"F": Claim(combination, found.value, "sum of the powers of $A$")},
         polynomial=polynomial,
         f=f,
+        principal=_has_root(f),
     )
     return Answers(F=found.value)
+
+
+def _has_root(f: Expr) -> bool:
+    """Whether f takes a root of A, of which there are several."""
+    return any(each.exp == sp.S.Half and each.base.has(sp.Symbol("A")) for each in f.atoms(sp.Pow))
 
 
 def _dot(coefficients: Iterable[Any], terms: Iterable[Any]) -> Any:

@@ -1,0 +1,121 @@
+"""Functions of a matrix: both methods against scipy, values by hand, refusals, corruptions."""
+
+import numpy as np
+import pytest
+import scipy.linalg
+import sympy as sp
+from asking import ask, rejected, system
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import systems
+
+from solver.derivation import Status
+
+A, t, k = sp.symbols("A t k")
+IDENTITY = sp.Symbol("I")
+FUNCTIONS = {
+    "inv": (1 / A, np.linalg.inv),
+    "exp": (sp.exp(A), scipy.linalg.expm),
+    "sin": (sp.sin(A), scipy.linalg.sinm),
+    "cosh": (sp.cosh(A), scipy.linalg.coshm),
+    "polynomial": (A**3 - 2 * A + IDENTITY, lambda M: M @ M @ M - 2 * M + np.eye(len(M))),
+    "power": (A**10, lambda M: np.linalg.matrix_power(M, 10)),
+}
+MATRICES = {
+    "distinct": [[0, 1], [-2, -3]],
+    "defective": [[4, 1], [0, 4]],
+    "three equal": [[2, 1, 0], [0, 2, 1], [0, 0, 2]],
+    "complex": [[1, 2], [-2, 1]],
+    "surd": [[3, 1], [5, 4]],
+    "cubic": [[0, 1, 0], [0, 0, 1], [1, 1, 0]],
+    "scalar": [[5]],
+}
+
+
+def numbers(F):
+    return np.array(F.evalf(30).tolist(), dtype=complex)
+
+
+def asked(rows, f, method="cayley_hamilton"):
+    return ask("matrix_function", system(rows), method, function=f)
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
+@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("method", ["cayley_hamilton", "modal"])
+def test_functions_agree_with_scipy(matrix, function, method):
+    rows = MATRICES[matrix]
+    f, theirs = FUNCTIONS[function]
+    result = asked(rows, f, method)
+    if method == "modal" and matrix in ("defective", "three equal"):
+        assert result.status is Status.UNSOLVED
+        assert "independent eigenvector" in result.reason
+        return
+    assert result.status is Status.VERIFIED, result.reason
+    expected = theirs(np.array(rows, dtype=float))
+    assert np.abs(numbers(result.answers["F"]) - expected).max() <= 1e-9 * max(1, np.abs(expected).max())
+
+
+def test_the_root_by_derivative_condition():
+    result = asked([[4, 1], [0, 4]], sp.sqrt(A))
+    assert result.answers["F"] == sp.Matrix([[2, sp.Rational(1, 4)], [0, 2]])
+    conditions = next(step for step in result.steps if step.kind == "conditions").values["equations"]
+    assert [right for right, _ in conditions] == [2, sp.Rational(1, 4)]
+
+
+@pytest.mark.parametrize("rows", [[[5, 4], [4, 5]], [[2, 1], [1, 2]], [[1, 2], [-2, 1]], [[0, 1], [-1, 0]]])
+def test_the_principal_root_squares_to_the_matrix(rows):
+    F = asked(rows, sp.sqrt(A)).answers["F"]
+    assert (F * F - sp.Matrix(rows)).applyfunc(lambda entry: sp.simplify(sp.expand(entry))) == sp.zeros(2)
+    assert min(np.linalg.eigvals(numbers(F)).real) > 0
+
+
+def test_a_power_with_a_symbol_and_an_exponential_of_time():
+    F = asked([[0, 1], [-2, -3]], A**k).answers["F"]
+    for i in range(5):
+        assert F.subs(k, i) == sp.Matrix([[0, 1], [-2, -3]]) ** i
+    F = asked([[0, 1], [-1, 0]], sp.exp(A * t)).answers["F"]
+    assert sp.Matrix([[sp.cos(t), sp.sin(t)], [-sp.sin(t), sp.cos(t)]]) == F
+
+
+def test_rational_functions_stay_exact_for_irreducible_factors():
+    F = asked([[0, 1, 0], [0, 0, 1], [1, 1, 0]], 1 / (A + IDENTITY)).answers["F"]
+    assert sp.Matrix([[1, 1, 0], [0, 1, 1], [1, 1, 1]]).inv() == F
+
+
+def test_a_root_of_a_zero_that_has_all_its_eigenvectors_exists():
+    result = asked([[0, 0], [0, 0]], sp.sqrt(A))
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["F"] == sp.zeros(2)
+
+
+@pytest.mark.parametrize(
+    ("rows", "f", "says"),
+    [
+        ([[1, 2], [2, 4]], 1 / A, "divides by zero"),
+        ([[0, 1], [0, 0]], sp.sqrt(A), "not differentiable"),
+        ([[-1, 0], [0, 4]], sp.sqrt(A), "negative real axis"),
+        ([[0, 1], [0, 1]], sp.log(A), "logarithm"),
+        ([[0, 1], [-2, -3]], 1 / (A + IDENTITY), "zero"),
+    ],
+)
+def test_functions_that_do_not_exist_are_refused_in_words(rows, f, says):
+    result = asked(rows, f)
+    assert result.status is Status.UNSOLVED
+    assert says in result.reason or "not defined" in result.reason, result.reason
+
+
+@settings(max_examples=15)
+@given(systems(4), st.sampled_from([sp.exp(A), sp.sin(A), A**5, A**2 - 3 * IDENTITY]))
+def test_random_matrices_are_solved_by_cayley_hamilton(M, f):
+    result = ask("matrix_function", system(M), "cayley_hamilton", function=f)
+    assert result.status is Status.VERIFIED, result.reason
+
+
+@pytest.mark.parametrize("f", [A**3, sp.exp(A), sp.sqrt(A), 1 / A, sp.exp(A * t), A**k])
+def test_corrupted_functions_are_rejected(f):
+    rows = [[2, 1], [1, 3]]
+    F = sp.Matrix(asked(rows, f).answers["F"])
+    assert not rejected("matrix_function", system(rows), {"F": sp.ImmutableMatrix(F)}, function=f)
+    for wrong in (-F, F * sp.Rational(1001, 1000), F + sp.Matrix([[0, 0], [sp.Rational(1, 10**4), 0]]), F[:, ::-1]):
+        assert rejected("matrix_function", system(rows), {"F": sp.ImmutableMatrix(wrong)}, function=f)
