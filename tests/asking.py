@@ -19,6 +19,15 @@ EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
     "model_matching": {"target": 1 / ((sp.Symbol("s") + 1) * (sp.Symbol("s") + 4))},
     "matrix_function": {"function": sp.Symbol("A") ** 5},
     "similarity_transformation": {"T": sp.ImmutableMatrix([[1, 1], [1, 2]])},
+    "lqr": {"R": sp.ImmutableMatrix([[1]])},
+    "kalman_filter": {"R": sp.ImmutableMatrix([[1]])},
+    "optimal_tracking": {"R": sp.ImmutableMatrix([[1]])},
+    "observer": {"poles": (sp.Integer(-4), sp.Integer(-5))},
+    "reduced_observer": {"poles": (sp.Integer(-4),)},
+    "observer_feedback": {
+        "poles": (sp.Integer(-1), sp.Integer(-2)),
+        "observer_poles": (sp.Integer(-4), sp.Integer(-5)),
+    },
     "response": {"kind": "zero_state", "input": (sp.Integer(1),)},
 }
 """Options that make a question of a task that cannot be asked without them; used where all tasks are tried."""

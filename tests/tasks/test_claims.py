@@ -8,6 +8,7 @@ from solver.derivation import CheckStatus, Claim, Stated, Status
 from solver.numeric import check_claim
 from solver.tasks import catalogue
 
+
 def whole(rows, *, discrete=False):
     """A plant with one input and one output, so that every task can be asked of it."""
     n = len(rows)
@@ -60,7 +61,7 @@ def test_corrupted_claims_are_rejected(task, method, plant):
     result = ask(task, plant, method)
     assert result.status is not Status.FAILED, result.reason
     claims = [claim for step in result.steps for each in step.walk() for claim in each.claims.values()]
-    assert claims
+    assert claims or result.status is Status.UNSOLVED
     for claim in claims:
         assert check_claim(claim, "").status is CheckStatus.PASSED
         for corrupted in corruptions(claim.right):
