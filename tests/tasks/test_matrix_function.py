@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from strategies import systems
 
 from solver.derivation import Status
+from solver.problem.expressions import ExpressionError, Names, parse_expression
 
 A, t, k = sp.symbols("A t k")
 IDENTITY = sp.Symbol("I")
@@ -119,3 +120,13 @@ def test_corrupted_functions_are_rejected(f):
     assert not rejected("matrix_function", system(rows), {"F": sp.ImmutableMatrix(F)}, function=f)
     for wrong in (-F, F * sp.Rational(1001, 1000), F + sp.Matrix([[0, 0], [sp.Rational(1, 10**4), 0]]), F[:, ::-1]):
         assert rejected("matrix_function", system(rows), {"F": sp.ImmutableMatrix(wrong)}, function=f)
+
+
+@pytest.mark.parametrize(("text", "f"), [("inv(A)", 1 / A), ("inv(A + I)^2", (A + IDENTITY) ** -2), ("1/A", 1 / A)])
+def test_the_inverse_may_be_written_as_a_function(text, f):
+    assert parse_expression(text, Names({}, {name: sp.Symbol(name) for name in "AItk"})) == f
+
+
+def test_the_inverse_of_zero_has_no_value():
+    with pytest.raises(ExpressionError, match="division by zero"):
+        parse_expression("inv(0)", Names())
