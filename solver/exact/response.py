@@ -234,15 +234,14 @@ class ClosedForm:
     @cached_property
     def y_final(self) -> sp.ImmutableMatrix | None:
         """The limit of y; None where none is known to exist."""
-        images = [each.y for _, each in self.pieces if each.y is not None]
-        limits = [limit(image, discrete=self.system.discrete) for image in images]
-        found = [each for each in limits if each is not None]
-        if not images or len(found) < len(images):
-            return None
-        total = sp.zeros(*images[0].shape)
-        for each in found:
-            total += each
-        return sp.ImmutableMatrix(total)
+        images = [(delay, each.y) for delay, each in self.pieces if each.y is not None]
+        if len(images) > 1:
+            late = sp.zeros(*images[0][1].shape)
+            for delay, image in images:
+                late += image.function(self.time, discrete=False).matrix.xreplace({self.time: self.time - delay})
+            limits = [limit_of_sum(entry, self.time) for entry in late.flat()]
+            return sp.ImmutableMatrix(limits) if all(each is not None for each in limits) else None
+        return limit(images[0][1], discrete=self.system.discrete) if images else None
 
     @cached_property
     def y_peak(self) -> Peak | None:
@@ -258,6 +257,22 @@ class ClosedForm:
             f = image.function(self.time, discrete=self.system.discrete).matrix
             total += f if delay == 0 else shifted(f, self.time, delay)
         return sp.ImmutableMatrix(total)
+
+
+def limit_of_sum(late: sp.Expr, t: sp.Symbol) -> sp.Expr | None:
+    """The limit of what is left of the pieces after the last one has begun, where modes may cancel; None if unknown."""
+    try:
+        signal = read_signal(late, t, discrete=False)
+    except NotExact:
+        return None
+    constant = sp.S.Zero
+    for (_, (n, growth, angle, _)), c in signal.terms.items():
+        if growth.is_negative:
+            continue
+        if n or growth != 0 or angle != 0:
+            return None
+        constant += c
+    return constant
 
 
 def shifted(f: sp.MatrixBase, t: sp.Symbol, delay: sp.Expr) -> sp.ImmutableMatrix:

@@ -71,6 +71,13 @@ def test_a_pulse_is_two_steps(method):
     assert result.answers["y_final"] == 0
 
 
+def test_pieces_without_a_limit_may_have_one_together():
+    pulse_of_ramps = (t - 1) * step(t - 1) - (t - 3) * step(t - 3)
+    assert respond(LAG, u=pulse_of_ramps).answers["y_final"] == 2
+    assert respond(LAG, u=sp.sin(t) * (step(t) - step(t - sp.pi))).answers["y_final"] == 0
+    assert "y_final" not in respond(LAG, u=step(t) + t * step(t - 1)).answers
+
+
 def test_an_impulse_moves_the_state_at_once_and_passes_through_d():
     result = respond(system([[-1]], B=[3], C=[[1]], D=[[2]]), u=sp.DiracDelta(t), x0=[1])
     assert result.status is Status.VERIFIED, result.reason
