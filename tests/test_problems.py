@@ -60,6 +60,9 @@ def test_the_values_in_json_are_read_back_as_they_were(path):
     names = {name: sp.Symbol(name) for name in data["symbols"]}
     for result, part in zip(solution.parts, data["parts"], strict=True):
         for name, answer in part["answers"].items():
+            if isinstance(result.answers[name], str):  # words, where the catalogue says so
+                assert answer["value"] == result.answers[name]
+                continue
             ours, theirs = result.answers[name], sp.sympify(answer["value"], locals=names)
             plain = {symbol: sp.Symbol(symbol.name) for symbol in getattr(ours, "free_symbols", ())}
             if isinstance(ours, sp.MatrixBase):

@@ -1,6 +1,7 @@
 """The exact kernels: algebra on matrices over a field, with no prose and no floats."""
 
 from solver.exact.companion import controllable_form
+from solver.exact.conditions import all_positive
 from solver.exact.coordinates import inverse_in_full, is_singular, product_of
 from solver.exact.decomposition import (
     Decomposition,
@@ -15,7 +16,7 @@ from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.fields import NotExact
 from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
 from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response, reached_in
-from solver.exact.inequalities import Generator, all_positive, generator_of, sign_of
+from solver.exact.inequalities import Generator, generator_of, sign_of
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.long_run import Peak, horizon
 from solver.exact.luenberger import CompanionCoordinates, controllable_coordinates, observable_coordinates

@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from solver.exact.fields import NotExact, in_sines, square_root
+from solver.exact.fields import in_sines, square_root
 from solver.exact.spectrum import DIGITS
 
 WORKING_DIGITS = 60
@@ -54,7 +54,7 @@ def sign_of(x: sp.Expr) -> int | None:
         value = sp.re(sp.N(x, WORKING_DIGITS))
         return 0 if abs(value) < sp.Float(10) ** -40 else (1 if value > 0 else -1)
     sign = 1
-    for factor, exponent in _factors(x):
+    for factor, exponent in signed_factors(x):
         known = _sign_of_factor(factor)
         if known == 0:
             return 0
@@ -66,7 +66,7 @@ def sign_of(x: sp.Expr) -> int | None:
     return sign
 
 
-def _factors(x: sp.Expr) -> list[tuple[sp.Expr, int]]:
+def signed_factors(x: sp.Expr) -> list[tuple[sp.Expr, int]]:
     """The factors of a rational function and their exponents (negative below the bar), the constant first."""
     factored = sp.factor(in_sines(sp.together(x)))
     found: list[tuple[sp.Expr, int]] = []
@@ -154,7 +154,7 @@ def relational(intervals: Sequence[Interval], generator: Generator) -> Condition
     if len(intervals) == 2 and intervals[0].high == intervals[1].low and _reach(intervals) == _reach_of(generator):
         return sp.Ne(g, intervals[0].high)
     for each in intervals:
-        bounds = []
+        bounds: list[Any] = []
         if each.low != -sp.oo and not each.low_end:
             bounds.append(sp.Gt(g, each.low))
         if each.high != sp.oo and not each.high_end:
@@ -239,82 +239,3 @@ def _holds(functions: Sequence[sp.Expr], u: sp.Symbol, value: sp.Expr) -> bool:
     at = [sp.expand(part.xreplace({u: value})) for x in functions for part in sp.fraction(x)]
     signs = [sign_of(part) for part in at]
     return all((above or 0) * (below or 0) > 0 for above, below in zip(signs[::2], signs[1::2], strict=True))
-
-
-def all_positive(conditions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol] = ()) -> Condition:
-    """When all conditions are positive: intervals of one parameter, or a conjunction without what others imply.
-
-    `wanted` are the parameters asked for: a condition linear in one of them alone is solved for it.
-    """
-    if any(x.has(sp.I) for x in conditions):
-        raise NotExact("The conditions are not real for these parameters.")
-    generator = generator_of(conditions)
-    if generator is not None:
-        return relational(positive_intervals(conditions, generator), generator)
-    kept = _conjunction(conditions)
-    if kept is None:
-        return sp.false
-    kept = _without_implied(kept)
-    return sp.And(*(_solved(x, wanted) for x in kept[0]), *(sp.Ne(x, 0) for x in kept[1]))
-
-
-Kept = tuple[list[sp.Expr], list[sp.Expr]]
-
-
-def _conjunction(conditions: Sequence[sp.Expr]) -> Kept | None:
-    """What must be positive and what only not zero, without factors whose sign is known; None if it cannot be."""
-    positive: list[sp.Expr] = []
-    nonzero: list[sp.Expr] = []
-    for condition in conditions:
-        sign, left = 1, []
-        for factor, exponent in _factors(condition):
-            known = sign_of(factor)
-            known = (
-                1 if known is None and factor in positive else -1 if known is None and -factor in positive else known
-            )
-            if known == 0:
-                return None
-            if exponent % 2 == 0:
-                nonzero += [factor] if known is None and factor not in nonzero else []
-            elif known is None:
-                left.append(factor)
-            else:
-                sign *= known
-        if not left and sign < 0:
-            return None
-        if left:
-            positive += _new(sp.expand(sign * left[0]) if len(left) == 1 else sign * sp.Mul(*left), positive)
-    return positive, [x for x in nonzero if x not in positive and -x not in positive]
-
-
-def _new(x: sp.Expr, known: list[sp.Expr]) -> list[sp.Expr]:
-    """The primitive part of x, if it is not known yet."""
-    content, primitive = x.as_content_primitive() if x.is_Add else (sp.Integer(1), x)
-    each = primitive if content > 0 else -primitive
-    return [] if each in known else [each]
-
-
-def _without_implied(kept: Kept) -> Kept:
-    """Leave out what is positive already because some symbols are."""
-    positive, nonzero = kept
-    signs: dict[sp.Expr, sp.Expr] = {x: sp.Dummy(str(x), positive=True) for x in positive if x.is_Symbol}
-    signs |= {-x: -sp.Dummy(str(-x), positive=True) for x in positive if (-x).is_Symbol}
-
-    def implied(x: sp.Expr) -> bool:
-        return x not in signs and -x not in signs and sign_of(sp.expand(x.xreplace(signs))) == 1
-
-    return [x for x in positive if not implied(x)], [x for x in nonzero if sign_of(x.xreplace(signs)) is None]
-
-
-def _solved(x: sp.Expr, wanted: Sequence[sp.Symbol]) -> Condition:
-    """X > 0, solved for the one wanted parameter in it where it is linear in it."""
-    inside: list[Any] = [k for k in wanted if k in x.free_symbols] or sorted(x.free_symbols, key=str)
-    if len(inside) == 1:
-        (k,) = inside
-        if x.is_polynomial(k) and sp.degree(x, k) == 1:
-            a, b = sp.Poly(x, k).all_coeffs()
-            sign = sign_of(a)
-            if sign:
-                bound = sp.factor(-b / a)
-                return sp.Gt(k, bound) if sign > 0 else sp.Lt(k, bound)
-    return sp.Gt(x, 0)

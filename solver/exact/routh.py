@@ -61,7 +61,7 @@ def routh(polynomial: sp.Poly | Sequence[Any]) -> RouthArray:
     Raises ValueError for a leading coefficient that is zero, NotExact for coefficients without exact arithmetic.
     """
     listed = polynomial.all_coeffs() if isinstance(polynomial, sp.Poly) else list(polynomial)
-    coefficients = tuple(sp.sympify(c) if isinstance(c, int) else c for c in listed)
+    coefficients = tuple(sp.Integer(c) if isinstance(c, int) else c for c in listed)
     if not coefficients or coefficients[0] == 0:
         raise ValueError("the leading coefficient is zero")
     try:

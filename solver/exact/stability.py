@@ -10,10 +10,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from solver.exact.conditions import all_positive
 from solver.exact.eigen import Eigenspace, eigenstructure
 from solver.exact.faddeev import faddeev_leverrier
 from solver.exact.fields import NotExact
-from solver.exact.inequalities import all_positive, sign_of
+from solver.exact.inequalities import sign_of
 from solver.exact.routh import bilinear, routh
 from solver.exact.spectrum import Factor, Root, Spectrum, spectrum
 

@@ -31,7 +31,8 @@ def counterexample(A: Any, condition: Any, *, discrete: bool) -> str:
 
     `condition` is a sympy condition or a truth value; parameters take values that their assumptions allow.
     """
-    condition = sp.sympify(condition) if isinstance(condition, bool) else condition
+    if isinstance(condition, bool):
+        condition = sp.true if condition else sp.false
     symbols = sorted(free_symbols(A), key=str)
     strange = sorted(map(str, free_symbols(condition) - set(symbols)))
     if strange:

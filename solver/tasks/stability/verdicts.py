@@ -140,7 +140,7 @@ def external_stability_of(system: StateSpace, verdict: str) -> Derivation[bool |
         x=x,
         G=G.matrix[0, 0] if G.matrix.shape == (1, 1) else G.matrix,
     )
-    c = [sp.sympify(each) for each in sp.Poly(G.pole_polynomial.as_expr(), x).all_coeffs()]
+    c = sp.Poly(G.pole_polynomial.as_expr(), x).all_coeffs()
     stable = exact.is_stable_polynomial(c, discrete=system.discrete) if len(c) > 1 else True
     yield Step(
         "poles",
