@@ -236,7 +236,7 @@ def _divisor_in(D: DomainMatrix, parameter: sp.Symbol) -> tuple[sp.Poly, tuple[s
     field: Any = D.domain
     R = field.field.ring
     rest = [symbol for symbol in R.symbols if symbol != parameter]
-    K = R.domain.frac_field(*rest) if rest else R.domain
+    K = R.domain.frac_field(*rest) if rest else R.domain.get_field()
     over = K.poly_ring(parameter).ring
     rows = [[over.from_expr(a.as_expr()) for a in row] for row in _polynomials(D)]
     r, rows = _without_constants(rows, D.shape[0])
