@@ -90,7 +90,7 @@ class Marker:
         for part in self.solution.problem.parts:
             found[part.id] = {}
             ours = self._ours(part.id)
-            reader = Reader(self._names(part, ours))
+            reader = Reader(self._names(part, ours), discrete=part.system.discrete)
             for name, node in self.submission.answers.get(part.id, {}).items():
                 if name in ours:
                     with report:

@@ -13,17 +13,22 @@ from typing import Any
 
 import sympy as sp
 
+from solver.classroom.spelling import matching, respelled, split, unfolded
 from solver.problem.expressions import ExpressionError, Names, parse_alternatives, parse_equation, parse_expression
 from solver.problem.expressions.tokens import is_decimal, tokenize
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 from solver.problem.source import Report
 
 MAX_ENTRIES = 400
+MAX_NESTING = 12
 TRUTHS = {"yes": True, "no": False, "true": True, "false": False, "always": True, "never": False}
 RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!=", sp.Ne), ("≠", sp.Ne), ("<", sp.Lt),
              (">", sp.Gt), ("=", sp.Eq))  # fmt: skip
+ALL, NONE = ("reals", "all", "any", "every", "always", "all reals"), ("none", "never", "no", "[]")
 _RELATION = re.compile(r"<=|>=|!=|[≤≥≠<>]|==?")
-_AND = re.compile(r"\s+(?:and|AND|&|∧)\s+|\s*&&?\s*|\s*;\s*")
+_AND = re.compile(r"\s+(?:and|AND)\s+|\s*(?:&&?|∧|;|,)\s*")
+_OR = re.compile(r"\s+(?:or|OR)\s+|\s*(?:\|\|?|∨)\s*")
+_EQUATION = re.compile(r"^(Eq|Ne)\s*\((.*)\)$", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -41,8 +46,9 @@ class Submitted:
 class Reader:
     """Reads values in which the names of a problem and of its answers have their meaning."""
 
-    def __init__(self, names: Names) -> None:
+    def __init__(self, names: Names, *, discrete: bool = False) -> None:
         self.names = names
+        self.discrete = discrete
         self.decimals: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {}
 
     def read(self, node: Node, ours: Any) -> Submitted:
@@ -52,24 +58,34 @@ class Reader:
         return Submitted(value, form, dict(self.decimals))
 
     def _read(self, node: Node, ours: Any) -> tuple[Any, Any]:
-        if isinstance(ours, bool | sp.logic.boolalg.BooleanAtom) and _word(node) in TRUTHS:
-            return (TRUTHS[_word(node)],) * 2
+        node = unfolded(node)
         if isinstance(ours, str):
-            return (_text(node),) * 2
+            return (_words(node),) * 2
         if isinstance(ours, bool):
-            raise node.fault("yes or no is expected here")
-        if isinstance(ours, sp.logic.boolalg.Boolean):
+            if _word(node) not in TRUTHS:
+                raise node.fault("yes or no is expected here")
+            return (TRUTHS[_word(node)],) * 2
+        if isinstance(ours, sp.logic.boolalg.Boolean) and not isinstance(ours, sp.Expr):
             return (self._condition(node),) * 2
-        if isinstance(ours, list | tuple):
-            return self._list(node, ours)
+        if isinstance(ours, sp.Set | list | tuple):
+            return self._set(node, ours)
         if isinstance(ours, sp.MatrixBase):
             return self._matrix(node, ours)
-        return self._expression(node)
+        return self._expression(_only(node))
+
+    def _set(self, node: Node, ours: Any) -> tuple[Any, Any]:
+        """A list; or all real numbers, in a word, where values of a parameter are asked for."""
+        if _word(node) in ALL:
+            return (sp.S.Reals,) * 2
+        if _word(node) in NONE:
+            return [], []
+        return self._list(node, () if isinstance(ours, sp.Set) else ours)
 
     def _list(self, node: Node, ours: Sequence[Any]) -> tuple[Any, Any]:
         """A list of expressions (with ± for two), of matrices, of conditions, or of words."""
         items = node.items if isinstance(node, SequenceNode) else (node,)
-        if ours and isinstance(ours[0], sp.MatrixBase | str | sp.logic.boolalg.Boolean):
+        conditions = ours and isinstance(ours[0], sp.logic.boolalg.Boolean) and not isinstance(ours[0], sp.Expr)
+        if conditions or (ours and isinstance(ours[0], sp.MatrixBase | str)):
             pairs = [self._read(item, ours[0]) for item in items]
             return [value for value, _ in pairs], [form for _, form in pairs]
         values: list[Any] = []
@@ -113,12 +129,19 @@ class Reader:
 
     def _alternatives(self, node: Node) -> list[tuple[Any, Any]]:
         """Return the value, or the two of an expression with ±, each with its form."""
-        text = _text(node)
+        text = respelled(_text(node))
         with _at(node):
             values = parse_alternatives(text, self.names)
             rewritten, names = self._with_symbols(text)
             forms = parse_alternatives(rewritten, names) if rewritten != text else values
-            return list(zip(values, forms, strict=True))
+            return [(self._sampled(value), self._sampled(form)) for value, form in zip(values, forms, strict=True)]
+
+    def _sampled(self, value: Any) -> Any:
+        """In discrete time δ(k) is 1 at k = 0, and the step is 1 from 0 on."""
+        if not self.discrete:
+            return value
+        value = value.replace(sp.DiracDelta, lambda at, *_: sp.KroneckerDelta(at, 0))
+        return value.replace(sp.Heaviside, lambda at, *_: sp.Heaviside(at + sp.S.Half))
 
     def _with_symbols(self, text: str) -> tuple[str, Names]:
         """Return the text with a symbol in brackets in place of each decimal."""
@@ -140,21 +163,41 @@ class Reader:
     def _condition(self, node: Node) -> Any:
         """Return a condition such as "0 < K < 6" or "a > 0 and b > a", True for "always", False for "never"."""
         text = _text(node)
-        if text.strip().lower() in TRUTHS:
-            return sp.true if TRUTHS[text.strip().lower()] else sp.false
         with _at(node):
-            return sp.And(*(part for piece in _AND.split(text) for part in self._chain(piece)))
+            return self._any_of(text, 0)
+
+    def _any_of(self, text: str, depth: int) -> Any:
+        """Conditions joined by "or", each of them of conditions joined by "and", with brackets."""
+        text = text.strip()
+        if text.lower() in TRUTHS:
+            return sp.true if TRUTHS[text.lower()] else sp.false
+        if depth > MAX_NESTING:
+            raise ExpressionError("the condition is nested too deeply", 0, len(text))
+        if found := _EQUATION.match(text):
+            sides = [parse_expression(respelled(side), self.names) for side in split(found[2], ",")]
+            if len(sides) != 2:
+                raise ExpressionError(f"{found[1]} has two sides", 0, len(text))
+            return sp.Eq(*sides, evaluate=False) if found[1] == "Eq" else sp.Ne(*sides)
+        for pattern, join in ((_OR, sp.Or), (_AND, sp.And)):
+            if len(pieces := split(text, pattern)) > 1:
+                return join(*(self._any_of(piece, depth + 1) for piece in pieces))
+        if text.startswith("(") and matching(text, 0) == len(text) - 1 and _RELATION.search(text):
+            return self._any_of(text[1:-1], depth + 1)
+        return sp.And(*self._chain(text))
 
     def _chain(self, text: str) -> list[Any]:
         """The relations of "0 < K < 6"."""
         signs = _RELATION.findall(text)
-        if signs == ["="]:
-            return [sp.Eq(*parse_equation(text, self.names), evaluate=False)]
         if not signs:
             raise ExpressionError("a condition such as 0 < K < 6 is expected here", 0, len(text))
-        sides = [parse_expression(side.strip(), self.names) for side in _RELATION.split(text)]
+        if signs in (["="], ["=="]):
+            return [sp.Eq(*parse_equation(respelled(text).replace("==", "="), self.names), evaluate=False)]
+        sides = [parse_expression(respelled(side).strip(), self.names) for side in _RELATION.split(text)]
         relations: dict[str, Any] = dict(RELATIONS) | {"==": sp.Eq}
-        return [relations[sign](sides[i], sides[i + 1]) for i, sign in enumerate(signs)]
+        try:
+            return [relations[sign](sides[i], sides[i + 1]) for i, sign in enumerate(signs)]
+        except TypeError:
+            raise ExpressionError("only real quantities can be compared", 0, len(text)) from None
 
 
 def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours: Any, discrete: bool) -> Names:
@@ -162,7 +205,9 @@ def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours:
     usual = ("s", "z", "t", "lamda", *(("k",) if discrete or "k" not in symbols else ()))
     own = {str(symbol): symbol for symbol in _symbols_of(ours)}
     known = {**symbols, **own}
-    variables = {name: sp.Symbol(name) for name in usual if name not in own}
+    variables: dict[str, Any] = {name: sp.Symbol(name) for name in usual if name not in own}
+    units = {"i": sp.I, "I": sp.I, "E": sp.E}
+    variables |= {name: unit for name, unit in units.items() if name not in known and name not in values}
     kept = {name: value for name, value in values.items() if name not in own}
     return Names(known, variables, kept, open=True)
 
@@ -200,6 +245,18 @@ def _filled(node: Node) -> bool:
 
 def _word(node: Node) -> str:
     return node.text.strip().lower() if isinstance(node, ScalarNode) else ""
+
+
+def _words(node: Node) -> str:
+    """A verdict in words; case, hyphens and underscores do not matter."""
+    return " ".join(_text(node).lower().replace("_", " ").replace("-", " ").split())
+
+
+def _only(node: Node) -> Node:
+    """The one value of a list of one value, as of a matrix of one entry."""
+    while isinstance(node, SequenceNode) and len(node.items) == 1:
+        node = node.items[0]
+    return node
 
 
 def _text(node: Node) -> str:

@@ -1,0 +1,87 @@
+"""Other spellings of values that answers come in: sympy's own, as our results hold them, and those of other notations.
+
+`Matrix([[1, 2]])`, `Heaviside(t - 2)`, `KroneckerDelta(k, 1)`, `Eq(a, 1)`, `2*I` are read as [[1, 2]], `step(t - 2)`,
+`delta(k - 1)`, `a = 1`, `2*j`. Only text is changed here; nothing is evaluated.
+"""
+
+from __future__ import annotations
+
+import re
+from solver.problem.nodes import Node, ScalarNode, SequenceNode
+
+FUNCTIONS = {"Heaviside": "step", "DiracDelta": "delta", "Abs": "abs", "KroneckerDelta": "delta", "arccos": "acos",
+             "arcsin": "asin", "arctan": "atan", "heaviside": "step", "dirac": "delta"}  # fmt: skip
+_FUNCTION = re.compile(r"\b(" + "|".join(FUNCTIONS) + r")\s*\(")
+_INFINITY = re.compile(r"\boo\b|∞")
+_MATRIX = re.compile(r"^\s*(?:Immutable)?(?:Dense)?Matrix\s*\((.*)\)\s*$", re.DOTALL)
+_EMPTY = re.compile(r"^\s*\d+\s*,\s*\d+\s*,\s*\[\s*\]\s*$")
+OPENING, CLOSING = "([{", ")]}"
+
+
+def respelled(text: str) -> str:
+    """Return the text of an expression with functions named as our notation names them."""
+    text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(text))
+    return _INFINITY.sub("inf", text).replace("√(", "sqrt(").replace("–", "-")
+
+
+def _kronecker(text: str) -> str:
+    """KroneckerDelta(a, b) as delta((a) - (b))."""
+    head = "KroneckerDelta("
+    while head in text:
+        at = text.index(head)
+        end = matching(text, at + len(head) - 1)
+        first, *second = split(text[at + len(head) : end], ",") or [""]
+        inside = f"({first}) - ({second[0]})" if second and second[0].strip() not in ("0", "") else first
+        if second and first.strip() == "0":
+            inside = second[0]
+        text = f"{text[:at]}delta({inside}){text[end + 1 :]}"
+    return text
+
+
+def matching(text: str, at: int) -> int:
+    """Return where the bracket that opens at a place is closed; the end of the text if it never is."""
+    depth = 0
+    for i in range(at, len(text)):
+        depth += (text[i] in OPENING) - (text[i] in CLOSING)
+        if depth == 0:
+            return i
+    return len(text)
+
+
+def split(text: str, separator: str | re.Pattern[str]) -> list[str]:
+    """Return the pieces of a text between separators outside of brackets; none of an empty text."""
+    pattern = re.compile(re.escape(separator)) if isinstance(separator, str) else separator
+    pieces, start, at = [], 0, 0
+    while at < len(text):
+        if text[at] in OPENING:
+            at = matching(text, at) + 1
+        elif found := pattern.match(text, at):
+            pieces.append(text[start:at])
+            start = at = found.end() if found.end() > at else at + 1
+        else:
+            at += 1
+    return [*pieces, text[start:]] if pieces or text.strip() else []
+
+
+def unfolded(node: Node) -> Node:
+    """Return the lists that a text holds, "Matrix([[1, 2]])" or "[1, 2]", as lists; any other node as it is."""
+    if not isinstance(node, ScalarNode):
+        return node
+    text = node.text.strip()
+    if found := _MATRIX.match(text):
+        text = "[]" if _EMPTY.match(found[1]) else found[1].strip()
+    return _listed(node, text, 0) if text.startswith("[") and text.endswith("]") else node
+
+
+def _listed(node: ScalarNode, text: str, depth: int) -> Node:
+    text = text.strip()
+    if depth < 3 and text.startswith("[") and matching(text, 0) == len(text) - 1:
+        return SequenceNode(node.place, tuple(_listed(node, item, depth + 1) for item in split(text[1:-1], ",")))
+    return unfolded(ScalarNode(node.place, text)) if text.startswith(("Matrix(", "Immutable")) else _leaf(node, text)
+
+
+def _leaf(node: ScalarNode, text: str) -> ScalarNode:
+    """The text of an entry; its quotes, if it has any, are left out."""
+    bare = text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"" else text
+    return ScalarNode(node.place, bare, "plain")
+
