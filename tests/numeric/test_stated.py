@@ -194,3 +194,19 @@ def test_shapes_that_do_not_fit_fail_the_claim(claim):
     check = check_claim(claim, "misshapen")
     assert check.status is CheckStatus.FAILED
     assert "matri" in check.reason or "shapes" in check.reason
+
+
+@pytest.mark.parametrize(
+    ("matrix", "right"),
+    [
+        (sp.Matrix([[1, 2, 3], [2, 4, 6]]), 1),
+        (sp.Matrix([[1, sp.Symbol("a")], [2, 4]]), 2),
+        (sp.Matrix([[sp.sqrt(2), 2], [1, sp.sqrt(2)]]), 1),
+        (sp.Matrix([[sp.Rational(1, 10**9), 0], [0, 1]]), 2),
+        (sp.zeros(2, 3), 0),
+    ],
+)
+def test_a_rank_is_decided_with_as_many_digits_as_it_takes(matrix, right):
+    formula = stated.rank(sp.ImmutableMatrix(matrix))
+    assert check_claim(Claim(formula, sp.Integer(right)), "").status is CheckStatus.PASSED
+    assert check_claim(Claim(formula, sp.Integer(right + 1)), "").status is CheckStatus.FAILED
