@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +15,9 @@ from solver.lazy import numeric
 
 STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
 """What a verification may raise on a value of a form it was never meant for."""
+
+MOST_VECTORS = 5
+"""Larger matrices with many right values are judged as a whole only."""
 
 
 @dataclass(frozen=True)
@@ -80,22 +83,63 @@ def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) ->
     """Judge one value: by its checks, then to the digits written, then by what is undecided."""
     each = fitting[name]
     checks = _checks(question, fitting)
-    if checks is None:
+    if checks is None and len(fitting) > 1:
         checks = _checks(question, {name: each})
     own = [check for check in checks or () if name in check.judges]
     if own and all(check.status is CheckStatus.PASSED for check in own):
         return _correct(name, each)
     failed = [check for check in own if check.status is CheckStatus.FAILED]
-    entries = entrywise(each, question.ours.get(name))
-    if entries is not None and _all_right(entries):
-        note = "right to the digits written" if each.decimals and failed else ""
-        return _correct(name, each, note)
-    if failed or (own and not _some_skipped(own)):
-        if each.decimals and _within_rounding(question, name, each, fitting, failed):
+    declared = question.task.answers[name]
+    free = declared.is_free(question.given)
+    entries = entrywise(each, question.ours.get(name), ordered=declared.ordered)
+    by_digits = not failed or (bool(each.decimals) and not (free and len(fitting) > 1))
+    if entries is not None and _all_right(entries) and by_digits:
+        return _correct(name, each, "right to the digits written" if each.decimals and failed else "")
+    crashed = checks is None and not free and entries is not None
+    if failed or crashed or (own and not _some_skipped(own)):
+        if each.decimals and free and _within_rounding(question, name, each, fitting, failed):
             return _correct(name, each, "right to the digits written")
+        entries = _vectors(question, name, each) if free else entries
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
     reason = next((check.reason for check in own if check.reason), "the check cannot decide about it")
     return AnswerVerdict(name, Verdict.NOT_JUDGED, each.value, reason)
+
+
+def _vectors(question: Question, name: str, each: Submitted) -> Any:
+    """Entries of a matrix with many right values: a column (or row) is right that can replace one of a right matrix."""
+    ours, own = question.ours.get(name), each.value
+    if not isinstance(own, sp.MatrixBase) or not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape:
+        return None
+    wrong, right = str(Verdict.WRONG), str(Verdict.CORRECT)
+    if not 1 < max(own.shape) <= MOST_VECTORS:
+        return _shaped(own, lambda _: wrong)
+    columns = _replaceable(question, name, own, ours)
+    rows = _replaceable(question, name, own.T, ours.T, transposed=True)
+    best = max((columns, rows), key=len)
+    if len(best) == (own.cols if best is columns else own.rows):
+        best = columns = set()
+    return [
+        [right if (j if best is columns else i) in best else wrong for j in range(own.cols)] for i in range(own.rows)
+    ]
+
+
+def _replaceable(question: Question, name: str, own: Any, ours: Any, *, transposed: bool = False) -> set[int]:
+    """Return the columns of `own` that can each take the place of another column of `ours`."""
+    left, found = list(range(ours.cols)), set[int]()
+    if ours.cols == 1:
+        return found
+    for j in range(own.cols):
+        for k in left:
+            tried = ours.as_mutable()
+            tried[:, k] = own[:, j]
+            value = sp.ImmutableMatrix(tried.T if transposed else tried)
+            checks = _checks(question, {name: Submitted(value, value)})
+            own_checks = [check for check in checks or () if name in check.judges]
+            if own_checks and all(check.status is CheckStatus.PASSED for check in own_checks):
+                found.add(j)
+                left.remove(k)
+                break
+    return found
 
 
 def _correct(name: str, each: Submitted, note: str = "") -> AnswerVerdict:
@@ -122,7 +166,7 @@ def _within_rounding(
 
     To first order: the residual is at most the sum of what moving each decimal by half a unit changes in it.
     """
-    if not question.task.answers[name].is_free(question.given) or not _numbers(failed):
+    if not failed or not _numbers(failed):
         return False
     allowed = 0.0
     for symbol, (number, half) in each.decimals.items():
@@ -153,20 +197,34 @@ def _residuals(
     ]
 
 
-def entrywise(each: Submitted, ours: Any) -> Any:
+def entrywise(each: Submitted, ours: Any, *, ordered: bool = False) -> Any:
     """Return "correct" or "wrong" for each entry compared with ours, in its shape; None if they can't be compared."""
+    try:
+        return _compared(each, ours, ordered=ordered)
+    except numeric.NotEvaluable:
+        return None
+
+
+def _compared(each: Submitted, ours: Any, *, ordered: bool) -> Any:
     if isinstance(each.value, sp.MatrixBase) and isinstance(ours, sp.MatrixBase):
         if each.value.shape != ours.shape:
             return None
         rows = range(ours.rows)
         return [[_word(_agrees(each, each.form[i, j], ours[i, j])) for j in range(ours.cols)] for i in rows]
     if isinstance(each.value, list) and isinstance(ours, list | tuple):
-        return _as_set(each, list(ours))
+        return _in_order(each, ours) if ordered else _as_set(each, list(ours))
     if is_scalar(each.value) and is_scalar(ours):
         return _word(_agrees(each, each.form, ours))
     if isinstance(each.value, bool | str):
         return _word(each.value == ours)
     return None
+
+
+def _in_order(each: Submitted, ours: Sequence[Any]) -> list[Any]:
+    """Items compared with those at the same place; what is left over or missing is wrong."""
+    pairs = zip(each.form, ours, strict=False)
+    words = [_word(_same_item(each, form, mine)) for form, mine in pairs]
+    return words + [str(Verdict.WRONG)] * (max(len(each.form), len(ours)) - len(words))
 
 
 def is_scalar(value: Any) -> bool:
@@ -197,11 +255,8 @@ def _same_item(each: Submitted, form: Any, mine: Any) -> bool:
 
 
 def _agrees(each: Submitted, form: Any, mine: Any) -> bool:
-    """Whether an entry is ours, to the digits written; where numbers can't tell, whether it is the same expression."""
-    try:
-        return bool(numeric.agrees_to_digits(form, each.decimals, mine))
-    except numeric.NotEvaluable:
-        return bool(form == mine)
+    """Whether an entry is ours, to the digits written. Raises NotEvaluable where numbers can't tell."""
+    return bool(form == mine) or bool(numeric.agrees_to_digits(form, each.decimals, mine))
 
 
 def _word(right: bool) -> str:

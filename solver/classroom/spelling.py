@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import re
+
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 FUNCTIONS = {"Heaviside": "step", "DiracDelta": "delta", "Abs": "abs", "KroneckerDelta": "delta", "arccos": "acos",
@@ -84,4 +85,3 @@ def _leaf(node: ScalarNode, text: str) -> ScalarNode:
     """The text of an entry; its quotes, if it has any, are left out."""
     bare = text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"" else text
     return ScalarNode(node.place, bare, "plain")
-

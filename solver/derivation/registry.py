@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import wraps
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from solver.derivation.options import MatrixOf, Option
@@ -54,7 +55,8 @@ class AnswerName:
     """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all).
 
     An `optional` one is given when it makes sense. A `free` one is not determined by the question (eigenvectors: any
-    scale is right); it may depend on what is given (a gain is free where there are several inputs).
+    scale is right); it may depend on what is given (a gain is free where there are several inputs). In an `ordered`
+    list each item has its place; the items of any other may stand in any order.
     """
 
     name: str
@@ -63,6 +65,7 @@ class AnswerName:
     methods: tuple[str, ...] = ()
     optional: bool = False
     free: bool | Callable[[Given], bool] = False
+    ordered: bool = False
 
     def is_free(self, given: Given) -> bool:
         """Whether several values are right."""
@@ -102,7 +105,9 @@ class Verification:
 class Task:
     """A question that can be asked: a name in the field's terms, what it needs, options, answers and methods.
 
-    `needs` lists the matrices of the system the question is about, e.g. ("A",) or ("A", "B").
+    `needs` lists the matrices of the system the question is about, e.g. ("A",) or ("A", "B"); what is needed with some
+    options only is for a refusal. `example` are matrices and options that the file of `solve new` gives, as they are
+    typed, where the needed and the required ones as usual would not do.
     A task with one way of solving it has a method of the task's own name, which is not spelled in problem files.
     """
 
@@ -116,12 +121,14 @@ class Task:
         needs: tuple[str, ...],
         answers: Iterable[AnswerName],
         options: Iterable[Option] = (),
+        example: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         self.name = name
         self.group = group
         self.title = title
         self.doc = doc
         self.needs = needs
+        self.example = example
         self.answers = {answer.name: answer for answer in answers}
         self.options = {option.name: option for option in options}
         self.closes_the_loop = self.options.setdefault("gain", GAIN) is GAIN  # a task may mean another thing by it

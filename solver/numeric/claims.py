@@ -75,6 +75,9 @@ def check_residual(
         return Check.within(label, oracle, residual(), tolerance, answer=answer)
     except ShapeMismatch as mismatch:
         return replace(Check.that(label, oracle, False, answer=answer), reason=str(mismatch))
+    except (ZeroDivisionError, np.linalg.LinAlgError):
+        reason = "a matrix that must have an inverse is singular"
+        return replace(Check.that(label, oracle, False, answer=answer), reason=reason)
     except NotEvaluable as refusal:
         return Check.skipped(label, oracle, str(refusal), answer=answer)
 

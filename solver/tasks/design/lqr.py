@@ -64,9 +64,15 @@ lqr = Task(
         AnswerName("equations", r"\text{equations}", "expressions in p11, p12, … that are zero", ("riccati",)),
         AnswerName("solutions", r"P_i", "all real symmetric solutions", ("riccati",), optional=True),
         AnswerName(
-            "definiteness", r"\text{definiteness}", "what each solution is, in order", ("riccati",), optional=True
+            "definiteness",
+            r"\text{definiteness}",
+            "what each solution is, in order",
+            ("riccati",),
+            optional=True,
+            ordered=True,
         ),
     ],
+    example={"Q": "[[1, 0], [0, 1]]", "R": "1"},
 )
 
 

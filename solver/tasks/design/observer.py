@@ -11,6 +11,7 @@ from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
+from solver.tasks.freedom import observer_gain_is_free
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -25,8 +26,8 @@ observer = Task(
     needs=("A", "C"),
     options=[Option("poles", Poles(), "the n eigenvalues of A − LC (or those of the observable part)", required=True)],
     answers=[
-        AnswerName("L", "L_c", "observer gain (n×p)"),
-        AnswerName("error_A", "A - L_c C", "matrix of the estimation error"),
+        AnswerName("L", "L_c", "observer gain (n×p)", free=observer_gain_is_free),
+        AnswerName("error_A", "A - L_c C", "matrix of the estimation error", free=observer_gain_is_free),
         AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of A − LC, in `s` (`z`)"),
         AnswerName(
             "gain_polynomial",

@@ -41,6 +41,7 @@ from solver.tasks.design.reduced_order import (
     pole_faults,
     reduced_gain_of,
 )
+from solver.tasks.freedom import one_of_the_gains_is_free
 
 if TYPE_CHECKING:
     from solver.systems import System
@@ -59,12 +60,23 @@ observer_feedback = Task(
         Option("reduced", Flag(), "an observer of reduced order, for the states that are not measured"),
     ],
     answers=[
-        AnswerName("closed_loop_A", r"A_{\text{closed}}", "in (x, x − x̂); reduced: in (η₁, η₂, η₂ − η̂₂)"),
+        AnswerName(
+            "closed_loop_A",
+            r"A_{\text{closed}}",
+            "in (x, x − x̂); reduced: in (η₁, η₂, η₂ − η̂₂)",
+            free=one_of_the_gains_is_free,
+        ),
         AnswerName("eigenvalues", r"\lambda_i", "eigenvalues of the closed loop, with multiplicity", optional=True),
-        AnswerName("compensator", "G_c", "transfer function from y to u, in `s` (discrete: in `z`)"),
-        AnswerName("S1", "S_1", "the first p columns of T = [S1 S2] (reduced)", optional=True),
-        AnswerName("S2", "S_2", "the other columns of T (reduced)", optional=True),
+        AnswerName(
+            "compensator",
+            "G_c",
+            "transfer function from y to u, in `s` (discrete: in `z`)",
+            free=one_of_the_gains_is_free,
+        ),
+        AnswerName("S1", "S_1", "the first p columns of T = [S1 S2] (reduced)", optional=True, free=True),
+        AnswerName("S2", "S_2", "the other columns of T (reduced)", optional=True, free=True),
     ],
+    example={"poles": '["-3 ± 2j"]', "observer_poles": "[-6, -7]"},
 )
 
 

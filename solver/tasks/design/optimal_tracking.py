@@ -26,6 +26,7 @@ from solver.tasks.design.regulator import Regulator, faulty_weights
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import FLOATS, gain_check
 from solver.tasks.design.set_point import equations_of_rest, reference_gain, set_point_checks, set_point_of
+from solver.tasks.freedom import more_inputs_than_outputs
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -43,10 +44,11 @@ optimal_tracking = Task(
     ],
     answers=[
         AnswerName("K", "K_f", "the gain in u = −K x + K_o r, m×n"),
-        AnswerName("F", "F", "x_d = F r, n×p"),
-        AnswerName("N", "N", "u_d = N r, m×p"),
-        AnswerName("K_o", "K_o", "N + K F, m×p"),
+        AnswerName("F", "F", "x_d = F r, n×p", free=more_inputs_than_outputs),
+        AnswerName("N", "N", "u_d = N r, m×p", free=more_inputs_than_outputs),
+        AnswerName("K_o", "K_o", "N + K F, m×p", free=more_inputs_than_outputs),
     ],
+    example={"Q": "[[1, 0], [0, 1]]", "R": "1"},
 )
 
 

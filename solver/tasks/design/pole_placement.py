@@ -13,6 +13,7 @@ from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polyno
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.freedom import gain_is_free
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -35,8 +36,10 @@ pole_placement = Task(
         ),
     ],
     answers=[
-        AnswerName("K", "K_f", "gain in u = −K x, m×n; entries that may have any value stay symbols"),
-        AnswerName("closed_loop_A", r"A - BK_f", "matrix of the closed loop"),
+        AnswerName(
+            "K", "K_f", "gain in u = −K x, m×n; entries that may have any value stay symbols", free=gain_is_free
+        ),
+        AnswerName("closed_loop_A", r"A - BK_f", "matrix of the closed loop", free=gain_is_free),
         AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of the closed loop, in `s` (`z`)"),
         AnswerName(
             "gain_polynomial",
@@ -48,6 +51,7 @@ pole_placement = Task(
         AnswerName("fixed_poles", r"\lambda_{\text{fixed}}", "eigenvalues that no such gain moves", (), True),
         AnswerName("conditions", r"\text{conditions}", "equations for the symbols of `structure`", MATCHING, True),
     ],
+    example={"poles": '["-3 ± 2j"]'},
 )
 
 

@@ -19,6 +19,7 @@ from solver.tasks.design.reduced_order import (
     pole_faults,
     reduced_gain_of,
 )
+from solver.tasks.freedom import measured_by_combinations, reduced_gain_is_free
 
 if TYPE_CHECKING:
     from solver.systems import System
@@ -34,20 +35,33 @@ reduced_observer = Task(
         Option("measured", Names(), "the measured states (names or numbers), where C does not say"),
     ],
     answers=[
-        AnswerName("L", "L_c", "gain (n−p × p): η̂₂ = ω + L y"),
-        AnswerName("J", "J", "A22 − L A12, the matrix of the error equation"),
-        AnswerName("N", "N", "A21 − L A11 + J L, the gain from y"),
-        AnswerName("M", "M", "B2 − L B1, the gain from u"),
-        AnswerName("T", "T", "x = T (η₁, η₂): measured quantities first, then the other states in their order"),
-        AnswerName("A11", "A_{11}", "block of T⁻¹AT, p×p"),
-        AnswerName("A12", "A_{12}", "block of T⁻¹AT, p×(n−p)"),
-        AnswerName("A21", "A_{21}", "block of T⁻¹AT, (n−p)×p"),
-        AnswerName("A22", "A_{22}", "block of T⁻¹AT, (n−p)×(n−p)"),
-        AnswerName("B1", "B_1", "first p rows of T⁻¹B"),
-        AnswerName("B2", "B_2", "the other rows of T⁻¹B"),
-        AnswerName("A_combined", r"A_{\text{combined}}", "matrix of plant and observer in (x, ω)"),
-        AnswerName("B_combined", r"B_{\text{combined}}", "input matrix of plant and observer in (x, ω)"),
+        AnswerName("L", "L_c", "gain (n−p × p): η̂₂ = ω + L y", free=reduced_gain_is_free),
+        AnswerName("J", "J", "A22 − L A12, the matrix of the error equation", free=reduced_gain_is_free),
+        AnswerName("N", "N", "A21 − L A11 + J L, the gain from y", free=reduced_gain_is_free),
+        AnswerName("M", "M", "B2 − L B1, the gain from u", free=reduced_gain_is_free),
+        AnswerName(
+            "T",
+            "T",
+            "x = T (η₁, η₂): measured quantities first, then the other states in their order",
+            free=measured_by_combinations,
+        ),
+        AnswerName("A11", "A_{11}", "block of T⁻¹AT, p×p", free=measured_by_combinations),
+        AnswerName("A12", "A_{12}", "block of T⁻¹AT, p×(n−p)", free=measured_by_combinations),
+        AnswerName("A21", "A_{21}", "block of T⁻¹AT, (n−p)×p", free=measured_by_combinations),
+        AnswerName("A22", "A_{22}", "block of T⁻¹AT, (n−p)×(n−p)", free=measured_by_combinations),
+        AnswerName("B1", "B_1", "first p rows of T⁻¹B", free=measured_by_combinations),
+        AnswerName("B2", "B_2", "the other rows of T⁻¹B", free=measured_by_combinations),
+        AnswerName(
+            "A_combined", r"A_{\text{combined}}", "matrix of plant and observer in (x, ω)", free=reduced_gain_is_free
+        ),
+        AnswerName(
+            "B_combined",
+            r"B_{\text{combined}}",
+            "input matrix of plant and observer in (x, ω)",
+            free=reduced_gain_is_free,
+        ),
     ],
+    example={"C": "[1, 0]", "poles": "[-6]"},
 )
 
 

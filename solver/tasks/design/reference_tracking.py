@@ -24,6 +24,7 @@ from solver.lazy import sympy as sp
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.freedom import gain_is_free, more_inputs_than_outputs, reference_gain_is_free
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -36,11 +37,12 @@ reference_tracking = Task(
     needs=("A", "B", "C"),
     options=[Option("gain", MatrixOf("m", "n", flat="row"), "the feedback K of u = −K x + K_o r"), *POLE_OPTIONS],
     answers=[
-        AnswerName("F", "F", "desired state for the reference: x_d = F r, n×p"),
-        AnswerName("N", "N", "desired input for the reference: u_d = N r, m×p"),
-        AnswerName("K_o", "K_o", "gain of the reference in u = −K x + K_o r, m×p"),
-        AnswerName("K", "K_f", "the feedback found for `poles`", (), True),
+        AnswerName("F", "F", "desired state for the reference: x_d = F r, n×p", free=more_inputs_than_outputs),
+        AnswerName("N", "N", "desired input for the reference: u_d = N r, m×p", free=more_inputs_than_outputs),
+        AnswerName("K_o", "K_o", "gain of the reference in u = −K x + K_o r, m×p", free=reference_gain_is_free),
+        AnswerName("K", "K_f", "the feedback found for `poles`", (), True, free=gain_is_free),
     ],
+    example={"poles": '["-3 ± 2j"]'},
 )
 
 

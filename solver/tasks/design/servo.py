@@ -14,6 +14,7 @@ from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.reference_tracking import feedthrough
+from solver.tasks.freedom import several_inputs
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -26,10 +27,11 @@ servo = Task(
     needs=("A", "B", "C"),
     options=POLE_OPTIONS,
     answers=[
-        AnswerName("K", "K_f", "gain of the states, m×n"),
-        AnswerName("k_I", "k_I", "gain of the integrated error, m×p"),
-        AnswerName("closed_loop_A", r"A_{\text{cl}}", "matrix of the closed loop in (x, ξ)"),
+        AnswerName("K", "K_f", "gain of the states, m×n", free=several_inputs),
+        AnswerName("k_I", "k_I", "gain of the integrated error, m×p", free=several_inputs),
+        AnswerName("closed_loop_A", r"A_{\text{cl}}", "matrix of the closed loop in (x, ξ)", free=several_inputs),
     ],
+    example={"poles": '["-3 ± 2j", -4]'},
 )
 
 

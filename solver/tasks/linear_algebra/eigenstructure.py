@@ -22,8 +22,10 @@ eigenstructure = Task(
     needs=("A",),
     answers=[
         AnswerName("eigenvalues", r"\lambda_i", "eigenvalues with multiplicity"),
-        AnswerName("right_eigenvectors", "V", "columns v with A v = λ v (or chains), in the order of the eigenvalues", free=True),
-        AnswerName("left_eigenvectors", "M", "rows w with w A = λ w (or chains), in the same order: M A = J M", free=True),
+        AnswerName(
+            "right_eigenvectors", "V", "columns v, A v = λ v (or chains), in the order of the eigenvalues", free=True
+        ),
+        AnswerName("left_eigenvectors", "M", "rows w, w A = λ w (or chains), in the same order: M A = J M", free=True),
         AnswerName("jordan_form", "J", "A V = V J, ones above the diagonal"),
         AnswerName("diagonalizable", r"\text{diagonalizable}", "whether A has n independent eigenvectors"),
     ],

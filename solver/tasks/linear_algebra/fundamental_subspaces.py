@@ -22,10 +22,10 @@ fundamental_subspaces = Task(
     needs=("matrix",),
     options=[Option("matrix", MatrixOf(), "the matrix, of any shape; without it the system's matrix (A)")],
     answers=[
-        AnswerName("null_space", r"\operatorname{Null}(M)", "columns that span {v : M v = 0}"),
-        AnswerName("column_space", r"\operatorname{Col}(M)", "columns that span all M v"),
-        AnswerName("row_space", r"\operatorname{Row}(M)", "columns that span all Mᵀ w"),
-        AnswerName("left_null_space", r"\operatorname{Null}(M^{T})", "columns that span {y : Mᵀ y = 0}"),
+        AnswerName("null_space", r"\operatorname{Null}(M)", "columns that span {v : M v = 0}", free=True),
+        AnswerName("column_space", r"\operatorname{Col}(M)", "columns that span all M v", free=True),
+        AnswerName("row_space", r"\operatorname{Row}(M)", "columns that span all Mᵀ w", free=True),
+        AnswerName("left_null_space", r"\operatorname{Null}(M^{T})", "columns that span {y : Mᵀ y = 0}", free=True),
         AnswerName("rank", r"\operatorname{rank} M", "the rank; with parameters the generic one"),
     ],
 )

@@ -37,9 +37,9 @@ realization = Task(
         ),
     ],
     answers=[
-        AnswerName("A", "A", "system matrix; its order is the degree of the denominator as given"),
-        AnswerName("B", "B", "input matrix"),
-        AnswerName("C", "C", "output matrix"),
+        AnswerName("A", "A", "system matrix; its order is the degree of the denominator as given", free=True),
+        AnswerName("B", "B", "input matrix", free=True),
+        AnswerName("C", "C", "output matrix", free=True),
         AnswerName("D", "D", "direct path, G(∞)"),
     ],
 )

@@ -39,7 +39,7 @@ kalman_decomposition = Task(
     group="Representation and analysis",
     title="Kalman decomposition",
     doc="Coordinates x = T ξ that separate what is controllable, observable, or both from the rest.",
-    needs=("A", "B"),
+    needs=("A",),
     options=[
         Option(
             "part",
@@ -51,10 +51,13 @@ kalman_decomposition = Task(
     answers=[
         AnswerName("T", "T", "x = T ξ (n×n); its columns are bases of the subspaces, part by part", free=True),
         AnswerName("A", r"\bar{A}", "T⁻¹ A T", free=True),
-        AnswerName("B", r"\bar{B}", "T⁻¹ B", free=True),
+        AnswerName("B", r"\bar{B}", "T⁻¹ B", optional=True, free=True),
         AnswerName("C", r"\bar{C}", "C T", optional=True, free=True),
         AnswerName(
-            "orders", r"\text{orders}", "dimensions: [r, n − r], or [co, c not o, o not c, neither] for the full one"
+            "orders",
+            r"\text{orders}",
+            "dimensions: [r, n − r], or [co, c not o, o not c, neither] for the full one",
+            ordered=True,
         ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "eigenvalues of all parts but the first"),
         *(
@@ -69,13 +72,17 @@ kalman_decomposition = Task(
             for name in "ABC"
         ),
     ],
+    example={"A": "[[-1, 2], [0, -3]]", "B": "[1, 0]", "C": "[1, 1]"},
 )
 
 
 @kalman_decomposition.refusal
-def needs_an_output(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
-    """What is observable depends on C."""
-    if options.get("part", "controllable") != "controllable" and getattr(system, "C", True) is None:
+def needs_input_or_output(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """What is controllable depends on B, what is observable on C."""
+    part = options.get("part", "controllable")
+    if part != "observable" and getattr(system, "B", True) is None:
+        yield "part", "what is controllable depends on the input: B is needed"
+    if part != "controllable" and getattr(system, "C", True) is None:
         yield "part", "what is observable depends on the output: C is needed"
 
 
@@ -204,8 +211,8 @@ def _new_matrices(given: Given, answers: Answers, T: ImmutableMatrix | None) -> 
         )
         return
     for name, M in found.items():
-        claim = {"A": Claim(product(T, M), product(A, T)), "B": Claim(product(T, M), B), "C": Claim(product(C, T), M)}
-        yield numeric.check_claim(claim[name], rf"$\bar{{{name}}}$ belongs to $T$", answer=name)
+        sides = {"A": (product(T, M), product(A, T)), "B": (product(T, M), B), "C": (product(C, T), M)}
+        yield numeric.check_claim(Claim(*sides[name]), rf"$\bar{{{name}}}$ belongs to $T$", answer=name)
 
 
 def _first_part(given: Given, answers: Answers, T: ImmutableMatrix | None) -> Iterator[Check]:

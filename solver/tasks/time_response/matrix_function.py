@@ -20,6 +20,7 @@ from solver.derivation import (
 from solver.derivation.stated import inverse, power, product, total
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.time_response.state_transition_matrix import require_diagonalizable
 
@@ -40,7 +41,7 @@ matrix_function = Task(
             required=True,
         )
     ],
-    answers=[AnswerName("F", "f(A)", "the matrix f(A), n×n")],
+    answers=[AnswerName("F", "f(A)", "the matrix f(A), n×n", free=a_root_is_asked_for)],
 )
 
 

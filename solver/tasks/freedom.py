@@ -1,0 +1,67 @@
+"""When a question has several right answers: what `AnswerName(..., free=...)` asks of what is given.
+
+A decimal of an answer that is not free is judged by its digits; that of a free one by what rounding does to the
+property that defines it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from solver.derivation import Given
+from solver.lazy import numeric
+
+
+def gain_is_free(given: Given) -> bool:
+    """Several inputs, or modes that no input moves: many gains place the same poles."""
+    plant = given.system
+    return plant.B is not None and (plant.B.cols > 1 or _deficient(plant.A, plant.B))
+
+
+def observer_gain_is_free(given: Given) -> bool:
+    """Several outputs, or modes that no output shows."""
+    plant = given.system
+    return plant.C is not None and (plant.C.rows > 1 or _deficient(plant.A.T, plant.C.T))
+
+
+def one_of_the_gains_is_free(given: Given) -> bool:
+    """The feedback, or the observer's."""
+    return gain_is_free(given) or observer_gain_is_free(given)
+
+
+def several_inputs(given: Given) -> bool:
+    """More than one input."""
+    return given.system.B is not None and bool(given.system.B.cols > 1)
+
+
+def more_inputs_than_outputs(given: Given) -> bool:
+    """Inputs left over when every output follows its reference."""
+    plant = given.system
+    return plant.B is not None and plant.C is not None and bool(plant.B.cols > plant.C.rows)
+
+
+def reference_gain_is_free(given: Given) -> bool:
+    """With poles the feedback may be free already."""
+    return more_inputs_than_outputs(given) or (bool(given.poles) and several_inputs(given))
+
+
+def measured_by_combinations(given: Given) -> bool:
+    """The outputs are no states, so that the coordinates (η₁, η₂) are free."""
+    C = given.system.C
+    return (
+        not given.measured and C is not None and any(sum(entry != 0 for entry in C.row(i)) != 1 for i in range(C.rows))
+    )
+
+
+def reduced_gain_is_free(given: Given) -> bool:
+    """Free coordinates, or several outputs, or modes that they do not show."""
+    return measured_by_combinations(given) or len(given.measured or ()) > 1 or observer_gain_is_free(given)
+
+
+def a_root_is_asked_for(given: Given) -> bool:
+    """A matrix has several square roots."""
+    return "sqrt" in str(given.function) or "/" in str(given.function)
+
+
+def _deficient(A: Any, B: Any) -> bool:
+    return bool(numeric.rank(numeric.krylov_matrix(A, B)) < A.rows)
