@@ -27,7 +27,7 @@ def _harmless(markdown: str) -> str:
 
 
 def _part(part: PartView) -> Iterator[str]:
-    marks = f" ({plain(part.marks)} marks)" if part.marks else ""
+    marks = f" ({plain(part.marks)} mark{'s' * (part.marks != '1')})" if part.marks else ""
     yield f"## ({plain(part.id)}) {plain(part.title)}{marks}"
     yield _harmless(part.question)
     yield part.given

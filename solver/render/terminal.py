@@ -77,7 +77,7 @@ def _cells(row: CheckRow) -> tuple[str, ...]:
 def heading(part: PartView) -> str:
     """Return task and method of a part in words."""
     method = "" if part.method_title == part.title else f": {part.method_title}"
-    marks = f" [{part.marks} marks]" if part.marks else ""
+    marks = f" [{part.marks} mark{'s' * (part.marks != '1')}]" if part.marks else ""
     return f"{part.title}{method}{marks}"
 
 

@@ -181,3 +181,16 @@ def test_eigenspaces_over_a_field_with_parameters_are_sent_to_another_process():
     found = exact.eigenstructure(sp.ImmutableMatrix([[0, -1], [a * b, a + b]]))
     received = pickle.loads(pickle.dumps(found.eigenspaces))  # noqa: S301 - our own bytes
     assert [space.chains for space in received] == [space.chains for space in found.eigenspaces]
+
+
+@pytest.mark.parametrize(
+    ("A", "expected"),
+    [
+        ([[-10, -10], [10, 0]], [2, -1 - sp.sqrt(3) * sp.I]),
+        ([[0, 1], [-100, -9]], [2, -9 + sp.sqrt(319) * sp.I]),
+        ([[1, 2], [3, 1]], [2, -sp.sqrt(6)]),
+        ([[0, 1], [-25, 0]], [1, 5 * sp.I]),
+    ],
+)
+def test_eigenvectors_with_square_roots_have_the_smallest_integers(A, expected):
+    assert list(exact.eigenstructure(sp.ImmutableMatrix(A)).right[:, 0]) == expected

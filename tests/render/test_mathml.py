@@ -50,6 +50,12 @@ def test_structure(latex: str, expected: str) -> None:
     assert shape(latex) == expected
 
 
+def test_a_relation_between_words_keeps_its_space() -> None:
+    """A row of text and one operator is an operator itself in MathML Core, with the space around the row."""
+    assert shape(r"\text{verdict} = \text{stable}") == "verdict=stable"
+    assert "<mtext>is</mtext>" in shape(r"x \text{is} = y")
+
+
 def test_a_formula_carries_its_source_and_says_whether_it_is_displayed() -> None:
     assert mathml("a <\n b", True).startswith('<math display="block" alttext="a &lt; b">')
     assert mathml('"').startswith('<math alttext="&quot;">')

@@ -23,7 +23,7 @@ statement: |
 system: {A: [[0, 1], [-2, -3]]}
 find:
   a: {task: characteristic_polynomial, marks: 2.5}
-  b: {task: state_transition_matrix, method: [laplace, modal]}
+  b: {task: state_transition_matrix, method: [laplace, modal], marks: 1}
 """
 
 
@@ -42,6 +42,7 @@ def test_the_summary_has_every_part_with_answers_and_verdict(view):
     text = printed(view)
     assert "a  Characteristic polynomial" in text
     assert "[2.5 marks]" in text
+    assert "[1 mark]" in text
     assert "χ(λ) = λ² + 3λ + 2" in text
     assert text.count("verified: ") == 3
     assert "⎡ 2e⁻ᵗ − e⁻²ᵗ" in text

@@ -35,6 +35,14 @@ def pair_bars(row: Element) -> None:
             bar.attrib = {"stretchy": "false", "fence": "true", "form": "postfix" if index % 2 else "prefix"}
 
 
+def keep_relations(row: Element) -> None:
+    """Words beside one relation (verdict = stable) become letters: among mere text its own space would be left out."""
+    if row.tag in ROWS and [child.tag for child in row if child.tag not in {"mtext", "mspace"}] == ["mo"]:
+        for child in row:
+            if child.tag == "mtext" and not child.attrib:
+                child.tag, child.attrib = "mi", {"mathvariant": "normal"}
+
+
 def set_signs(row: Element) -> None:
     """A sign is prefix at the start of a row and after an operator or an opening bracket."""
     if row.tag not in ROWS:

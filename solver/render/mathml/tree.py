@@ -14,6 +14,7 @@ from xml.etree.ElementTree import Element
 from solver.render.mathml.letters import join_upright_letters, shape_letters, tell_operators_from_letters
 from solver.render.mathml.rows import (
     ROWS,
+    keep_relations,
     pair_bars,
     plain_names,
     set_accents,
@@ -127,5 +128,14 @@ SHAPE: Visits = (
     _flatten,
 )
 LETTERS: Visits = (shape_letters, tell_operators_from_letters, _spaces)
-NEIGHBOURS: Visits = (pair_bars, set_limits, plain_names, set_accents, set_signs, space_function_names, tighten_scripts)
+NEIGHBOURS: Visits = (
+    keep_relations,
+    pair_bars,
+    set_limits,
+    plain_names,
+    set_accents,
+    set_signs,
+    space_function_names,
+    tighten_scripts,
+)
 """In this order: the shape of the tree, then its leaves, then what depends on neighbours."""
