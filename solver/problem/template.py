@@ -65,9 +65,9 @@ def _system(task: Task) -> list[str]:
             "matrix: [[1, 2], [2, 4]]" if "matrix" in needs else f"transfer_function: ({x} + 3)/({x}^2 + 3{x} + 2)"
         )
         return ["system:", time, f"  {example}"]
-    needs |= {"B", "C"} if needs & {"transfer_function", "D"} else set()
+    needs |= {"B", "C"} if needs & {"transfer_function", "D"} else set(task.example)
     given = [
-        (f"{'' if key in needs or key == 'A' else '# '}{key}: {value}", meaning)
+        (f"{'' if key in needs or key == 'A' else '# '}{key}: {task.example.get(key, value)}", meaning)
         for key, (value, meaning) in PLANT.items()
     ]
     width = max(len(text) for text, _ in given)
@@ -86,14 +86,15 @@ def _methods(task: Task) -> list[str]:
 
 
 def _options(task: Task) -> list[str]:
-    """Each option under its meaning; those that the method needs are given, the others are comments."""
+    """Each option under its meaning; those that the method or the example needs are given, the others are comments."""
     taken = task.options_for((task.methods_for(discrete=False) or task.methods_for(discrete=True))[0])
     lines: list[str] = []
     for option in task.options.values():
         of = f" (for {', '.join(option.methods)})" if option.methods else ""
         lines += _comment(option.doc + of, "    ")
-        hidden = "" if option.required and option.name in taken else "# "
-        lines.append(f"    {hidden}{option.name}: {example(option)}")
+        own = task.example.get(option.name, "")
+        hidden = "" if own or (option.required and option.name in taken) else "# "
+        lines.append(f"    {hidden}{option.name}: {own or example(option)}")
     return lines
 
 

@@ -90,6 +90,23 @@ def test_without_an_output_the_controllable_part_is_found():
     assert result.steps[-1].values["unstable"] == {1: [2]}
 
 
+def test_without_an_input_the_observable_part_is_found():
+    result = found(system([[1, 0], [3, 2]], C=[[1, 0]]), "observable")
+    assert steps(result) == ["seen", "bases", "transformed", "blocks", "hidden"]
+    assert not {"B", "B_o"} & set(result.answers)
+    assert result.answers["A_o"] == sp.Matrix([[1]])
+    assert result.answers["hidden_modes"] == [2]
+    assert result.steps[-1].values["unstable"] == {1: [2]}
+    assert steps(found(system([[0, 1], [-2, -3]], C=[[1, 0]]), "observable"))[-1] == "whole"
+
+
+@pytest.mark.parametrize("part", ["controllable", "full"])
+def test_what_is_reached_needs_an_input(part):
+    plant = system([[1, 0], [0, 2]], C=[[1, 0]])
+    assert [option for option, _ in catalogue()[TASK].refused(plant, {"part": part})] == ["part"]
+    assert ask(TASK, plant, part=part).status is Status.UNSOLVED
+
+
 @pytest.mark.parametrize("part", ["observable", "full"])
 def test_what_is_seen_needs_an_output(part):
     plant = system([[1, 0], [0, 2]], B=[1, 0])

@@ -53,6 +53,7 @@ desired_poles = Task(
         AnswerName("poles", "s_{1,2}", "the two poles"),
         AnswerName("polynomial", r"\hat{p}(s)", "s² + 2ζω_n s + ω_n², in `s`"),
     ],
+    example={"overshoot": "14%", "settling_time": "2"},
 )
 
 

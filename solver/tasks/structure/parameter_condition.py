@@ -44,6 +44,7 @@ parameter_condition = Task(
     answers=[
         AnswerName("values", r"\text{values}", "the values of the parameter; `Reals` where any value will do"),
     ],
+    example={"A": "[[2, k - 1], [0, 2]]", "B": "[1, k]"},
 )
 
 

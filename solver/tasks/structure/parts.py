@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 @lemma("parts")
 def parts_of(plant: Any, found: exact.Decomposition, part: str) -> Derivation[None]:
-    """T⁻¹AT, T⁻¹B, CT with lines between the parts, what is hidden, and what the transfer function shows."""
+    """T⁻¹AT, T⁻¹B, CT with lines between the parts, what is hidden, and the transfer function if there is one."""
     yield _transformed(plant, found, part)
     yield Step("blocks", unclaimed="the blocks are read off from the matrices", part=part, found=found)
     yield _hidden(plant, found, part)
-    if plant.C is not None:
+    if plant.B is not None and plant.C is not None:
         yield _transfer(plant, found, part)
 
 
@@ -35,8 +35,9 @@ def _transformed(plant: Any, found: Any, part: str) -> Step:
     T, sizes = found.T, found.orders
     claims = {
         "A": Claim(product(found.T_inverse, plant.A, T), _lined(found.A, sizes, sizes), "$T^{-1}AT$"),
-        "B": Claim(product(found.T_inverse, plant.B), _lined(found.B, sizes, ()), "$T^{-1}B$"),
     }
+    if plant.B is not None:
+        claims["B"] = Claim(product(found.T_inverse, plant.B), _lined(found.B, sizes, ()), "$T^{-1}B$")
     if plant.C is not None:
         claims["C"] = Claim(product(plant.C, T), _lined(found.C, (), sizes), "$CT$")
     D = None if plant.D is None or plant.D.is_zero_matrix else plant.D

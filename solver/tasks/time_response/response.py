@@ -49,6 +49,7 @@ response = Task(
         AnswerName("y_peak", r"y_{\text{peak}}", "the value of largest size, where y attains it", optional=True),
         AnswerName("t_peak", r"t_{\text{peak}}", "when it does so first (discrete: the sample)", optional=True),
     ],
+    example={"B": "[0, 1]", "input": "exp(-t)", "initial_state": "[1, 0]"},
 )
 
 
