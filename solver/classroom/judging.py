@@ -155,8 +155,8 @@ def _complaint(value: Any, failed: list[Check]) -> str:
     """What the value does not satisfy, in the words of the table of checks."""
     if isinstance(value, bool):
         return "the opposite is true"
-    words = dict.fromkeys(check.claim for check in failed if check.claim)
-    return "it does not hold that " + " and ".join(words) if words else ""
+    words = dict.fromkeys(f"“{check.claim}”" for check in failed if check.claim)
+    return f"it fails the check{'s' if len(words) > 1 else ''} " + " and ".join(words) if words else ""
 
 
 def _within_rounding(

@@ -132,7 +132,8 @@ class _Solver:
         for equation in equations:
             if any(power.exp.is_Rational and power.exp.q > 1 for power in equation.atoms(sp.Pow)):
                 continue
-            factors = [factor for factor, _ in sp.factor_list(equation)[1] if self._in(factor)]
+            numerator = sp.numer(sp.together(equation))  # parameters may stand below a line
+            factors = [factor for factor, _ in sp.factor_list(numerator)[1] if self._in(factor)]
             if len(factors) > 1:
                 others = tuple(each for each in equations if each is not equation)
                 following = tuple(self.solve((factor, *others), known) for factor in factors)

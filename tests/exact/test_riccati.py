@@ -175,6 +175,13 @@ def test_a_split_knows_contradictions_products_and_its_limits():
     assert case_split([x**5 - x - 1], [x]) is None
 
 
+def test_an_equation_with_parameters_below_a_line_is_factored():
+    x, y, r = sp.symbols("x y r", positive=True)
+    split = case_split([x**2 / r + x * y, x + y - 3], [x, y])
+    assert split.kind == "factors"
+    assert [sp.cancel(end[x]) for end in split.ends()] == [0, sp.cancel(3 * r / (r - 1))]
+
+
 @settings(max_examples=15)
 @given(problems(largest=2))
 def test_case_splits_find_what_the_hamiltonian_finds(problem):
