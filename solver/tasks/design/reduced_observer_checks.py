@@ -100,7 +100,9 @@ def estimates_what_is_not_measured(given: Given, answers: Answers) -> Iterable[C
     for name in BLOCKS:
         if name in answers:
             claim = Claim(answers[name], getattr(blocks, name))
-            yield numeric.check_claim(claim, f"${name[0]}_{{{name[1:]}}}$ is a block", answer=name)
+            yield numeric.check_claim(
+                claim, f"${name[0]}_{{{name[1:]}}}$ is the block of the plant in $(\\eta_1, \\eta_2)$", answer=name
+            )
     yield from _spectra(blocks, given.poles, answers)
     gain = blocks.only_gain(given.poles)
     yield from _drives(blocks, gain if gain is not None else answers.get("L"), answers)
@@ -162,7 +164,9 @@ def _combined_states(blocks: _Blocks, answers: Answers) -> Iterator[Check]:
     if "A_combined" in answers:
         A = answers["A_combined"]
         upper = sp.ImmutableMatrix(sp.Matrix.hstack(plant.A, sp.zeros(n, q)))
-        yield numeric.check_claim(Claim(sp.ImmutableMatrix(A[:n, :]), upper), "the plant", answer="A_combined")
+        yield numeric.check_claim(
+            Claim(sp.ImmutableMatrix(A[:n, :]), upper), "the upper rows are those of the plant", answer="A_combined"
+        )
         yield numeric.check_residual(
             "the plant does not drive the error",
             "numpy.linalg.lstsq",
@@ -173,4 +177,4 @@ def _combined_states(blocks: _Blocks, answers: Answers) -> Iterator[Check]:
         )
     if "B_combined" in answers:
         claim = Claim(sp.ImmutableMatrix(answers["B_combined"][:n, :]), plant.B)
-        yield numeric.check_claim(claim, "the input of the plant", answer="B_combined")
+        yield numeric.check_claim(claim, "the upper rows are $B$ of the plant", answer="B_combined")
