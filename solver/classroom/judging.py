@@ -59,15 +59,21 @@ def _fails(checks: list[Check] | None) -> bool:
 
 
 def _misfit(name: str, each: Submitted, question: Question) -> AnswerVerdict | None:
-    """A matrix of the wrong shape, where the question leaves none free."""
-    ours = question.ours.get(name)
-    if not isinstance(ours, sp.MatrixBase) or not isinstance(each.value, sp.MatrixBase):
-        return None
-    if each.value.shape == ours.shape or 0 in ours.shape:
-        return None
-    reason = f"it must be {ours.rows}×{ours.cols}; this one is {each.value.rows}×{each.value.cols}"
-    entries = [["wrong"] * each.value.cols for _ in range(each.value.rows)]
-    return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=entries)
+    """What needs no check: a value that is not finite; a matrix of the wrong shape, where the question has one."""
+    ours, reason = question.ours.get(name), ""
+    both = isinstance(ours, sp.MatrixBase) and isinstance(each.value, sp.MatrixBase)
+    if _infinite(each.value) and not _infinite(ours):
+        reason = "it is not finite"
+    elif both and each.value.shape != ours.shape and 0 not in ours.shape:
+        reason = f"it must be {ours.rows}×{ours.cols}; this one is {each.value.rows}×{each.value.cols}"
+    entries = _shaped(each.value, lambda _: str(Verdict.WRONG))
+    return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=entries) if reason else None
+
+
+def _infinite(value: Any) -> bool:
+    if isinstance(value, list | tuple):
+        return any(map(_infinite, value))
+    return isinstance(value, sp.Expr | sp.MatrixBase) and value.has(sp.oo, -sp.oo, sp.zoo, sp.nan)
 
 
 def _checks(question: Question, values: Mapping[str, Submitted]) -> list[Check] | None:
@@ -101,8 +107,29 @@ def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) ->
             return _correct(name, each, "right to the digits written")
         entries = _vectors(question, name, each) if free else entries
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
+    if not free and (strange := _strangers(each, question)):
+        reason = f"the question knows no {', '.join(strange)}"
+        return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=_shaped(each.value, lambda _: "wrong"))
     reason = next((check.reason for check in own if check.reason), "the check cannot decide about it")
     return AnswerVerdict(name, Verdict.NOT_JUDGED, each.value, reason)
+
+
+def _strangers(each: Submitted, question: Question) -> list[str]:
+    """Symbols that stand neither in the question nor in our answers."""
+    known = _symbols([*question.ours.values(), *question.given.options.values(), *_matrices_of(question.given.system)])
+    return sorted(str(symbol) for symbol in _symbols([each.value]) - known)
+
+
+def _matrices_of(system: Any) -> list[Any]:
+    names = ("A", "B", "C", "D", "x0", "matrix")
+    return [value for name in names if (value := getattr(system, name, None)) is not None]
+
+
+def _symbols(values: Iterable[Any]) -> set[Any]:
+    found: set[Any] = set()
+    for value in values:
+        found |= _symbols(value) if isinstance(value, list | tuple) else set(getattr(value, "free_symbols", ()))
+    return found
 
 
 def _vectors(question: Question, name: str, each: Submitted) -> Any:

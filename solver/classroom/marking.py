@@ -120,8 +120,7 @@ class Marker:
         for name, verdict in self._judged(part, ours, values).items():
             verdicts[name] = verdict
         ordered = {name: verdicts[name] for name in submitted}
-        earned = sum((verdict.share for verdict in ordered.values()), Fraction(0))
-        marks = out_of * earned / len(ordered) if ordered else Fraction(0)
+        marks = _earned(part, ordered, out_of)
         undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
         note = f"nothing is earned for {', '.join(undecided)}, which could not be judged" if undecided else ""
         return PartVerdict(part.id, part.task, ordered, marks, out_of, note or ("" if submitted else "not answered"))
@@ -191,6 +190,18 @@ class Marker:
         for result in solved:
             ours = {**result.answers, **ours}
         return self._question(part, earlier, ours)
+
+
+def _earned(part: Part, verdicts: Mapping[str, AnswerVerdict], out_of: Fraction) -> Fraction:
+    """Return the marks of a part: each answer's own where the problem gives them, else equal ones for those submitted.
+
+    Each answer earns in proportion to what is right in it.
+    """
+    if part.answer_marks:
+        each = {name: _fraction(marks) for name, marks in part.answer_marks.items()}
+    else:
+        each = {name: out_of / len(verdicts) for name in verdicts}
+    return sum((each[name] * verdict.share for name, verdict in verdicts.items() if name in each), Fraction(0))
 
 
 def trivial(own: Any, ours: Any) -> bool:

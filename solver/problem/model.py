@@ -34,7 +34,10 @@ class Reference:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One question: a task by its methods, with validated options; `system` is the part's own or the problem's."""
+    """One question: a task by its methods, with validated options; `system` is the part's own or the problem's.
+
+    `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
+    """
 
     id: str
     task: str
@@ -44,6 +47,7 @@ class Part:
     prompt: str = ""
     marks: sp.Rational | None = None
     own_system: bool = False
+    answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

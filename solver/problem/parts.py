@@ -61,10 +61,10 @@ class PartReader:
             options = reader.options()
         with report:
             _check_needs(task, plant, reader.given, mapping["task"])
+        split: dict[str, Any] = {}
         with report:
-            marks = exact_number(mapping["marks"]) if "marks" in mapping else None
-            if marks is not None and marks < 0:
-                raise mapping["marks"].fault("marks can't be negative")
+            split = _split_marks(mapping, task, methods)
+            marks = sum(split.values()) if split else _marks(mapping["marks"]) if "marks" in mapping else None
         report.conclude()
         self._refuse(task, plant, options, mapping)
         return Part(
@@ -76,6 +76,7 @@ class PartReader:
             prompt=scalar(mapping["prompt"]).text.strip() if "prompt" in mapping else "",
             marks=marks,
             own_system="system" in mapping,
+            answer_marks=split,
         )
 
     def _refuse(self, task: Task, plant: PlantOf, options: Mapping[str, Any], part: MappingNode) -> None:
@@ -97,6 +98,35 @@ class PartReader:
                 f"there is no task '{word[:60]}'", suggestion=did_you_mean(word, self.catalogue), note=note
             )
         return self.catalogue[word]
+
+
+def _marks(node: Node) -> Any:
+    """Return a number of marks; raises Fault."""
+    marks = exact_number(node)
+    if marks < 0:
+        raise node.fault("marks can't be negative")
+    return marks
+
+
+def _split_marks(part: MappingNode, task: Task, methods: tuple[str, ...]) -> dict[str, Any]:
+    """Return the marks of each answer, {K: 2, polynomial: 1}; nothing where the part carries a number, or none."""
+    node = part.get("marks")
+    if not isinstance(node, MappingNode):
+        return {}
+    if not len(node.entries):
+        raise node.fault("no answer is named here; write marks: 3, or the marks of each answer: {K: 2, polynomial: 1}")
+    given = [name for name, answer in task.answers.items() if not answer.methods or set(answer.methods) & set(methods)]
+    report, found = Report(), {}
+    for entry in node:
+        with report:
+            name = entry.key.text
+            if name not in given:
+                note = f"its answers are: {', '.join(given)}"
+                message = f"{task.name} has no answer '{name[:60]}'"
+                raise entry.key.fault(message, suggestion=did_you_mean(name, given), note=note)
+            found[name] = _marks(entry.value)
+    report.conclude()
+    return found
 
 
 def _methods(part: MappingNode, task: Task, plant: PlantOf) -> tuple[str, ...]:

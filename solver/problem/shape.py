@@ -55,6 +55,10 @@ Values = Annotated[
     Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
     _either("a value or a list of values"),
 ]
+Marks = Annotated[
+    Annotated[Value, Tag("<value>")] | Annotated[dict[str, Value], Tag("<mapping>")],
+    _either("a number, or the marks of each answer, as in {K: 2, polynomial: 1},"),
+]
 Row = Annotated[
     Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
     _either("a row of numbers or expressions"),
@@ -188,7 +192,7 @@ class PartShape(BaseModel):
 
     task: Text = Field(description="what is asked; `solve tasks` lists the names")
     method: Values = optional("one method of the task, or several")
-    marks: Value = optional("marks of the part")
+    marks: Marks = optional("marks of the part, or of each of its answers")
     prompt: Text = optional("own wording of the question, in Markdown")
     system: System = optional("the part's own system")
 

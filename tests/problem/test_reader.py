@@ -190,6 +190,10 @@ def test_options_of_any_chosen_method_are_taken(part):
          ["3:25-26 transition has no option 'x'", "3:31-32 transition has no option 'y'"]),
         ("placement", ["3:6-15 placement needs the option 'poles': poles of the closed loop"]),
         ("{task: stability, marks: -1}", ["3:31-33 marks can't be negative"]),
+        ("{task: stability, marks: {answr: 2, answer: -1}}",
+         ["3:32-37 stability has no answer 'answr'", "3:50-52 marks can't be negative"]),
+        ("{task: stability, marks: {}}",
+         ["3:31-33 no answer is named here; write marks: 3, or the marks of each answer: {K: 2, polynomial: 1}"]),
         ("{task: stability, marks: many}", ["3:31-35 a number is expected here, not many"]),
         ("{task: stability, marks: sqrt(2)}", ["3:31-38 a number is expected here, not sqrt(2)"]),
         ("realization", None),
@@ -277,3 +281,9 @@ def test_a_formula_that_cannot_be_drawn_is_reported_at_its_place(complaints, tex
 def test_a_formula_in_a_prompt_is_checked_too(complaints):
     (found,) = complaints("system: {A: 1}\nfind:\n  a: {task: stability, prompt: 'Is $x^$ stable?'}\n")
     assert found.startswith("3:39")
+
+
+def test_marks_may_be_given_to_each_answer(catalogue):
+    text = SYSTEM + "find: {a: {task: placement, method: ackermann, poles: [-1, -2], marks: {K: 2, polynomial: 0.5}}}\n"
+    part = read_problem(Source("problem.yaml", text), catalogue).parts[0]
+    assert (part.marks, part.answer_marks) == (sp.Rational(5, 2), {"K": 2, "polynomial": sp.Rational(1, 2)})

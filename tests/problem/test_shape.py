@@ -29,7 +29,7 @@ FIND = "find: {a: stability}\n"
         ]),
         (SYSTEM + "find:\n  a: {method: x}\n", ["3:6-17 'task' is missing here"]),
         (SYSTEM + "find:\n  a: {task: stability, marks: [1], prompt: {x: y}}\n", [
-            "3:31-34 a number or a text is expected here, not a list",
+            "3:31-34 a number, or the marks of each answer, as in {K: 2, polynomial: 1}, is expected here, not a list",
             "3:44-50 a number or a text is expected here, not a mapping",
         ]),
         ("title: [1]\nsource: true\nstatement:\n" + SYSTEM + FIND, [
