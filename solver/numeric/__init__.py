@@ -63,6 +63,7 @@ from solver.numeric.placement import (
 )
 from solver.numeric.rank import independent, rank
 from solver.numeric.regions import counterexample
+from solver.numeric.regulator import Weights, control_residual, cost_residual, gain_residual, loop_residual
 from solver.numeric.response import (
     beginnings,
     convolution_formula,
@@ -74,20 +75,13 @@ from solver.numeric.response import (
     time_scale,
 )
 from solver.numeric.riccati import (
-    Weights,
-    all_distinct,
-    control_residual,
-    cost_residual,
-    definiteness_holds,
     equations_residual,
-    gain_residual,
     hamiltonian_spectrum_residual,
-    loop_residual,
-    number_of_solutions,
     riccati_residual,
     stabilizes,
     symmetry_residual,
 )
+from solver.numeric.riccati_solutions import all_distinct, definiteness_holds, number_of_solutions
 from solver.numeric.rounding import agrees_to_digits
 from solver.numeric.second_order import second_order_poles, second_order_residual
 from solver.numeric.set_point import reference_residual_at_optimum, set_point_residual

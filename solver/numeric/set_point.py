@@ -11,7 +11,7 @@ import sympy as sp
 from solver.numeric.arithmetic import Array
 from solver.numeric.evaluate import evaluate
 from solver.numeric.points import admissible, free_symbols
-from solver.numeric.riccati import Weights, optima
+from solver.numeric.regulator import Weights, optima
 from solver.numeric.values import ShapeMismatch, Undefined
 
 Condition = tuple[Any, Any]
