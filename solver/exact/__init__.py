@@ -68,12 +68,12 @@ from solver.exact.realization import (
 from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response, shifted
 from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
 from solver.exact.riccati_cases import Case, case_split
+from solver.exact.root_choices import OnTheAxis
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.scalar_functions import ScalarFunction
 from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
-from solver.exact.set_point import NoSetPoint, SetPoint, set_point
-from solver.exact.spectral_factor import OnTheAxis
+from solver.exact.set_point import NoSetPoint, SetPoint, equations_of_rest, set_point
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
 from solver.exact.stability import (
     Location,
@@ -95,7 +95,7 @@ from solver.exact.structure import (
     rank,
     row_reduction,
 )
-from solver.exact.tracking import SteadyState, added, at_rest, steady_state, with_integrators
+from solver.exact.tracking import added, at_rest, with_integrators
 from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
 from solver.exact.transforms import pairs_for, partial_fractions, resolvent, transform_pairs
 
@@ -145,7 +145,6 @@ __all__ = [
     "SingularEquation",
     "Solution",
     "Spectrum",
-    "SteadyState",
     "TransferMatrix",
     "Unknowns",
     "ackermann",
@@ -176,6 +175,7 @@ __all__ = [
     "discrete_gramian",
     "divided",
     "eigenstructure",
+    "equations_of_rest",
     "exponential",
     "factored",
     "faddeev_leverrier",
@@ -249,7 +249,6 @@ __all__ = [
     "spectrum",
     "stability_conditions",
     "stable_where",
-    "steady_state",
     "taylor",
     "telling_minors",
     "tidy",

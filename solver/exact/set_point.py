@@ -8,6 +8,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.fields import collected, domain_matrix, matrix_of
+from solver.exact.tracking import at_rest
 
 
 class NoSetPoint(Exception):  # noqa: N818 - a finding
@@ -32,9 +33,26 @@ class SetPoint:
     exceptions: tuple[sp.Basic, ...] = ()
 
     @property
+    def right(self) -> sp.ImmutableMatrix:
+        """[0; I], the right side of the equations ((n+p)×p)."""
+        return held(self.F.rows, self.F.cols)
+
+    @property
     def unique(self) -> bool:
         """Whether there is only one."""
         return bool(self.rank == self.matrix.cols)
+
+
+def held(n: int, p: int) -> sp.ImmutableMatrix:
+    """[0; I]: the state (n) rests and the output (p) is the reference."""
+    return sp.ImmutableMatrix(sp.zeros(n, p).col_join(sp.eye(p)))
+
+
+def equations_of_rest(
+    A: sp.MatrixBase, B: sp.MatrixBase, C: sp.MatrixBase, D: sp.MatrixBase, *, discrete: bool = False
+) -> sp.ImmutableMatrix:
+    """[[A, B], [C, D]] ((n+p)×(n+m)), in discrete time [[A − I, B], [C, D]]."""
+    return sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[at_rest(A, discrete=discrete), B], [C, D]])))
 
 
 def set_point(
@@ -45,17 +63,15 @@ def set_point(
     The least solution is M⁺ [0; I], M⁺ the pseudoinverse. Raises NoSetPoint, NotExact.
     """
     n, m, p = A.rows, B.cols, C.rows
-    shifted = A - sp.eye(n) if discrete else A
-    whole = sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[shifted, B], [C, D]])))
-    target = sp.zeros(n, p).col_join(sp.eye(p))
-    M, right = domain_matrix(whole).unify(domain_matrix(sp.ImmutableMatrix(target)).to_field())
-    rank = M.rank()
-    if M.hstack(right).rank() > rank:
-        raise NoSetPoint(rank)
-    found = _least(M, right, rank)
+    whole = equations_of_rest(A, B, C, D, discrete=discrete)
+    M, right = domain_matrix(whole).unify(domain_matrix(held(n, p)).to_field())
+    order = int(M.rank())
+    if M.hstack(right).rank() > order:
+        raise NoSetPoint(order)
+    found = _least(M, right, order)
     values = matrix_of(found).applyfunc(collected)
-    exceptions = _exceptions(M) if rank == n + p == n + m else ()
-    return SetPoint(whole, sp.ImmutableMatrix(values[:n, :]), sp.ImmutableMatrix(values[n:, :]), rank, exceptions)
+    exceptions = _exceptions(M) if order == n + p == n + m else ()
+    return SetPoint(whole, sp.ImmutableMatrix(values[:n, :]), sp.ImmutableMatrix(values[n:, :]), order, exceptions)
 
 
 def _least(M: DomainMatrix, right: DomainMatrix, rank: int) -> DomainMatrix:

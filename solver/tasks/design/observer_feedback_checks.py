@@ -164,7 +164,7 @@ def split_the_state(given: Given, answers: Answers) -> Iterable[Check]:
         if name in answers:
             S = answers[name]
             claim = Claim(product(plant.C, S), sp.ImmutableMatrix(right))
-            yield numeric.check_claim(claim, f"$C {name[0]}_{name[1]}$", answer=name)
+            yield numeric.check_claim(claim, f"$C {name[0]}_{name[1]} = {'I' if name == 'S1' else 0}$", answer=name)
             yield Check.that("its columns are independent", "numpy.linalg.svd", numeric.independent(S), answer=name)
             if expected is not None:
                 yield numeric.check_claim(

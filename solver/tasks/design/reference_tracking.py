@@ -24,6 +24,7 @@ from solver.lazy import sympy as sp
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.design.set_point import feedthrough
 from solver.tasks.freedom import gain_is_free, more_inputs_than_outputs, reference_gain_is_free
 
 if TYPE_CHECKING:
@@ -44,12 +45,6 @@ reference_tracking = Task(
     ],
     example={"poles": '["-3 ± 2j"]'},
 )
-
-
-def feedthrough(plant: Any) -> ImmutableMatrix:
-    """Return D, zero where none is given."""
-    D: ImmutableMatrix | None = plant.D
-    return D if D is not None else sp.ImmutableMatrix(sp.zeros(plant.C.rows, plant.B.cols))
 
 
 @reference_tracking.refusal
@@ -86,25 +81,23 @@ def steady_state_of(
 ) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix]]:
     """Solve the equations of the steady state for F and N; raises Unsolved where they have no solution for every r."""
     n, m, p = A.rows, B.cols, C.rows
-    steady = exact.steady_state(A, B, C, D, discrete=discrete)
-    order = Claim(rank(steady.M), sp.Integer(steady.order), "rank of the matrix of the steady state")
-    claims = {"rank": order}
-    if steady.M.is_square:
-        det = exact.determinant_and_adjugate(steady.M)[0]
-        claims["determinant"] = Claim(determinant(steady.M), det, "determinant of the matrix of the steady state")
-    yield Step(
-        "steady_state", claims=claims, M=steady.M, discrete=discrete, inputs=m, outputs=p, states=n, order=steady.order
-    )
-    if steady.F is None or steady.N is None:
+    M = exact.equations_of_rest(A, B, C, D, discrete=discrete)
+    order = exact.rank(M)
+    claims = {"rank": Claim(rank(M), sp.Integer(order), "rank of the matrix of the steady state")}
+    if M.is_square:
+        det = exact.determinant_and_adjugate(M)[0]
+        claims["determinant"] = Claim(determinant(M), det, "determinant of the matrix of the steady state")
+    yield Step("steady_state", claims=claims, M=M, discrete=discrete, inputs=m, outputs=p, states=n, order=order)
+    if order < n + p:
         raise Unsolved(_no_steady_state(m, p, discrete=discrete))
+    steady = exact.set_point(A, B, C, D, discrete=discrete)
     if not steady.unique:
-        M = steady.M
         solution = product(transpose(M), inverse(product(M, transpose(M))), steady.right)
     elif not exact.is_singular(exact.at_rest(A, discrete=discrete)):
         yield from _through_the_inverse(A, B, C, D, steady, discrete=discrete)
         return steady.F, steady.N
     else:
-        solution = product(inverse(steady.M), steady.right)
+        solution = product(inverse(M), steady.right)
     stacked = sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix(steady.F), sp.Matrix(steady.N)))
     yield Step(
         "solution",
@@ -135,7 +128,7 @@ def _through_the_inverse(
     B: ImmutableMatrix,
     C: ImmutableMatrix,
     D: ImmutableMatrix,
-    steady: exact.SteadyState,
+    steady: exact.SetPoint,
     *,
     discrete: bool,
 ) -> Derivation[None]:

@@ -13,7 +13,7 @@ from solver.tasks.design.gain_checks import Asked, judge_gain
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
-from solver.tasks.design.reference_tracking import feedthrough
+from solver.tasks.design.set_point import feedthrough
 from solver.tasks.freedom import several_inputs
 
 if TYPE_CHECKING:
@@ -82,15 +82,14 @@ def _designed(given: Given, method: str) -> Derivation[Answers]:
 def _integrators_reached(plant: Any, D: ImmutableMatrix) -> Derivation[None]:
     """The integrators can be moved unless the plant has a zero at the origin (z = 1): full rank of [[A, B], [C, D]]."""
     m, p, n = plant.B.cols, plant.C.rows, plant.order
-    steady = exact.steady_state(plant.A, plant.B, plant.C, D, discrete=plant.discrete)
-    claims = {"rank": Claim(rank(steady.M), sp.Integer(steady.order), "rank of the matrix of the steady state")}
+    M = exact.equations_of_rest(plant.A, plant.B, plant.C, D, discrete=plant.discrete)
+    order = exact.rank(M)
+    claims = {"rank": Claim(rank(M), sp.Integer(order), "rank of the matrix of the steady state")}
     if m == p:
-        det = exact.determinant_and_adjugate(steady.M)[0]
-        claims["determinant"] = Claim(determinant(steady.M), det, "determinant of the matrix of the steady state")
-    yield Step(
-        "condition", claims=claims, M=steady.M, order=steady.order, needed=n + p, discrete=plant.discrete, square=m == p
-    )
-    if steady.order == n + p:
+        det = exact.determinant_and_adjugate(M)[0]
+        claims["determinant"] = Claim(determinant(M), det, "determinant of the matrix of the steady state")
+    yield Step("condition", claims=claims, M=M, order=order, needed=n + p, discrete=plant.discrete, square=m == p)
+    if order == n + p:
         return
     if m < p:
         raise Unsolved(

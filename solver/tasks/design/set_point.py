@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Claim, Derivation, Step, Unsolved, lemma
@@ -38,7 +39,7 @@ def set_point_checks(plant: Any, answers: Answers, K: ImmutableMatrix | None = N
         yield numeric.check_residual(
             labels.get(name, "$u = -Kx + K_or$ brings $y$ to $r$"),
             "numpy.linalg.lstsq",
-            lambda condition=condition: numeric.set_point_residual(M, p, [condition]),
+            partial(numeric.set_point_residual, M, p, [condition]),
             answer=name,
         )
     if len(conditions) > 1:
@@ -58,7 +59,7 @@ def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
         found = exact.set_point(A, B, C, D, discrete=plant.discrete)
     except exact.NoSetPoint as finding:
         raise Unsolved(_no_set_point(finding.rank, n, m, p, discrete=plant.discrete)) from finding
-    M, right = found.matrix, sp.ImmutableMatrix(sp.zeros(n, p).col_join(sp.eye(p)))
+    M, right = found.matrix, found.right
     stacked = sp.ImmutableMatrix(found.F.col_join(found.N))
     square = m == p and found.unique
     claims = {"solution": Claim(product(M, stacked), right, "the set point")}
