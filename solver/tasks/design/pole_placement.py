@@ -43,7 +43,7 @@ pole_placement = Task(
         AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of the closed loop, in `s` (`z`)"),
         AnswerName(
             "gain_polynomial",
-            r"\det(sI - A + BK_f)",
+            "p_k",
             "characteristic polynomial with unknown gains `k1`, `k2`… (one input)",
             MATCHING,
             True,
