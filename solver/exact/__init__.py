@@ -18,7 +18,7 @@ from solver.exact.functions import MatrixFunction, exponential, interpolation_co
 from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response, reached_in
 from solver.exact.inequalities import Generator, generator_of, sign_of
 from solver.exact.interpolation import Condition, interpolation
-from solver.exact.long_run import Peak, horizon
+from solver.exact.long_run import Peak, constant_root, decays, horizon
 from solver.exact.luenberger import CompanionCoordinates, controllable_coordinates, observable_coordinates
 from solver.exact.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
@@ -58,7 +58,7 @@ from solver.exact.placement import (
 )
 from solver.exact.pole_placement import ackermann, controllability_matrix
 from solver.exact.rank_conditions import CriticalValues, critical_values, rank_conditions, telling_minors
-from solver.exact.rational import RationalMatrix, between
+from solver.exact.rational import RationalMatrix, between, resolvent_matrix
 from solver.exact.realization import (
     Realization,
     common_denominators,
@@ -97,7 +97,7 @@ from solver.exact.structure import (
 )
 from solver.exact.tracking import added, at_rest, with_integrators
 from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
-from solver.exact.transforms import pairs_for, partial_fractions, resolvent, transform_pairs
+from solver.exact.transforms import Denominators, pairs_for, partial_fractions, resolvent, transform_pairs
 
 __all__ = [
     "SPECIFICATIONS",
@@ -108,6 +108,7 @@ __all__ = [
     "ControllablePart",
     "CriticalValues",
     "Decomposition",
+    "Denominators",
     "Direction",
     "Eigenspace",
     "Eigenstructure",
@@ -159,6 +160,7 @@ __all__ = [
     "combine",
     "common_denominators",
     "companion_rows",
+    "constant_root",
     "controllability_matrix",
     "controllable_coordinates",
     "controllable_decomposition",
@@ -166,6 +168,7 @@ __all__ = [
     "controllable_part",
     "controllable_realization",
     "critical_values",
+    "decays",
     "definiteness",
     "definiteness_of_numbers",
     "descending_form",
@@ -233,6 +236,7 @@ __all__ = [
     "read_inputs",
     "real_and_imaginary",
     "resolvent",
+    "resolvent_matrix",
     "response",
     "riccati",
     "roots_of",

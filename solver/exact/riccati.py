@@ -23,19 +23,11 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.fields import NotExact, domain_matrix, matrix_of
 from solver.exact.pole_placement import controllability_matrix
-from solver.exact.spectral_factor import (
-    DIGITS,
-    WORKING_DIGITS,
-    Choice,
-    Coefficients,
-    Group,
-    combinations,
-    decimal_polynomial,
-    exact_polynomial,
-    groups_of,
-)
-from solver.exact.spectrum import irreducible_factors, spectrum
-from solver.exact.square_roots import Nested, RootTower
+from solver.exact.root_choices import DIGITS, WORKING_DIGITS, Choice
+from solver.exact.spectral_factor import Group, combinations, decimal_polynomial, exact_polynomial, groups_of
+from solver.exact.spectrum import irreducible_factors
+from solver.exact.structure import HiddenPart, hidden_part
+from solver.exact.tower_matrices import polynomial_at, shown, solved
 
 MOST_SOLUTIONS = 64
 LARGEST_NUMBER = 10**5
@@ -68,7 +60,7 @@ class RiccatiSolution:
 
 @dataclass(frozen=True)
 class Riccati:
-    """The equation for A, G, Q (n×n) with its Hamiltonian matrix H; `unreached` is the dynamics that B leaves alone.
+    """The equation for A, G, Q (n×n) with its Hamiltonian matrix H, and the groups of the roots of its χ.
 
     `fixed` says of each group whether its roots can't be flipped, `endless` whether it makes the solutions a continuum.
     """
@@ -120,7 +112,7 @@ class Riccati:
             return sp.ImmutableMatrix((W * P).expand())
         tower, coefficients = found
         K = tower.K
-        entries = _solved(tower, _polynomial_at(tower, coefficients, domain_matrix(self.H)))
+        entries = solved(tower, polynomial_at(tower, coefficients, domain_matrix(self.H)))
         weights = domain_matrix(W).convert_to(K.unify(domain_matrix(W).domain))
         if weights.domain != K:
             return sp.ImmutableMatrix((W * P).expand())
@@ -128,7 +120,7 @@ class Riccati:
             [reduce(tower.add, (tower.scale(w, entries[k][j]) for k, w in enumerate(row))) for j in range(self.order)]
             for row in weights.to_list()
         ]
-        return sp.ImmutableMatrix([[_shown(tower, entry) for entry in row] for row in rows])
+        return sp.ImmutableMatrix([[shown(tower, entry) for entry in row] for row in rows])
 
     def polynomial_of_hamiltonian(self, solution: RiccatiSolution) -> sp.ImmutableMatrix | None:
         """p(H) (2n×2n), exact, or None where p is decimal."""
@@ -136,7 +128,7 @@ class Riccati:
         if found is None:
             return None
         tower, coefficients = found
-        E = _polynomial_at(tower, coefficients, domain_matrix(self.H))
+        E = polynomial_at(tower, coefficients, domain_matrix(self.H))
         return sp.ImmutableMatrix([[tower.expression(entry) for entry in row] for row in E])
 
     @cached_property
@@ -171,10 +163,10 @@ class Riccati:
         found = exact_polynomial(H.domain, choices)
         if found is not None:
             tower, coefficients = found
-            entries = _solved(tower, _polynomial_at(tower, coefficients, H))
-            P = [[_shown(tower, entry) for entry in row] for row in entries]
+            entries = solved(tower, polynomial_at(tower, coefficients, H))
+            P = [[shown(tower, entry) for entry in row] for row in entries]
             if self.H.free_symbols or all(map(_readable, chain.from_iterable(P))):
-                p = tuple(_shown(tower, c) for c in coefficients)
+                p = tuple(shown(tower, c) for c in coefficients)
                 return RiccatiSolution(sp.ImmutableMatrix(P), p, flips, True, choices, radicand)
         if self.H.free_symbols:
             raise NotExact("The solution has no usable form with parameters. Give them values.")
@@ -205,11 +197,13 @@ def riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix,
 def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> Riccati:
     G = weighted_input(B, R)
     H = sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[A, -G], [-Q, -A.T]])))
-    unreached = _unreached(A, B)
-    _require_stabilizable(unreached)
+    hidden = hidden_part(A, B)
+    unstable = [mode for mode in hidden.spectrum.eigenvalues if not _stable(mode)] if hidden else []
+    if unstable:
+        raise NotStabilizable(unstable)
     groups = tuple(groups_of(irreducible_factors(H)))
     K = domain_matrix(H)
-    shared = [_shared(group, K, unreached) for group in groups]
+    shared = [_shared(group, K, hidden) for group in groups]
     fixed = tuple(reached == 0 for _, reached in shared)
     endless = tuple(own > 1 and reached > 0 for own, reached in shared)
     return Riccati(A, G, Q, H, groups, fixed, endless)
@@ -227,31 +221,10 @@ def weighted_transpose(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.Immut
     return matrix_of(wide[:, : R.rows].lu_solve(wide[:, R.rows :]))
 
 
-def _unreached(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> sp.ImmutableMatrix | None:
-    """The dynamics w' = A_u w of the combinations w of states that the input does not reach; None if there are none."""
-    reach = domain_matrix(controllability_matrix(A, B))
-    W = reach.transpose().nullspace()
-    if W.shape[0] == 0:
-        return None
-    W, M = W.unify(domain_matrix(A))
-    # W A = A_u W, so A_u = (W A Wᵀ) (W Wᵀ)⁻¹
-    return matrix_of((W * W.transpose()).lu_solve((W * M * W.transpose()).transpose()).transpose())
-
-
-def _require_stabilizable(unreached: sp.ImmutableMatrix | None) -> None:
-    """Raise NotStabilizable if a mode that the input does not reach is not asymptotically stable."""
-    if unreached is None:
-        return
-    bad = [root for root in spectrum(unreached).eigenvalues if not _stable(root)]
-    if bad:
-        raise NotStabilizable(bad)
-
-
 def _stable(root: sp.Expr) -> bool:
     """Whether the real part is negative; raises NotExact where parameters leave it open."""
-    real = sp.re(root) if not root.free_symbols else root
     if not root.free_symbols:
-        return bool(sp.N(real, 30) < 0)
+        return bool(sp.N(sp.re(root), DIGITS) < 0)
     if root.is_negative or root.is_nonnegative:
         return bool(root.is_negative)
     raise NotExact(
@@ -260,12 +233,10 @@ def _stable(root: sp.Expr) -> bool:
     )
 
 
-def _shared(group: Group, H: DomainMatrix, unreached: sp.ImmutableMatrix | None) -> tuple[int, int]:
+def _shared(group: Group, H: DomainMatrix, hidden: HiddenPart | None) -> tuple[int, int]:
     """Return how many independent eigenvectors an eigenvalue of the group has, and how many of these are reached."""
     own = 1 if group.multiplicity == 1 else _nullity(group.factor, H)
-    lost = 0
-    if unreached is not None and not group.even:
-        lost = _nullity(group.factor, domain_matrix(unreached))
+    lost = _nullity(group.factor, domain_matrix(hidden.H)) if hidden and not group.even else 0
     return own, own - lost
 
 
@@ -278,46 +249,6 @@ def _nullity(q: sp.Poly, M: DomainMatrix) -> int:
     for c in q.set_domain(K).rep.to_list():
         value = value * M + identity * K.convert(c)
     return int((M.shape[0] - value.rank()) // q.degree())
-
-
-def _polynomial_at(tower: RootTower, coefficients: Coefficients, H: DomainMatrix) -> list[list[Nested]]:
-    """p(H) over the tower: for each product of roots the polynomial of its coefficients at H, over K."""
-    K, size = tower.K, H.shape[0]
-    width = max(map(len, coefficients))
-    parts = []
-    for index in range(width):
-        value = DomainMatrix.zeros(H.shape, K).to_dense()
-        for c in coefficients:
-            value = value * H
-            if index < len(c) and c[index]:
-                value = value + DomainMatrix.eye(size, K).to_dense() * c[index]
-        parts.append(value.to_list())
-    return [[tuple(part[i][j] for part in parts) for j in range(size)] for i in range(size)]
-
-
-def _solved(tower: RootTower, E: list[list[Nested]]) -> list[list[Nested]]:
-    """P with E₂ P = −E₁ for E = [E₁, E₂] (2n×2n), E₂ of rank n, by elimination over the tower."""
-    n = len(E) // 2
-    rows = [[*row[n:], *map(tower.negative, row[:n])] for row in E]
-    for j in range(n):
-        pivot = next(i for i in range(j, 2 * n) if any(rows[i][j]))
-        rows[j], rows[pivot] = rows[pivot], rows[j]
-        by = tower.inverse(rows[j][j])
-        rows[j] = [tower.multiply(by, x) if any(x) else x for x in rows[j]]
-        for i in range(2 * n):
-            if i != j and any(rows[i][j]):
-                factor = tower.negative(rows[i][j])
-                rows[i] = [
-                    tower.add(x, tower.multiply(factor, y)) if any(y) else x
-                    for x, y in zip(rows[i], rows[j], strict=True)
-                ]
-    return [row[n:] for row in rows[:n]]
-
-
-def _shown(tower: RootTower, element: Nested) -> sp.Expr:
-    """The element as it is written."""
-    found = tower.expression(element)
-    return found if found.free_symbols else sp.expand(found)
 
 
 def _readable(entry: sp.Expr) -> bool:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import sympy as sp
 
@@ -85,9 +84,7 @@ def at_root(f: ScalarFunction, root: Root, order: int) -> tuple[sp.Expr, sp.Expr
 
 def parts(value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Real and imaginary part, all symbols taken as real."""
-    names: dict[Any, Any] = {
-        symbol: sp.Dummy(symbol.name, real=True) for symbol in value.free_symbols if not symbol.is_real
-    }
+    names = {symbol: sp.Dummy(str(symbol), real=True) for symbol in value.free_symbols if not symbol.is_real}
     real, imaginary = _square_roots(value.xreplace(names)).as_real_imag()
     back = {dummy: symbol for symbol, dummy in names.items()}
     return multiplied_out(real).xreplace(back), multiplied_out(imaginary).xreplace(back)

@@ -32,8 +32,8 @@ class Regulator:
     def of(A: Any, B: Any, Q: Any, R: Any, *, dual: bool = False) -> Regulator:
         """Return the problem, with weights taken as positive."""
         positive = {s: sp.Symbol(s.name, positive=True) for s in own_weights(Q, R)}
-        matrices = (sp.ImmutableMatrix(M.xreplace(positive)) for M in (A, B, Q, R))
-        return Regulator(*matrices, dual, {new: old for old, new in positive.items()})
+        A, B, Q, R = (sp.ImmutableMatrix(M.xreplace(positive)) for M in (A, B, Q, R))
+        return Regulator(A, B, Q, R, dual, {new: old for old, new in positive.items()})
 
     def restored(self, value: Any) -> Any:
         """Return a result in the symbols of the problem."""
