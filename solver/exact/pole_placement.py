@@ -21,8 +21,9 @@ Integers = list[int]
 
 def controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
     """Return [B, AB, …, Aⁿ⁻¹B] (n × nm) for A n×n and B n×m; raises NotExact."""
-    if _rational(A) and _rational(B):
-        return _integer_controllability_matrix(A, B)
+    flat_A, flat_B = A.flat(), B.flat()  # each costs more than the arithmetic of a small matrix: once is enough
+    if _rational(flat_A) and _rational(flat_B):
+        return _integer_controllability_matrix(flat_A, flat_B, B.cols)
     M, block = domain_matrix(A).unify(domain_matrix(B))
     blocks = [block]
     for _ in range(A.rows - 1):
@@ -38,9 +39,10 @@ def ackermann(A: sp.MatrixBase, b: sp.MatrixBase, coefficients: Sequence[Any]) -
     Raises ZeroDivisionError if (A, b) is not controllable, NotExact for entries without exact arithmetic.
     Source: J. Ackermann, Der Entwurf linearer Regelungssysteme im Zustandsraum, Regelungstechnik 20 (1972).
     """
-    c = sp.Matrix([list(coefficients)]).flat()
-    if _rational(A) and _rational(b) and all(each.is_Rational for each in c):
-        return _rational_gain(A, b, c)
+    c: list[Any] = [each if isinstance(each, sp.Expr) else sp.Rational(each) for each in coefficients]
+    flat_A, flat_b = A.flat(), b.flat()
+    if _rational(flat_A) and _rational(flat_b) and _rational(c):
+        return _rational_gain(flat_A, flat_b, c)
     if any(each.has(sp.Float, sp.Function, sp.NumberSymbol) for each in c):
         return _gain_of_any_coefficients(A, b, c)
     return _gain(A, b, c)
@@ -79,8 +81,8 @@ def _gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Expr]) -> sp.Immuta
     return matrix_of(row)
 
 
-def _rational(M: sp.MatrixBase) -> bool:
-    return all(entry.is_Rational for entry in M.flat())
+def _rational(entries: Sequence[sp.Expr]) -> bool:
+    return all(entry.is_Rational for entry in entries)
 
 
 def _common_denominator(numbers: Sequence[sp.Rational]) -> int:
@@ -91,21 +93,20 @@ def _integers(numbers: Sequence[sp.Rational], denominator: int) -> Integers:
     return [int(x.p) * (denominator // int(x.q)) for x in numbers]
 
 
-def _integer_rows(M: sp.MatrixBase) -> tuple[list[Integers], int]:
-    """Return F (rows of integers) and f with M = F/f."""
-    flat, width = M.flat(), M.cols
+def _integer_rows(flat: Sequence[sp.Rational], width: int) -> tuple[list[Integers], int]:
+    """Return F (rows of integers) and f with M = F/f, for the entries of M row by row."""
     f = _common_denominator(flat)
     F = _integers(flat, f)
-    return [F[i * width : (i + 1) * width] for i in range(M.rows)], f
+    return [F[i : i + width] for i in range(0, len(F), width)], f
 
 
 def _times(F: list[Integers], v: Integers) -> Integers:
     return [sum(map(mul, row, v)) for row in F]
 
 
-def _integer_controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
-    n, m = B.shape
-    (F, f), (G, h) = _integer_rows(A), _integer_rows(B)
+def _integer_controllability_matrix(A: Sequence[sp.Rational], B: Sequence[sp.Rational], m: int) -> sp.ImmutableMatrix:
+    n = len(B) // m
+    (F, f), (G, h) = _integer_rows(A, n), _integer_rows(B, m)
     vectors = [list(column) for column in zip(*G, strict=True)]
     columns: list[list[sp.Rational]] = []
     scale = h
@@ -115,11 +116,12 @@ def _integer_controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.Im
     return sp.ImmutableMatrix(n, n * m, [columns[j][i] for i in range(n) for j in range(n * m)])
 
 
-def _rational_gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Rational]) -> sp.ImmutableMatrix:
+def _rational_gain(A: Sequence[sp.Rational], b: Sequence[sp.Rational], c: Sequence[sp.Rational]) -> sp.ImmutableMatrix:
     """Ackermann's formula in integers: with q = Q/d and r = R/(d fᵏ) the rows of Horner's rule are integers."""
-    n = A.rows
-    (F, f), (g, h) = _integer_rows(A), _integer_rows(b)
-    krylov = [[x for (x,) in g]]
+    n = len(b)
+    F, f = _integer_rows(A, n)
+    h = _common_denominator(b)
+    krylov = [_integers(b, h)]
     for _ in range(n - 1):
         krylov.append(_times(F, krylov[-1]))
     Q, d = _last_solution(krylov)
@@ -130,7 +132,8 @@ def _rational_gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Rational])
         scale *= f
         R = [sum(map(mul, R, column)) + weight * scale * x for column, x in zip(columns, Q, strict=True)]
     factor = f ** (n - 1) * h  # Fⁿ⁻¹g = fⁿ⁻¹h Aⁿ⁻¹b
-    return sp.ImmutableMatrix(1, n, [sp.Rational(x * factor, d * e * scale) for x in R])
+    gain = DomainMatrix([[sp.QQ(x * factor, d * e * scale) for x in R]], (1, n), sp.QQ)
+    return gain.to_Matrix().as_immutable()  # faster than from expressions
 
 
 def _last_solution(rows: list[Integers]) -> tuple[Integers, int]:
