@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -45,6 +46,43 @@ def transform_pairs(
 ) -> list[tuple[sp.Expr, sp.Expr]]:
     """The pairs for the partial fractions of (xI − A)⁻¹; in discrete time the images carry the factor z."""
     return pairs_for(resolvent_matrix(A), x, time, discrete=discrete)
+
+
+@dataclass(frozen=True)
+class Denominators:
+    """What the partial fractions of an image have below: (x − λ)ʲ, and quadratics p = (x − σ)² + ω² as (p, σ, ω)."""
+
+    simple: bool
+    repeated: bool
+    quadratics: tuple[tuple[sp.Expr, sp.Expr, sp.Expr], ...]
+    alone: bool
+
+    @property
+    def named(self) -> dict[str, Any]:
+        """What the wording of partial fractions asks."""
+        return {
+            "simple": self.simple,
+            "repeated": self.repeated,
+            "quadratic": bool(self.quadratics),
+            "alone": self.alone,
+        }
+
+    @classmethod
+    def of(cls, image: RationalMatrix, x: sp.Symbol) -> Denominators:
+        """Those of the factors that do not cancel; `alone`: there is one quadratic and nothing else."""
+        simple = repeated = False
+        quadratics = []
+        for each, highest in image.poles:
+            first = each.factor.roots[0]
+            if keeps_quadratic(each.factor):
+                if first.kind == "complex":
+                    quadratics.append((each.factor.polynomial(x), first.sigma, first.shift))
+                continue
+            pairs = [root for root in each.factor.roots if is_simple_decimal_pair(root)]
+            quadratics += [(decimal_quadratic(root, x), root.sigma, root.shift) for root in pairs if root.shift > 0]
+            simple, repeated = simple or len(pairs) < len(each.factor.roots), repeated or highest > 1
+        alone = len(image.poles) == 1 and keeps_quadratic(image.poles[0][0].factor) and image.poles[0][1] == 1
+        return cls(simple, repeated, tuple(quadratics), alone)
 
 
 def pairs_for(image: RationalMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> list[tuple[sp.Expr, sp.Expr]]:

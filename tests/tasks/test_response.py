@@ -119,6 +119,54 @@ def test_the_peak_of_an_underdamped_step_response_is_exact():
     assert sp.simplify(result.answers["y_peak"] - 1 - e(-sp.pi / sp.sqrt(3))) == 0
 
 
+def under_damped(offset=0):
+    m, sigma, omega = sp.symbols("m sigma omega", positive=True)
+    plant = system([[0, 1], [-(sigma**2) - omega**2, -2 * sigma]], B=[0, 1 / m], C=[[1, 0]], D=[[offset]])
+    return plant, m, sigma, omega
+
+
+def test_the_peak_of_an_underdamped_step_response_with_parameters_is_the_formula_of_the_overshoot():
+    plant, m, sigma, omega = under_damped()
+    result = respond(plant, u=1, kind="zero_state")
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["t_peak"] == sp.pi / omega
+    wanted = (1 + e(-sp.pi * sigma / omega)) / (m * (sigma**2 + omega**2))
+    assert sp.simplify(result.answers["y_peak"] - wanted) == 0
+
+
+def test_no_peak_is_claimed_where_parameters_decide_which_extremum_is_the_largest():
+    plant, *_ = under_damped(offset=1)
+    assert "y_peak" not in respond(plant, u=1, kind="zero_state").answers
+    plant, m, *_ = under_damped()
+    assert "y_peak" not in respond(plant, u=1, x0=[m, 0]).answers
+    d = sp.Symbol("d", positive=True)
+    assert "y_peak" not in respond(system([[0, 1], [-1, -d]], B=[0, 1], C=[[1, 0]], D=[[0]]), u=1).answers
+
+
+def test_wrong_peaks_with_parameters_are_rejected():
+    plant, m, sigma, omega = under_damped()
+    options = {"kind": "zero_state", "input": (sp.Integer(1),)}
+    assert not rejected("response", plant, {"t_peak": sp.pi / omega}, **options)
+    assert rejected("response", plant, {"t_peak": sp.pi / sigma}, **options)
+    undershoot = (1 - e(-sp.pi * sigma / omega)) / (m * (sigma**2 + omega**2))
+    assert rejected("response", plant, {"y_peak": undershoot}, **options)
+
+
+def test_denominators_with_parameters_show_their_common_factors():
+    plant, *_ = under_damped()
+    answers = respond(plant, u=1, kind="zero_state").answers
+    assert str(answers["y_final"]) == "1/(m*(omega**2 + sigma**2))"
+    assert "m*omega**2" not in str(answers["y"])
+
+
+def test_what_keeps_a_response_from_a_limit_is_named():
+    integrator = system([[0, 1], [0, -2]], B=[0, 1], C=[[1, 0]], D=[[0]])
+    last = [step for step in respond(integrator, u=1, kind="zero_state").steps if step.kind == "behaviour"][-1]
+    assert last.values["lasting"] == [(0, 2)]
+    last = [step for step in respond(LAG, u=sp.sin(2 * t)).steps if step.kind == "behaviour"][-1]
+    assert {value for value, _ in last.values["lasting"]} == {2 * sp.I, -2 * sp.I}
+
+
 def test_the_peak_of_several_modes_is_found_in_decimals():
     result = respond(CIRCUIT, u=e(-2 * t))
     assert result.status is Status.VERIFIED, result.reason
@@ -314,3 +362,13 @@ def test_every_claim_and_check_passes(plant, method):
     result = respond(plant, method, u=1 + t * e(-t))
     assert {check.status for check in result.checks} <= {CheckStatus.PASSED, CheckStatus.SKIPPED}
     assert sum(check.status is CheckStatus.PASSED for check in result.checks) > 8
+
+
+def test_a_quadratic_denominator_is_completed_to_the_squares_of_the_table():
+    steps = {each.kind: each for each in respond(CIRCUIT, "laplace", x0=[1, 0], kind="zero_input").steps}
+    (square,) = steps["completed_squares"].claims.values()
+    s = sp.Symbol("s")
+    assert square.left == s**2 + 10 * s + 100
+    assert steps["completed_squares"].values["pairs"] == [(-5, 5 * sp.sqrt(3))]
+    assert steps["partial_fractions"].values["alone"]
+    assert "completed_squares" not in [each.kind for each in respond(SCALE, "laplace", x0=[1, 0]).steps]

@@ -183,3 +183,20 @@ def test_every_claim_and_check_of_the_course_example_passes(method):
     result = ask("state_transition_matrix", system([[0, 1], [-2, -3]]), method)
     assert len(result.checks) > 3
     assert {check.status for check in result.checks} == {CheckStatus.PASSED}
+
+
+@pytest.mark.parametrize(
+    ("rows", "expected"),
+    [
+        ([[0, 1], [-2, -3]], (True, False, False, False)),
+        ([[-1, 1], [0, -1]], (True, True, False, False)),
+        ([[0, 1], [-100, -10]], (False, False, True, True)),
+        ([[-1, 0, 0], [0, 0, 1], [0, -4, 0]], (True, False, True, False)),
+        ([[0, 1, 0], [0, 0, 1], [-6, -5, -2]], (True, False, True, False)),
+    ],
+)
+def test_the_partial_fractions_are_explained_by_the_poles_there_are(rows, expected):
+    steps = {each.kind: each for each in ask("state_transition_matrix", system(rows), "laplace").steps}
+    values = steps["partial_fractions"].values
+    assert tuple(values[name] for name in ("simple", "repeated", "quadratic", "alone")) == expected
+    assert ("completed_squares" in steps) == expected[2]

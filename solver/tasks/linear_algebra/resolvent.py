@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import adjugate, inverse, inverse_laplace, inverse_z, quotient, total
+from solver.derivation.stated import adjugate, inverse, inverse_laplace, inverse_z, power, quotient, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
@@ -41,6 +41,7 @@ def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatr
             "entries": Claim(quotient(adj, chi), inverted, "entries of the inverse"),
         },
         x=x,
+        cancels=any(sp.degree(sp.fraction(a)[1], x) < A.rows for a in inverted.flat() if a != 0),
     )
     return inverted
 
@@ -57,14 +58,33 @@ def partial_fractions_of(A: ImmutableMatrix, x: Symbol) -> Derivation[Any]:
         x=x,
         terms=terms,
         exceptions=exact.spectrum(A).exceptions,
+        **exact.Denominators.of(exact.resolvent_matrix(A), x).named,
     )
     return expansion
+
+
+@lemma("resolvent")
+def completed_squares_of(image: exact.RationalMatrix, x: Symbol) -> Derivation[None]:
+    """Quadratic denominators as (x − σ)² + ω², as the tables have them; no step where there are none."""
+    quadratics = exact.Denominators.of(image, x).quadratics
+    if quadratics:
+        yield Step(
+            "completed_squares",
+            claims={
+                f"square{i}": Claim(p, total(power(x - sigma, 2), omega**2), "completed square")
+                for i, (p, sigma, omega) in enumerate(quadratics, 1)
+            },
+            detail="full",
+            x=x,
+            pairs=[(sigma, omega) for _, sigma, omega in quadratics],
+        )
 
 
 @lemma("resolvent")
 def transform_pairs_of(A: ImmutableMatrix, x: Symbol, time: Symbol, *, discrete: bool) -> Derivation[None]:
     """List the transform pairs that the partial fractions need; in discrete time the images carry the factor z."""
     pairs = exact.transform_pairs(A, x, time, discrete=discrete)
+    yield from completed_squares_of(exact.resolvent_matrix(A), x)
     invert = inverse_z if discrete else inverse_laplace
     yield Step(
         "pairs",

@@ -22,7 +22,12 @@ from solver.derivation.stated import (
 )
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
+from solver.tasks.linear_algebra.resolvent import (
+    completed_squares_of,
+    inverse_of_pencil,
+    partial_fractions_of,
+    transform_pairs_of,
+)
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -177,7 +182,9 @@ def _transformed_back(
         claims={"expansion": Claim(column, expansion, "partial fractions")},
         cancelled=[each.factor for each in image.residues if each not in [pole for pole, _ in image.poles]],
         **names,
+        **exact.Denominators.of(image, s).named,
     )
+    yield from completed_squares_of(image, s)
     invert = inverse_z if discrete else inverse_laplace
     pairs = exact.pairs_for(image, s, t, discrete=discrete)
     yield Step(
@@ -344,9 +351,22 @@ def behaviour(asked: Question) -> Step:
         peak=peak,
         final=None if found.y_final is None else _unwrapped(found.y_final),
         hidden=_hidden_modes(asked),
+        lasting=[] if found.y_final is not None else _lasting_poles(asked),
+        variable=s,
         plotted=figure is not None,
         single=image is not None and image.shape == (1, 1),
     )
+
+
+def _lasting_poles(asked: Question) -> list[tuple[Any, int]]:
+    """The poles of Y, and how often, that keep y from a limit: neither do they die out nor are they one constant."""
+    poles = [pole for _, each in asked.answer.pieces if each.y is not None for pole in each.y.poles]
+    found: dict[Any, int] = {}
+    for each, order in poles:
+        constant = exact.constant_root(each.factor, discrete=asked.discrete) and order == 1
+        if not constant and not exact.decays(each.factor, discrete=asked.discrete):
+            found |= {root.value: max(order, found.get(root.value, 0)) for root in each.factor.roots}
+    return list(found.items())
 
 
 def _hidden_modes(asked: Question) -> list[Any]:
