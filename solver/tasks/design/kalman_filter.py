@@ -9,15 +9,17 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import difference, inverse, product
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
-from solver.tasks.design.regulator import Regulator, faulty_weights
-from solver.tasks.design.riccati import solution_by_hamiltonian, solutions_by_equations
+from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
+from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
+    equations_check,
     gain_check,
     listed_checks,
     loop_check,
     spectrum_check,
     stabilizing_checks,
 )
+from solver.tasks.design.riccati_solutions import LISTED, listed_answers, solutions_by_equations
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -41,16 +43,7 @@ kalman_filter = Task(
         AnswerName("L", "L_c", "the gain of the filter, n×p"),
         AnswerName("error_A", "A - L_cC", "A − LC, the matrix of the error"),
         AnswerName("eigenvalues", r"\lambda_i", "eigenvalues of A − LC"),
-        AnswerName("equations", r"\text{equations}", "expressions in p11, p12, … that are zero", ("riccati",)),
-        AnswerName("solutions", r"P_i", "all real symmetric solutions", ("riccati",), optional=True),
-        AnswerName(
-            "definiteness",
-            r"\text{definiteness}",
-            "what each solution is, in order",
-            ("riccati",),
-            optional=True,
-            ordered=True,
-        ),
+        *LISTED,
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},
 )
@@ -66,9 +59,7 @@ def wrong_intensities(_system: Any, options: Mapping[str, Any]) -> Iterable[tupl
 
 def _intensities(given: Given) -> tuple[ImmutableMatrix, ImmutableMatrix]:
     """Q and R, identity matrices where they are not given."""
-    n, p = given.system.order, given.system.C.rows
-    Q = given.Q if given.Q is not None else sp.ImmutableMatrix(sp.eye(n))
-    return Q, given.R if given.R is not None else sp.ImmutableMatrix(sp.eye(p))
+    return given_or_identity(given.Q, given.system.order), given_or_identity(given.R, given.system.C.rows)
 
 
 @lemma("kalman_gain")
@@ -96,10 +87,7 @@ def by_the_riccati_equation(given: Given) -> Derivation[Answers]:
     problem = yield from _duality(given)
     equation, listed = yield from solutions_by_equations(problem)
     answers = yield from _filter(problem, equation)
-    answers["equations"] = problem.restored(listed.equations)
-    if listed.solutions is not None:
-        answers["solutions"] = problem.restored(listed.solutions)
-        answers["definiteness"] = listed.definiteness
+    answers |= listed_answers(problem, listed)
     return answers
 
 
@@ -171,11 +159,7 @@ def are_the_stable_eigenvalues(given: Given, answers: Answers) -> Iterable[Check
 @kalman_filter.verification("equations")
 def are_the_entries_of_the_equation(given: Given, answers: Answers) -> Iterable[Check]:
     """The entries of AP + PAᵀ − P Cᵀ R⁻¹ C P + Q, in any order and scale."""
-    yield numeric.check_residual(
-        "the entries of the Riccati equation at random $P$",
-        "random points",
-        lambda: numeric.equations_residual(_problem(given), answers["equations"]),
-    )
+    yield equations_check(_problem(given), answers["equations"])
 
 
 @kalman_filter.verification("solutions", "definiteness")

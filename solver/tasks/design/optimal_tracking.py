@@ -16,13 +16,12 @@ from solver.derivation import (
     Option,
     Step,
     Task,
-    Unsolved,
 )
 from solver.derivation.figures import Diagram
 from solver.derivation.stated import inverse, product
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
-from solver.tasks.design.regulator import Regulator, faulty_weights
+from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import FLOATS, gain_check
 from solver.tasks.design.set_point import equations_of_rest, reference_gain, set_point_checks, set_point_of
@@ -53,28 +52,27 @@ optimal_tracking = Task(
 
 
 @optimal_tracking.refusal
-def wrong_weights(_system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
-    """Weights and gain together, neither, or weights that are not definite as they must be."""
+def wrong_weights(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+    """Weights and gain together, neither, or weights that are not definite or not for this kind of time."""
     weights = [name for name in ("Q", "R") if name in options]
     if "gain" in options and weights:
         yield "gain", f"the gain is given twice: by itself, and by the weight {weights[0]}"
     if "gain" not in options and not weights:
         yield "", "say how K is found: give the weights Q and R, or the gain"
+    if "gain" not in options and weights and system.discrete:
+        yield weights[0], "the optimal gain is found in continuous time only; in discrete time give the gain"
     yield from faulty_weights(options)
 
 
 def _weights(given: Given) -> tuple[ImmutableMatrix, ImmutableMatrix]:
     """Q and R, identity matrices where they are not given."""
-    Q = given.Q if given.Q is not None else sp.ImmutableMatrix(sp.eye(given.system.order))
-    return Q, given.R if given.R is not None else sp.ImmutableMatrix(sp.eye(given.system.B.cols))
+    return given_or_identity(given.Q, given.system.order), given_or_identity(given.R, given.system.B.cols)
 
 
 @optimal_tracking.method(source="Lecture note, section 5.4")
 def around_a_set_point(given: Given) -> Derivation[Answers]:
     """Solve for the set point (x_d, u_d) and feed back the deviations from it."""
     plant, K = given.system, given.gain
-    if K is None and plant.discrete:
-        raise Unsolved("The Riccati equation of discrete time is not solved here. Give the gain.")
     found = yield from set_point_of(plant)
     if K is None:
         K = yield from _optimal_gain(given)

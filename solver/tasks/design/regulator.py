@@ -79,6 +79,11 @@ def _sign_carriers(entry: Expr) -> set[Symbol]:
     return set(unknown) if len(unknown) == 1 else set()
 
 
+def given_or_identity(weight: ImmutableMatrix | None, size: int) -> ImmutableMatrix:
+    """Return a weight, or the identity matrix where none is given."""
+    return weight if weight is not None else sp.ImmutableMatrix(sp.eye(size))
+
+
 def faulty_weights(options: Mapping[str, Any], own: str = "Q") -> Iterable[tuple[str, str]]:
     """Yield what is wrong with the weights Q and R as the file gives them."""
     Q, R = options.get(own), options.get("R")

@@ -1,9 +1,7 @@
-"""The algebraic Riccati equation as lemmas: all solutions entry by entry, or the stabilizing one by the Hamiltonian."""
+"""The algebraic Riccati equation as a lemma: its stabilizing solution by the Hamiltonian matrix."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
@@ -11,20 +9,9 @@ from solver.derivation.stated import determinant, difference, inverse, power, pr
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.design.regulator import Regulator
-from solver.tasks.design.riccati_cases import cases_of
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
-
-
-@dataclass(frozen=True)
-class Listed:
-    """What the equation method finds: the equations, all solutions and what each is; None where they are endless."""
-
-    P: ImmutableMatrix
-    equations: list[Expr]
-    solutions: list[ImmutableMatrix] | None
-    definiteness: list[str] | None
 
 
 def riccati_of(problem: Regulator) -> exact.Riccati:
@@ -59,57 +46,6 @@ def _on_the_axis(dual: bool, factor: Expr) -> str:
     )
 
 
-@lemma("riccati_equations")
-def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati, Listed]]:
-    """Write the equation entry by entry, list all symmetric solutions, choose the stabilizing one."""
-    n, names = problem.A.rows, problem.names
-    P = unknown_matrix(n)
-    left = entries_of_equation(problem, P)
-    stated = difference(problem.linear_part(P), problem.quadratic_part(P))
-    yield Step("unknown", claims={"entries": Claim(stated, left, "the Riccati equation entry by entry")}, P=P, **names)
-    pairs = [(i, j) for i in range(n) for j in range(i, n)]
-    equations = [left[i, j] for i, j in pairs]
-    yield Step(
-        "equations",
-        unclaimed="the entries on and above the diagonal, as found before",
-        rows=[(i + 1, j + 1, equation) for (i, j), equation in zip(pairs, equations, strict=True)],
-    )
-    equation = riccati_of(problem)
-    if equation.count is None:
-        yield from _splitting(problem, equation, solved=False)
-        yield from _endless(problem, equation)
-        return equation, Listed(P, equations, None, None)
-    always = [each for each in equation.solutions if each.radicand is None]
-    conditional = [each for each in equation.solutions if each.radicand is not None]
-    solved = yield from cases_of(P, equations, [*always, *conditional])
-    yield from _splitting(problem, equation, solved=solved)
-    for number, each in enumerate(always, 1):
-        yield _solution(problem, each, number, len(always))
-    if conditional:
-        yield _conditional(problem, conditional)
-    words = [definiteness_of(equation, each) for each in always]
-    yield Step(
-        "definiteness",
-        unclaimed="definiteness is a matter of signs, not an equality; the verification judges it",
-        words=words,
-        exact=all(each.exact for each in always),
-    )
-    yield _choice(problem, always, words)
-    return equation, Listed(P, equations, [each.P for each in always], words)
-
-
-def unknown_matrix(n: int) -> ImmutableMatrix:
-    """The symmetric matrix of p11, p12, … (with an underscore between the indices from n = 10 on)."""
-    between = "" if n < 10 else "_"
-    return sp.ImmutableMatrix(n, n, lambda i, j: sp.Symbol(f"p{min(i, j) + 1}{between}{max(i, j) + 1}"))
-
-
-def entries_of_equation(problem: Regulator, P: ImmutableMatrix) -> ImmutableMatrix:
-    """AᵀP + PA − P B R⁻¹ Bᵀ P + Q multiplied out."""
-    G = exact.weighted_input(problem.B, problem.R)
-    return sp.ImmutableMatrix((problem.A.T * P + P * problem.A - P * G * P + problem.Q).expand())
-
-
 def hamiltonian_step(problem: Regulator, equation: exact.Riccati) -> Step:
     """H, its characteristic polynomial and the factors of that."""
     s, n = sp.Symbol("s"), equation.order
@@ -132,15 +68,6 @@ def hamiltonian_step(problem: Regulator, equation: exact.Riccati) -> Step:
     return Step("hamiltonian", claims=claims, H=equation.H, n=n, chi=chi, **problem.names)
 
 
-@lemma("riccati_equations")
-def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> Derivation[None]:
-    """Where the solutions come from: the factors of degree n of det(sI − H)."""
-    step = hamiltonian_step(problem, equation)
-    yield Step(
-        "splitting", claims=step.claims, count=equation.count, solved=solved, fixed=any(equation.fixed), **step.values
-    )
-
-
 def polynomial_of(solution: exact.RiccatiSolution) -> Expr:
     """p(s) = det(sI − A + BR⁻¹BᵀP)."""
     s, p = sp.Symbol("s"), solution.polynomial
@@ -157,69 +84,6 @@ def loop_polynomial_claim(problem: Regulator, solution: exact.RiccatiSolution) -
     s, G = sp.Symbol("s"), exact.weighted_input(problem.B, problem.R)
     loop = total(product(s, sp.ImmutableMatrix(sp.eye(problem.A.rows))), product(-1, problem.A), product(G, solution.P))
     return Claim(determinant(loop), polynomial_of(solution), "characteristic polynomial of the closed loop")
-
-
-def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, count: int) -> Step:
-    claims = {"residual": residual_claim(problem, solution.P), "polynomial": loop_polynomial_claim(problem, solution)}
-    return Step(
-        "solution",
-        claims=claims,
-        P=solution.P,
-        p=polynomial_of(solution),
-        number=number,
-        count=count,
-        exact=solution.exact,
-        **problem.names,
-    )
-
-
-def _conditional(problem: Regulator, solutions: Sequence[exact.RiccatiSolution]) -> Step:
-    claims = {f"residual{i}": residual_claim(problem, each.P) for i, each in enumerate(solutions, 1)}
-    return Step("conditional", claims=claims, listed=[(each.P, each.radicand) for each in solutions])
-
-
-def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) -> str:
-    """Return the word. With parameters and (A, Q) observable P has as many negative eigenvalues as p unstable roots."""
-    P, n = solution.P, equation.order
-    if not P.free_symbols:
-        return exact.definiteness_of_numbers(P)
-    if equation.observable:
-        return {0: "positive definite", n: "negative definite"}.get(solution.flips, "indefinite")
-    if solution.flips == 0:
-        return "positive semidefinite"
-    return "depends on the parameters"
-
-
-def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
-    first = solutions[0]
-    claims = {"polynomial": loop_polynomial_claim(problem, first)}
-    return Step(
-        "choice",
-        claims=claims,
-        P=first.P,
-        p=polynomial_of(first),
-        others=[polynomial_of(each) for each in solutions[1:]],
-        cheaper=[number for number, word in enumerate(words[1:], 2) if word.startswith("positive")],
-        **problem.names,
-    )
-
-
-def _endless(problem: Regulator, equation: exact.Riccati) -> Derivation[None]:
-    """A continuum of solutions: the stabilizing one, and a family with one parameter where it has a simple form."""
-    first = equation.stabilizing
-    claims = {"residual": residual_claim(problem, first.P), "polynomial": loop_polynomial_claim(problem, first)}
-    family = equation.family(sp.Symbol("tau"))
-    if family is not None:
-        claims["family"] = residual_claim(problem, family[0])
-    yield Step(
-        "endless",
-        claims=claims,
-        P=first.P,
-        p=polynomial_of(first),
-        family=family[0] if family else None,
-        eigenvalue=family[1] if family else None,
-        **problem.names,
-    )
 
 
 @lemma("hamiltonian")

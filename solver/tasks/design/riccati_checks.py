@@ -69,6 +69,15 @@ def spectrum_check(weights: Weights, eigenvalues: Sequence[Any]) -> Check:
     )
 
 
+def equations_check(weights: Weights, equations: Sequence[Any]) -> Check:
+    """They are the entries of the Riccati equation, in any order and scale."""
+    return numeric.check_residual(
+        "the entries of the Riccati equation at random $P$",
+        "random points",
+        lambda: numeric.equations_residual(weights, equations),
+    )
+
+
 def listed_checks(weights: Weights, answers: Any) -> Iterable[Check]:
     """Each of the solutions solves the equation, none is missing, and each word of definiteness is right."""
     solutions = answers.get("solutions")

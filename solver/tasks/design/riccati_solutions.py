@@ -1,0 +1,194 @@
+"""All solutions of a Riccati equation as a lemma: entry by entry, then the choice of the one that stabilizes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from solver.derivation import AnswerName, Answers, Claim, Derivation, Step, lemma
+from solver.derivation.stated import determinant, difference
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.design.regulator import Regulator
+from solver.tasks.design.riccati import (
+    hamiltonian_step,
+    loop_polynomial_claim,
+    polynomial_of,
+    residual_claim,
+    riccati_of,
+)
+from solver.tasks.design.riccati_cases import cases_of
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix
+
+LISTED = (
+    AnswerName("equations", r"\text{equations}", "expressions in p11, p12, … that are zero", ("riccati",)),
+    AnswerName("solutions", r"P_i", "all real symmetric solutions", ("riccati",), optional=True),
+    AnswerName(
+        "definiteness",
+        r"\text{definiteness}",
+        "what each solution is, in order",
+        ("riccati",),
+        optional=True,
+        ordered=True,
+    ),
+)
+"""The answers of the method `riccati` beside the stabilizing solution."""
+
+
+@dataclass(frozen=True)
+class Listed:
+    """What the equation method finds: the equations, all solutions and what each is; None where they are endless."""
+
+    P: ImmutableMatrix
+    equations: list[Expr]
+    solutions: list[ImmutableMatrix] | None
+    definiteness: list[str] | None
+
+
+def listed_answers(problem: Regulator, listed: Listed) -> Answers:
+    """What was listed, in the symbols of the problem."""
+    answers = Answers(equations=problem.restored(listed.equations))
+    if listed.solutions is not None:
+        answers |= {"solutions": problem.restored(listed.solutions), "definiteness": listed.definiteness}
+    return answers
+
+
+@lemma("riccati_equations")
+def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati, Listed]]:
+    """Write the equation entry by entry, list all symmetric solutions, choose the stabilizing one."""
+    n, names = problem.A.rows, problem.names
+    P = unknown_matrix(n)
+    left = entries_of_equation(problem, P)
+    stated = difference(problem.linear_part(P), problem.quadratic_part(P))
+    yield Step("unknown", claims={"entries": Claim(stated, left, "the Riccati equation entry by entry")}, P=P, **names)
+    pairs = [(i, j) for i in range(n) for j in range(i, n)]
+    equations = [left[i, j] for i, j in pairs]
+    yield Step(
+        "equations",
+        unclaimed="the entries on and above the diagonal, as found before",
+        rows=[(i + 1, j + 1, equation) for (i, j), equation in zip(pairs, equations, strict=True)],
+    )
+    equation = riccati_of(problem)
+    if equation.count is None:
+        yield from _splitting(problem, equation, solved=False)
+        yield from _endless(problem, equation)
+        return equation, Listed(P, equations, None, None)
+    always = [each for each in equation.solutions if each.radicand is None]
+    conditional = [each for each in equation.solutions if each.radicand is not None]
+    solved = yield from cases_of(P, equations, [*always, *conditional])
+    yield from _splitting(problem, equation, solved=solved)
+    for number, each in enumerate(always, 1):
+        yield _solution(problem, each, number, len(always))
+    if conditional:
+        yield _conditional(problem, conditional)
+    words = [definiteness_of(equation, each) for each in always]
+    yield _definiteness(always, words)
+    yield _choice(problem, always, words)
+    return equation, Listed(P, equations, [each.P for each in always], words)
+
+
+def unknown_matrix(n: int) -> ImmutableMatrix:
+    """The symmetric matrix of p11, p12, … (with an underscore between the indices from n = 10 on)."""
+    between = "" if n < 10 else "_"
+    return sp.ImmutableMatrix(n, n, lambda i, j: sp.Symbol(f"p{min(i, j) + 1}{between}{max(i, j) + 1}"))
+
+
+def entries_of_equation(problem: Regulator, P: ImmutableMatrix) -> ImmutableMatrix:
+    """AᵀP + PA − P B R⁻¹ Bᵀ P + Q multiplied out."""
+    G = exact.weighted_input(problem.B, problem.R)
+    return sp.ImmutableMatrix((problem.A.T * P + P * problem.A - P * G * P + problem.Q).expand())
+
+
+@lemma("riccati_equations")
+def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> Derivation[None]:
+    """Where the solutions come from: the factors of degree n of det(sI − H)."""
+    step = hamiltonian_step(problem, equation)
+    yield Step(
+        "splitting", claims=step.claims, count=equation.count, solved=solved, fixed=any(equation.fixed), **step.values
+    )
+
+
+def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, count: int) -> Step:
+    claims = {"residual": residual_claim(problem, solution.P), "polynomial": loop_polynomial_claim(problem, solution)}
+    return Step(
+        "solution",
+        claims=claims,
+        P=solution.P,
+        p=polynomial_of(solution),
+        number=number,
+        count=count,
+        exact=solution.exact,
+        **problem.names,
+    )
+
+
+def _conditional(problem: Regulator, solutions: Sequence[exact.RiccatiSolution]) -> Step:
+    claims = {f"residual{i}": residual_claim(problem, each.P) for i, each in enumerate(solutions, 1)}
+    return Step("conditional", claims=claims, listed=[(each.P, each.radicand) for each in solutions])
+
+
+def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) -> str:
+    """Return the word. With parameters and (A, Q) observable P has as many negative eigenvalues as p unstable roots."""
+    P, n = solution.P, equation.order
+    if not P.free_symbols:
+        return exact.definiteness_of_numbers(P)
+    if equation.observable:
+        return {0: "positive definite", n: "negative definite"}.get(solution.flips, "indefinite")
+    if solution.flips == 0:
+        return "positive semidefinite"
+    return "depends on the parameters"
+
+
+def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
+    """The leading minors of every solution, where all have a sign and none is zero; else the words alone."""
+    minors: list[list[tuple[Expr, int]]] = []
+    claims = {}
+    if all(each.exact and not each.P.free_symbols for each in solutions):
+        for number, each in enumerate(solutions, 1):
+            minors.append([])
+            for k in range(1, each.P.rows + 1):
+                block = sp.ImmutableMatrix(each.P[:k, :k])
+                minor = exact.determinant_and_adjugate(block)[0]
+                minors[-1].append((minor, exact.sign_of(minor) or 0))
+                claims[f"minor{k}_{number}"] = Claim(
+                    determinant(block), minor, f"leading minor {k} of $P_{{{number}}}$"
+                )
+    if not minors or any(sign == 0 for each in minors for _, sign in each):
+        reason = "definiteness is a matter of signs, not an equality; the verification judges it"
+        return Step("definiteness", unclaimed=reason, words=words, minors=[])
+    return Step("definiteness", claims=claims, words=words, minors=minors)
+
+
+def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
+    first = solutions[0]
+    claims = {"polynomial": loop_polynomial_claim(problem, first)}
+    return Step(
+        "choice",
+        claims=claims,
+        P=first.P,
+        p=polynomial_of(first),
+        others=[polynomial_of(each) for each in solutions[1:]],
+        cheaper=[number for number, word in enumerate(words[1:], 2) if word.startswith("positive")],
+        **problem.names,
+    )
+
+
+def _endless(problem: Regulator, equation: exact.Riccati) -> Derivation[None]:
+    """A continuum of solutions: the stabilizing one, and a family with one parameter where it has a simple form."""
+    first = equation.stabilizing
+    claims = {"residual": residual_claim(problem, first.P), "polynomial": loop_polynomial_claim(problem, first)}
+    family = equation.family(sp.Symbol("tau"))
+    if family is not None:
+        claims["family"] = residual_claim(problem, family[0])
+    yield Step(
+        "endless",
+        claims=claims,
+        P=first.P,
+        p=polynomial_of(first),
+        family=family[0] if family else None,
+        eigenvalue=family[1] if family else None,
+        **problem.names,
+    )
