@@ -135,7 +135,9 @@ def _methods(part: MappingNode, task: Task, plant: PlantOf) -> tuple[str, ...]:
     fitting = task.methods_for(plant.discrete) if known else list(task.methods)
     time = "discrete" if plant.discrete else "continuous"
     if not fitting:
-        raise part["task"].fault(f"{task.name} cannot be asked of a system in {time} time")
+        other = "continuous" if plant.discrete else "discrete"
+        message = f"{task.name} cannot be asked of a system in {time} time"
+        raise part["task"].fault(message, note=f"its methods ({', '.join(task.methods)}) are for {other} time")
     if "method" not in part:
         return (fitting[0],)
     node = part["method"]

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from solver import solve
 from solver.derivation import Status
+from solver.problem.source import InputError
 
 ONE = sp.ImmutableMatrix([[1]])
 SINGULAR = system([[0, 1], [0, -2]], B=[[0], [1]], C=[[1, 0]])
@@ -81,6 +82,17 @@ def test_what_the_file_shows_to_be_wrong_is_refused(options, words):
     text = f"system: {{A: [[0, 1], [0, 0]], B: [0, 1], C: [1, 0]}}\nfind:\n  a: {{task: optimal_tracking, {options}}}\n"
     with pytest.raises(Exception, match=words):
         solve(text)
+
+
+def test_weights_in_discrete_time_are_refused_at_their_place():
+    text = (
+        "system: {time: discrete, A: [[1, 1], [0, 1]], B: [0, 1], C: [1, 0]}\n"
+        "find:\n  a: {task: optimal_tracking, R: 1}\n"
+    )
+    with pytest.raises(InputError) as refused:
+        solve(text)
+    assert ":3:" in refused.value.render()
+    assert "in discrete time give the gain" in refused.value.render()
 
 
 RIGHT = ask("optimal_tracking", SINGULAR, **ASKED).answers
