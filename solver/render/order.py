@@ -1,7 +1,8 @@
 """The order in which a person writes terms and factors.
 
-Polynomials by falling power; partial fractions and exponentials by decay, the slowest first; cos before sin; terms
-with parameters before numbers; a leading minus only where it can't be helped (or would upset a polynomial).
+Polynomials by falling power (in t, as series are, by rising power); partial fractions and exponentials by decay, the
+slowest first; cos before sin; terms with parameters before numbers; the real part before the imaginary one; a leading
+minus only where it can't be helped (or would upset a polynomial).
 """
 
 from __future__ import annotations
@@ -26,22 +27,40 @@ TIME = frozenset({"t", "k", "tau"})
 def ordered_terms(terms: Iterable[Any]) -> list[Any]:
     """Return the terms of a sum in the order of a person."""
     ranks = sorted(((_rank(term), term) for term in terms), key=lambda pair: pair[0].key)
+    polynomial = all(rank.polynomial for rank, _ in ranks)
+    if polynomial and any(rank.time_degree > 1 for rank, _ in ranks):
+        return [term for rank, term in sorted(ranks, key=lambda pair: pair[0].time_degree)]
     ordered = [term for _, term in ranks]
-    if not is_negative(ordered[0]):
-        return ordered
-    positive = next((i for i, term in enumerate(ordered) if not is_negative(term)), None)
-    if positive is None or all(term.is_number for term in ordered):
-        return ordered
-    if len(ordered) > 2 and all(rank.polynomial for rank, _ in ranks):
-        keep = any(rank.main_degree for rank, _ in ranks) or is_negative(ordered[-1])
-        return ordered if keep else ordered[::-1]
-    return [ordered[positive], *ordered[:positive], *ordered[positive + 1 :]]
+    if not is_negative(ordered[0]) or all(term.is_number for term in ordered):
+        return _real_first(ranks)
+    if all(is_negative(term) for term in ordered) or any(rank.imaginary for rank, _ in ranks):
+        return _real_first(ranks)
+    if len(ordered) > 2 and polynomial:
+        if any(rank.main_degree for rank, _ in ranks) or is_negative(ordered[-1]):
+            return ordered
+        ordered = [term for rank, term in sorted(ranks, key=lambda pair: pair[0].degree)]
+    return _positive_first(ordered)
+
+
+def _real_first(ranks: list[tuple[_Rank, Any]]) -> list[Any]:
+    """Return the terms with the imaginary ones last: σ + jω, for numbers and for letters."""
+    if all(rank.imaginary for rank, _ in ranks):
+        return [term for _, term in ranks]
+    return [term for rank, term in sorted(ranks, key=lambda pair: pair[0].imaginary)]
+
+
+def _positive_first(ordered: list[Any]) -> list[Any]:
+    """Return the terms with the first positive one in front."""
+    first = next(i for i, term in enumerate(ordered) if not is_negative(term))
+    return [ordered[first], *ordered[:first], *ordered[first + 1 :]]
 
 
 def is_negative(term: Any) -> bool:
-    """Whether the term is written with a minus: its numerical coefficient is negative."""
-    coefficient = term.as_coeff_Mul()[0]
-    return bool(coefficient.is_negative)
+    """Whether the term is written with a minus: its coefficient is negative, or each part of it, as in -(1 + √5) x."""
+    coefficient, rest = term.as_coeff_Mul()
+    sums = [factor for factor in sp.Mul.make_args(rest) if factor.is_Add and factor.is_number and rest.is_Mul]
+    flips = sum(all(is_negative(part) for part in each.args) for each in sums)
+    return bool(coefficient.is_negative) != bool(flips % 2)
 
 
 @dataclass(slots=True)
@@ -59,6 +78,7 @@ class _Rank:
     frequency: float = 0.0
     function: int = 0
     number: int = 0
+    imaginary: bool = False
 
     @property
     def key(self) -> tuple[Any, ...]:
@@ -97,7 +117,7 @@ def _add_factor(rank: _Rank, factor: Any) -> None:
     if factor.is_Number:
         return
     if factor is sp.I:
-        rank.number = 2
+        rank.number, rank.imaginary = 2, True
     elif isinstance(factor, sp.exp):
         _add_rate(rank, *_linear(factor.args[0]))
     elif factor.is_number:

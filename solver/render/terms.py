@@ -105,9 +105,10 @@ def _place(term: Term, base: Any, exponent: Any) -> None:
 
 
 def _as_growth(base: Any, exponent: Any) -> Factor:
-    """Return (1/2)^k for what sympy keeps as 2^(-k)."""
-    if base.is_Integer and base > 1 and exponent.is_Mul and exponent.args[0] is sp.S.NegativeOne:
-        return sp.Rational(1, base), -exponent
+    """Return (1/2)^k for what sympy keeps as 2^(-k), and (√2/2)^k for 2^(-k/2)."""
+    coefficient, rest = exponent.as_coeff_Mul()
+    if base.is_Integer and base > 1 and coefficient is not sp.S.One and rest.is_Symbol:
+        return base**coefficient, rest
     return base, exponent
 
 

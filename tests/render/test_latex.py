@@ -26,6 +26,7 @@ from solver.render.latex import tex, tex_answer
 from solver.render.numbers import NumberFormat
 
 s, z, t, k, lamda, a, b, m, k_1, k_2 = sp.symbols("s z t k lamda a b m k_1 k_2")
+p11, p12, p22 = sp.symbols("p11 p12 p22")
 omega_n, zeta = sp.symbols("omega_n zeta")
 x = sp.Function("x")
 
@@ -59,7 +60,14 @@ EXACT = [
     (4 - s**2, r"4 - s^{2}"),
     (1 - t**2, r"1 - t^{2}"),
     (t - Rational(3, 2) * t**2, r"t - \frac{3}{2}t^{2}"),
-    (1 - 3 * t + Rational(7, 2) * t**2, r"\frac{7}{2}t^{2} - 3t + 1"),
+    (1 - 3 * t + Rational(7, 2) * t**2, r"1 - 3t + \frac{7}{2}t^{2}"),
+    (t**3 - t**2 + 1, "1 - t^{2} + t^{3}"),
+    (t - 2, "t - 2"),
+    (p11 + p12 - p12 * p22, "p_{11} + p_{12} - p_{12}p_{22}"),
+    (1 + 2 * p22 + 2 * p12 - p22**2, "1 + 2p_{12} + 2p_{22} - p_{22}^{2}"),
+    (-a * b + I * sqrt(1 - a), r"-ab + j\sqrt{1 - a}"),
+    (-(1 + sqrt(5)) * p22 - 2 * p11, r"-2p_{11} - (1 + \sqrt{5})p_{22}"),
+    (2 ** (-k / 2), r"\left(\frac{\sqrt{2}}{2}\right)^{k}"),
     ((k_2 + 3) * s + k_1 + 2 + s**2, r"s^{2} + (k_2 + 3)s + k_1 + 2"),
     (a * s + k_1 + 2, r"as + k_1 + 2"),
     (a - 1, r"a - 1"),

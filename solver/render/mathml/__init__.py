@@ -37,7 +37,7 @@ ATTRIBUTES = {
     "form": re.compile("prefix|infix|postfix"),
     "mathvariant": re.compile("normal"),
     "scriptlevel": re.compile(r"\d"),
-    "style": re.compile(r"[a-z]+(-[a-z]+)?:[a-z0-9. ]+(;[a-z]+(-[a-z]+)?:[a-z0-9. ]+)*"),
+    "style": re.compile(r"[a-z]+(-[a-z]+)?:-?[a-z0-9. -]+(;[a-z]+(-[a-z]+)?:-?[a-z0-9. -]+)*"),
 }
 
 

@@ -94,10 +94,10 @@ def _no_set_point(rank: int, n: int, m: int, p: int, *, discrete: bool) -> str:
     if m < p:
         return (
             f"There are fewer inputs ({m}) than outputs ({p}): the {n + p} equations for the {n + m} entries of a set "
-            "point have no solution for every reference, so the outputs can't all be brought to arbitrary values."
+            "point have no solution for every reference, so the outputs cannot all be brought to arbitrary values."
         )
     return (
-        "The plant can't hold its output at every reference: the matrix of the equations for the set point has the "
+        "The plant cannot hold its output at every reference: the matrix of the equations for the set point has the "
         f"rank {rank}, less than $n + p = {n + p}$. The plant has a zero at ${point}$, or a part at rest that no input "
         "moves."
     )
