@@ -96,18 +96,19 @@ def _words(answer: AnswerVerdict) -> str:
 
 
 def wrong_places(answer: AnswerVerdict) -> list[str]:
-    """The places of wrong entries, counted from 1, where some entries are right: "row 1, column 2"."""
+    """The places of wrong entries, counted from 1, where some entries are right: "row 1, column 2", or "column 2"."""
     entries = answer.entries
     if answer.verdict is not Verdict.WRONG or not isinstance(entries, list) or answer.share == 0:
         return []
-    if entries and isinstance(entries[0], list):
-        return [
-            f"row {i}, column {j}"
-            for i, row in enumerate(entries, 1)
-            for j, each in enumerate(row, 1)
-            if each == Verdict.WRONG
-        ]
-    return [f"item {i}" for i, each in enumerate(entries, 1) if each == Verdict.WRONG]
+    if not entries or not isinstance(entries[0], list):
+        return [f"item {i}" for i, each in enumerate(entries, 1) if each == Verdict.WRONG]
+    wrong = [(i, j) for i, row in enumerate(entries, 1) for j, each in enumerate(row, 1) if each == Verdict.WRONG]
+    rows, columns = ([place[of] for place in wrong] for of in (0, 1))
+    if all(columns.count(j) == len(entries) > 1 for j in columns):
+        return [f"column {j}" for j in dict.fromkeys(columns)]
+    if all(rows.count(i) == len(entries[0]) > 1 for i in rows):
+        return [f"row {i}" for i in dict.fromkeys(rows)]
+    return [f"row {i}, column {j}" for i, j in wrong]
 
 
 @dataclass(frozen=True, slots=True)

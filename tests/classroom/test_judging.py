@@ -3,6 +3,8 @@
 import pytest
 from marked import marked, solved, verdict
 
+from solver.classroom.report import wrong_places
+
 PLANT = solved(
     """
 title: A plant
@@ -134,3 +136,24 @@ def test_an_unsolved_part_is_not_judged_and_earns_nothing():
     assert "constant" in found.answers["diagonalizable"].reason
     assert (found.marks, found.out_of) == (0, 2)
     assert "could not be judged" in found.note
+
+
+def test_yes_or_no_and_ranks_are_not_explained_by_chance():
+    """λ = 0 is stable in discrete time; whoever says "stabilizable" need not have thought of that."""
+    solution = solved("system: {A: [[0, 0], [0, 1]], B: [0, 1]}\nfind: {a: stabilizability, b: controllability}\n")
+    assert verdict(solution, "a", "stabilizable", "yes").reason == "the opposite is true"
+    assert "factor" not in verdict(solution, "b", "rank", "2").reason
+
+
+def test_a_singular_transformation_is_said_to_be_singular():
+    plant = "system: {A: [[-2, 0, -3], [0, 0, 0], [3/2, 0, 5/2]], B: [-1, 0, -2]}\nfind: {a: kalman_decomposition}\n"
+    found = verdict(solved(plant), "a", "T", "[[-1, 8, 0], [0, 0, 0], [-2, -6.5, 1]]")
+    assert (found.verdict, found.reason) == ("wrong", "it fails the check “$T$ is invertible”")
+    assert wrong_places(found) == ["column 3"]
+
+
+def test_a_wrong_column_is_named_once():
+    found = verdict(PLANT, "a", "right_eigenvectors", "[[2, 2], [sqrt(6), 1]]")
+    assert wrong_places(found) == ["column 2"]
+    found = verdict(PLANT, "e", "controllability_matrix", "[[0, 2], [1, 2]]")
+    assert wrong_places(found) == ["row 2, column 2"]

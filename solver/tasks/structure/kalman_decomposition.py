@@ -170,10 +170,13 @@ def separates_what_is_hidden(given: Given, answers: Answers) -> Iterable[Check]:
     part, plant = given.part or "controllable", _matrices(given)
     T = answers.get("T")
     if T is not None:
-        says = "$T$ is invertible and its columns separate the subspaces"
+        regular = _check("$T$ is invertible", "T", lambda: 0.0 if numeric.independent(T) else float("inf"))
+        yield regular
+        says = "the columns of $T$ separate the subspaces"
         check = _check(says, "T", lambda: numeric.separation_residual(part, T, *plant))
         T = T if check.status is CheckStatus.PASSED else None
-        yield check
+        if regular.status is CheckStatus.PASSED:
+            yield check
     yield from _new_matrices(given, answers, T)
     yield from _first_part(given, answers, T)
     if "orders" in answers:
