@@ -76,7 +76,10 @@ def _option_row(option: Option) -> tuple[str, str]:
 
 
 def _answer_row(answer: AnswerName) -> tuple[str, str]:
-    return answer.name, answer.doc + (" (where it makes sense)" if answer.optional else "") + _only(answer.methods)
+    from solver.render.prose import inline_as_text
+
+    words = inline_as_text(answer.doc)
+    return answer.name, words + (" (where it makes sense)" if answer.optional else "") + _only(answer.methods)
 
 
 def _only(methods: tuple[str, ...]) -> str:

@@ -71,7 +71,7 @@ def _cells(row: CheckRow) -> tuple[str, ...]:
     claim = INDENT + inline_as_text(row.claim)
     if row.reason:
         claim += f" ({inline_as_text(row.reason)})"
-    return claim, row.oracle, flat(row.residual), flat(row.tolerance), str(row.status)
+    return claim, inline_as_text(row.oracle), flat(row.residual), flat(row.tolerance), str(row.status)
 
 
 def heading(part: PartView) -> str:
@@ -112,7 +112,7 @@ def _blocks(part: PartView, width: int) -> Iterator[str]:
         yield f"[{part.source}]"
     yield from _step_blocks(part.steps, "", width)
     for answer in part.answers:
-        yield f"Answer: {answer.doc}\n\n" + "\n".join(indented(answer_lines(answer, width)))
+        yield f"Answer: {inline_as_text(answer.doc)}\n\n" + "\n".join(indented(answer_lines(answer, width)))
     yield "\n".join(wrapped(verdict_of(part), width))
     if part.checks:
         yield "\n".join(_check_lines(part.checks))

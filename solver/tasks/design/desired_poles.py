@@ -48,10 +48,10 @@ desired_poles = Task(
     needs=(),
     options=SPECIFICATIONS,
     answers=[
-        AnswerName("damping_ratio", r"\xi", "damping ratio ζ"),
-        AnswerName("natural_frequency", r"\omega_n", "natural frequency ω_n"),
-        AnswerName("poles", "s_{1,2}", "the two poles"),
-        AnswerName("polynomial", r"\hat{p}(s)", "s² + 2ζω_n s + ω_n², in `s`"),
+        AnswerName("damping_ratio", r"\xi", "the damping ratio"),
+        AnswerName("natural_frequency", r"\omega_n", "the natural frequency"),
+        AnswerName("poles", "s_{1,2}", "the poles"),
+        AnswerName("polynomial", r"\hat{p}(s)", "the characteristic polynomial with these roots"),
     ],
     example={"overshoot": "14%", "settling_time": "2"},
 )

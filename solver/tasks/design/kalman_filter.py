@@ -38,11 +38,11 @@ kalman_filter = Task(
     ],
     answers=[
         AnswerName(
-            "P", "P", "covariance of the estimation error: the stabilizing solution of the Riccati equation, n×n"
+            "P", "P", "the covariance of the estimation error: the stabilizing solution of the Riccati equation"
         ),
-        AnswerName("L", "L_c", "the gain of the filter, n×p"),
-        AnswerName("error_A", "A - L_cC", "A − LC, the matrix of the error"),
-        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues of A − LC"),
+        AnswerName("L", "L_c", "the gain of the filter"),
+        AnswerName("error_A", "A - L_cC", "the matrix of the estimation error"),
+        AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues"),
         *LISTED,
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},

@@ -41,9 +41,9 @@ model_matching = Task(
     answers=[
         AnswerName("feasible", r"\text{feasible}", "whether state feedback alone turns the plant into the target"),
         AnswerName("compensator", "G/H", "the series compensator that would do the same: target over plant"),
-        AnswerName("A", "A", "realization used", (), True, free=True),
-        AnswerName("B", "B", "realization used", (), True, free=True),
-        AnswerName("C", "C", "realization used", (), True, free=True),
+        AnswerName("A", "A", "system matrix of the realization used", (), True, free=True),
+        AnswerName("B", "B", "its input matrix", (), True, free=True),
+        AnswerName("C", "C", "its output matrix", (), True, free=True),
         AnswerName("K", "K_f", "the gain for this realization", (), True, free=True),
     ],
 )

@@ -26,13 +26,13 @@ observer = Task(
     needs=("A", "C"),
     options=[Option("poles", Poles(), "the n eigenvalues of A − LC (or those of the observable part)", required=True)],
     answers=[
-        AnswerName("L", "L_c", "observer gain (n×p)", free=observer_gain_is_free),
-        AnswerName("error_A", "A - L_c C", "matrix of the estimation error", free=observer_gain_is_free),
-        AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of A − LC, in `s` (`z`)"),
+        AnswerName("L", "L_c", "the gain of the observer", free=observer_gain_is_free),
+        AnswerName("error_A", "A - L_c C", "the matrix of the estimation error", free=observer_gain_is_free),
+        AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the estimation error"),
         AnswerName(
             "gain_polynomial",
             "p_l",
-            "the same with the unknown entries `l1`, `l2`, … of L (one output)",
+            "the same with the unknown entries $l_{1}$, $l_{2}$, … of the gain",
             ("coefficient_matching",),
             optional=True,
         ),

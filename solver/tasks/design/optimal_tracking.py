@@ -42,10 +42,10 @@ optimal_tracking = Task(
         Option("gain", MatrixOf("m", "n", flat="row"), "K itself, instead of weights"),
     ],
     answers=[
-        AnswerName("K", "K_f", "the gain in u = −K x + K_o r, m×n"),
-        AnswerName("F", "F", "x_d = F r, n×p", free=more_inputs_than_outputs),
-        AnswerName("N", "N", "u_d = N r, m×p", free=more_inputs_than_outputs),
-        AnswerName("K_o", "K_o", "N + K F, m×p", free=more_inputs_than_outputs),
+        AnswerName("K", "K_f", "the gain of the feedback"),
+        AnswerName("F", "F", "the state of the set point, $x_{d} = Fr$", free=more_inputs_than_outputs),
+        AnswerName("N", "N", "the input of the set point, $u_{d} = Nr$", free=more_inputs_than_outputs),
+        AnswerName("K_o", "K_o", "the gain of the reference", free=more_inputs_than_outputs),
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},
 )

@@ -37,19 +37,21 @@ pole_placement = Task(
     ],
     answers=[
         AnswerName(
-            "K", "K_f", "gain in u = −K x, m×n; entries that may have any value stay symbols", free=gain_is_free
+            "K", "K_f", "the gain of the feedback (entries that may have any value stay letters)", free=gain_is_free
         ),
-        AnswerName("closed_loop_A", r"A - BK_f", "matrix of the closed loop", free=gain_is_free),
-        AnswerName("polynomial", r"\hat{p}", "characteristic polynomial of the closed loop, in `s` (`z`)"),
+        AnswerName("closed_loop_A", r"A - BK_f", "the matrix of the closed loop", free=gain_is_free),
+        AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the closed loop"),
         AnswerName(
             "gain_polynomial",
             "p_k",
-            "characteristic polynomial with unknown gains `k1`, `k2`… (one input)",
+            "the characteristic polynomial with the unknown gains $k_{1}$, $k_{2}$, …",
             MATCHING,
             True,
         ),
-        AnswerName("fixed_poles", r"\lambda_{\text{fixed}}", "eigenvalues that no such gain moves", (), True),
-        AnswerName("conditions", r"\text{conditions}", "equations for the symbols of `structure`", MATCHING, True),
+        AnswerName("fixed_poles", r"\lambda_{\text{fixed}}", "the eigenvalues that no such gain moves", (), True),
+        AnswerName(
+            "conditions", r"\text{conditions}", "what the letters of the prescribed gain must satisfy", MATCHING, True
+        ),
     ],
     example={"poles": '["-3 ± 2j"]'},
 )

@@ -38,10 +38,10 @@ reference_tracking = Task(
     needs=("A", "B", "C"),
     options=[Option("gain", MatrixOf("m", "n", flat="row"), "the feedback K of u = −K x + K_o r"), *POLE_OPTIONS],
     answers=[
-        AnswerName("F", "F", "desired state for the reference: x_d = F r, n×p", free=more_inputs_than_outputs),
-        AnswerName("N", "N", "desired input for the reference: u_d = N r, m×p", free=more_inputs_than_outputs),
-        AnswerName("K_o", "K_o", "gain of the reference in u = −K x + K_o r, m×p", free=reference_gain_is_free),
-        AnswerName("K", "K_f", "the feedback found for `poles`", (), True, free=gain_is_free),
+        AnswerName("F", "F", "the desired state for the reference, $x_{d} = Fr$", free=more_inputs_than_outputs),
+        AnswerName("N", "N", "the desired input for the reference, $u_{d} = Nr$", free=more_inputs_than_outputs),
+        AnswerName("K_o", "K_o", "the gain of the reference", free=reference_gain_is_free),
+        AnswerName("K", "K_f", "the gain of the feedback", (), True, free=gain_is_free),
     ],
     example={"poles": '["-3 ± 2j"]'},
 )

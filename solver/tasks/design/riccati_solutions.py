@@ -24,12 +24,14 @@ if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
 LISTED = (
-    AnswerName("equations", r"\text{equations}", "expressions in p11, p12, … that are zero", ("riccati",)),
+    AnswerName(
+        "equations", r"\text{equations}", "the entries of the Riccati equation: each of these is zero", ("riccati",)
+    ),
     AnswerName("solutions", r"P_i", "all real symmetric solutions", ("riccati",), optional=True),
     AnswerName(
         "definiteness",
         r"\text{definiteness}",
-        "what each solution is, in order",
+        "what each solution is, in the same order",
         ("riccati",),
         optional=True,
         ordered=True,

@@ -27,9 +27,11 @@ servo = Task(
     needs=("A", "B", "C"),
     options=POLE_OPTIONS,
     answers=[
-        AnswerName("K", "K_f", "gain of the states, m×n", free=several_inputs),
-        AnswerName("k_I", "k_I", "gain of the integrated error, m×p", free=several_inputs),
-        AnswerName("closed_loop_A", r"A_{\text{cl}}", "matrix of the closed loop in (x, ξ)", free=several_inputs),
+        AnswerName("K", "K_f", "the gain of the states", free=several_inputs),
+        AnswerName("k_I", "k_I", "the gain of the integrated error", free=several_inputs),
+        AnswerName(
+            "closed_loop_A", r"A_{\text{cl}}", r"the matrix of the closed loop in $(x, \xi)$", free=several_inputs
+        ),
     ],
     example={"poles": '["-3 ± 2j", -4]'},
 )

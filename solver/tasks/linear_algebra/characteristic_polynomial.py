@@ -19,7 +19,7 @@ characteristic_polynomial = Task(
     title="Characteristic polynomial",
     doc="The monic polynomial χ(λ) = det(λI − A) whose roots are the eigenvalues of A.",
     needs=("A",),
-    answers=[AnswerName("polynomial", r"\chi(\lambda)", "det(λI − A), monic, in `lamda`")],
+    answers=[AnswerName("polynomial", r"\chi(\lambda)", r"the monic polynomial $\det(\lambda I - A)$")],
 )
 
 

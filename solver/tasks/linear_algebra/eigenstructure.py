@@ -21,13 +21,21 @@ eigenstructure = Task(
     doc="Eigenvalues, right and left eigenvectors (chains of generalized ones where A is defective) and Jordan form.",
     needs=("A",),
     answers=[
-        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues with multiplicity"),
+        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
         AnswerName(
-            "right_eigenvectors", "V", "columns v, A v = λ v (or chains), in the order of the eigenvalues", free=True
+            "right_eigenvectors",
+            "V",
+            r"right eigenvectors, $A\nu = \lambda\nu$ (chains where $A$ is defective), as columns in that order",
+            free=True,
         ),
-        AnswerName("left_eigenvectors", "M", "rows w, w A = λ w (or chains), in the same order: M A = J M", free=True),
-        AnswerName("jordan_form", "J", "A V = V J, ones above the diagonal"),
-        AnswerName("diagonalizable", r"\text{diagonalizable}", "whether A has n independent eigenvectors"),
+        AnswerName(
+            "left_eigenvectors",
+            "M",
+            r"left eigenvectors, $wA = \lambda w$ (or chains), as rows in the same order: $MA = JM$",
+            free=True,
+        ),
+        AnswerName("jordan_form", "J", "the Jordan form, $AV = VJ$, with its ones above the diagonal"),
+        AnswerName("diagonalizable", r"\text{diagonalizable}", "whether $A$ has $n$ independent eigenvectors"),
     ],
 )
 

@@ -22,11 +22,25 @@ fundamental_subspaces = Task(
     needs=("matrix",),
     options=[Option("matrix", MatrixOf(), "the matrix, of any shape; without it the system's matrix (A)")],
     answers=[
-        AnswerName("null_space", r"\operatorname{Null}(M)", "columns that span {v : M v = 0}", free=True),
-        AnswerName("column_space", r"\operatorname{Col}(M)", "columns that span all M v", free=True),
-        AnswerName("row_space", r"\operatorname{Row}(M)", "columns that span all Mᵀ w", free=True),
-        AnswerName("left_null_space", r"\operatorname{Null}(M^{T})", "columns that span {y : Mᵀ y = 0}", free=True),
-        AnswerName("rank", r"\operatorname{rank} M", "the rank; with parameters the generic one"),
+        AnswerName(
+            "null_space",
+            r"\operatorname{Null}(M)",
+            "a basis of the null space, all $v$ with $Mv = 0$, as columns",
+            free=True,
+        ),
+        AnswerName(
+            "column_space", r"\operatorname{Col}(M)", "a basis of the column space, all $Mv$, as columns", free=True
+        ),
+        AnswerName(
+            "row_space", r"\operatorname{Row}(M)", "a basis of the row space, all $M^{T}w$, as columns", free=True
+        ),
+        AnswerName(
+            "left_null_space",
+            r"\operatorname{Null}(M^{T})",
+            "a basis of the left null space, all $y$ with $M^{T}y = 0$, as columns",
+            free=True,
+        ),
+        AnswerName("rank", r"\operatorname{rank} M", "the rank (with parameters: the rank in general)"),
     ],
 )
 

@@ -24,11 +24,13 @@ minimal_realization = Task(
     doc="State equations of least order with the same transfer function, and the modes that are left out.",
     needs=("transfer_function",),
     answers=[
-        AnswerName("A", "A", "of the minimal realization, controllable and observable", free=True),
-        AnswerName("B", "B", "of the minimal realization", free=True),
-        AnswerName("C", "C", "of the minimal realization", free=True),
-        AnswerName("D", "D", "as before"),
-        AnswerName("cancelled", r"\text{cancelled}", "modes that the transfer function does not show", optional=True),
+        AnswerName("A", "A", "system matrix of the minimal realization", free=True),
+        AnswerName("B", "B", "its input matrix", free=True),
+        AnswerName("C", "C", "its output matrix", free=True),
+        AnswerName("D", "D", "$D$, as before"),
+        AnswerName(
+            "cancelled", r"\text{cancelled}", "the modes that the transfer function does not show", optional=True
+        ),
     ],
 )
 

@@ -40,7 +40,7 @@ realization = Task(
         AnswerName("A", "A", "system matrix; its order is the degree of the denominator as given", free=True),
         AnswerName("B", "B", "input matrix", free=True),
         AnswerName("C", "C", "output matrix", free=True),
-        AnswerName("D", "D", "direct path, G(∞)"),
+        AnswerName("D", "D", r"direct path, $G(\infty)$"),
     ],
 )
 

@@ -23,10 +23,10 @@ similarity_transformation = Task(
     needs=("A",),
     options=[Option("T", MatrixOf("n", "n"), "the matrix T of x = T ξ, invertible", required=True)],
     answers=[
-        AnswerName("A", r"\bar{A}", "T⁻¹ A T"),
-        AnswerName("B", r"\bar{B}", "T⁻¹ B", optional=True),
-        AnswerName("C", r"\bar{C}", "C T", optional=True),
-        AnswerName("D", r"\bar{D}", "D, as before", optional=True),
+        AnswerName("A", r"\bar{A}", "$T^{-1}AT$"),
+        AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True),
+        AnswerName("C", r"\bar{C}", "$CT$", optional=True),
+        AnswerName("D", r"\bar{D}", "$D$, as before", optional=True),
     ],
 )
 

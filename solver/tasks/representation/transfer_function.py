@@ -37,10 +37,10 @@ transfer_function = Task(
         Option("output", Channel("output"), "the output, where only one is of interest"),
     ],
     answers=[
-        AnswerName("G", "G", "C (sI − A)⁻¹ B + D in lowest terms, in `s` (discrete: in `z`)"),
-        AnswerName("poles", "p_i", "poles of G, with multiplicity", optional=True),
-        AnswerName("zeros", "z_i", "zeros of G (several inputs and outputs: transmission zeros)", optional=True),
-        AnswerName("cancelled", r"\text{cancelled}", "modes of the system that G does not show", optional=True),
+        AnswerName("G", "G", "the transfer function $C(sI - A)^{-1}B + D$, in lowest terms"),
+        AnswerName("poles", "p_i", "the poles", optional=True),
+        AnswerName("zeros", "z_i", "the zeros (with several inputs or outputs: the transmission zeros)", optional=True),
+        AnswerName("cancelled", r"\text{cancelled}", "the modes of the system that $G$ does not show", optional=True),
     ],
 )
 

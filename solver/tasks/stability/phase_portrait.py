@@ -24,8 +24,8 @@ phase_portrait = Task(
     doc="The kind of equilibrium at the origin of x' = A x with two states, and the trajectories around it.",
     needs=("A",),
     answers=[
-        AnswerName("kind", r"\text{kind}", "node, focus, saddle, center, star, ... (see the user guide)"),
-        AnswerName("eigenvalues", r"\lambda_i", "eigenvalues with multiplicity"),
+        AnswerName("kind", r"\text{kind}", "the kind of equilibrium"),
+        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
     ],
 )
 

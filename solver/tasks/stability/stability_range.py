@@ -25,7 +25,7 @@ stability_range = Task(
     doc="The condition on the parameters under which every free motion dies out.",
     needs=("A",),
     options=[Option("parameters", Names(), "the parameters asked for (default: all); the others stay symbols")],
-    answers=[AnswerName("condition", r"\text{condition}", "relations between the parameters; or always, or never")],
+    answers=[AnswerName("condition", r"\text{condition}", "where the system is asymptotically stable")],
 )
 
 

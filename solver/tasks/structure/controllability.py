@@ -21,17 +21,19 @@ controllability = Task(
     needs=("A", "B"),
     options=[HORIZON],
     answers=[
-        AnswerName("controllability_matrix", r"\mathcal{C}_o", "[B, AB, …, Aⁿ⁻¹B] (n×nm)"),
-        AnswerName("determinant", r"\det \mathcal{C}_o", "its determinant, where it is square", optional=True),
-        AnswerName("rank", r"\operatorname{rank} \mathcal{C}_o", "its rank; with parameters the generic one"),
-        AnswerName("controllable", r"\text{controllable}", "whether the rank is n"),
+        AnswerName(
+            "controllability_matrix", r"\mathcal{C}_o", r"the controllability matrix $[B, AB, \ldots, A^{n-1}B]$"
+        ),
+        AnswerName("determinant", r"\det \mathcal{C}_o", "its determinant", optional=True),
+        AnswerName("rank", r"\operatorname{rank} \mathcal{C}_o", "its rank (with parameters: the rank in general)"),
+        AnswerName("controllable", r"\text{controllable}", "whether the rank is $n$"),
         AnswerName(
             "uncontrollable_modes",
             r"\lambda_{\text{uncontrollable}}",
-            "eigenvalues that the input does not reach, with multiplicity",
+            "the eigenvalues that the input does not reach",
             optional=True,
         ),
-        AnswerName("exceptions", r"\text{exceptions}", "parameters for which the rank is lower", optional=True),
+        AnswerName("exceptions", r"\text{exceptions}", "where the parameters lower the rank", optional=True),
         AnswerName("gramian", "W_c", "the Gramian", ("gramian",)),
     ],
 )

@@ -16,7 +16,7 @@ detectability = Task(
     needs=("A", "C"),
     answers=[
         AnswerName("detectable", r"\text{detectable}", "whether every unobservable mode is stable"),
-        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "unobservable eigenvalues, with multiplicity"),
+        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the unobservable eigenvalues"),
     ],
 )
 

@@ -49,22 +49,24 @@ kalman_decomposition = Task(
         )
     ],
     answers=[
-        AnswerName("T", "T", "x = T ξ (n×n); its columns are bases of the subspaces, part by part", free=True),
-        AnswerName("A", r"\bar{A}", "T⁻¹ A T", free=True),
-        AnswerName("B", r"\bar{B}", "T⁻¹ B", optional=True, free=True),
-        AnswerName("C", r"\bar{C}", "C T", optional=True, free=True),
+        AnswerName(
+            "T", "T", r"the transformation $x = T\xi$; its columns are bases of the subspaces, part by part", free=True
+        ),
+        AnswerName("A", r"\bar{A}", "$T^{-1}AT$", free=True),
+        AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True, free=True),
+        AnswerName("C", r"\bar{C}", "$CT$", optional=True, free=True),
         AnswerName(
             "orders",
             r"\text{orders}",
-            "dimensions: [r, n − r], or [co, c not o, o not c, neither] for the full one",
+            "the orders of the parts ($r$ and $n - r$, or: both, controllable only, observable only, neither)",
             ordered=True,
         ),
-        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "eigenvalues of all parts but the first"),
+        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the eigenvalues of all parts but the first"),
         *(
             AnswerName(
                 f"{name}_{suffix}",
                 rf"{name}_{{{suffix}}}" if len(suffix) > 1 else f"{name}_{suffix}",
-                f"{name} of the {words} part",
+                f"${name}$ of the {words} part",
                 optional=True,
                 free=True,
             )

@@ -21,17 +21,21 @@ observability = Task(
     needs=("A", "C"),
     options=[HORIZON],
     answers=[
-        AnswerName("observability_matrix", r"\mathcal{O}_v", "[C; CA; …; CAⁿ⁻¹] (np×n)"),
-        AnswerName("determinant", r"\det \mathcal{O}_v", "its determinant, where it is square", optional=True),
-        AnswerName("rank", r"\operatorname{rank} \mathcal{O}_v", "its rank; with parameters the generic one"),
-        AnswerName("observable", r"\text{observable}", "whether the rank is n"),
+        AnswerName(
+            "observability_matrix",
+            r"\mathcal{O}_v",
+            "the observability matrix: $C$, $CA$, …, $CA^{n-1}$ under each other",
+        ),
+        AnswerName("determinant", r"\det \mathcal{O}_v", "its determinant", optional=True),
+        AnswerName("rank", r"\operatorname{rank} \mathcal{O}_v", "its rank (with parameters: the rank in general)"),
+        AnswerName("observable", r"\text{observable}", "whether the rank is $n$"),
         AnswerName(
             "unobservable_modes",
             r"\lambda_{\text{unobservable}}",
-            "eigenvalues that the output does not show, with multiplicity",
+            "the eigenvalues that the output does not show",
             optional=True,
         ),
-        AnswerName("exceptions", r"\text{exceptions}", "parameters for which the rank is lower", optional=True),
+        AnswerName("exceptions", r"\text{exceptions}", "where the parameters lower the rank", optional=True),
         AnswerName("gramian", "W_o", "the Gramian", ("gramian",)),
     ],
 )

@@ -42,7 +42,7 @@ parameter_condition = Task(
         Option("parameter", Names(), "the parameter asked for; may be left out where there is only one"),
     ],
     answers=[
-        AnswerName("values", r"\text{values}", "the values of the parameter; `Reals` where any value will do"),
+        AnswerName("values", r"\text{values}", r"the values of the parameter ($\mathbb{R}$: any value)"),
     ],
     example={"A": "[[2, k - 1], [0, 2]]", "B": "[1, k]"},
 )

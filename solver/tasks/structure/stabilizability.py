@@ -16,7 +16,7 @@ stabilizability = Task(
     needs=("A", "B"),
     answers=[
         AnswerName("stabilizable", r"\text{stabilizable}", "whether every uncontrollable mode is stable"),
-        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "uncontrollable eigenvalues, with multiplicity"),
+        AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the uncontrollable eigenvalues"),
     ],
 )
 

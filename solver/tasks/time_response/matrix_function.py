@@ -41,7 +41,7 @@ matrix_function = Task(
             required=True,
         )
     ],
-    answers=[AnswerName("F", "f(A)", "the matrix f(A), n×n", free=a_root_is_asked_for)],
+    answers=[AnswerName("F", "f(A)", "the function of the matrix", free=a_root_is_asked_for)],
 )
 
 

@@ -61,7 +61,7 @@ state_transition_matrix = Task(
         ),
     ],
     answers=[
-        AnswerName("Phi", r"\Phi", "the closed form, in `t` (discrete: in `k`)"),
+        AnswerName("Phi", r"\Phi", "the state transition matrix in closed form"),
         AnswerName("Phi_truncated", r"\Phi_{\text{truncated}}", "the first terms of the series", ("power_series",)),
     ],
 )
