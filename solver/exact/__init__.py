@@ -1,5 +1,6 @@
 """The exact kernels: algebra on matrices over a field, with no prose and no floats."""
 
+from solver.exact.affine import Solution, affine, solve_affine, tidy
 from solver.exact.companion import controllable_form
 from solver.exact.conditions import all_positive
 from solver.exact.coordinates import inverse_in_full, is_singular, product_of
@@ -35,25 +36,15 @@ from solver.exact.modes import (
 )
 from solver.exact.observers import Partition, chosen_error_matrix, left_inverse, measured_first
 from solver.exact.placement import (
-    ControllablePart,
-    Direction,
-    Solution,
-    affine,
     combine,
     companion_rows,
-    controllable_part,
-    direction,
     divided,
     fixed_factor,
-    lifted_gain,
     loop_coefficients,
     monic,
     polynomial_in,
     polynomial_of_matrix,
-    reachable_order,
     roots_of,
-    solve_affine,
-    tidy,
     toeplitz,
 )
 from solver.exact.pole_placement import ackermann, controllability_matrix
@@ -74,6 +65,14 @@ from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.scalar_functions import ScalarFunction
 from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
 from solver.exact.set_point import NoSetPoint, SetPoint, equations_of_rest, set_point
+from solver.exact.single_input import (
+    ControllablePart,
+    Direction,
+    controllable_part,
+    direction,
+    lifted_gain,
+    reachable_order,
+)
 from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
 from solver.exact.stability import (
     Location,

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from solver.exact.placement import Coefficients, roots_of, tidy
+from solver.exact.affine import tidy
+from solver.exact.placement import Coefficients, roots_of
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from solver.exact.placement import tidy
+from solver.exact.affine import tidy
 
 
 def at_rest(A: sp.MatrixBase, *, discrete: bool) -> sp.ImmutableMatrix:

@@ -53,7 +53,7 @@ def hidden_modes_residual(A: Any, B: Any, modes: Sequence[Any]) -> float:
         if len(modes) != H.rows:
             return float("inf")
         if H.rows:
-            here = [sp.S(mode).xreplace(exact) for mode in modes]
+            here = [mode.xreplace(exact) for mode in modes]
             worst = max(worst, spectrum_residual(H, here))
     return worst
 
