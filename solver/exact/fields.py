@@ -76,6 +76,12 @@ def whole_angles(found: sp.Expr) -> sp.Expr:
     return found
 
 
+def common_factors_below(value: sp.Expr) -> sp.Expr:
+    """The value with 1/(m (a + b)) in place of 1/(m a + m b)."""
+    above, below = sp.fraction(value)
+    return above / sp.factor_terms(below) if below.is_Add and below.free_symbols else value
+
+
 def expressions(matrix: DomainMatrix) -> list[sp.Expr]:
     """The entries of a matrix over K as expressions, row by row."""
     K = matrix.domain
@@ -133,7 +139,15 @@ def square_root(radicand: sp.Expr) -> sp.Expr:
         whole = exponent // 2 if exponent.is_Integer else 0
         outside *= factor**whole
         inside *= factor ** (exponent - 2 * whole)
-    return outside * sp.sqrt(inside)
+    return outside * sp.sqrt(_shorter(inside))
+
+
+def _shorter(inside: sp.Expr) -> sp.Expr:
+    """The product with its sums multiplied out where that has fewer terms: (ξ − 1)(ξ + 1) = ξ² − 1."""
+    sums, others = sp.sift(sp.Mul.make_args(inside), lambda factor: factor.is_Add, binary=True)
+    expanded = sp.expand(sp.Mul(*sums))
+    shorter = len(sums) > 1 and len(sp.Add.make_args(expanded)) < sum(len(each.args) for each in sums)
+    return sp.Mul(*others) * expanded if shorter else inside
 
 
 def in_sines(radicand: sp.Expr) -> sp.Expr:

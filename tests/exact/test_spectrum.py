@@ -152,3 +152,12 @@ def test_a_cubic_with_a_parameter_is_refused():
 def test_decimal_approximations_are_refused(entry):
     with pytest.raises(exact.NotExact):
         exact.spectrum(sp.ImmutableMatrix([[entry, 1], [0, 1]]))
+
+
+def test_a_radicand_that_is_a_product_of_sums_is_shown_multiplied_out_where_that_is_shorter():
+    xi, omega = sp.symbols("xi omega", positive=True)
+    found = exact.spectrum(sp.ImmutableMatrix([[0, 1], [-(omega**2), -2 * xi * omega]]))
+    assert [root.value for root in found.roots] == [
+        -omega * xi - omega * sp.sqrt(xi**2 - 1),
+        -omega * xi + omega * sp.sqrt(xi**2 - 1),
+    ]
