@@ -8,7 +8,7 @@ TESTS ?=
 WORKERS ?= auto
 
 .DEFAULT_GOAL := help
-.PHONY: help solve test lint bench clean
+.PHONY: help solve test lint bench errata clean
 
 help:  ## Say what there is to make.
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
@@ -37,6 +37,9 @@ lint: $(READY)  ## Check style, types, who imports whom, and calls that are forb
 
 bench: $(READY)  ## Print the table of speed targets beside their peers.
 	$(BIN)/python -m benchmarks
+
+errata: $(READY)  ## Mark what the lecture note prints, and list in docs/errata.md what is wrong.
+	$(BIN)/python tools/errata.py
 
 clean:  ## Remove what was made, but not the environment.
 	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache

@@ -1,6 +1,7 @@
 """Marking one answer file to one problem, as tests do."""
 
-from solver.classroom import mark, read_submission
+from solver.classroom import Submission, mark, read_submission
+from solver.classroom.marking import Marker
 from solver.engine import solve_problem
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
@@ -21,3 +22,8 @@ def marked(solution, answers):
 def verdict(solution, part, name, value):
     """The verdict of one value."""
     return marked(solution, f"answers: {{{part}: {{{name}: {value}}}}}")[part].answers[name]
+
+
+def marker(solution):
+    """The marker of a problem, with nothing submitted."""
+    return Marker(solution, Submission(Source("answers.yaml", ""), "", {}))

@@ -60,7 +60,8 @@ def _fails(checks: list[Check] | None) -> bool:
 
 def _misfit(name: str, each: Submitted, question: Question) -> AnswerVerdict | None:
     """What needs no check: a value that is not finite; a matrix of the wrong shape, where the question has one."""
-    ours, reason = question.ours.get(name), ""
+    ours: Any = question.ours.get(name)
+    reason = ""
     both = isinstance(ours, sp.MatrixBase) and isinstance(each.value, sp.MatrixBase)
     if _infinite(each.value) and not _infinite(ours):
         reason = "it is not finite"

@@ -17,8 +17,8 @@ import sympy as sp
 from solver.classroom.judging import STRANGE, Question, entrywise, is_scalar, judge
 from solver.classroom.values import Submitted
 from solver.classroom.verdicts import Verdict
-from solver.derivation import Given, PartResult
-from solver.engine import solve_part
+from solver.derivation import PartResult, Unsolved
+from solver.engine import given_of, solve_part
 from solver.lazy import exact
 from solver.problem.model import Part
 from solver.systems import StateSpace
@@ -56,13 +56,25 @@ def what_went_wrong(
     if name in COUNTS or isinstance(question.ours.get(name), bool | str):
         return ""
     case = Case(part, question, name, question.ours.get(name), results, earlier)
+    if not _telling(submitted.value):
+        return ""
     for words, values in TRANSFORMED:
         if any(_reproduces(submitted, value) for value in _careful(values, case)):
+            return words
+    for words, holds in ALIKE:
+        if _holds(holds, submitted, case.ours):
             return words
     for words, change in CHANGED:
         if _answers_changed(case, submitted, change):
             return words
     return ""
+
+
+def _telling(value: Any) -> bool:
+    """Whether a mistake would hardly give the value by chance, as it would yes, no, or a rank."""
+    if isinstance(value, list):
+        return bool(value) and not isinstance(value[0], bool | str)
+    return isinstance(value, sp.MatrixBase) or (is_scalar(value) and not value.is_Integer)
 
 
 def _reproduces(submitted: Submitted, value: Any) -> bool:
@@ -165,6 +177,69 @@ def _other_solution(case: Case) -> Values:
         yield from (P for P in case.question.ours.get("solutions", ()) if case.ours != P)
 
 
+def _gain_of_other_solution(case: Case) -> Values:
+    """K = R⁻¹ Bᵀ P, L = P Cᵀ R⁻¹ of a P that is not the stabilising one."""
+    plant, R = case.question.given.system, case.question.given.options.get("R")
+    for P in case.question.ours.get("solutions", ()):
+        if case.name == "K":
+            weight: Any = R or case.question.ours["R"]
+            yield sp.ImmutableMatrix(weight.inv() * plant.B.T * P)
+        elif case.name == "L":
+            yield sp.ImmutableMatrix(P * plant.C.T * (R or sp.eye(plant.C.rows)).inv())
+
+
+def _minus_determinant(case: Case) -> Values:
+    """det(A − λI), which is −det(λI − A) for odd n."""
+    if case.part.task == "characteristic_polynomial" and case.question.given.system.A.rows % 2:
+        yield -case.ours
+
+
+def _stacked(case: Case) -> Values:
+    """B, AB, … one below the other; C, CA, … beside each other."""
+    plant = case.question.given.system
+    if case.name == "controllability_matrix":
+        yield sp.ImmutableMatrix.vstack(*(plant.A**i * plant.B for i in range(plant.order)))
+    elif case.name == "observability_matrix":
+        yield sp.ImmutableMatrix.hstack(*(plant.C * plant.A**i for i in range(plant.order)))
+
+
+def _diagonal_entries(case: Case) -> Values:
+    """The diagonal of A for its eigenvalues."""
+    if case.name == "eigenvalues" and case.part.task in ("eigenstructure", "stability", "phase_portrait"):
+        yield list(case.question.given.system.A.diagonal())
+
+
+def _entry_by_entry(case: Case) -> Values:
+    """A function of a matrix taken of each of its entries."""
+    A = case.question.given.system.A
+    if case.part.task == "state_transition_matrix" and not case.question.given.system.discrete:
+        yield sp.ImmutableMatrix(A.applyfunc(lambda entry: sp.exp(entry * sp.Symbol("t"))))
+    elif case.part.task == "matrix_function":
+        function = case.question.given.function
+        yield sp.ImmutableMatrix(A.applyfunc(lambda entry: function.xreplace({sp.Symbol("A"): entry})))
+
+
+def _upside_down(case: Case) -> Values:
+    """Numerator and denominator exchanged."""
+    if case.name in ("G", "compensator") and is_scalar(case.ours):
+        yield 1 / case.ours
+
+
+def _some_signs(submitted: Submitted, ours: Any) -> bool:
+    """Whether a matrix is right but for the signs of some entries."""
+    right = entrywise(submitted, ours)
+    if not isinstance(ours, sp.MatrixBase) or right is None:
+        return False
+    minus = entrywise(submitted, sp.ImmutableMatrix(-ours))
+    return all(Verdict.CORRECT in pair for rows in zip(right, minus, strict=True) for pair in zip(*rows, strict=True))
+
+
+def _one_unit_off(submitted: Submitted, ours: Any) -> bool:
+    """Whether decimals are right but for one unit of the last digit: cut off, not rounded."""
+    wider = {symbol: (number, 2 * half) for symbol, (number, half) in submitted.decimals.items()}
+    return bool(wider) and _right(entrywise(replace(submitted, decimals=wider), ours))
+
+
 def _degrees(case: Case) -> Values:
     """Angles in degrees where radians are meant."""
     for angle in (sp.acos, sp.asin, sp.atan):
@@ -195,12 +270,18 @@ def _map(value: Any, of: Callable[[Any], Any]) -> Any:
 
 
 TRANSFORMED: tuple[tuple[str, Callable[[Case], Iterable[Any]]], ...] = (
+    (r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$", _minus_determinant),
     ("the sign is reversed", _negative),
+    ("numerator and denominator are exchanged", _upside_down),
     ("it is transposed: rows and columns are exchanged", _transposed),
     ("the entries stand in reverse order", _reversed),
     ("each value counts as often as its multiplicity", _without_multiplicity),
     ("$+$ stands where $-$ belongs: the feedback is subtracted", _plus_for_minus),
     ("it solves the Riccati equation, but it is not the stabilising solution", _other_solution),
+    ("it comes from a solution of the Riccati equation that is not the stabilising one", _gain_of_other_solution),
+    ("$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse", _stacked),
+    ("these are the entries on the diagonal of $A$", _diagonal_entries),
+    ("the function is taken of each entry; it is a function of the matrix", _entry_by_entry),
     ("a factor 2 is missing", _half),
     ("it is twice what it should be: a factor ½ is missing", _double),
     ("the factor $t$ (or $k$) of a repeated eigenvalue is missing", _without_factor_t),
@@ -209,6 +290,19 @@ TRANSFORMED: tuple[tuple[str, Callable[[Case], Iterable[Any]]], ...] = (
     ("rows or columns stand in another order", _reordered),
     ("it is an intermediate result: the last step is missing", _intermediate),
 )
+
+ALIKE: tuple[tuple[str, Callable[[Submitted, Any], bool]], ...] = (
+    ("the sign of an entry is reversed", _some_signs),
+    ("the last digit is cut off, not rounded", _one_unit_off),
+)
+
+
+def _holds(holds: Callable[[Submitted, Any], bool], submitted: Submitted, ours: Any) -> bool:
+    try:
+        return holds(submitted, ours)
+    except STRANGE:  # the two can't be compared
+        return False
+
 
 Change = Callable[[Part], Part | None]
 
@@ -226,6 +320,20 @@ def _system(part: Part, **changes: Any) -> Part | None:
 
 def _poles_reversed(part: Part) -> Part | None:
     return _option(part, "poles", lambda poles: tuple(-pole for pole in poles))
+
+
+def _poles_squared(part: Part) -> Part | None:
+    return _option(part, "poles", lambda poles: tuple(pole**2 for pole in poles))
+
+
+def _inputs_for_outputs(part: Part) -> Part | None:
+    B, C = getattr(part.system, "B", None), getattr(part.system, "C", None)
+    return None if B is None or C is None or B.cols != C.rows else _system(part, B=C.T, C=B.T)
+
+
+def _with(part: Part, option: str, word: str) -> Part | None:
+    """The question with another word for an option that has one."""
+    return None if part.options.get(option) in (None, word) else replace(part, options={**part.options, option: word})
 
 
 def _weight_reversed(part: Part) -> Part | None:
@@ -264,6 +372,26 @@ CHANGED: tuple[tuple[str, Change], ...] = (
     ("the right side has the wrong sign: $-Q$ for $Q$", _weight_reversed),
     ("left and right eigenvectors are exchanged", _left_for_right),
     ("$A$ is transposed", _A_transposed),
+    ("$B$ and $C$ are exchanged", _inputs_for_outputs),
+    ("it is the observable form", partial(_with, option="form", word="observable")),
+    ("it is the controllable form", partial(_with, option="form", word="controllable")),
+    (
+        "it follows the other convention: coefficients in the first row (column)",
+        partial(_with, option="convention", word="first_row"),
+    ),
+    (
+        "it follows the other convention: coefficients in the last row (column)",
+        partial(_with, option="convention", word="last_row"),
+    ),
+    (
+        "it follows the other convention: ones below the diagonal",
+        partial(_with, option="convention", word="subdiagonal"),
+    ),
+    (
+        "it follows the other convention: ones above the diagonal",
+        partial(_with, option="convention", word="superdiagonal"),
+    ),
+    ("the poles are squared", _poles_squared),
     ("$B$ has the wrong sign", _B_reversed),
     ("the initial state is forgotten", _without_initial_state),
     ("it is right for the other kind of time, discrete or continuous", _other_time),
@@ -279,13 +407,8 @@ def _answers_changed(case: Case, submitted: Submitted, change: Change) -> bool:
         result = solve_part(replace(part, methods=part.methods[:1]), case.earlier)[0]
         if case.name not in result.answers:
             return False
-        given = Given(part.system, case.question.given.options, case.question.given.method)
-        changed = Question(case.question.task, replace(given, options={**given.options, **_own(part)}), result.answers)
+        given = given_of(part, part.methods[0], case.earlier)
+        changed = Question(case.question.task, given, result.answers)
         return judge(changed, {case.name: submitted})[case.name].verdict is Verdict.CORRECT
-    except STRANGE:  # the changed question has no meaning
+    except (*STRANGE, exact.NotExact, Unsolved):  # the changed question has no meaning
         return False
-
-
-def _own(part: Part) -> Mapping[str, Any]:
-    """The options of the changed part that are values of their own."""
-    return {name: value for name, value in part.options.items() if isinstance(value, tuple | sp.MatrixBase)}

@@ -38,12 +38,18 @@ def rounded(value: Any, digits: int = 4) -> Any:
     """The value with its irrational numbers rounded to some significant digits; None where it has none."""
     if isinstance(value, list):
         rough = [rounded(each, digits) for each in value]
-        return [b if b is not None else a for a, b in zip(value, rough, strict=True)] if any(r is not None for r in rough) else None
+        return (
+            [b if b is not None else a for a, b in zip(value, rough, strict=True)]
+            if any(r is not None for r in rough)
+            else None
+        )
     if isinstance(value, sp.MatrixBase):
         rough = [rounded(each, digits) for each in value.flat()]
         if all(each is None for each in rough):
             return None
-        return sp.ImmutableMatrix(*value.shape, [b if b is not None else a for a, b in zip(value.flat(), rough, strict=True)])
+        return sp.ImmutableMatrix(
+            *value.shape, [b if b is not None else a for a, b in zip(value.flat(), rough, strict=True)]
+        )
     if not isinstance(value, sp.Expr) or not value.is_number or value.is_Rational:
         return None
     real, imaginary = value.evalf(30).as_real_imag()

@@ -1,0 +1,124 @@
+"""Each of the usual mistakes is found and named; and only where it leads to the very value submitted."""
+
+import pytest
+import sympy as sp
+from marked import solved, verdict
+from students import written
+
+PLANT = solved(
+    """
+title: Mistakes
+system: {A: [[1, 2], [3, 1]], B: [0, 1], C: [1, 3], D: [[2]], initial_state: [1, 0]}
+find:
+  gain: {task: pole_placement, method: ackermann, poles: [-3, -4]}
+  observer: {task: observer, poles: [-3, -4]}
+  order: {task: similarity_transformation, T: [[1, 1], [1, 2]]}
+  eigen: eigenstructure
+  defective: {task: state_transition_matrix, system: {A: [[-1, 1], [0, -1]]}}
+  oscillator: {task: state_transition_matrix, system: {A: [[0, 1], [-5, -2]]}}
+  repeated: {task: eigenstructure, system: {A: [[3, 1, 0], [0, 3, 0], [0, 0, 2]]}}
+  lyapunov: {task: stability, method: lyapunov, system: {A: [[0, 1], [-2, -3]]}}
+  riccati: {task: lqr, Q: [[1, 0], [0, 1]], R: 1, system: {A: [[0, 1], [0, 1]], B: [0, 1]}}
+  specified: {task: desired_poles, overshoot: 0.1, rise_time: 2}
+  transfer: transfer_function
+  symmetric: {task: transfer_function, system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}}
+  polynomial: {task: characteristic_polynomial, system: {matrix: [[1, 2, 0], [0, 1, 1], [1, 0, 3]]}}
+  reachable: {task: controllability, system: {A: [[1, 2], [3, 1]], B: [[0, 1], [1, 1]]}}
+  visible: {task: observability, system: {A: [[1, 2], [3, 1]], C: [[1, 0], [1, 1]]}}
+  realized: {task: realization, system: {transfer_function: "(s+5)/(s^2+3s+2)"}}
+  power: {task: matrix_function, function: "A^3"}
+  response: {task: response, kind: complete, input: "1", initial_state: [1, 0],
+             system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}}
+"""
+)
+
+MISTAKES = [
+    ("gain", "K", "[-13, -9]", "the sign is reversed"),
+    ("gain", "K", "[9, 13]", "the entries stand in reverse order"),
+    ("gain", "K", "[6, -5]", "the poles have the wrong sign"),
+    ("gain", "K", "[63, -23]", "the poles are squared"),
+    ("gain", "closed_loop_A", "[[1, 2], [16, 10]]", "$+$ stands where $-$ belongs: the feedback is subtracted"),
+    ("observer", "L", "[[-36/17, 63/17]]", ""),
+    ("eigen", "right_eigenvectors", "[[sqrt(6), -sqrt(6)], [2, 2]]", "left and right eigenvectors are exchanged"),
+    ("eigen", "eigenvalues", "[1, 1]", "these are the entries on the diagonal of $A$"),
+    ("eigen", "eigenvalues", "-1 ± sqrt(6)", "the sign is reversed"),
+    ("eigen", "eigenvalues", "[3.44, -1.44]", "the last digit is cut off, not rounded"),
+    ("defective", "Phi", "[[exp(-t), exp(-t)], [0, exp(-t)]]",
+     "the factor $t$ (or $k$) of a repeated eigenvalue is missing"),
+    ("defective", "Phi", "[[exp(-t), exp(t)], [1, exp(-t)]]",
+     "the function is taken of each entry; it is a function of the matrix"),
+    ("defective", "Phi", "[[exp(-t), -t exp(-t)], [0, exp(-t)]]", "the sign of an entry is reversed"),
+    ("oscillator", "Phi", "[[exp(t)(cos(2t) - sin(2t)/2), -exp(t) sin(2t)/2],"
+                          " [5 exp(t) sin(2t)/2, exp(t)(cos(2t) + sin(2t)/2)]]",
+     "the sign of the exponents is reversed"),
+    ("repeated", "eigenvalues", "[2, 3]", "each value counts as often as its multiplicity"),
+    ("lyapunov", "P", "[[-5/4, -1/4], [-1/4, -1/4]]", "the sign is reversed"),
+    ("lyapunov", "P", "[[5/2, 1/2], [1/2, 1/2]]", "it is twice what it should be: a factor ½ is missing"),
+    ("lyapunov", "P", "[[5/8, 1/8], [1/8, 1/8]]", "a factor 2 is missing"),
+    ("transfer", "G", "(3s - 1)/(s^2 - 2s - 5)", "$D$ is forgotten"),
+    ("symmetric", "G", "s^2 + 3s + 2", "numerator and denominator are exchanged"),
+    ("polynomial", "polynomial", "-lambda^3 + 5lambda^2 - 7lambda + 5",
+     r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$"),
+    ("reachable", "controllability_matrix", "[[0, 1], [1, 1], [2, 3], [1, 4]]",
+     "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse"),
+    ("visible", "observability_matrix", "[[1, 0, 1, 2], [1, 1, 4, 3]]",
+     "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse"),
+    ("realized", "A", "[[0, -2], [1, -3]]", "it is transposed: rows and columns are exchanged"),
+    ("realized", "B", "[5, 1]", "it is the observable form"),
+    ("realized", "A", "[[-3, -2], [1, 0]]",
+     "it follows the other convention: coefficients in the first row (column)"),
+    ("power", "F", "[[1, 8], [27, 1]]", "the function is taken of each entry; it is a function of the matrix"),
+    ("response", "y", "1/2 - exp(-t) + exp(-2t)/2", "the initial state is forgotten"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("part", "name", "value", "words"), MISTAKES)
+def test_a_usual_mistake_is_named(part, name, value, words):
+    found = verdict(PLANT, part, name, value if value.startswith("[") else f'"{value}"')
+    assert found.verdict == "wrong"
+    assert not words or found.reason == words
+
+
+def test_the_wrong_root_of_the_riccati_equation_is_named():
+    for result in PLANT.parts:
+        if result.id == "riccati":
+            P, *others = [result.answers["P"], *(P for P in result.answers["solutions"] if P != result.answers["P"])]
+    for other in others:
+        found = verdict(PLANT, "riccati", "P", written(other))
+        assert found.verdict == "wrong"
+        assert found.reason in (
+            "it solves the Riccati equation, but it is not the stabilising solution", "the sign is reversed"
+        )  # fmt: skip
+        found = verdict(PLANT, "riccati", "K", written(other[1:, :]))
+        assert found.reason in (
+            "it comes from a solution of the Riccati equation that is not the stabilising one", "the sign is reversed"
+        )  # fmt: skip
+
+
+def test_degrees_for_radians_are_named():
+    answers = next(result.answers for result in PLANT.parts if result.id == "specified")
+    ours = answers["natural_frequency"]
+    degrees = ours.replace(sp.acos, lambda z: sp.acos(z) * 180 / sp.pi)
+    if ours != degrees:
+        found = verdict(PLANT, "specified", "natural_frequency", written(degrees))
+        assert found.reason == "an angle is in degrees where radians are meant"
+
+
+def test_an_unfinished_product_is_named():
+    found = verdict(PLANT, "order", "A", "[[3, 5], [4, 5]]")  # A T, not yet multiplied by T⁻¹
+    assert found.verdict == "wrong"
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value"),
+    [
+        ("gain", "K", "[12, 9.1]"),
+        ("reachable", "rank", "1"),
+        ("reachable", "controllable", "no"),
+        ("polynomial", "polynomial", "lambda^3 - 5lambda^2 + 7lambda + 5"),
+    ],
+)
+def test_nothing_is_said_where_no_mistake_leads_to_the_value(part, name, value):
+    found = verdict(PLANT, part, name, value if value.startswith("[") else f'"{value}"')
+    assert found.verdict == "wrong"
+    assert found.reason == "the opposite is true" or found.reason.startswith("it fails the check") or not found.reason

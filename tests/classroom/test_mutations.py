@@ -1,0 +1,186 @@
+"""Every answer of every task: ours is right however it is written, a changed one is wrong unless it is still right.
+
+What is still right is decided without the program's oracles: by the definition, with numpy (`defining`), or by being
+the same value at random numbers.
+"""
+
+import random
+import zlib
+from functools import cache
+
+import pytest
+import sympy as sp
+from defining import still_right
+from marked import marker
+from students import mutants, rounded, written
+
+from solver.classroom.judging import judge
+from solver.classroom.values import Reader, Submitted
+from solver.derivation import Status
+from solver.engine import solve_problem
+from solver.problem.files import load
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.problem.yaml_tree import parse_yaml
+from solver.resources import root
+from solver.tasks import catalogue
+
+EXAMPLES = sorted(root("problems").joinpath("examples").glob("*.yaml"))
+MOST = 4
+"""Changed values of each answer that are tried."""
+
+SCALABLE = {"equations"}
+"""Lists of expressions that are zero: any factor is right."""
+
+UNDECIDED = ("together", "as a whole", "not among the answers", "coincide", "only equations", "cannot decide")
+"""Why a changed value may stay unjudged: it means nothing alone, or our own check does not decide about it either."""
+
+
+@cache
+def questions(path):
+    """(id, part, question) of the parts of an example that are verified."""
+    solution = solve_problem(read_problem(load(path), catalogue()))
+    desk = marker(solution)
+    earlier = {name: results[0] for name, results in desk.results.items()}
+    return [
+        (part, desk._question(part, earlier, desk._ours(part.id)), desk._names(part, desk._ours(part.id)))
+        for part in solution.problem.parts
+        if desk.results[part.id][0].status is Status.VERIFIED
+    ]
+
+
+def read(part, question, names, name, value):
+    node = parse_yaml(Source("answers.yaml", f"x: {written(value)}"))["x"]
+    return Reader(names, discrete=part.system.discrete).read(node, question.ours[name])
+
+
+def chance(*of):
+    return random.Random(zlib.crc32(repr(of).encode()))  # noqa: S311 - nothing secret
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_our_own_answers_are_right_alone_together_and_rounded(path):
+    for part, question, names in questions(path):
+        together = {}
+        for name, value in question.ours.items():
+            together[name] = read(part, question, names, name, value)
+            for submitted in (together[name], *(read(part, question, names, name, each) for each in _rounded(value))):
+                verdict = judge(question, {name: submitted})[name]
+                assert verdict.verdict == "correct", (part.id, name, submitted.value, verdict.reason)
+        found = judge(question, together)
+        assert {str(each.verdict) for each in found.values()} <= {"correct"}, (part.id, found)
+
+
+def _rounded(value):
+    rough = rounded(value)
+    return [] if rough is None else [rough]
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_a_changed_answer_is_wrong_unless_it_is_still_right(path):
+    for part, question, _ in questions(path):
+        for name, ours in question.ours.items():
+            tried = list(mutants(ours))
+            few = 2 if part.task in ("response", "stability_range") else MOST
+            for what, value in chance(path.stem, part.id, name).sample(tried, min(few, len(tried))):
+                changed = list(value) if isinstance(value, tuple) else value
+                verdict = judge(question, {name: Submitted(changed, changed)})[name]
+                if verdict.verdict == "not judged":
+                    assert any(words in verdict.reason for words in UNDECIDED), (part.id, name, what, verdict.reason)
+                    continue
+                right = is_right(part, question, name, ours, changed, what)
+                if right is not None:
+                    assert (verdict.verdict == "correct") is right, (part.id, part.task, name, what, ours, changed)
+
+
+def is_right(part, question, name, ours, value, what):
+    """Whether a changed value is still right; None where only the solver's own oracles could tell."""
+    if name in SCALABLE and ("halved" in what or "reversed" in what):
+        return True
+    if what == "an item twice" and name in ("values", "exceptions", "conditions"):
+        return True
+    if question.task.answers[name].is_free(question.given) or (part.task, name) == ("stability", "array"):
+        return True if same(ours, value) else still_right(part.task, name, question.given, ours, value)
+    if name == "condition":
+        return False if value in (sp.true, sp.false) and ours not in (sp.true, sp.false) else None
+    return same(ours, value)
+
+
+def same(ours, value):
+    """Whether two values are the same at two sets of random numbers; lists in any order."""
+    if isinstance(ours, list | tuple):
+        return isinstance(value, list | tuple) and len(ours) == len(value) and _same_items(list(ours), list(value))
+    if isinstance(ours, sp.MatrixBase):
+        both = isinstance(value, sp.MatrixBase) and ours.shape == value.shape
+        return both and all(same(a, b) for a, b in zip(ours.flat(), value.flat(), strict=True))
+    if isinstance(ours, sp.Expr) and isinstance(value, sp.Expr):
+        return all(_close(ours, value, seed) for seed in (1, 2))
+    return ours == value
+
+
+def _same_items(ours, value):
+    for item in ours:
+        partner = next((i for i, other in enumerate(value) if same(item, other)), None)
+        if partner is None:
+            return False
+        del value[partner]
+    return True
+
+
+def _close(a, b, seed):
+    draw = random.Random(seed)  # noqa: S311
+    symbols = sorted(a.free_symbols | b.free_symbols, key=str)
+    at = {symbol: sp.Rational(draw.randint(11, 97), 31) for symbol in symbols}
+    at |= {symbol: sp.Integer(seed + 1) for symbol in at if symbol.name == "k"}
+    difference = sp.N((a - b).xreplace(at), 20, maxn=200)
+    return bool(abs(difference) <= 1e-9 * max(1, abs(sp.N(a.xreplace(at), 20))))
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_among_right_answers_a_changed_one_does_not_pass(path):
+    for part, question, _ in questions(path):
+        if len(question.ours) < 2 or part.task == "response":
+            continue
+        right = {name: _submitted(value) for name, value in question.ours.items()}
+        name = chance(path.stem, part.id).choice(sorted(right))
+        tried = list(mutants(question.ours[name]))
+        what, value = chance(path.stem, part.id, name).choice(tried or [("none", question.ours[name])])
+        found = judge(question, {**right, name: _submitted(value)})
+        if is_right(part, question, name, question.ours[name], _submitted(value).value, what) is False:
+            assert any(each.verdict != "correct" for each in found.values()), (part.id, name, what, value)
+
+
+def _submitted(value):
+    value = list(value) if isinstance(value, tuple) else value
+    return Submitted(value, value)
+
+
+X = sp.Symbol("x", real=True)
+
+
+def odd(value):
+    """Values that no student should submit, of the kind of a value."""
+    if isinstance(value, str):
+        return ["nonsense", ""]
+    if isinstance(value, sp.MatrixBase):
+        filled = [sp.ImmutableMatrix(*value.shape, lambda *_, x=x: x) for x in (0, X, sp.oo, sp.I, 10**25)]
+        shapes = [(value.rows + 1, value.cols), (value.rows, value.cols + 1), (1, 1), (value.rows, 0)]
+        return filled + [sp.ImmutableMatrix(sp.ones(*shape)) for shape in shapes]
+    if isinstance(value, list | tuple):
+        inner = odd(value[0])[:4] if value else []
+        return [[], [X], [sp.oo], [sp.I], *([item] * len(value) for item in inner)]
+    if isinstance(value, sp.Expr):
+        return [X, sp.oo, sp.zoo, sp.I, sp.Integer(10) ** 25, 1 / X, sp.sqrt(-X), sp.Symbol("s") / sp.Symbol("t")]
+    return []
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_odd_value_gets_a_verdict(path):
+    for part, question, _ in questions(path):
+        for name, ours in question.ours.items():
+            tried = odd(ours)
+            for value in chance(path.stem, part.id, name).sample(tried, min(3, len(tried))):
+                verdict = judge(question, {name: Submitted(value, value)})[name]
+                infinite = "oo" in str(value) or "zoo" in str(value)
+                assert verdict.verdict in ("correct", "wrong", "not judged")
+                assert verdict.verdict == "wrong" or not infinite, (part.id, name, value)
