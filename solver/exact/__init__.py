@@ -16,8 +16,8 @@ from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.fields import NotExact
 from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
-from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response, reached_in
-from solver.exact.inequalities import Generator, generator_of, sign_of
+from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response
+from solver.exact.inequalities import sign_of
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.long_run import Peak, constant_root, decays, horizon
 from solver.exact.luenberger import CompanionCoordinates, controllable_coordinates, observable_coordinates
@@ -49,7 +49,7 @@ from solver.exact.placement import (
 )
 from solver.exact.pole_placement import ackermann, controllability_matrix
 from solver.exact.rank_conditions import CriticalValues, critical_values, rank_conditions, telling_minors
-from solver.exact.rational import RationalMatrix, between, resolvent_matrix
+from solver.exact.rational import RationalMatrix, resolvent_matrix
 from solver.exact.realization import (
     Realization,
     common_denominators,
@@ -63,7 +63,7 @@ from solver.exact.root_choices import OnTheAxis
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.scalar_functions import ScalarFunction
-from solver.exact.second_order import SPECIFICATIONS, Inconsistent, SecondOrder, second_order, specified
+from solver.exact.second_order import Inconsistent, SecondOrder, second_order, specified
 from solver.exact.set_point import NoSetPoint, SetPoint, equations_of_rest, set_point
 from solver.exact.single_input import (
     ControllablePart,
@@ -81,13 +81,11 @@ from solver.exact.stability import (
     location,
     off_the_point_one,
     polynomial_conditions,
-    stability_conditions,
     stable_where,
 )
 from solver.exact.structure import (
     HiddenPart,
     PencilRank,
-    hidden_modes,
     hidden_part,
     null_basis,
     pencil_ranks,
@@ -99,7 +97,6 @@ from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matr
 from solver.exact.transforms import Denominators, pairs_for, partial_fractions, resolvent, transform_pairs
 
 __all__ = [
-    "SPECIFICATIONS",
     "Case",
     "ClosedForm",
     "CompanionCoordinates",
@@ -114,7 +111,6 @@ __all__ = [
     "Factor",
     "FaddeevLeVerrier",
     "FunctionOfMatrix",
-    "Generator",
     "HiddenPart",
     "Inconsistent",
     "InputResponse",
@@ -152,7 +148,6 @@ __all__ = [
     "affine",
     "all_positive",
     "at_rest",
-    "between",
     "bilinear",
     "case_split",
     "chosen_error_matrix",
@@ -183,8 +178,6 @@ __all__ = [
     "faddeev_leverrier",
     "finite_gramian",
     "fixed_factor",
-    "generator_of",
-    "hidden_modes",
     "hidden_part",
     "horizon",
     "independent_columns",
@@ -231,7 +224,6 @@ __all__ = [
     "rank",
     "rank_conditions",
     "reachable_order",
-    "reached_in",
     "read_inputs",
     "real_and_imaginary",
     "resolvent",
@@ -250,7 +242,6 @@ __all__ = [
     "solve_affine",
     "specified",
     "spectrum",
-    "stability_conditions",
     "stable_where",
     "taylor",
     "telling_minors",

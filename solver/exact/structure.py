@@ -75,15 +75,6 @@ def hidden_part(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> HiddenPart | No
     return HiddenPart(N, matrix_of(H))
 
 
-def hidden_modes(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> list[sp.Expr]:
-    """The eigenvalues of A that [λI − A, B] leaves unreached, repeated by multiplicity.
-
-    For the unobservable ones give Aᵀ and Cᵀ. With parameters they are the generic ones.
-    """
-    hidden = hidden_part(A, B)
-    return hidden.spectrum.eigenvalues if hidden else []
-
-
 @dataclass(frozen=True)
 class PencilRank:
     """The rank of [λI − A, B] at one eigenvalue λ, its row reduction, and rows w with w [λI − A, B] = 0."""

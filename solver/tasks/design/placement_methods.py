@@ -45,7 +45,7 @@ def by_ackermann(pair: Pair) -> Derivation[ImmutableMatrix]:
         formula=exact.polynomial_in(sp.Symbol("A"), pair.desired[:-1]) * sp.Symbol("A"),
         **pair.flags,
     )
-    k: ImmutableMatrix = exact.combine(q.flat(), value)
+    k: ImmutableMatrix = exact.ackermann(A, b, pair.desired)
     stated = frame.times(frame.shown(q), frame.shown(value))
     yield Step("ackermann_gain", claims={"gain": Claim(stated, frame.shown(k), "Ackermann's formula")}, **pair.flags)
     return k
