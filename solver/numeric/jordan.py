@@ -20,9 +20,9 @@ from solver.numeric.points import admissible, free_symbols
 
 DIGITS = 100
 CLUSTER = 1e-6
-"""Computed eigenvalues closer than this, relative to the matrix, are one multiple eigenvalue."""
-ZERO = 1e-25
-"""Singular values below this, relative to the largest, are zero."""
+"""Computed eigenvalues closer than this, relative to the largest of them (at least 1), are one multiple eigenvalue."""
+ZERO = 1e-60
+"""Singular values of (A − λI)ᵏ below this, relative to the norm of A to the power k, are zero."""
 
 Blocks = list[tuple[complex, tuple[int, ...]]]
 
@@ -35,9 +35,10 @@ def jordan_blocks(A: Any, point: Mapping[Any, complex]) -> Blocks:
     n, scale = matrix.rows, max(mp.mnorm(matrix), 1)
     values = list(mp.eig(matrix, left=False, right=False)) if n > 1 else [matrix[0, 0]]
     blocks: Blocks = []
+    radius = CLUSTER * max(1, *(abs(value) for value in values))
     while values:
-        near = [value for value in values if abs(value - values[0]) <= CLUSTER * scale]
-        values = [value for value in values if abs(value - near[0]) > CLUSTER * scale]
+        near = [value for value in values if abs(value - values[0]) <= radius]
+        values = [value for value in values if abs(value - near[0]) > radius]
         mean = sum(near) / len(near)
         blocks.append((complex(mean), _sizes((matrix - mean * mp.eye(n)) / scale, len(near), mp)))
     return blocks
@@ -45,6 +46,8 @@ def jordan_blocks(A: Any, point: Mapping[Any, complex]) -> Blocks:
 
 def _sizes(nilpotent: Any, multiplicity: int, mp: Any) -> tuple[int, ...]:
     """Return the sizes of the blocks from the ranks of powers: rank Nᵏ⁻¹ − rank Nᵏ blocks have a size of k or more."""
+    if multiplicity == 1:
+        return (1,)
     n = nilpotent.rows
     ranks, power = [n], nilpotent
     while ranks[-1] > n - multiplicity:
