@@ -23,6 +23,7 @@ from solver.exact.rational import highest_power, residue_at
 from solver.exact.residues import FactorResidues, interpolation_residues, residues_at, resolvent_residues
 from solver.exact.scalar_functions import ScalarFunction, at_root, multiplied_out
 from solver.exact.spectrum import Factor, spectrum
+from solver.words import formula
 
 
 @dataclass(frozen=True)
@@ -161,7 +162,7 @@ def _reduced(A: sp.ImmutableMatrix, f: ScalarFunction, conditions: tuple[Conditi
     common = q.gcd(chi)
     if common.degree() > 0:
         value = (
-            "\\lambda = 0" if common.as_expr() == x else f"{sp.latex(common.as_expr().subs(x, sp.Symbol('lamda')))} = 0"
+            "\\lambda = 0" if common.as_expr() == x else f"{formula(common.as_expr().subs(x, sp.Symbol('lamda')))} = 0"
         )
         raise NotExact(
             f"The function divides by zero at an eigenvalue of the matrix (${value}$), so it does not exist."

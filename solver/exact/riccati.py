@@ -28,6 +28,7 @@ from solver.exact.spectral_factor import Group, combinations, decimal_polynomial
 from solver.exact.spectrum import irreducible_factors
 from solver.exact.structure import HiddenPart, hidden_part
 from solver.exact.tower_matrices import polynomial_at, shown, solved
+from solver.words import formula
 
 MOST_SOLUTIONS = 64
 LARGEST_NUMBER = 10**5
@@ -228,7 +229,7 @@ def _stable(root: sp.Expr) -> bool:
     if root.is_negative or root.is_nonnegative:
         return bool(root.is_negative)
     raise NotExact(
-        f"The input does not reach the mode $\\lambda = {sp.latex(root)}$. The plant is stabilizable only if that is "
+        f"The input does not reach the mode $\\lambda = {formula(root)}$. The plant is stabilizable only if that is "
         "stable; say under `assume` whether the parameters are positive or negative."
     )
 

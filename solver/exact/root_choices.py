@@ -17,6 +17,7 @@ import sympy as sp
 
 from solver.exact.fields import NotExact, expression
 from solver.exact.square_roots import Nested, RootTower, without_sign
+from solver.words import formula
 
 DIGITS = 30
 """Digits of decimals in results."""
@@ -96,7 +97,7 @@ def sign(K: Any, c: Any) -> int:
         if form.is_nonnegative or form.is_nonpositive:
             return 1 if form.is_nonnegative else -1
     raise NotExact(
-        f"The solution depends on the sign of ${sp.latex(without_sign(sp.factor(value)))}$. "
+        f"The solution depends on the sign of ${formula(without_sign(sp.factor(value)))}$. "
         "Say under `assume` whether the parameters are positive or negative."
     )
 

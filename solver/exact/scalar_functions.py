@@ -12,6 +12,7 @@ import sympy as sp
 
 from solver.exact.fields import NotExact
 from solver.exact.spectrum import DIGITS, Root
+from solver.words import formula
 
 CUT = (sp.log, sp.atan, sp.asin, sp.acos)
 
@@ -43,7 +44,7 @@ class ScalarFunction:
         found: sp.Expr = self.derivative(order).subs(self.variable, value)
         if found.has(sp.zoo, sp.nan, sp.oo):
             what = "is not defined" if order == 0 else f"has no derivative of order {order}"
-            raise NotExact(f"The function {what} at the eigenvalue $\\lambda = {sp.latex(value)}$.")
+            raise NotExact(f"The function {what} at the eigenvalue $\\lambda = {formula(value)}$.")
         if value.has(sp.Float):
             found = found.evalf(DIGITS)
         return found
@@ -62,7 +63,7 @@ class ScalarFunction:
             self._refuse("root" if root else "logarithm", value, inner)
 
     def _refuse(self, what: str, value: sp.Expr, inner: sp.Expr) -> None:
-        leads = f"The eigenvalue $\\lambda = {sp.latex(value)}$ leads to the {what} of ${sp.latex(inner)}$"
+        leads = f"The eigenvalue $\\lambda = {formula(value)}$ leads to the {what} of ${formula(inner)}$"
         if inner.is_zero:
             raise NotExact(
                 f"{leads}, where the function is not differentiable. This function of the matrix does not exist."

@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 import sympy as sp
 
 from solver.exact.fields import NotExact
+from solver.words import formula
 
 Term = tuple[int, sp.Expr, sp.Expr, bool]
 """Power n, growth (σ, in discrete time r), angle ω ≥ 0 where its sign is known, and whether it is a sine."""
@@ -139,11 +140,11 @@ class _Reader:
         delay = sp.cancel(-offset / slope)
         if not (delay.is_nonnegative or delay.is_negative):
             raise NotExact(
-                f"Whether the time ${sp.latex(delay)}$ of a step or impulse comes after the start depends on a "
+                f"Whether the time ${formula(delay)}$ of a step or impulse comes after the start depends on a "
                 "parameter. Say more about it under `assume`."
             )
         if self.discrete and not delay.is_Integer:
-            raise NotExact(f"A step or impulse at ${sp.latex(delay)}$ is not at a whole number of samples.")
+            raise NotExact(f"A step or impulse at ${formula(delay)}$ is not at a whole number of samples.")
         if kind is sp.DiracDelta:
             weight = sp.S.One if self.discrete else 1 / sp.Abs(slope)
             return Signal() if delay.is_negative else Signal({}, {delay: weight})
@@ -216,7 +217,7 @@ class _Reader:
 
     def unknown(self, e: sp.Expr) -> NotExact:
         return NotExact(
-            f"The input contains ${sp.latex(e)}$, whose transform is not rational. Inputs are sums and products of "
+            f"The input contains ${formula(e)}$, whose transform is not rational. Inputs are sums and products of "
             "constants, powers of time, exponentials, sines and cosines, steps and impulses."
         )
 

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.fields import NotExact, expression
+from solver.words import formula
 
 Nested = tuple[Any, ...]
 """An element of the tower."""
@@ -120,7 +121,7 @@ class RootTower:
             if opposite:
                 return self.negative(a)
             raise NotExact(
-                f"The result depends on the sign of ${sp.latex(without_sign(sp.factor(self.expression(a))))}$. "
+                f"The result depends on the sign of ${formula(without_sign(sp.factor(self.expression(a))))}$. "
                 "Say under `assume` whether the parameters are positive or negative."
             )
         return a if positive else self.negative(a)

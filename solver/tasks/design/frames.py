@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Unsolved
 from solver.derivation.stated import Stated, determinant, difference, product
 from solver.lazy import sympy as sp
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -129,7 +130,7 @@ def movable_poles(poles: Sequence[Expr], fixed: Sequence[Expr], n: int, *, dual:
         if found is None:
             hidden, part = ("unobservable", "observable") if dual else ("uncontrollable", "controllable")
             raise Unsolved(
-                f"The mode ${sp.latex(mode)}$ is {hidden}: no gain moves it, so it must be among the poles asked for "
+                f"The mode ${formula(mode)}$ is {hidden}: no gain moves it, so it must be among the poles asked for "
                 f"(as often as it is {hidden}), or only the poles of the {part} part are to be given."
             )
         left.remove(found)

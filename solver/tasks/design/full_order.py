@@ -14,6 +14,7 @@ from solver.lazy import sympy as sp
 from solver.tasks.design.frames import Placement, characteristic
 from solver.tasks.design.observer_gain import decays
 from solver.tasks.design.placement import place
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -39,7 +40,7 @@ def require_detectable(A: ImmutableMatrix, C: ImmutableMatrix, *, discrete: bool
     if growing is not None:
         inside = r"$|\lambda| < 1$" if discrete else r"$\operatorname{Re}\lambda < 0$"
         raise Unsolved(
-            f"The plant is not detectable: its eigenvalue $\\lambda = {sp.latex(growing)}$ is unobservable, so no gain "
+            f"The plant is not detectable: its eigenvalue $\\lambda = {formula(growing)}$ is unobservable, so no gain "
             f"moves it, and it does not have {inside}. The estimation error would not decay."
         )
 

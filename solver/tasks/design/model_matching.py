@@ -25,6 +25,7 @@ from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import variable
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -143,7 +144,7 @@ def _all_stable(zeros: Iterable[Expr], *, discrete: bool) -> bool:
         size = 1 - sp.Abs(zero) if discrete else -sp.re(zero)
         if not size.is_number and size.is_positive is None:
             raise Unsolved(
-                f"Whether the zero ${sp.latex(zero)}$, which becomes a hidden pole, is stable depends on parameters."
+                f"Whether the zero ${formula(zero)}$, which becomes a hidden pole, is stable depends on parameters."
             )
         if not size.is_positive:
             return False

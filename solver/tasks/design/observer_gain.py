@@ -10,6 +10,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.stated import determinant, difference, power, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -129,7 +130,7 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
         unit = r"$|\lambda| < 1$" if pair.discrete else r"$\operatorname{Re}\lambda < 0$"
         raise Unsolved(
             f"The pair $({pair.A_name}, {pair.C_name})$ is not detectable: the eigenvalue "
-            f"$\\lambda = {sp.latex(modes[kept.index(False)])}$ is unobservable, so no gain moves it, and it does not "
+            f"$\\lambda = {formula(modes[kept.index(False)])}$ is unobservable, so no gain moves it, and it does not "
             f"have {unit}. The estimation error would not decay."
         )
     return list(modes)
@@ -206,7 +207,7 @@ def _by_coefficients(
 
 
 def _not_reached(pair: Pair, hidden: Sequence[Expr]) -> str:
-    modes = ", ".join(f"${sp.latex(mode)}$" for mode in hidden)
+    modes = ", ".join(f"${formula(mode)}$" for mode in hidden)
     return (
         f"The eigenvalue{'s' if len(hidden) > 1 else ''} {modes} of ${pair.A_name}$ cannot be moved by any gain, since "
         f"the output does not show {'them' if len(hidden) > 1 else 'it'}. The poles asked for must contain "

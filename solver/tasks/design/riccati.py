@@ -9,6 +9,7 @@ from solver.derivation.stated import determinant, difference, inverse, power, pr
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.design.regulator import Regulator
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -19,7 +20,7 @@ def riccati_of(problem: Regulator) -> exact.Riccati:
     try:
         return exact.riccati(problem.A, problem.B, problem.Q, problem.R)
     except exact.NotStabilizable as finding:
-        modes = ", ".join(f"$\\lambda = {sp.latex(mode)}$" for mode in finding.modes)
+        modes = ", ".join(f"$\\lambda = {formula(mode)}$" for mode in finding.modes)
         raise Unsolved(_not_stabilizable(problem.dual, modes, len(finding.modes) > 1)) from finding
     except exact.OnTheAxis as finding:
         raise Unsolved(_on_the_axis(problem.dual, finding.factor.as_expr(sp.Symbol("s")))) from finding
@@ -42,7 +43,7 @@ def _on_the_axis(dual: bool, factor: Expr) -> str:
     noise = "not excited by the noise" if dual else "not seen by the weight $Q$"
     return (
         "The Hamiltonian matrix has eigenvalues on the imaginary axis: its characteristic polynomial has the factor "
-        f"${sp.latex(factor)}$. A mode there is {noise}, so the Riccati equation has no stabilizing solution."
+        f"${formula(factor)}$. A mode there is {noise}, so the Riccati equation has no stabilizing solution."
     )
 
 

@@ -9,6 +9,7 @@ from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.stated import product, value_at
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -75,7 +76,7 @@ def _steps(case: Any, P: ImmutableMatrix, solutions: Sequence[ImmutableMatrix]) 
             *(_factor(value, steps) for value, steps in parts),
         ]
     claims = {
-        f"root{i}": Claim(value_at(equation, x, value), sp.Integer(0), f"${sp.latex(x)}$ put into its equation")
+        f"root{i}": Claim(value_at(equation, x, value), sp.Integer(0), f"${formula(x)}$ put into its equation")
         for i, value in enumerate(values, 1)
     }
     if case.kind == "substitute":

@@ -10,6 +10,7 @@ from solver.derivation.stated import Stated, derivative, difference, power, prod
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.representation.realization_lemmas import assembled, plain, proper_part
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -64,7 +65,7 @@ def _refuse_chains(modes: Sequence[exact.Mode], x: Symbol) -> None:
     for mode in modes:
         if not mode.simple:
             raise Unsolved(
-                f"The pole at ${x} = {sp.latex(mode.root.value)}$ is repeated: ${x} - p$ stands in the denominator "
+                f"The pole at ${x} = {formula(mode.root.value)}$ is repeated: ${x} - p$ stands in the denominator "
                 f"with the power {mode.multiplicity}, and a diagonal matrix gives only the first power. The Jordan "
                 "form (`form: jordan`) has a chain of states for such a pole."
             )

@@ -11,6 +11,7 @@ from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.stability.trajectories import portrait_of
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -81,7 +82,7 @@ def _sign(x: Expr, name: str) -> int:
     sign = exact.sign_of(x)
     if sign is None:
         raise Unsolved(
-            f"The kind depends on the parameters: the {name} ${sp.latex(sp.factor(x))}$ is positive for some values "
+            f"The kind depends on the parameters: the {name} ${formula(sp.factor(x))}$ is positive for some values "
             "and not for others. Give the parameters values, or say by `assume` what is known of them."
         )
     return sign

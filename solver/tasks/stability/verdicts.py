@@ -8,6 +8,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.stated import difference, inverse, power, product, quotient, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -112,7 +113,7 @@ def depends_on_parameters(A: ImmutableMatrix, *, discrete: bool) -> Derivation[N
             "depend on them. Give the parameters values, or say by `assume` what is known of them."
         )
     parts = condition.args if isinstance(condition, sp.And) else (condition,)
-    words = " and ".join(f"${sp.latex(part)}$" for part in parts)
+    words = " and ".join(f"${formula(part)}$" for part in parts)
     raise Unsolved(
         f"The verdict depends on the parameters: the system is asymptotically stable exactly for {words}. Give the "
         "parameters values, or say by `assume` what is known of them."

@@ -21,6 +21,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.structure.pairs import Pair
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -68,7 +69,7 @@ def infinite_gramian_of(pair: Pair) -> Derivation[ImmutableMatrix]:
 
 def _refusal(pair: Pair, outside: list[Any]) -> str:
     place = r"inside the unit circle" if pair.discrete else "in the open left half plane"
-    values = ", ".join(f"${sp.latex(value)}$" for value in outside)
+    values = ", ".join(f"${formula(value)}$" for value in outside)
     what = "the sum over all times" if pair.discrete else "the integral up to infinity"
     return (
         "The Gramian over an infinite time exists only if all eigenvalues of $A$ lie "

@@ -34,6 +34,7 @@ from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -231,7 +232,7 @@ def require_diagonalizable(
         if space.geometric < space.algebraic:
             raise Unsolved(
                 "The modal matrix needs as many independent eigenvectors as there are states. The eigenvalue "
-                f"$\\lambda = {sp.latex(space.root.value)}$ has multiplicity {space.algebraic} but only "
+                f"$\\lambda = {formula(space.root.value)}$ has multiplicity {space.algebraic} but only "
                 f"{space.geometric} independent eigenvector{'s' if space.geometric > 1 else ''}, so the modal matrix "
                 f"would be singular. {instead}"
             )
