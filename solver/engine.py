@@ -180,7 +180,7 @@ def _closed_loop(given: Given) -> Derivation[Given]:
         return given
     if plant.B is None or K.shape != (plant.B.cols, plant.order):
         raise Unsolved(
-            "the gain K does not fit the plant: it must have one row for each input, one column for each state"
+            "The gain $K$ does not fit the plant: it must have one row for each input and one column for each state."
         )
     loop = plant.closed_loop(K)
     yield Step(
@@ -190,6 +190,7 @@ def _closed_loop(given: Given) -> Derivation[Given]:
         B=plant.B,
         K=K,
         loop=loop.A,
+        discrete=plant.discrete,
     )
     return replace(given, system=loop)
 

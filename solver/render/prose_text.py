@@ -130,10 +130,15 @@ def wrapped(text: str, width: int) -> list[str]:
     return [line.replace(FIRM, " ") for line in lines]
 
 
+def fits(latex: str, width: int) -> bool:
+    """Whether a displayed formula, drawn in two dimensions and indented, has at most `width` cells."""
+    return max(map(cells, drawn(latex.strip())), default=0) + len(INDENT) <= width
+
+
 def display_lines(latex: str, width: int) -> list[str]:
     """Return a displayed formula, drawn in two dimensions and indented; on wrapped lines if it is too wide for that."""
     lines = drawn(latex.strip())
-    if max(map(cells, lines), default=0) + len(INDENT) > width:
+    if not fits(latex, width):
         lines = wrapped(flat(latex.strip()), max(20, width - len(INDENT)))
     return [INDENT + line for line in lines]
 

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import CheckStatus, Status
 from solver.render.prose import inline_as_text, to_text
-from solver.render.prose_text import INDENT, display_lines, indented, wrapped
+from solver.render.prose_text import INDENT, display_lines, fits, indented, wrapped
 from solver.render.unicode_math import flat
 from solver.render.view import AnswerView, CheckRow, PartView, SolutionView
-from solver.render.wording import WordedStep
+from solver.render.wording import WORD, WordedStep
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -90,8 +90,9 @@ def verdict_of(part: PartView) -> str:
 
 
 def answer_lines(answer: AnswerView, width: int = WIDTH) -> list[str]:
-    """Return an answer as `symbol = value`, drawn in two dimensions where it fits."""
-    equation = f"{answer.symbol} = {answer.tex}" if answer.symbol else answer.tex
+    """Return an answer as `symbol = value`, drawn in two dimensions where it fits, a wide matrix entry by entry."""
+    line = f"{answer.symbol} = {answer.tex}" if answer.symbol and not WORD.fullmatch(answer.symbol) else answer.equation
+    equation = line if fits(line, width - len(INDENT)) else answer.narrow
     return [line.removeprefix(INDENT) for line in display_lines(equation, width - len(INDENT))]
 
 

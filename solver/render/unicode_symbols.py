@@ -97,7 +97,7 @@ SUPERSCRIPTS = dict(
     zip("0123456789+-−=()nijktTxyzabcdefghlmoprsuvw*′⊤ABDEGHIJKLMNOPRUW",
         "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁼⁽⁾ⁿⁱʲᵏᵗᵀˣʸᶻᵃᵇᶜᵈᵉᶠᵍʰˡᵐᵒᵖʳˢᵘᵛʷ*′ᵀᴬᴮᴰᴱᴳᴴᴵᴶᴷᴸᴹᴺᴼᴾᴿᵁᵂ", strict=True)
 )  # fmt: skip
-SUBSCRIPTS = dict(zip("0123456789+-−=()aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+SUBSCRIPTS = dict(zip("0123456789+-−=(),aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋₋₌₍₎‚ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
 
 _PLACED_ELSEWHERE = dict(zip("BEFHILMR", "ℬℰℱℋℐℒℳℛ", strict=True))
 _CAPITALS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"

@@ -24,6 +24,7 @@ class AnswerView:
     """One answer: its name, LaTeX of its symbol and value (no dollar signs), its meaning, and the exact object.
 
     `equation` is LaTeX of symbol = value laid out for a page: broken over lines, or entry by entry, where it is wide.
+    `narrow` is the same entry by entry in any case.
     """
 
     name: str
@@ -32,6 +33,7 @@ class AnswerView:
     doc: str
     value: Any
     equation: str
+    narrow: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,7 +128,7 @@ def _part(result: PartResult, part: Part, again: bool, wording: Wording) -> Part
         method_title=method.title,
         source=method.source,
         marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
-        question="" if again else wording.question(part),
+        question="" if again else wording.question(part, closed=task.closes_the_loop and "gain" in part.options),
         given=wording.given(part.system) if part.own_system and not again else "",
         again=again,
         steps=steps,
@@ -142,8 +144,8 @@ def _answers(result: PartResult, wording: Wording) -> list[AnswerView]:
     views = []
     for name, value in result.answers.items():
         symbol = wording.symbol(declared[name])
-        equation = wording.equation(symbol, value)
-        views.append(AnswerView(name, symbol, wording.answer(value), declared[name].doc, value, equation))
+        equation, narrow = wording.equation(symbol, value), wording.equation(symbol, value, narrow=True)
+        views.append(AnswerView(name, symbol, wording.answer(value), declared[name].doc, value, equation, narrow))
     return views
 
 

@@ -44,6 +44,9 @@ SEAM = "\ue000"
 SEAM_BEFORE_LETTER = re.compile(f"{SEAM}(?=[A-Za-z])")
 ENDS_IN_COMMAND = re.compile(r"\\[A-Za-z]+\Z")
 
+WORD = re.compile(r"\\text\{([^{}]*)\}")
+"""An answer that has a word in place of a symbol: whether the system is stable equals nothing."""
+
 LEVELS = ("brief", "full", "tutor")
 
 
@@ -95,11 +98,17 @@ class Wording:
             raise WordingError(f"{_place(step.wording, step.kind)}: {message}")
         return WordedStep(title, markdown, self.words(step.steps), step)
 
-    def question(self, part: Part) -> str:
-        """Return the question of a part in Markdown: its own prompt, or the task's."""
+    def question(self, part: Part, *, closed: bool = False) -> str:
+        """Return the question of a part in Markdown: its own prompt, or the task's.
+
+        `closed` tells that the question is about the loop closed by the option `gain`, which is then said too.
+        """
         if part.prompt:
             return part.prompt.strip()
-        return _tidy(self._macro(f"{part.task}/question", "question", part.system, dict(part.options)))
+        options = {**part.options, "methods": part.methods}
+        words = self._macro(f"{part.task}/question", "question", part.system, options)
+        loop = self._macro("lemmas/closed_loop", "loop_of", part.system, options) if closed else ""
+        return _tidy(f"{words.strip()}\n{loop.strip()}")
 
     def given(self, system: System) -> str:
         """Return what is given about a system in Markdown."""
@@ -157,16 +166,28 @@ class Wording:
         shown = self.tex(value)
         return shown + SEAM if ENDS_IN_COMMAND.search(shown) else shown
 
-    def equation(self, symbol: str, value: Any) -> str:
-        """Return an answer as `symbol = value`, laid out for a page."""
+    def equation(self, symbol: str, value: Any, *, narrow: bool = False) -> str:
+        """Return an answer as `symbol = value`, or `word: value`, laid out for a page; a matrix by entry if narrow."""
         shown = self.answer(value) if isinstance(value, str) else value  # words, not LaTeX
-        return self._laid_out([symbol, shown], self.answer)
+        word = WORD.fullmatch(symbol)
+        if word:
+            return rf"\text{{{word[1]}:}}\quad {shown if isinstance(shown, str) else self.answer(shown)}"
+        return self._laid_out([symbol, shown], self.answer, narrow=narrow)
 
-    def _laid_out(self, sides: Sequence[Any], show: Callable[[Any], str], relation: str = "=", note: str = "") -> str:
+    def _laid_out(
+        self,
+        sides: Sequence[Any],
+        show: Callable[[Any], str],
+        relation: str = "=",
+        note: str = "",
+        *,
+        narrow: bool = False,
+    ) -> str:
         """Return `a = b = ...`, broken over lines where it is long; a very wide matrix at its end entry by entry."""
         shown = [side if isinstance(side, str) else show(side) for side in sides]
         matrix = sides[-1]
-        too_wide = isinstance(matrix, sp.MatrixBase) and width(shown[-1]) > READABLE * LINE
+        listed = isinstance(matrix, sp.MatrixBase) and 0 not in matrix.shape
+        too_wide = listed and (narrow or width(shown[-1]) > READABLE * LINE)
         if not (too_wide and shown[0] and isinstance(sides[0], str)):
             return chain(shown, relation, note)
         cells = [[show(entry) for entry in row] for row in matrix.tolist()]

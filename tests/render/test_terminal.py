@@ -11,7 +11,7 @@ from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.render.boxes import cells
 from solver.render.prose import inline_as_text, to_text
-from solver.render.terminal import print_summary, text_document
+from solver.render.terminal import answer_lines, print_summary, text_document
 from solver.render.view import view_of
 from solver.tasks import catalogue
 
@@ -109,3 +109,27 @@ def test_a_formula_that_is_too_wide_is_written_on_wrapped_lines():
     lines = to_text(f"$$\\begin{{bmatrix}}{wide}\\end{{bmatrix}}$$", 60).split("\n")
     assert len(lines) > 1
     assert all(cells(line) <= 60 for line in lines)
+
+
+def answers_to(task, matrix):
+    text = f"title: A problem\nsystem: {{A: {matrix}}}\nfind:\n  a: {task}\n"
+    return view_of(solve_problem(read_problem(Source("<test>", text), catalogue()))).parts[0].answers
+
+
+def test_a_word_in_place_of_a_symbol_stands_before_a_colon():
+    lines = {answer.name: answer_lines(answer) for answer in answers_to("stability", "[[0, 1], [-2, -3]]")}
+    assert lines["verdict"] == ["verdict:  asymptotically stable"]
+    assert lines["eigenvalues"] == ["λᵢ = −2, −1"]
+
+
+def test_a_matrix_too_wide_for_the_terminal_is_listed_entry_by_entry():
+    (answer,) = answers_to("state_transition_matrix", "[[0, 1], [-k, -d]]")
+    lines = answer_lines(answer, 90)
+    assert [line.partition("=")[0].strip() for line in lines if "=" in line] == ["Φ₁₁", "Φ₁₂", "Φ₂₁", "Φ₂₂"]
+    assert max(map(cells, lines)) <= 90
+
+
+def test_the_gain_that_closes_the_loop_is_part_of_the_question():
+    text = "title: A problem\nsystem: {A: [[0, 1], [0, 0]], B: [0, 1]}\nfind:\n  a: {task: stability, gain: [2, 3]}\n"
+    (part,) = view_of(solve_problem(read_problem(Source("<test>", text), catalogue()))).parts
+    assert part.question.endswith(r"$u = -K_fx$ with $K_f = \begin{bmatrix}2 & 3\end{bmatrix}$.")
