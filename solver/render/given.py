@@ -16,16 +16,17 @@ GAP = r",\qquad "
 
 
 def given_markdown(system: System, tex: Callable[[Any], str]) -> str:
-    """Return the equation of the system, where it has an input or output, and its matrices or transfer function."""
+    """Return the equations of the system, where it has an input or output, and its matrices or transfer function."""
+    equations = ""
     if not isinstance(system, StateSpace):
         pieces = [f"G({tex(system.variable)}) = {tex(_as_given(system))}"]
     elif system.bare:
         pieces = [f"A = {tex(system.A)}"]
     else:
-        pieces = _state_space(system, tex)
+        equations, pieces = display(_equations(system)), _state_space(system, tex)
     if system.sample_time is not None:
         pieces.append(f"T = {tex(system.sample_time)}")
-    return "".join(display(line) for line in _lines(pieces))
+    return equations + "".join(display(line) for line in _lines(pieces))
 
 
 def _as_given(system: TransferFunction) -> Any:
@@ -34,6 +35,16 @@ def _as_given(system: TransferFunction) -> Any:
         return quotient(system.numerators[0][0], system.denominators[0][0])
     rows = zip(system.numerators, system.denominators, strict=True)
     return sp.ImmutableMatrix([[p / q for p, q in zip(*row, strict=True)] for row in rows])
+
+
+def _equations(system: StateSpace) -> str:
+    """The state equation, and that of the output where there is one."""
+    next_state, k = ("x(k+1)", "(k)") if system.discrete else (r"\dot{x}", "")
+    feedthrough = system.D is not None and not system.D.is_zero_matrix
+    drive = f" + Bu{k}" if system.B is not None else ""
+    state = f"{next_state} = Ax{k}{drive}"
+    output = f"y{k} = Cx{k}" + (f" + Du{k}" if feedthrough else "")
+    return f"{state}{GAP}{output}" if system.C is not None else state
 
 
 def _state_space(system: StateSpace, tex: Callable[[Any], str]) -> list[str]:
