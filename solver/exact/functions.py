@@ -14,7 +14,7 @@ from math import factorial
 import sympy as sp
 
 from solver.exact.assembly import linear_combination
-from solver.exact.fields import Algebraic, NotExact, collected, expressions, in_sines
+from solver.exact.fields import Algebraic, NotExact, collected, common_factors_below, expressions, in_sines
 from solver.exact.instances import decimal_parts, value_at
 from solver.exact.residues import (
     FactorResidues,
@@ -167,7 +167,7 @@ def _instances(factor: Factor, Z: Residue) -> Iterator[tuple[Root, list[sp.Expr]
     parts = [expressions(M) for M in Z]
     first = factor.roots[0]
     if factor.degree == 1:
-        yield first, parts[0], None
+        yield first, [common_factors_below(entry) for entry in parts[0]], None
     elif factor.degree == 2 and first.kind != "surd":
         upper = first if first.kind == "complex" else factor.roots[1]
         constant, linear = parts

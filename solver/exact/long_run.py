@@ -95,10 +95,13 @@ def horizon(images: Sequence[RationalMatrix], *, discrete: bool) -> sp.Expr | No
 def peak(image: RationalMatrix, y: sp.Expr, time: sp.Symbol, *, discrete: bool) -> Peak | None:
     """The peak of a scalar function y with an image; None where its size is largest at the start or in the limit.
 
-    Only for functions without parameters that tend to a limit, or oscillate steadily with one frequency.
+    Only for functions that tend to a limit, or oscillate steadily with one frequency; with parameters only for one
+    pair that starts level from zero, the step response of an under-damped system.
     """
-    if y.free_symbols - {time} or y.has(sp.DiracDelta, sp.Heaviside):
+    if y.has(sp.DiracDelta, sp.Heaviside):
         return None
+    if y.free_symbols - {time}:
+        return None if discrete else _of_step(image, y, time)
     final = limit(image, discrete=discrete)
     moving = [pole for pole in image.poles if not constant_root(pole[0].factor, discrete=discrete)]
     if not moving or (final is None and not _steady(image, moving, discrete=discrete)):
@@ -119,6 +122,19 @@ def _steady(image: RationalMatrix, moving: Sequence[tuple[FactorResidues, int]],
     constant = [power for other, power in image.poles if constant_root(other.factor, discrete=discrete)]
     single = not others and order == 1 and each.factor.degree == 2 and all(power == 1 for power in constant)
     return single and not discrete and root.kind == "complex" and root.sigma == 0
+
+
+def _of_step(image: RationalMatrix, y: sp.Expr, t: sp.Symbol) -> Peak | None:
+    """The peak of c (1 − e^{σt}(cos ωt − σ/ω sin ωt)), whose slope is a multiple of e^{σt} sin ωt: it overshoots."""
+    final = limit(image, discrete=False)
+    moving = [pole for pole in image.poles if not constant_root(pole[0].factor, discrete=False)]
+    if final is None or final[0] == 0 or len(moving) != 1:
+        return None
+    (each, order), *_ = moving
+    root = next((root for root in each.factor.roots if root.kind == "complex" and root.shift.is_positive), None)
+    if root is None or order != 1 or any(sp.cancel(sp.diff(y, t, i).subs(t, 0)) != 0 for i in (0, 1)):
+        return None
+    return Peak(sp.pi / root.shift, final[0] * (1 + sp.exp(sp.pi * root.sigma / root.shift)))
 
 
 def _stationary(y: sp.Expr, moving: Sequence[tuple[FactorResidues, int]], t: sp.Symbol) -> list[sp.Expr] | None:

@@ -16,7 +16,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.derivation.stated import Stated, product, quotient
 from solver.exact.faddeev import faddeev_leverrier
-from solver.exact.fields import Algebraic, Modulus, domain_matrix, expressions, matrix_of
+from solver.exact.fields import Algebraic, Modulus, common_factors_below, domain_matrix, expressions, matrix_of
 from solver.exact.functions import MatrixFunction, closed_form
 from solver.exact.instances import value_at
 from solver.exact.residues import FactorResidues, Residue, divided_by, multiply_by, reduce_modulo, residues_at
@@ -162,7 +162,7 @@ def residue_at(Z: Residue, root: Root, shape: tuple[int, int]) -> sp.ImmutableMa
     """A matrix over L at one root of its factor."""
     parts = [expressions(M) for M in Z]
     entries = parts[0] if len(parts) == 1 else [value_at(list(c), root) for c in zip(*parts, strict=True)]
-    return sp.ImmutableMatrix(*shape, entries)
+    return sp.ImmutableMatrix(*shape, [common_factors_below(entry) for entry in entries])
 
 
 def is_simple_decimal_pair(root: Root) -> bool:

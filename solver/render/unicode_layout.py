@@ -17,6 +17,9 @@ ALIGNED = {"aligned", "align", "align*", "split"}
 LIMITS = {"Σ", "Π", "lim"}
 """Their scripts stand above and below in display."""
 
+ONE_FACTOR = r"√?(?:\d[\d.]*|[^\W\d_](?:_[a-z\d]+)?)[\u2070-\u209c\u00b2\u00b3\u00b9\u1d2c-\u1d6a]*"
+"""A number or a letter, with its scripts, perhaps below a root: what needs no parentheses after a slash."""
+
 FACTORS = {"ordinary", "word", "operator", "opening", "closing", "fraction"}
 
 
@@ -70,7 +73,7 @@ def fraction_of(above: Box, below: Box, display: bool) -> Box:
 
 def _as_operand(text: str, below: bool = False) -> str:
     """Return the text, in parentheses unless it is one factor."""
-    simple = re.fullmatch(r"-?[\w.√⁰¹²³⁴-⁹₀-₉ⁿ⁻ᵗ]+", text) is not None and not (below and re.search(r"\d[^\W\d]", text))
+    simple = re.fullmatch(ONE_FACTOR if below else r"-?[\w.√⁰¹²³⁴-⁹₀-₉ⁿ⁻ᵗ]+", text) is not None
     whole = text.startswith("(") and text.find(")") == len(text) - 1
     return text if simple or whole else f"({text})"
 
@@ -117,7 +120,8 @@ def tabular(name: str, columns: str, rows: list[list[Box]], display: bool, rules
     left, right = tuple(MATRICES[name])
     count = len(rows[0])
     if not display and name in ALIGNED:
-        return text_box("; ".join(" ".join(" ".join(box.flat for box in row).split()) for row in rows))
+        lines = [" ".join(" ".join(box.flat for box in row).split()) for row in rows]
+        return text_box("; ".join(lines).replace("; =", " ="))
     if not display:
         inside = "; ".join(", ".join(box.flat.strip() for box in row) for row in rows)
         return text_box(f"{left.strip('.')}{inside}{right.strip('.')}")

@@ -15,6 +15,8 @@ FLAT = {
     r"\frac{1}{2}te^{-t}": "(1/2)te⁻ᵗ",
     r"-\frac{2}{3}": "−2/3",
     r"\frac{a}{2b}": "a/(2b)",
+    r"\frac{N}{Rk} + \frac{R}{L_a} + \frac{x^2}{k_1^2} + \frac{1}{\sqrt{2}}": "N/(Rk) + R/Lₐ + x²/k₁² + 1/√2",
+    r"\begin{aligned}a &= b \\ &= c \\ d &= e\end{aligned}": "a = b = c; d = e",
     r"\begin{bmatrix}1 & -2 \\ 3 & 4\end{bmatrix}": "[1, −2; 3, 4]",
     r"-2,\; -1 \pm j\sqrt{3}": "−2, −1 ± j√3",
     r"\sqrt{1 - \zeta^2}, \sqrt[3]{x}": "√(1 − ζ²), ³√x",

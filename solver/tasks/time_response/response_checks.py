@@ -144,9 +144,9 @@ def peak_checks(given: Given, peak: Any, time: Any) -> Iterable[Check]:
 
 def _peak_residual(truth: Truth, submitted: Any, which: int) -> float:
     """How far the time (0) or the value (1) of the peak is off."""
-    ((_, simulation),) = numeric.simulations(truth.system, truth.x0, truth.inputs, truth.time)
-    found = _peak_in_samples(simulation) if truth.system.discrete else numeric.largest_output(simulation)
-    return numeric.difference(found[which], _column(submitted), {})
+    peak_of = _peak_in_samples if truth.system.discrete else numeric.largest_output
+    found = numeric.simulations(truth.system, truth.x0, truth.inputs, truth.time)
+    return max(numeric.difference(peak_of(each)[which], _column(submitted), point) for point, each in found)
 
 
 def _peak_in_samples(simulation: Any) -> tuple[float, float]:
