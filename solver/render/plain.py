@@ -27,7 +27,8 @@ def sympy_text(value: Any, names: Collection[str] = ()) -> str:
     """Return a value as text for `sympy.sympify(text, locals={name: Symbol(name), ...})`.
 
     Matrices are `Matrix([[..]])`, an empty basis `Matrix(n, 0, [])`, lists `[..]`, truth values `True` and `False`,
-    decimals have 15 digits. A text stands for itself; a `Stated` formula is its operation with its operands.
+    decimals have 15 digits. A text stands for itself (in a list with quotes); a `Stated` formula is its operation with
+    its operands.
     `names` are all names that the reader will take for symbols; if I or E is among them, j and e are spelled out.
     """
     return value if isinstance(value, str) else _printer("I" in names, "E" in names).text(_data(value))
@@ -86,6 +87,10 @@ class _Printer(StrPrinter):
 
     def _print_str(self, expr: str) -> str:
         return expr
+
+    def _print_list(self, expr: Any) -> str:
+        """Words in a list have quotes, or the list could not be read."""
+        return f"[{', '.join(repr(item) if isinstance(item, str) else self._print(item) for item in expr)}]"
 
     def _print_Stated(self, expr: Stated) -> str:
         return f"{expr.operation}({', '.join(self._print(operand) for operand in expr.operands)})"

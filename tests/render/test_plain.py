@@ -73,6 +73,7 @@ a = sp.Symbol("a")
         (sp.false, "False"),
         ("asymptotically stable", "asymptotically stable"),
         ((1, 2), "[1, 2]"),
+        (["positive definite", "indefinite"], "['positive definite', 'indefinite']"),
         (sp.Eq(a, 1), "Eq(a, 1)"),
         (sp.Ne(a, 0), "Ne(a, 0)"),
         (a > 2, "a > 2"),
