@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -102,7 +103,7 @@ def _of_matrix(M: sp.MatrixBase) -> Iterator[tuple[str, Any]]:
     yield "transposed", sp.ImmutableMatrix(M.T)
     if len(M) > 1:
         places = [(i, j) for i in range(M.rows) for j in range(M.cols)]
-        for a, b in zip(places, places[1:], strict=False):
+        for a, b in pairwise(places):
             if M[a] != M[b]:
                 yield f"entries {a} and {b} swapped", _with(M, {a: M[b], b: M[a]})
         yield "zero", sp.ImmutableMatrix(sp.zeros(*M.shape))

@@ -138,24 +138,19 @@ def _vectors(question: Question, name: str, each: Submitted) -> Any:
     ours, own = question.ours.get(name), each.value
     if not isinstance(own, sp.MatrixBase) or not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape:
         return None
-    wrong, right = str(Verdict.WRONG), str(Verdict.CORRECT)
-    if not 1 < max(own.shape) <= MOST_VECTORS:
-        return _shaped(own, lambda _: wrong)
-    columns = _replaceable(question, name, own, ours)
-    rows = _replaceable(question, name, own.T, ours.T, transposed=True)
-    best = max((columns, rows), key=len)
-    if len(best) == (own.cols if best is columns else own.rows):
-        best = columns = set()
-    return [
-        [right if (j if best is columns else i) in best else wrong for j in range(own.cols)] for i in range(own.rows)
-    ]
+    vectors = question.task.answers[name].vectors
+    rows = vectors == "rows"
+    right: set[int] = set()
+    if vectors and max(own.shape) <= MOST_VECTORS:
+        right = _replaceable(question, name, own.T if rows else own, ours.T if rows else ours, transposed=rows)
+    if len(right) == (own.rows if rows else own.cols):  # each is right, but not all together
+        right = set()
+    return [[_word((i if rows else j) in right) for j in range(own.cols)] for i in range(own.rows)]
 
 
 def _replaceable(question: Question, name: str, own: Any, ours: Any, *, transposed: bool = False) -> set[int]:
     """Return the columns of `own` that can each take the place of another column of `ours`."""
     left, found = list(range(ours.cols)), set[int]()
-    if ours.cols == 1:
-        return found
     for j in range(own.cols):
         for k in left:
             tried = ours.as_mutable()

@@ -56,7 +56,8 @@ class AnswerName:
 
     An `optional` one is given when it makes sense. A `free` one is not determined by the question (eigenvectors: any
     scale is right); it may depend on what is given (a gain is free where there are several inputs). In an `ordered`
-    list each item has its place; the items of any other may stand in any order.
+    list each item has its place; the items of any other may stand in any order. `vectors` says that the "columns", or
+    the "rows", of a free matrix are right or wrong each for itself.
     """
 
     name: str
@@ -66,6 +67,7 @@ class AnswerName:
     optional: bool = False
     free: bool | Callable[[Given], bool] = False
     ordered: bool = False
+    vectors: str = ""
 
     def is_free(self, given: Given) -> bool:
         """Whether several values are right."""

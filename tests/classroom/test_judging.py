@@ -4,6 +4,7 @@ import pytest
 from marked import marked, solved, verdict
 
 from solver.classroom.report import wrong_places
+from solver.problem.source import InputError
 
 PLANT = solved(
     """
@@ -157,3 +158,38 @@ def test_a_wrong_column_is_named_once():
     assert wrong_places(found) == ["column 2"]
     found = verdict(PLANT, "e", "controllability_matrix", "[[0, 2], [1, 2]]")
     assert wrong_places(found) == ["row 2, column 2"]
+
+
+def test_a_free_matrix_is_judged_vector_by_vector():
+    found = verdict(PLANT, "a", "right_eigenvectors", "[[2, 1], [-sqrt(6), 1]]")
+    assert found.entries == [["correct", "wrong"], ["correct", "wrong"]]
+    found = verdict(PLANT, "a", "left_eigenvectors", "[[sqrt(6), 2], [1, 1]]")
+    assert found.entries == [["correct", "correct"], ["wrong", "wrong"]]
+    found = verdict(PLANT, "a", "right_eigenvectors", "[[1, 1], [1, 2]]")
+    assert found.share == 0
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value"),
+    [
+        ("b", "K", '"Matrix([[13, 8]])"'),
+        ("a", "right_eigenvectors", '"Matrix([[2, 2], [sqrt(6), -sqrt(6)]])"'),
+        ("b", "closed_loop_A", '"[[1, 2], [-10, -7]]"'),
+        ("e", "controllable", '"True"'),
+        ("c", "eigenvalues", "[-3 + 2i, -3 - 2i]"),
+        ("c", "eigenvalues", '"[-3 + 2*I, -3 - 2*I]"'),
+        ("d", "polynomial", '[["lamda**2 - 2*lamda - 5"]]'),
+    ],
+)
+def test_values_may_be_written_as_results_are(part, name, value):
+    found = verdict(PLANT, part, name, value)
+    assert found.verdict == "correct", found.reason
+
+
+@pytest.mark.parametrize("value", ['"[oo, 1]"', "[inf, inf]", "[[x_9, 1]]", "[0, 0]", "[]", "[[[1]]]"])
+def test_an_odd_value_is_wrong_or_a_fault_with_a_place(value):
+    try:
+        judged = verdict(PLANT, "b", "K", value).verdict
+    except InputError as error:
+        judged = error.render()
+    assert judged == "wrong" or ":1:" in judged

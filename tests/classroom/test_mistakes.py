@@ -82,7 +82,7 @@ def test_a_usual_mistake_is_named(part, name, value, words):
 def test_the_wrong_root_of_the_riccati_equation_is_named():
     for result in PLANT.parts:
         if result.id == "riccati":
-            P, *others = [result.answers["P"], *(P for P in result.answers["solutions"] if P != result.answers["P"])]
+            others = [P for P in result.answers["solutions"] if result.answers["P"] != P]
     for other in others:
         found = verdict(PLANT, "riccati", "P", written(other))
         assert found.verdict == "wrong"

@@ -38,14 +38,15 @@ def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeV
     )
     resolvent = exact.faddeev_leverrier(A)
     chi = resolvent.characteristic_polynomial(x)
-    yield Step("expansion", claims=_expansion(pencil, resolvent.adjugate(x), chi), x=x, n=A.rows, **_shape(pencil))
+    claims = expansion_of(pencil, resolvent.adjugate(x), chi)
+    yield Step("expansion", claims=claims, x=x, n=A.rows, **shape_of(pencil))
     factored = exact.factored(A, x)
     if factored != chi:
         yield Step("factors", claims={"factors": Claim(chi, factored, "factors of the characteristic polynomial")}, x=x)
     return resolvent
 
 
-def _shape(pencil: ImmutableMatrix) -> dict[str, Any]:
+def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:
     """How the determinant is expanded: the row, and whether the matrix is triangular."""
     return {"row": _row_with_most_zeros(pencil), "triangular": bool(pencil.is_upper or pencil.is_lower)}
 
@@ -54,8 +55,8 @@ def _row_with_most_zeros(M: ImmutableMatrix) -> int:
     return max(range(M.rows), key=lambda i: (sum(entry == 0 for entry in M.row(i)), -i))
 
 
-def _expansion(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
-    """det(xI − A) as it is written before multiplying out, and multiplied out."""
+def expansion_of(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
+    """The determinant as it is written before multiplying out, and multiplied out."""
     says = "the determinant multiplied out"
     if pencil.is_upper or pencil.is_lower:
         diagonal = [pencil[i, i] for i in range(pencil.rows)]
@@ -82,6 +83,9 @@ def _cofactors(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) ->
         if adjugate[j, i] != 0:
             multiplied.append(product(pencil[i, j], adjugate[j, i]))
     says = f"determinant expanded along row {i + 1}"
+    if not multiplied:
+        value = Claim(total(*with_minors), chi, "every minor is zero")
+        return {"stated": Claim(determinant(pencil), total(*with_minors), says), "value": value}
     return {
         "stated": Claim(determinant(pencil), total(*with_minors), says),
         "minors": Claim(total(*with_minors), total(*multiplied), "minors of the expansion"),

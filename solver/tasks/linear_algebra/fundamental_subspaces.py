@@ -27,18 +27,28 @@ fundamental_subspaces = Task(
             r"\operatorname{Null}(M)",
             "a basis of the null space, all $v$ with $Mv = 0$, as columns",
             free=True,
+            vectors="columns",
         ),
         AnswerName(
-            "column_space", r"\operatorname{Col}(M)", "a basis of the column space, all $Mv$, as columns", free=True
+            "column_space",
+            r"\operatorname{Col}(M)",
+            "a basis of the column space, all $Mv$, as columns",
+            free=True,
+            vectors="columns",
         ),
         AnswerName(
-            "row_space", r"\operatorname{Row}(M)", "a basis of the row space, all $M^{T}w$, as columns", free=True
+            "row_space",
+            r"\operatorname{Row}(M)",
+            "a basis of the row space, all $M^{T}w$, as columns",
+            free=True,
+            vectors="columns",
         ),
         AnswerName(
             "left_null_space",
             r"\operatorname{Null}(M^{T})",
             "a basis of the left null space, all $y$ with $M^{T}y = 0$, as columns",
             free=True,
+            vectors="columns",
         ),
         AnswerName("rank", r"\operatorname{rank} M", "the rank (with parameters: the rank in general)"),
     ],

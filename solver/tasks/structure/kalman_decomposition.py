@@ -50,7 +50,11 @@ kalman_decomposition = Task(
     ],
     answers=[
         AnswerName(
-            "T", "T", r"the transformation $x = T\xi$; its columns are bases of the subspaces, part by part", free=True
+            "T",
+            "T",
+            r"the transformation $x = T\xi$; its columns are bases of the subspaces, part by part",
+            free=True,
+            vectors="columns",
         ),
         AnswerName("A", r"\bar{A}", "$T^{-1}AT$", free=True),
         AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True, free=True),
