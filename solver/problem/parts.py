@@ -16,7 +16,7 @@ from solver.problem.systems import NOTHING, described, provided
 from solver.systems import StateSpace, System
 
 OWN_KEYS = ("task", "method", "marks", "prompt", "system")
-IN_WORDS = {"transfer_function": "a transfer function", "matrix": "a matrix", "x0": "initial_state"}
+IN_WORDS = {"transfer_function": "a transfer function (or A, B and C)", "matrix": "a matrix", "x0": "initial_state"}
 
 
 class PlantOf(NamedTuple):

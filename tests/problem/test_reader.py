@@ -203,7 +203,7 @@ def test_options_of_any_chosen_method_are_taken(part):
 def test_what_is_wrong_with_a_part_is_said_at_its_place(complaints, text, expected):
     found = complaints(f"system: {{A: [[0, 1], [-2, -3]]}}\nfind:\n  a: {text}\n")
     if expected is None:
-        expected = ["3:6-17 realization needs a transfer function; the system has only A"]
+        expected = ["3:6-17 realization needs a transfer function (or A, B and C); the system has only A"]
     if text == "placement":
         expected = [expected[0], "3:6-15 placement needs B; the system has only A"]
     assert sorted(found) == sorted(expected)
@@ -216,7 +216,7 @@ def test_what_is_wrong_with_a_part_is_said_at_its_place(complaints, text, expect
         ("controllability", "system: {matrix: 1}\n", "controllability needs B; the system has only A"),
         ("controllability", "", "controllability is about a system, and there is none"),
         ("stability", "system: {matrix: [[1, 2]]}\n", "stability needs A; the matrix is not square"),
-        ("realization", "system: {A: 1, B: 1}\n", "realization needs a transfer function; the system has only A and B"),
+        ("realization", "system: {A: 1, B: 1}\n", "realization needs a transfer function (or A, B and C); the system has only A and B"),
     ],
 )  # fmt: skip
 def test_a_question_about_what_the_system_lacks_is_refused(complaints, task, system, expected):
