@@ -216,7 +216,11 @@ def test_what_is_wrong_with_a_part_is_said_at_its_place(complaints, text, expect
         ("controllability", "system: {matrix: 1}\n", "controllability needs B; the system has only A"),
         ("controllability", "", "controllability is about a system, and there is none"),
         ("stability", "system: {matrix: [[1, 2]]}\n", "stability needs A; the matrix is not square"),
-        ("realization", "system: {A: 1, B: 1}\n", "realization needs a transfer function (or A, B and C); the system has only A and B"),
+        (
+            "realization",
+            "system: {A: 1, B: 1}\n",
+            "realization needs a transfer function (or A, B and C); the system has only A and B",
+        ),
     ],
 )  # fmt: skip
 def test_a_question_about_what_the_system_lacks_is_refused(complaints, task, system, expected):
