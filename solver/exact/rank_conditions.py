@@ -31,7 +31,8 @@ PolyRows = list[list[Any]]
 def rank_conditions(M: sp.ImmutableMatrix) -> tuple[sp.Basic, ...]:
     """Conditions on the real parameters of M under any of which its rank is lower than the generic one.
 
-    Each is Eq(f, 0), or And of several such equations. Raises NotExact where there are too many minors.
+    Each is Eq(f, 0), or Eq(x, c) for a parameter x and a number c, or And of several such equations. Raises NotExact
+    where there are too many minors.
     """
     D = domain_matrix(M)
     rows = _polynomials(D)
@@ -49,9 +50,9 @@ def rank_conditions(M: sp.ImmutableMatrix) -> tuple[sp.Basic, ...]:
         minors = [minor for minor in _minors(rows, r) if minor]
         divisor = reduce(lambda f, g: f.gcd(g), minors)
         rest = [minor.exquo(divisor) for minor in minors]
-    found += [sp.Eq(_shown(f, D.domain), 0) for f, _ in divisor.factor_list()[1] if _can_vanish(f, D.domain)]
+    found += [_vanishes(f, D.domain) for f, _ in divisor.factor_list()[1] if _can_vanish(f, D.domain)]
     if rest and not any(minor.is_ground for minor in rest):
-        found += [sp.And(*(sp.Eq(_shown(f, D.domain), 0) for f in case)) for case in _cases(rest, D.domain)]
+        found += [sp.And(*(_vanishes(f, D.domain) for f in case)) for case in _cases(rest, D.domain)]
     undefined = _undefined(D)
     return tuple(condition for condition in dict.fromkeys(found) if not condition.atoms(sp.Eq) & undefined)
 
@@ -61,7 +62,7 @@ def _undefined(D: DomainMatrix) -> set[sp.Basic]:
     K: Any = D.domain
     R = K.field.ring.clone(domain=K.field.ring.domain.get_field())
     denominators = {a.denom.set_ring(R) for row in D.to_list() for a in row}
-    return {sp.Eq(_shown(f, K), 0) for below in denominators for f, _ in below.factor_list()[1]}
+    return {_vanishes(f, K) for below in denominators for f, _ in below.factor_list()[1]}
 
 
 def _at_half_turns(M: sp.ImmutableMatrix, generic: int) -> list[sp.Basic]:
@@ -157,6 +158,17 @@ def _shown(f: Any, K: Any) -> sp.Expr:
     shown = sp.factor(in_sines(expression(K, K.from_sympy(f.as_expr()))))
     above: sp.Expr = sp.fraction(shown)[0].primitive()[1]
     return -above if above.free_symbols and sp.Poly(above).LC().is_negative else above
+
+
+def _vanishes(f: Any, K: Any) -> sp.Eq:
+    """The equation that says so: solved for the parameter where it is linear with one parameter only."""
+    shown = _shown(f, K)
+    if len(shown.free_symbols) == 1 and shown.is_polynomial():
+        (x,) = shown.free_symbols
+        p = sp.Poly(shown, x)
+        if p.degree() == 1:
+            return sp.Eq(x, -p.nth(0) / p.nth(1), evaluate=False)
+    return sp.Eq(shown, 0, evaluate=False)
 
 
 def _can_vanish(f: Any, K: Any) -> bool:

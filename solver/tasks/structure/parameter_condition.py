@@ -22,9 +22,10 @@ from solver.derivation import (
 from solver.derivation.stated import determinant, rank
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
-from solver.tasks.structure.rank_test import matrix_of
+from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -90,7 +91,7 @@ def _determinant(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
     det = exact.determinant_and_adjugate(matrix)[0]
     claims = {"expanded": Claim(determinant(matrix), sp.expand(det), "determinant")}
     claims["factored"] = Claim(sp.expand(det), sp.factor(det), "determinant in factors")
-    return Step("determinant", claims=claims, x=x, dual=pair.dual, n=pair.n)
+    return Step("determinant", claims=claims | arithmetic_of(matrix), x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))
 
 
 def _minors(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalValues) -> Step:

@@ -9,6 +9,7 @@ from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.stated import determinant, product, rank
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.characteristic_polynomial import expansion_of, shape_of
 from solver.tasks.structure.pairs import Pair
 from solver.tasks.structure.row_operations import row_operations
 
@@ -36,10 +37,11 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
         det = sp.factor(exact.determinant_and_adjugate(matrix)[0])
         yield Step(
             "determinant",
-            claims={"value": Claim(determinant(matrix), det, "determinant")},
+            claims={"value": Claim(determinant(matrix), det, "determinant"), **arithmetic_of(matrix)},
             dual=pair.dual,
             det=det,
             n=pair.n,
+            **shape_of(matrix),
         )
     r = exact.rank(matrix)
     if not det:
@@ -65,6 +67,15 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
         generic=bool(exceptions),
     )
     return Rank(matrix, det, r, exceptions)
+
+
+def arithmetic_of(matrix: ImmutableMatrix) -> dict[str, Claim]:
+    """A small determinant written out; nothing for a large one, or where a row of zeros says it all."""
+    if matrix.rows not in (2, 3) or any(matrix.row(i).is_zero_matrix for i in range(matrix.rows)):
+        return {}
+    det, adjugate = exact.determinant_and_adjugate(matrix)
+    claims = expansion_of(matrix, adjugate, det)
+    return {name: claims[name] for name in ("stated", "minors") if name in claims}
 
 
 @lemma("rank_test")
