@@ -30,12 +30,12 @@ class Printer(ObjectPrinter):
     def __init__(self, numbers: NumberFormat) -> None:
         LatexPrinter.__init__(self, {"imaginary_unit": "j", "ln_notation": True, "mat_str": "bmatrix", "mat_delim": ""})
         self.numbers = numbers
-        self._memo: dict[tuple[Any, bool], str] = {}
+        self._memo: dict[tuple[Any, bool, str], str] = {}
 
     def _print(self, expr: Any, **kwargs: Any) -> str:
         if not isinstance(expr, sp.Expr) or isinstance(expr, sp.MatrixExpr):
             return str(super()._print(expr, **kwargs))
-        key = (expr, self._inline)
+        key = (expr, self._inline, self.numbers.mode)
         known = self._memo.get(key)
         if known is None:
             known = self._memo[key] = str(super()._print(expr, **kwargs))
@@ -53,18 +53,22 @@ class Printer(ObjectPrinter):
         if expr.is_number:
             return self._constant_sum(expr)
         terms = list(expr.args)
-        if self.numbers.all_decimal:
+        if self.numbers.all_decimal or self._rounds(expr):
             terms = like_terms_added(terms)
         return summed([self._print(term) for term in ordered_terms(terms)])
 
     def _constant_sum(self, expr: Any) -> str:
-        if self.numbers.all_decimal or expr.has(sp.Float):
+        if self.numbers.all_decimal or expr.has(sp.Float) or self._rounds(expr):
             value = evaluated(expr)
             return summed([self._print(part) for part in value.args]) if value.is_Add else self._print(value)
         fraction = common_fraction(expr)
         if fraction is not None:
             return self._print_Mul(fraction)
         return summed([self._print(term) for term in ordered_terms(expr.args)])
+
+    def _rounds(self, expr: Any) -> bool:
+        """Whether a number of the expression is shown rounded; then its constants are added up."""
+        return self.numbers.decimals_typed and any(map(self.numbers.rounds, expr.atoms(sp.Rational)))
 
     def _print_Mul(self, expr: Any) -> str:
         return self._term(split(expr))
@@ -110,14 +114,15 @@ class Printer(ObjectPrinter):
     def _decimal_constant(self, term: Term) -> str | None:
         """Return the whole constant as a decimal, if that is how it is shown."""
         number, roots = term.number, term.roots or term.roots_below
-        if roots and (self.numbers.all_decimal or number.is_Float):
+        long = number.is_Rational and self.numbers.rounds(number)
+        if roots and (self.numbers.all_decimal or number.is_Float or long):
             above = sp.Mul(*(base**exponent for base, exponent in term.roots))
             value = evaluated(number * above / sp.Mul(*(base**exponent for base, exponent in term.roots_below)))
             if value.is_Float:
                 term.negative, value = term.negative != bool(value < 0), abs(value)
                 return self.numbers.decimal(value)
             return as_factor(self._print(value))
-        kept = bool(roots or term.below) and not self.numbers.all_decimal
+        kept = bool(roots or term.below) and not self.numbers.all_decimal and not long
         if number.is_Float or (not kept and number.is_Rational and self.numbers.shows_decimal(number)):
             return self.numbers.decimal(number)
         return None

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
+from solver.render.numbers import NumberFormat
 from solver.render.pieces import parenthesized, summed
 from solver.render.symbols import name_tex
 
@@ -26,6 +30,7 @@ class ObjectPrinter(LatexPrinter):
     """Prints what is made of expressions; how these are printed is the business of `latex.Printer`."""
 
     _inline = False  # inside an exponent fractions are written 1/2
+    numbers: NumberFormat
 
     # Functions
 
@@ -69,8 +74,21 @@ class ObjectPrinter(LatexPrinter):
     def _print_MatrixBase(self, expr: Any) -> str:
         if 0 in expr.shape:
             return r"\text{empty}"
-        rows = r" \\ ".join(" & ".join(self._cell(entry) for entry in row) for row in expr.tolist())
+        with self._alike(expr):
+            rows = r" \\ ".join(" & ".join(self._cell(entry) for entry in row) for row in expr.tolist())
         return rf"\begin{{bmatrix}}{rows}\end{{bmatrix}}"
+
+    @contextmanager
+    def _alike(self, matrix: Any) -> Iterator[None]:
+        """Where one number of a matrix is rounded, print all of them as decimals."""
+        outside = self.numbers
+        fractions = (number for entry in matrix.flat() for number in entry.atoms(sp.Rational))
+        if any(map(outside.rounds, fractions)):
+            self.numbers = replace(outside, mode="decimal")
+        try:
+            yield
+        finally:
+            self.numbers = outside
 
     def _cell(self, entry: Any) -> str:
         """Print an entry; a fraction with letters below the bar is not made small, as TeX would."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
 LONGEST_TYPED = 6
 """A terminating fraction with more significant digits than this stays a fraction in the mode "typed"."""
 
+LONGEST_FRACTION = (5, 3)
+"""Digits above and below the bar; a longer fraction tells a reader nothing: it is rounded where decimals were typed."""
+
 FIXED_POINT = (-4, 6)
 """Exponents of ten between which a decimal is written without a power of ten: 10⁻⁴ ≤ |x| < 10⁶."""
 
@@ -24,7 +28,8 @@ FIXED_POINT = (-4, 6)
 class NumberFormat:
     """How numbers are shown.
 
-    `mode` is "typed" (exact, but a short decimal where the file held decimals), "exact" (fractions and roots),
+    `mode` is "typed" (exact, but decimals for what is short as a decimal or long as a fraction where the file held
+    decimals), "exact" (fractions and roots),
     "decimal" (every constant that is not an integer as a decimal) or "both" (exact, and the decimal beside answers).
     `digits` is the number of significant digits of decimals; zeros at the end are dropped.
     """
@@ -47,13 +52,23 @@ class NumberFormat:
         """Whether this fraction is printed as a decimal (an integer never is)."""
         if number.q == 1 or self.mode in {"exact", "both"}:
             return False
-        return self.all_decimal or (self.decimals_typed and typed_length(number.p, number.q) <= LONGEST_TYPED)
+        if self.all_decimal or self.rounds(number):
+            return True
+        return self.decimals_typed and typed_length(number.p, number.q) <= LONGEST_TYPED
+
+    def rounds(self, number: sp.Rational) -> bool:
+        """Whether this fraction is too long to be read, in a problem that was typed with decimals."""
+        if not self.decimals_typed or self.mode != "typed" or number.q == 1:
+            return False
+        above, below = len(str(abs(number.p))), len(str(number.q))
+        long = above > LONGEST_FRACTION[0] or below > LONGEST_FRACTION[1]
+        return long and typed_length(number.p, number.q) > LONGEST_TYPED
 
     def parts(self, number: Any) -> tuple[str, int]:
         """Return digits and power of ten of a real number: ("0.25", 0), ("-1.2", -7); the sign is in the digits."""
         digits = self.digits
-        if isinstance(number, sp.Rational) and not self.all_decimal:
-            digits = max(digits, LONGEST_TYPED)  # as typed: nothing is rounded
+        if isinstance(number, sp.Rational) and not self.all_decimal and typed_length(number.p, number.q) < math.inf:
+            digits = max(digits, LONGEST_TYPED)  # as typed: nothing is rounded that has no more digits
         return _decimal_parts(_mpf(number), digits)
 
     def decimal(self, number: Any) -> str:

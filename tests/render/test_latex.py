@@ -147,7 +147,16 @@ DECIMALS = [
     # (value, typed with decimals in the file, decimal)
     (Rational(3, 4), "0.75", "0.75"),
     (Rational(1, 3), r"\frac{1}{3}", "0.33333"),
-    (Rational(1234567, 10**6), r"\frac{1234567}{1000000}", "1.2346"),
+    (Rational(1234567, 10**6), "1.23457", "1.2346"),
+    (Rational(10**6, 3286969) * pi**2, "3.0026", "3.0026"),
+    (s**2 + 1 + Rational(10**6, 3286969) * pi**2, "s^{2} + 4.0026", "s^{2} + 4.0026"),
+    (Rational(1031553, 109000) * k / m, r"\frac{9.4638k}{m}", r"\frac{9.4638k}{m}"),
+    (Matrix([[Rational(1, 3), Rational(-1177, 3270)]]), *2 * [r"\begin{bmatrix}0.33333 & -0.35994\end{bmatrix}"]),
+    (
+        Matrix([[Rational(1, 3), Rational(3, 4)]]),
+        r"\begin{bmatrix}\frac{1}{3} & 0.75\end{bmatrix}",
+        r"\begin{bmatrix}0.33333 & 0.75\end{bmatrix}",
+    ),
     (sqrt(5) / 2, r"\frac{\sqrt{5}}{2}", "1.118"),
     ((1 - sqrt(5)) / 2, r"\frac{1 - \sqrt{5}}{2}", "-0.61803"),
     (Rational(-1, 2) + sqrt(3) * I / 2, r"-0.5 + \frac{\sqrt{3}}{2}j", "-0.5 + 0.86603j"),
