@@ -47,7 +47,7 @@ def test_every_format_shows_it_at_every_level_of_detail(path, detail):
     view = view_of(solution, Wording(NumberFormat.of(solution.problem.display), detail))
     shown = [render_page(view), latex_document(view), markdown_of(view)]
     for part in view.parts:
-        assert all(answer.symbol in shown[2] for answer in part.answers)
+        assert all(answer.equation in shown[2] for answer in part.answers)
         for formula in [step.markdown for step in part.steps] + [answer.tex for answer in part.answers]:
             assert not CLUMSY.search(formula), formula
     assert all(len(text) > 500 for text in shown)
