@@ -369,6 +369,7 @@ def test_a_quadratic_denominator_is_completed_to_the_squares_of_the_table():
     (square,) = steps["completed_squares"].claims.values()
     s = sp.Symbol("s")
     assert square.left == s**2 + 10 * s + 100
-    assert steps["completed_squares"].values["pairs"] == [(-5, 5 * sp.sqrt(3))]
+    assert [each[1:] for each in steps["completed_squares"].values["quadratics"]] == [(-5, 5 * sp.sqrt(3))]
     assert steps["partial_fractions"].values["alone"]
     assert "completed_squares" not in [each.kind for each in respond(SCALE, "laplace", x0=[1, 0]).steps]
+    assert "completed_squares" not in [each.kind for each in respond(OSCILLATOR, "laplace", x0=[1, 0]).steps]

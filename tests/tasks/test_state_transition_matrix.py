@@ -199,4 +199,4 @@ def test_the_partial_fractions_are_explained_by_the_poles_there_are(rows, expect
     steps = {each.kind: each for each in ask("state_transition_matrix", system(rows), "laplace").steps}
     values = steps["partial_fractions"].values
     assert tuple(values[name] for name in ("simple", "repeated", "quadratic", "alone")) == expected
-    assert ("completed_squares" in steps) == expected[2]
+    assert ("completed_squares" in steps) == (expected[2] and rows[2:] != [[0, -4, 0]]), "s² + 4 is a square already"

@@ -65,18 +65,19 @@ def partial_fractions_of(A: ImmutableMatrix, x: Symbol) -> Derivation[Any]:
 
 @lemma("resolvent")
 def completed_squares_of(image: exact.RationalMatrix, x: Symbol) -> Derivation[None]:
-    """Quadratic denominators as (x − σ)² + ω², as the tables have them; no step where there are none."""
+    """Quadratic denominators as (x − σ)² + ω², as the tables have them; no step where all are so already."""
     quadratics = exact.Denominators.of(image, x).quadratics
-    if quadratics:
+    shifted = [each for each in quadratics if each[1] != 0]
+    if shifted:
         yield Step(
             "completed_squares",
             claims={
                 f"square{i}": Claim(p, total(power(x - sigma, 2), omega**2), "completed square")
-                for i, (p, sigma, omega) in enumerate(quadratics, 1)
+                for i, (p, sigma, omega) in enumerate(shifted, 1)
             },
             detail="full",
             x=x,
-            pairs=[(sigma, omega) for _, sigma, omega in quadratics],
+            quadratics=quadratics,
         )
 
 
