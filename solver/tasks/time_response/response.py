@@ -19,9 +19,11 @@ from solver.derivation import (
 )
 from solver.lazy import systems
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
-from solver.tasks.time_response import response_parts as parts
+from solver.tasks.time_response import by_convolution as convolution
+from solver.tasks.time_response import by_transform as transform
+from solver.tasks.time_response.question import Question
 from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks
-from solver.tasks.time_response.response_parts import Question
+from solver.tasks.time_response.whole_response import put_together
 
 if TYPE_CHECKING:
     from solver.systems import System
@@ -43,11 +45,13 @@ response = Task(
         Option("initial_state", MatrixOf("n", 1, flat="column"), "x(0), numbers or symbols; else that of the system"),
     ],
     answers=[
-        AnswerName("x", "x", "the states, n×1"),
+        AnswerName("x", "x", "the states"),
         AnswerName("y", "y", "the output (several: a column)", optional=True),
-        AnswerName("y_final", r"y_{\infty}", "the limit of y, where there is one", optional=True),
-        AnswerName("y_peak", r"y_{\text{peak}}", "the value of largest size, where y attains it", optional=True),
-        AnswerName("t_peak", r"t_{\text{peak}}", "when it does so first (discrete: the sample)", optional=True),
+        AnswerName("y_final", r"y_{\infty}", "the final value, the limit of $y$", optional=True),
+        AnswerName("y_peak", r"y_{\text{peak}}", "the peak, the value of largest size", optional=True),
+        AnswerName(
+            "t_peak", r"t_{\text{peak}}", "when the peak is reached first (in discrete time: the sample)", optional=True
+        ),
     ],
     example={"B": "[0, 1]", "input": "exp(-t)", "initial_state": "[1, 0]"},
 )
@@ -91,13 +95,13 @@ def by_z_transform(given: Given) -> Derivation[Answers]:
 
 
 def _by_transform(asked: Question) -> Derivation[Answers]:
-    yield from parts.equation_of_transforms(asked)
+    yield from transform.equation_of_transforms(asked)
     yield from inverse_of_pencil(asked.system.A, asked.variable)
     if asked.x0 is not None:
-        yield from parts.zero_input_by_transform(asked)
+        yield from transform.zero_input_by_transform(asked)
     for piece in asked.pieces:
-        yield from parts.zero_state_by_transform(asked, piece)
-    answers = yield from parts.put_together(asked)
+        yield from transform.zero_state_by_transform(asked, piece)
+    answers = yield from put_together(asked)
     return answers
 
 
@@ -105,13 +109,13 @@ def _by_transform(asked: Question) -> Derivation[Answers]:
 def by_convolution(given: Given) -> Derivation[Answers]:
     """x(t) = Φ(t) x(0) + ∫ Φ(t − τ) B u(τ) dτ; in discrete time x(k) = Aᵏ x(0) + Σ Aᵏ⁻¹⁻ⁱ B u(i)."""
     asked = Question.of(given)
-    yield from parts.formula_of_convolution(asked)
-    Phi = yield from parts.transition_matrix_of(asked)
+    yield from convolution.formula_of_convolution(asked)
+    Phi = yield from convolution.transition_matrix_of(asked)
     if asked.x0 is not None:
-        yield from parts.zero_input_by_convolution(asked, Phi)
+        yield from convolution.zero_input_by_convolution(asked, Phi)
     for piece in asked.pieces:
-        yield from parts.zero_state_by_convolution(asked, piece, Phi)
-    answers = yield from parts.put_together(asked)
+        yield from convolution.zero_state_by_convolution(asked, piece, Phi)
+    answers = yield from put_together(asked)
     return answers
 
 

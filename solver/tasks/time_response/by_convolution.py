@@ -1,0 +1,82 @@
+"""Responses by convolution, as lemmas: the solution formula, the transition matrix, the integral or sum."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.stated import integral, inverse_laplace, inverse_z, product, summation, total
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
+from solver.tasks.time_response.question import Question
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
+
+@lemma("response_convolution")
+def formula_of_convolution(asked: Question) -> Derivation[None]:
+    """The solution of the state equation as a formula."""
+    yield Step(
+        "convolution_formula",
+        unclaimed="the general formula, derived in the text",
+        detail="full",
+        discrete=asked.discrete,
+        initial=asked.x0 is not None,
+        forced=bool(asked.inputs),
+    )
+
+
+@lemma("response_convolution")
+def transition_matrix_of(asked: Question) -> Derivation[ImmutableMatrix]:
+    """Φ by the transform of the resolvent; returns it (n×n)."""
+    A, s, t, discrete = asked.system.A, asked.variable, asked.time, asked.discrete
+    yield from inverse_of_pencil(A, s)
+    expansion = yield from partial_fractions_of(A, s)
+    yield from transform_pairs_of(A, s, t, discrete=discrete)
+    Phi = (exact.power if discrete else exact.exponential)(A, t).matrix
+    stated = inverse_z(product(s, expansion), s, t) if discrete else inverse_laplace(expansion, s, t)
+    yield Step("transition", claims={"Phi": Claim(stated, Phi, "state transition matrix")}, discrete=discrete)
+    return Phi
+
+
+@lemma("response_convolution")
+def zero_input_by_convolution(asked: Question, Phi: ImmutableMatrix) -> Derivation[None]:
+    """Φ(t) x(0)."""
+    x = asked.function(asked.zero_input)
+    yield Step(
+        "free_motion",
+        claims={"x": Claim(product(Phi, asked.x0), x, "free motion")},
+        discrete=asked.discrete,
+    )
+
+
+@lemma("response_convolution")
+def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: ImmutableMatrix) -> Derivation[None]:
+    """The integral of Φ(t − τ) B u(τ), in discrete time the sum of Φ(k − 1 − i) B u(i)."""
+    t, B = asked.time, asked.system.B
+    x = asked.function(asked.zero_state(piece))
+    names: dict[str, Any] = {
+        "discrete": asked.discrete,
+        "delay": piece.delay,
+        "impulses": piece.impulses,
+        "inputs": piece.inputs,
+    }
+    if asked.discrete:
+        i = sp.Symbol("i")
+        u = piece.inputs.xreplace({t: i})
+        stated = summation(product(Phi.xreplace({t: t - 1 - i}), B, u), i, sp.Integer(0), t - 1)
+        yield Step("convolution_sum", claims={"x": Claim(stated, x, "convolution sum")}, B=B, u=u, **names)
+        return
+    tau = sp.Symbol("tau")
+    u = piece.inputs.xreplace({t: tau})
+    shifted = Phi.xreplace({t: t - tau})
+    integrand = sp.ImmutableMatrix((shifted * B * u).applyfunc(sp.expand_mul))
+    terms: list[Any] = [integral(integrand, tau, sp.Integer(0), t)] if any(u.flat()) else []
+    if any(piece.impulses.flat()):
+        terms.append(product(Phi, B, piece.impulses))
+    claims = {"x": Claim(total(*terms), x, "convolution")}
+    if any(u.flat()):
+        claims = {"integrand": Claim(product(shifted, B, u), integrand, "what is integrated"), **claims}
+    yield Step("convolution", claims=claims, B=B, x=exact.shifted(x, t, piece.delay), **names)

@@ -1,0 +1,83 @@
+"""What is asked of a response: a system, an initial state and inputs, and what the kernels find for them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Given
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+    from solver.systems import StateSpace
+
+
+@dataclass(frozen=True)
+class Question:
+    """What is asked: the response of a system to an initial state (None: zero) and to inputs (none: no input)."""
+
+    system: StateSpace
+    x0: ImmutableMatrix | None
+    inputs: tuple[Expr, ...]
+    kind: str
+
+    @staticmethod
+    def of(given: Given) -> Question:
+        """The question of a part: the initial state is the option, or else the system's."""
+        x0 = given.initial_state if given.initial_state is not None else given.system.x0
+        if given.kind == "zero_state" or (x0 is not None and x0.is_zero_matrix and given.kind != "zero_input"):
+            x0 = None
+        inputs = () if given.kind == "zero_input" else tuple(given.input)
+        return Question(given.system, x0, inputs, given.kind)
+
+    @property
+    def discrete(self) -> bool:
+        """Whether time is discrete."""
+        return self.system.discrete
+
+    @cached_property
+    def time(self) -> Symbol:
+        """The symbol t, or k."""
+        return sp.Symbol("k" if self.discrete else "t")
+
+    @cached_property
+    def variable(self) -> Symbol:
+        """The symbol s, or z."""
+        return sp.Symbol("z" if self.discrete else "s")
+
+    @cached_property
+    def pieces(self) -> tuple[exact.Piece, ...]:
+        """What begins in the inputs, time by time."""
+        return exact.read_inputs(self.inputs, self.time, discrete=self.discrete) if self.inputs else ()
+
+    @cached_property
+    def answer(self) -> exact.ClosedForm:
+        """The response in closed form."""
+        return exact.response(self.system, self.x0, self.inputs, self.time)
+
+    @cached_property
+    def zero_input(self) -> exact.RationalMatrix:
+        """The transform of the zero-input response of the states (in discrete time divided by z)."""
+        return exact.piece_response(self.system, self.x0, None).x
+
+    def zero_state(self, piece: exact.Piece) -> exact.RationalMatrix:
+        """The transform of what a piece of the inputs adds to the states, from the start of the piece."""
+        return exact.piece_response(self.system, None, piece).x
+
+    def function(self, image: exact.RationalMatrix) -> ImmutableMatrix:
+        """The function of time that has an image."""
+        f: ImmutableMatrix = image.function(self.time, discrete=self.discrete).matrix
+        return f
+
+    def pencil(self) -> ImmutableMatrix:
+        """The matrix sI − A (zI − A)."""
+        return sp.ImmutableMatrix(self.variable * sp.eye(self.system.order) - self.system.A)
+
+
+def entry_or_column(column: ImmutableMatrix) -> Any:
+    """Return the entry of a 1×1 matrix, any other as it is."""
+    return column[0] if len(column) == 1 else column
