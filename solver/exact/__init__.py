@@ -18,6 +18,7 @@ from solver.exact.fields import NotExact
 from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
 from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response
 from solver.exact.inequalities import sign_of
+from solver.exact.input_generators import Piece, read_inputs
 from solver.exact.interpolation import Condition, interpolation
 from solver.exact.long_run import Peak, constant_root, decays, horizon
 from solver.exact.luenberger import CompanionCoordinates, controllable_coordinates, observable_coordinates
@@ -56,7 +57,7 @@ from solver.exact.realization import (
     controllable_realization,
     observable_realization,
 )
-from solver.exact.response import ClosedForm, Piece, Response, piece_response, read_inputs, response, shifted
+from solver.exact.response import ClosedForm, Response, piece_response, response, shifted
 from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
 from solver.exact.riccati_cases import Case, case_split
 from solver.exact.root_choices import OnTheAxis
