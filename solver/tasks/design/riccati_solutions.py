@@ -145,7 +145,7 @@ def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) ->
 
 
 def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
-    """The leading minors of every solution, where all have a sign and none is zero; else the words alone."""
+    """The leading minors of every solution, where none of the solutions is singular; else the words alone."""
     minors: list[list[tuple[Expr, int]]] = []
     claims = {}
     if all(each.exact and not each.P.free_symbols for each in solutions):
@@ -158,7 +158,7 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
                 claims[f"minor{k}_{number}"] = Claim(
                     determinant(block), minor, f"leading minor {k} of $P_{{{number}}}$"
                 )
-    if not minors or any(sign == 0 for each in minors for _, sign in each):
+    if not minors or any(each[-1][1] == 0 for each in minors):
         reason = "definiteness is a matter of signs, not an equality; the verification judges it"
         return Step("definiteness", unclaimed=reason, words=words, minors=[])
     return Step("definiteness", claims=claims, words=words, minors=minors)
