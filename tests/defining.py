@@ -29,7 +29,8 @@ def still_right(task, name, given, ours, value):
         return False
     plant = {key: numbers(M, symbols) for key, M in zip("ABCD", _matrices(given.system), strict=True)}
     with np.errstate(all="ignore"):
-        return judge(plant, numbers(value, symbols), numbers(ours, symbols), given)
+        right = judge(plant, numbers(value, symbols), numbers(ours, symbols), given)
+    return None if right is None else bool(right)
 
 
 def _matrices(system):

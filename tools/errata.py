@@ -158,7 +158,7 @@ def page() -> str:
         open_ += undecided
     text = [HEAD, f"Of {total} printed values {len(lines)} are wrong."]
     text += [f"{len(open_)} could not be judged:", "", *(f"- {each}" for each in open_)] if open_ else []
-    for chapter in dict.fromkeys(line.chapter for line in lines):
+    for chapter in sorted({line.chapter for line in lines}, key=lambda each: (not each.startswith("ch"), each)):
         text += ["", f"## {title(chapter)}", ""]
         text += ["| entry | part | answer | printed | right | what is wrong |", "|---|---|---|---|---|---|"]
         text += [line.row() for line in lines if line.chapter == chapter]

@@ -225,13 +225,22 @@ def _upside_down(case: Case) -> Values:
         yield 1 / case.ours
 
 
-def _some_signs(submitted: Submitted, ours: Any) -> bool:
-    """Whether a matrix is right but for the signs of some entries."""
+def _signs(submitted: Submitted, ours: Any) -> int:
+    """In how many entries a matrix has the wrong sign; 0 if anything else is wrong."""
     right = entrywise(submitted, ours)
     if not isinstance(ours, sp.MatrixBase) or right is None:
-        return False
+        return 0
     minus = entrywise(submitted, sp.ImmutableMatrix(-ours))
-    return all(Verdict.CORRECT in pair for rows in zip(right, minus, strict=True) for pair in zip(*rows, strict=True))
+    pairs = [pair for rows in zip(right, minus, strict=True) for pair in zip(*rows, strict=True)]
+    return sum(pair[0] != Verdict.CORRECT for pair in pairs) if all(Verdict.CORRECT in pair for pair in pairs) else 0
+
+
+def _one_sign(submitted: Submitted, ours: Any) -> bool:
+    return _signs(submitted, ours) == 1
+
+
+def _some_signs(submitted: Submitted, ours: Any) -> bool:
+    return _signs(submitted, ours) > 1
 
 
 def _one_unit_off(submitted: Submitted, ours: Any) -> bool:
@@ -292,7 +301,8 @@ TRANSFORMED: tuple[tuple[str, Callable[[Case], Iterable[Any]]], ...] = (
 )
 
 ALIKE: tuple[tuple[str, Callable[[Submitted, Any], bool]], ...] = (
-    ("the sign of an entry is reversed", _some_signs),
+    ("the sign of an entry is reversed", _one_sign),
+    ("the signs of some entries are reversed", _some_signs),
     ("the last digit is cut off, not rounded", _one_unit_off),
 )
 
@@ -322,11 +332,16 @@ def _poles_reversed(part: Part) -> Part | None:
     return _option(part, "poles", lambda poles: tuple(-pole for pole in poles))
 
 
+ABOUT_CHANNELS = ("controllability", "observability", "transfer_function", "pole_placement", "observer", "response")
+
+
 def _poles_squared(part: Part) -> Part | None:
     return _option(part, "poles", lambda poles: tuple(pole**2 for pole in poles))
 
 
 def _inputs_for_outputs(part: Part) -> Part | None:
+    if part.task not in ABOUT_CHANNELS:
+        return None
     B, C = getattr(part.system, "B", None), getattr(part.system, "C", None)
     return None if B is None or C is None or B.cols != C.rows else _system(part, B=C.T, C=B.T)
 

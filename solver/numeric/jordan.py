@@ -17,6 +17,7 @@ from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
 from solver.numeric.evaluate import value_of
 from solver.numeric.points import admissible, free_symbols
+from solver.numeric.rank import independent
 
 DIGITS = 100
 CLUSTER = 1e-6
@@ -95,6 +96,8 @@ def chains_residual(A: Any, V: Any, *, rows: bool = False) -> float:
     Relative to the entries of A. The ones may stand above or below the diagonal. Infinite if V is not invertible.
     """
     if V.shape != A.shape:
+        return float("inf")
+    if not independent(V.T if rows else V):
         return float("inf")
     return max(_chains_at(A, V, point, rows=rows) for point in admissible(free_symbols([A, V]), 2))
 

@@ -26,13 +26,22 @@ from solver.resources import root
 from solver.tasks import catalogue
 
 EXAMPLES = sorted(root("problems").joinpath("examples").glob("*.yaml"))
-MOST = 4
+MOST = 3
 """Changed values of each answer that are tried."""
 
 SCALABLE = {"equations"}
 """Lists of expressions that are zero: any factor is right."""
 
-UNDECIDED = ("together", "as a whole", "not among the answers", "coincide", "only equations", "cannot decide")
+UNDECIDED = (
+    "together",
+    "is judged with",
+    "as a whole",
+    "not among the answers",
+    "coincide",
+    "only equations",
+    "cannot decide",
+    "too few digits",
+)
 """Why a changed value may stay unjudged: it means nothing alone, or our own check does not decide about it either."""
 
 
@@ -114,7 +123,7 @@ def same(ours, value):
         both = isinstance(value, sp.MatrixBase) and ours.shape == value.shape
         return both and all(same(a, b) for a, b in zip(ours.flat(), value.flat(), strict=True))
     if isinstance(ours, sp.Expr) and isinstance(value, sp.Expr):
-        return all(_close(ours, value, seed) for seed in (1, 2))
+        return all(_close(ours, value, seed) for seed in (1, 2, 3))
     return ours == value
 
 
@@ -131,7 +140,7 @@ def _close(a, b, seed):
     draw = random.Random(seed)  # noqa: S311
     symbols = sorted(a.free_symbols | b.free_symbols, key=str)
     at = {symbol: sp.Rational(draw.randint(11, 97), 31) for symbol in symbols}
-    at |= {symbol: sp.Integer(seed + 1) for symbol in at if symbol.name == "k"}
+    at |= {symbol: sp.Integer(seed - 1) for symbol in at if symbol.name == "k"}
     difference = sp.N((a - b).xreplace(at), 20, maxn=200)
     return bool(abs(difference) <= 1e-9 * max(1, abs(sp.N(a.xreplace(at), 20))))
 
@@ -179,7 +188,7 @@ def test_an_odd_value_gets_a_verdict(path):
     for part, question, _ in questions(path):
         for name, ours in question.ours.items():
             tried = odd(ours)
-            for value in chance(path.stem, part.id, name).sample(tried, min(3, len(tried))):
+            for value in chance(path.stem, part.id, name).sample(tried, min(2, len(tried))):
                 verdict = judge(question, {name: Submitted(value, value)})[name]
                 infinite = "oo" in str(value) or "zoo" in str(value)
                 assert verdict.verdict in ("correct", "wrong", "not judged")

@@ -12,6 +12,9 @@ import pytest
 from sample_pages import SHORT, TALL, hostile, sample
 
 from solver import solve
+from solver.classroom import mark, read_submission
+from solver.classroom.report import render_sheet
+from solver.problem.source import Source
 from solver.render.page import render_page
 from solver.resources import root
 
@@ -181,6 +184,40 @@ def test_real_solutions_with_every_arithmetic_step_fit_a_phone(browser: Any, tmp
     assert visit.page.evaluate(CUT_OFF) == []
     assert visit.page.evaluate(TOO_HIGH) == []
     assert visit.page.locator("code.not-drawn").count() == 0
+    assert barriers(visit) == []
+    visit.context.close()
+
+
+SHEET = """\
+title: A sheet
+system: {A: [[1, 2], [3, 1]], B: [0, 1]}
+find:
+  a: {task: controllability, marks: {controllable: 1, controllability_matrix: 2}}
+  b: {task: eigenstructure, marks: 2}
+  c: {task: observability, system: {A: [[1]], C: [1]}}
+"""
+ANSWERS = """\
+student: A-17
+answers:
+  a: {controllable: no, controllability_matrix: [[0, 2], [1, 2]], rank: 2}
+  b: {right_eigenvectors: [[2, 1], [-sqrt(6), 1]], eigenvalues: [3.449, -1.449]}
+  c: {unobservable_modes: []}
+"""
+
+
+@pytest.mark.parametrize("width", [900, 400])
+@pytest.mark.parametrize("with_solution", [False, True])
+def test_a_sheet_of_marked_answers_fits_and_keeps_nobody_out(
+    browser: Any, tmp_path: Path, width: int, with_solution: bool
+) -> None:
+    solution = solve(SHEET)
+    submission = read_submission(Source("answers.yaml", ANSWERS), solution.solution.problem)
+    marking = mark(solution.solution, submission)
+    path = tmp_path / "sheet.html"
+    path.write_text(render_sheet(solution.solution, marking, solution.view() if with_solution else None), "utf-8")
+    visit = Visit(browser, path, width, "light")
+    assert visit.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    assert visit.page.evaluate(CUT_OFF) == []
     assert barriers(visit) == []
     visit.context.close()
 
