@@ -61,9 +61,7 @@ def gain_of(pair: Pair, poles: Sequence[Expr]) -> Derivation[Gain]:
     desired = yield from _desired(pair, poles, hidden)
     unknown = None
     if pair.C.rows == 1:
-        L, unknown = yield from _by_coefficients(
-            pair, pair.C, pair.A, desired, hidden, f"{pair.A_name} - L{pair.C_name}"
-        )
+        L, unknown = yield from _by_coefficients(pair, pair.C, pair.A, desired, hidden)
     elif not hidden and len(exact.independent_columns(pair.C)) == pair.n:
         L = yield from _by_choice(pair, poles)
     else:
@@ -166,9 +164,12 @@ def _desired(pair: Pair, poles: Sequence[Expr], hidden: Sequence[Expr]) -> Deriv
 
 
 def _by_coefficients(
-    pair: Pair, c: ImmutableMatrix, A: ImmutableMatrix, desired: Expr, hidden: Sequence[Expr], called: str
+    pair: Pair, c: ImmutableMatrix, A: ImmutableMatrix, desired: Expr, hidden: Sequence[Expr], combined: str = ""
 ) -> Derivation[tuple[ImmutableMatrix, Expr]]:
-    """Det(xI − A + lc) with unknown l has the coefficients asked for; returns l (n×1) and that polynomial."""
+    """Det(xI − A + lc) with unknown l has the coefficients asked for; returns l (n×1) and that polynomial.
+
+    `combined` is the name of A where c is not the C of the pair but a combination of its rows.
+    """
     n, x = pair.n, pair.variable
     unknowns = sp.symbols(f"l1:{n + 1}")
     l = sp.ImmutableMatrix(unknowns)
@@ -184,7 +185,7 @@ def _by_coefficients(
             "polynomial": Claim(determinant(_pencil(error, x)), shown, "its characteristic polynomial"),
         },
         pair=pair,
-        called=called,
+        combined=combined,
         n=n,
     )
     M, constant = exact.affine(unknown, unknowns)
@@ -247,7 +248,7 @@ def _by_one_combination(pair: Pair, desired: Expr, hidden: Sequence[Expr]) -> De
     if L0 is not None:
         claims["shifted"] = Claim(difference(pair.A, product(L0, pair.C)), A0, "error matrix after the first gain")
     yield Step("combination", claims=claims, pair=pair, q=q, L0=L0, A0=A0)
-    l, _ = yield from _by_coefficients(pair, c, A0, desired, hidden, f"{pair.A_name if L0 is None else 'A_0'} - l\\,c")
+    l, _ = yield from _by_coefficients(pair, c, A0, desired, hidden, pair.A_name if L0 is None else "A_0")
     L = sp.ImmutableMatrix(l * q if L0 is None else L0 + l * q)
     stated = product(l, q) if L0 is None else total(L0, product(l, q))
     yield Step("combined_gain", claims={"gain": Claim(stated, L, "gain of all outputs")}, pair=pair, first=L0)
