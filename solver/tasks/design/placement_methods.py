@@ -165,37 +165,46 @@ def matched(pair: Pair, shape: ImmutableMatrix | None = None, unknowns: Sequence
         claims={"polynomial": Claim(characteristic(frame.shown(loop), x), gain_polynomial, "closed-loop polynomial")},
         **pair.flags,
     )
-    divisor = exact.fixed_factor(A, b, row, unknowns)
-    fixed = exact.roots_of(divisor)
-    rest, desired = coefficients, list(pair.desired)
-    full = desired
-    if fixed:
-        rest = exact.divided(coefficients, divisor)
-        movable = movable_poles(pair.poles, fixed, A.rows, dual=frame.dual)
-        desired, full = list(exact.monic(movable)), list(exact.monic([*movable, *fixed]))
-        split = product(exact.polynomial_in(x, divisor), exact.polynomial_in(x, rest))
-        yield Step(
-            "fixed_factor",
-            claims={
-                "split": Claim(gain_polynomial, split, "the factor without unknowns"),
-                "movable": Claim(
-                    product(*(difference(x, pole) for pole in movable)),
-                    exact.polynomial_in(x, desired),
-                    "polynomial of the movable poles",
-                ),
-            },
-            fixed=fixed,
-            movable=movable,
-            all_given=len(pair.poles) == A.rows,
-            structured=shape is not None,
-            **pair.flags,
-        )
+    fixed, movable, rest = yield from _fixed_part(pair, coefficients, row, unknowns, structured=shape is not None)
+    desired = list(exact.monic(movable)) if fixed else list(pair.desired)
+    full = list(exact.monic([*movable, *fixed])) if fixed else desired
     solution = yield from _equated(pair, rest, desired, unknowns)
     values = dict(zip(unknowns, solution.values, strict=True))
     k = sp.ImmutableMatrix(row.applyfunc(lambda entry: exact.tidy(entry.subs(values, simultaneous=True))))
     free = tuple(unknowns[j] for j in solution.free)
     conditions = tuple(sp.Eq(unknown, value) for unknown, value in values.items() if unknown not in free)
     return Placement(k, A, exact.polynomial_in(x, full), gain_polynomial, fixed, free, conditions)
+
+
+@lemma("placement_methods")
+def _fixed_part(
+    pair: Pair, coefficients: Sequence[Expr], row: ImmutableMatrix, unknowns: Sequence[Symbol], *, structured: bool
+) -> Derivation[tuple[list[Expr], list[Expr], Sequence[Expr]]]:
+    """Split off the factor without unknowns; returns its roots, the poles to be placed, and the other factor."""
+    divisor = exact.fixed_factor(pair.A, pair.b, row, unknowns)
+    fixed = exact.roots_of(divisor)
+    if not fixed:
+        return [], list(pair.poles), coefficients
+    x, n = pair.x, pair.A.rows
+    rest = exact.divided(coefficients, divisor)
+    movable = movable_poles(pair.poles, fixed, n, dual=pair.frame.dual)
+    split = product(exact.polynomial_in(x, divisor), exact.polynomial_in(x, rest))
+    desired = exact.polynomial_in(x, exact.monic(movable))
+    yield Step(
+        "fixed_factor",
+        claims={
+            "split": Claim(exact.polynomial_in(x, coefficients), split, "the factor without unknowns"),
+            "movable": Claim(
+                product(*(difference(x, pole) for pole in movable)), desired, "polynomial of the movable poles"
+            ),
+        },
+        fixed=fixed,
+        movable=movable,
+        all_given=len(pair.poles) == n,
+        structured=structured,
+        **pair.flags,
+    )
+    return fixed, movable, rest
 
 
 @lemma("placement_methods")
