@@ -11,6 +11,7 @@ from solver.derivation import Check, Claim, Given
 from solver.derivation.stated import derivative, product, total, value_at
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -69,7 +70,7 @@ def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Ch
         u_here = span.smooth(u, t) if u is not None else None
         formula = numeric.convolution_formula(system.A, system.B, truth.x0, u, t, span, spans[:number])
         wanted = formula if answer == "x" else truth.output(formula, u_here)
-        after = f" after $t = {sp.latex(span.start)}$" if number else ""
+        after = f" after $t = {formula(span.start)}$" if number else ""
         for time in span.times(t, scale):
             claim = Claim(value_at(here, t, time), value_at(wanted, t, time))
             yield numeric.check_claim(claim, f"convolution formula{after}", answer=answer)
@@ -98,7 +99,7 @@ def _impulses_in_y(truth: Truth, y: Any) -> Iterable[Check]:
     for at in {*stated, *passing}:
         zero = sp.ImmutableMatrix(sp.zeros(y.rows, 1))
         expected = product(truth.system.D, passing[at]) if at in passing else zero
-        label = f"impulse in $y$ at $t = {sp.latex(at)}$"
+        label = f"impulse in $y$ at $t = {formula(at)}$"
         yield numeric.check_claim(Claim(stated.get(at, zero), expected), label, answer="y")
 
 
