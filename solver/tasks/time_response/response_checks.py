@@ -68,8 +68,8 @@ def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Ch
     for number, span in enumerate(spans):
         here = span.smooth(column, t)
         u_here = span.smooth(u, t) if u is not None else None
-        formula = numeric.convolution_formula(system.A, system.B, truth.x0, u, t, span, spans[:number])
-        wanted = formula if answer == "x" else truth.output(formula, u_here)
+        convolution = numeric.convolution_formula(system.A, system.B, truth.x0, u, t, span, spans[:number])
+        wanted = convolution if answer == "x" else truth.output(convolution, u_here)
         after = f" after $t = {formula(span.start)}$" if number else ""
         for time in span.times(t, scale):
             claim = Claim(value_at(here, t, time), value_at(wanted, t, time))
