@@ -9,7 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import product, rank, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
-from solver.tasks.structure.row_operations import row_operations
+from solver.tasks.structure.row_operations import rank_exceptions, row_operations
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -92,7 +92,7 @@ def by_row_reduction(given: Given) -> Derivation[Answers]:
         r=r,
         width=M.cols,
         height=M.rows,
-        exceptions=_exceptions(M),
+        exceptions=rank_exceptions(M) or [],
     )
     return Answers(null_space=N, column_space=C, row_space=R, left_null_space=L, rank=sp.Integer(r))
 
@@ -147,14 +147,6 @@ def _left_null_space(M: ImmutableMatrix, L: ImmutableMatrix) -> Step:
         basis=L,
         height=M.rows,
     )
-
-
-def _exceptions(M: ImmutableMatrix) -> list[Any]:
-    """The parameters for which the rank is lower, where they can be found."""
-    try:
-        return list(exact.rank_conditions(M))
-    except exact.NotExact:
-        return []
 
 
 @fundamental_subspaces.verification("null_space", "left_null_space")

@@ -48,22 +48,22 @@ def horizon_is_a_time(system: System, options: Mapping[str, Any]) -> Iterable[tu
 @controllability.method("rank", title="Rank of the controllability matrix", source="Lecture note, section 2.1")
 def rank_of_the_matrix(given: Given) -> Derivation[Answers]:
     """The pair is controllable if and only if [B, AB, …, Aⁿ⁻¹B] has rank n."""
-    return (yield from by_rank(controllability_pair(given)))
+    return (yield from by_rank(controllability_pair(given.system)))
 
 
 @controllability.method("pbh", title="Test of Popov, Belevitch and Hautus", source="Lecture note, section 2.3")
 def rank_at_each_eigenvalue(given: Given) -> Derivation[Answers]:
     """The pair is controllable if and only if [λI − A, B] has rank n at every eigenvalue λ."""
-    return (yield from by_pbh(controllability_pair(given)))
+    return (yield from by_pbh(controllability_pair(given.system)))
 
 
 @controllability.method("gramian", title="Gramian", source="Lecture note, section 2.1")
 def definite_gramian(given: Given) -> Derivation[Answers]:
     """The pair is controllable if and only if its Gramian is positive definite."""
-    return (yield from by_gramian(controllability_pair(given), given.horizon))
+    return (yield from by_gramian(controllability_pair(given.system), given.horizon))
 
 
 @controllability.verification(*controllability.answers)
 def by_ranks_and_defining_equations(given: Given, answers: Answers) -> Iterable[Check]:
     """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
-    yield from checks_of(controllability_pair(given), given, answers)
+    yield from checks_of(controllability_pair(given.system), given, answers)

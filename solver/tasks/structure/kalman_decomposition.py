@@ -23,8 +23,10 @@ from solver.derivation import (
 from solver.derivation.stated import Stated, inverse, partitioned, product, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.tasks.structure.pairs import controllability_pair, observability_pair
 from solver.tasks.structure.parts import parts_of
-from solver.tasks.structure.subspaces import input_pair, output_pair, rank_exceptions, subspaces_of
+from solver.tasks.structure.row_operations import rank_exceptions
+from solver.tasks.structure.subspaces import subspaces_of
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -122,7 +124,7 @@ def _decomposed(plant: Any, part: str) -> exact.Decomposition:
 
 def _intersection(plant: Any, found: exact.Decomposition) -> Step:
     """What the output shows of the reachable subspace, and what it does not: R ∩ N."""
-    observability, V, N, both = output_pair(plant).matrix, found.reached, found.unseen, found.bases[1]
+    observability, V, N, both = observability_pair(plant).matrix, found.reached, found.unseen, found.bases[1]
     claims = {}
     if V is not None and V.cols:
         claims["shown"] = Claim(product(observability, V), exact.multiply(observability, V), r"$\mathcal{O}_v V$")
@@ -143,7 +145,7 @@ def _intersection(plant: Any, found: exact.Decomposition) -> Step:
 
 def _exceptions_of_the_intersection(plant: Any) -> list[Any]:
     """Conditions under which 𝒪 𝒞 has a lower rank though 𝒪 and 𝒞 have not."""
-    seen, reached = output_pair(plant).matrix, input_pair(plant).matrix
+    seen, reached = observability_pair(plant).matrix, controllability_pair(plant).matrix
     of_each = [*(rank_exceptions(seen) or []), *(rank_exceptions(reached) or [])]
     return [each for each in rank_exceptions(exact.multiply(seen, reached)) or [] if each not in of_each]
 
@@ -155,7 +157,7 @@ def _bases(plant: Any, found: exact.Decomposition, part: str) -> Step:
     if part == "controllable" and first.cols:
         claims["complement"] = _vanishing(transpose(first), second, "the complement is orthogonal")
     if part == "observable":
-        claims["unseen"] = _vanishing(output_pair(plant).matrix, second, "the second basis is unseen")
+        claims["unseen"] = _vanishing(observability_pair(plant).matrix, second, "the second basis is unseen")
     if part == "full" and others[0].cols < plant.order and others[0].cols:
         rest = sp.ImmutableMatrix(sp.Matrix.hstack(first, second, others[1]))
         claims["complement"] = _vanishing(transpose(rest), others[0], "the complement is orthogonal")

@@ -50,22 +50,22 @@ def horizon_is_a_time(system: System, options: Mapping[str, Any]) -> Iterable[tu
 @observability.method("rank", title="Rank of the observability matrix", source="Lecture note, section 2.2")
 def rank_of_the_matrix(given: Given) -> Derivation[Answers]:
     """The pair is observable if and only if [C; CA; …; CAⁿ⁻¹] has rank n."""
-    return (yield from by_rank(observability_pair(given)))
+    return (yield from by_rank(observability_pair(given.system)))
 
 
 @observability.method("pbh", title="Test of Popov, Belevitch and Hautus", source="Lecture note, section 2.3")
 def rank_at_each_eigenvalue(given: Given) -> Derivation[Answers]:
     """The pair is observable if and only if λI − A over C has rank n at every eigenvalue λ."""
-    return (yield from by_pbh(observability_pair(given)))
+    return (yield from by_pbh(observability_pair(given.system)))
 
 
 @observability.method("gramian", title="Gramian", source="Lecture note, section 2.2")
 def definite_gramian(given: Given) -> Derivation[Answers]:
     """The pair is observable if and only if its Gramian is positive definite."""
-    return (yield from by_gramian(observability_pair(given), given.horizon))
+    return (yield from by_gramian(observability_pair(given.system), given.horizon))
 
 
 @observability.verification(*observability.answers)
 def by_ranks_and_defining_equations(given: Given, answers: Answers) -> Iterable[Check]:
     """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
-    yield from checks_of(observability_pair(given), given, answers)
+    yield from checks_of(observability_pair(given.system), given, answers)

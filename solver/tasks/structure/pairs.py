@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Given
+from solver.derivation import Claim
+from solver.derivation.stated import product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 
@@ -59,6 +60,14 @@ class Pair:
         return [self.turned(sp.ImmutableMatrix(whole[:, i : i + self.width])) for i in range(0, whole.cols, self.width)]
 
     @property
+    def block_claims(self) -> dict[str, Claim]:
+        """Each block is A times the one before it (dual: the one before it times A); none for one state."""
+        blocks = self.blocks
+        products = (product(block, self.A) if self.dual else product(self.A, block) for block in blocks)
+        named = enumerate(zip(products, blocks[1:], self.names[1:], strict=False), 1)
+        return {f"block{i}": Claim(stated, block, f"${name}$") for i, (stated, block, name) in named}
+
+    @property
     def names(self) -> list[str]:
         """The blocks by their names in LaTeX."""
         powers = ["", *("A" if i == 1 else f"A^{{{i}}}" for i in range(1, self.n))]
@@ -70,13 +79,11 @@ class Pair:
         return frozenset(self.A.free_symbols | self.other.free_symbols)
 
 
-def controllability_pair(given: Given) -> Pair:
-    """(A, B) of the plant."""
-    plant = given.system
+def controllability_pair(plant: Any) -> Pair:
+    """(A, B) of the plant, which has a B."""
     return Pair(plant.A, plant.B, dual=False, discrete=plant.discrete)
 
 
-def observability_pair(given: Given) -> Pair:
-    """(A, C) of the plant."""
-    plant = given.system
+def observability_pair(plant: Any) -> Pair:
+    """(A, C) of the plant, which has a C, as the dual pair."""
     return Pair(plant.A, plant.C, dual=True, discrete=plant.discrete)

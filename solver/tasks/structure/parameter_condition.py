@@ -135,7 +135,7 @@ def _roots(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalVal
 
 
 def _pair(given: Given) -> Pair:
-    return observability_pair(given) if given.property == "unobservable" else controllability_pair(given)
+    return observability_pair(given.system) if given.property == "unobservable" else controllability_pair(given.system)
 
 
 def _parameter(given: Given, pair: Pair) -> Any:

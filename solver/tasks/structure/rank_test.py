@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import determinant, product, rank
+from solver.derivation.stated import determinant, rank
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.characteristic_polynomial import expansion_of, shape_of
 from solver.tasks.structure.pairs import Pair
-from solver.tasks.structure.row_operations import row_operations
+from solver.tasks.structure.row_operations import rank_exceptions, row_operations
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -48,7 +48,7 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
         yield _reduction(pair, matrix, r)
     exceptions = None
     if pair.parameters:
-        exceptions = _exceptions(matrix)
+        exceptions = rank_exceptions(matrix)
         yield Step(
             "exceptions",
             unclaimed="the conditions are checked with the answers",
@@ -95,33 +95,18 @@ def rank_in_short(pair: Pair) -> Derivation[Rank]:
     claims = {"rank": Claim(rank(matrix), sp.Integer(r), "rank")}
     if det is not None:
         claims["determinant"] = Claim(determinant(matrix), det, "determinant")
-    exceptions = _exceptions(matrix) if pair.parameters else None
+    exceptions = rank_exceptions(matrix) if pair.parameters else None
     yield Step("agreement", claims=claims, pair=pair, matrix=matrix, exceptions=exceptions, r=r, n=pair.n)
     return Rank(matrix, det, r, exceptions)
 
 
-def _exceptions(matrix: ImmutableMatrix) -> list[Any] | None:
-    """The conditions under which the rank is lower; None if they cannot be found."""
-    try:
-        return list(exact.rank_conditions(matrix))
-    except exact.NotExact:
-        return None
-
-
 def _matrix(pair: Pair, matrix: ImmutableMatrix) -> Step:
-    """Each block is A times the one before it (dual: the one before it times A)."""
-    blocks, names = pair.blocks, pair.names
-    claims = {
-        f"block{i}": Claim(
-            product(blocks[i - 1], pair.A) if pair.dual else product(pair.A, blocks[i - 1]), blocks[i], f"${names[i]}$"
-        )
-        for i in range(1, pair.n)
-    }
+    """The matrix, block by block."""
     return Step(
         "matrix",
-        claims=claims,
+        claims=pair.block_claims,
         unclaimed="for one state there is nothing to multiply",
-        names=names,
+        names=pair.names,
         matrix=matrix,
         pair=pair,
         n=pair.n,

@@ -24,10 +24,10 @@ stabilizability = Task(
 @stabilizability.method(source="Lecture note, chapter 2")
 def by_hidden_modes(given: Given) -> Derivation[Answers]:
     """The uncontrollable modes, and whether all of them decay by themselves."""
-    return (yield from decay_of_hidden_modes(controllability_pair(given)))
+    return (yield from decay_of_hidden_modes(controllability_pair(given.system)))
 
 
 @stabilizability.verification("stabilizable", "hidden_modes")
 def hidden_modes_and_their_decay(given: Given, answers: Answers) -> Iterable[Check]:
     """The polynomial of what is hidden, and where its roots lie."""
-    yield from weak_checks(controllability_pair(given), answers)
+    yield from weak_checks(controllability_pair(given.system), answers)
