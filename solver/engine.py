@@ -125,7 +125,8 @@ def _plant(task: Task, given: Given) -> Derivation[Given]:
 def _realized(given: Given) -> Derivation[Given]:
     """A transfer function is realized in controllable canonical form for questions about its states."""
     G = given.system
-    A, B, C, D = exact.controllable_form(G.numerators, G.denominators, G.variable)
+    form = exact.controllable_realization(exact.transfer_matrix_of_fractions(G.numerators, G.denominators, G.variable))
+    A, B, C, D = form.A, form.B, form.C, form.D
     if A.rows == 0:
         raise Unsolved("The transfer function is a constant: the system has no state to ask about.")
     resolvent = inverse(difference(product(G.variable, sp.ImmutableMatrix(sp.eye(A.rows))), A))

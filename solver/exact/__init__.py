@@ -1,7 +1,6 @@
 """The exact kernels: algebra on matrices over a field, with no prose and no floats."""
 
 from solver.exact.affine import Solution, affine, solve_affine, tidy
-from solver.exact.companion import controllable_form
 from solver.exact.conditions import all_positive
 from solver.exact.coordinates import inverse_in_full, is_singular, product_of
 from solver.exact.decomposition import (
@@ -159,7 +158,6 @@ __all__ = [
     "controllability_matrix",
     "controllable_coordinates",
     "controllable_decomposition",
-    "controllable_form",
     "controllable_part",
     "controllable_realization",
     "critical_values",
