@@ -4,6 +4,7 @@ import json
 
 import pytest
 import sympy as sp
+from sympy.logic.boolalg import BooleanAtom
 
 from solver.derivation import Answers, Check, CheckStatus, PartResult, Status
 from solver.engine import Solution, solve_problem
@@ -48,8 +49,10 @@ def same(read, value):
     """Whether two values agree, symbols by name and decimals to 12 digits."""
     if isinstance(value, list | tuple):
         return len(read) == len(value) and all(map(same, read, value))
-    if isinstance(value, bool):
-        return bool(read) is value
+    if isinstance(value, str):
+        return read == value
+    if isinstance(value, bool | BooleanAtom):
+        return bool(read) is bool(value)
     if isinstance(value, sp.MatrixBase):
         return read.shape == value.shape and all(map(same, read, value))
     value = sp.sympify(value)

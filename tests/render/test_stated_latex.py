@@ -22,6 +22,7 @@ from solver.derivation.stated import (
     product,
     quotient,
     rank,
+    summation,
     total,
     trace,
     transpose,
@@ -91,6 +92,7 @@ TABLE = [
     (derivative(M, t, 2), rf"\frac{{d^{{2}}}}{{dt^{{2}}}}{m}"),
     (derivative(exp(-t), t, 0), "e^{-t}"),
     (integral(exp(-t) + 1, t, Integer(0), oo), r"\int_{0}^{\infty}(1 + e^{-t})\,dt"),
+    (summation(a + k, k, Integer(0), Integer(3)), r"\sum_{k = 0}^{3}(a + k)"),
     (value_at(s**2 + 1, s, Integer(-2)), r"\left.(s^{2} + 1)\right|_{s = -2}"),
     (value_at(derivative(M, t), t, Integer(0)), rf"\left.\frac{{d}}{{dt}}{m}\right|_{{t = 0}}"),
 ]

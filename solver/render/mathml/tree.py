@@ -99,7 +99,7 @@ def _primes(element: Element) -> None:
 
 def _labelled_arrows(element: Element) -> None:
     r"""`\xrightarrow{a}`: the arrow is as long as its label and a little more."""
-    if element.tag == "mover" and len(element) and element[0].tag == "mstyle" and len(element[0]) == 1:
+    if element.tag == "mover" and len(element) > 1 and element[0].tag == "mstyle" and len(element[0]) == 1:
         arrow, label = element[0][0], element[1]
         if arrow.tag == "mo" and arrow.text in {"→", "←"}:
             arrow.set("stretchy", "true")
