@@ -101,15 +101,28 @@ def observer_feedback(labels: Labels) -> Layout:
     return _observer(labels, feedback=True)
 
 
-def _observer(labels: Labels, *, feedback: bool) -> Layout:
-    layout = Layout()
-    y0, hat = -3.4, labels.get("xhat", r"\hat{x}")
+def _plant_above(layout: Layout, labels: Labels) -> None:
+    """The plant in a row, its input and its output tapped at x = 1.2 and x = 8.6 for the observer below."""
     layout.add(Block(3.6, 0, labels.get("plant", r"\dot{x}=Ax+Bu"), 3.4), Block(6.9, 0, labels.get("C", "C"), 1.1))
     layout.wire((0.0, 0), (1.9, 0))
     layout.wire((5.3, 0), (6.35, 0))
     layout.wire((7.45, 0), (9.6, 0))
     layout.add(Label(5.8, 0, labels.get("x", "x"), "above"), Label(9.2, 0, labels.get("y", "y"), "above"))
     layout.add(Label(0.4, 0, labels.get("u", "u"), "above"), Dot(1.2, 0), Dot(8.6, 0))
+
+
+def _new_input(layout: Layout, labels: Labels) -> None:
+    """The sum before u at which the feedback of the estimate is taken from the new input."""
+    layout.add(Sum(-0.2, 0), Label(-0.9, 0, labels.get("r", "v"), "above"))
+    layout.wire((-1.3, 0), (-0.4, 0))
+    layout.sign(-0.4, 0.1, "+")
+    layout.sign(-0.25, -0.25, "-", "below left")
+
+
+def _observer(labels: Labels, *, feedback: bool) -> Layout:
+    layout = Layout()
+    y0, hat = -3.4, labels.get("xhat", r"\hat{x}")
+    _plant_above(layout, labels)
     layout.add(Block(1.2 + 0.9, y0, labels.get("B", "B"), 1.0), Sum(3.4, y0))
     layout.wire((1.2, 0), (1.2, y0), (1.6, y0))
     layout.wire((2.6, y0), (3.2, y0))
@@ -129,14 +142,11 @@ def _observer(labels: Labels, *, feedback: bool) -> Layout:
     layout.wire((8.8, y0), (9.3, y0), (9.3, y0 + 1.6), (6.65, y0 + 1.6))
     layout.wire((5.35, y0 + 1.6), (3.4, y0 + 1.6), (3.4, y0 + RADIUS))
     if feedback:
-        layout.add(Sum(-0.2, 0), Label(-0.9, 0, labels.get("r", "v"), "above"))
-        layout.wire((-1.3, 0), (-0.4, 0))
-        layout.sign(-0.4, 0.1, "+")
+        _new_input(layout, labels)
         layout.add(Block(2.2, y0 - 2.5, labels.get("K", "K_f"), 1.3))
         layout.wire((5.8, y0 - 1.3), (5.8, y0 - 2.5), (2.85, y0 - 2.5))
         layout.add(Dot(5.8, y0 - 1.3))
         layout.wire((1.55, y0 - 2.5), (-0.2, y0 - 2.5), (-0.2, -RADIUS))
-        layout.sign(-0.25, -0.25, "-", "below left")
     return layout
 
 
@@ -153,12 +163,7 @@ def reduced_observer_feedback(labels: Labels) -> Layout:
 def _reduced(labels: Labels, *, feedback: bool) -> Layout:
     layout = Layout()
     y0 = -2.2
-    layout.add(Block(3.6, 0, labels.get("plant", r"\dot{x}=Ax+Bu"), 3.4), Block(6.9, 0, labels.get("C", "C"), 1.1))
-    layout.wire((0.0, 0), (1.9, 0))
-    layout.wire((5.3, 0), (6.35, 0))
-    layout.wire((7.45, 0), (9.6, 0))
-    layout.add(Label(5.8, 0, labels.get("x", "x"), "above"), Label(9.2, 0, labels.get("y", "y"), "above"))
-    layout.add(Label(0.4, 0, labels.get("u", "u"), "above"), Dot(1.2, 0), Dot(8.6, 0))
+    _plant_above(layout, labels)
     layout.add(Block(2.2, y0, labels.get("M", "M"), 1.0), Sum(3.6, y0))
     layout.wire((1.2, 0), (1.2, y0), (1.7, y0))
     layout.wire((2.7, y0), (3.4, y0))
@@ -180,14 +185,11 @@ def _reduced(labels: Labels, *, feedback: bool) -> Layout:
     layout.wire((8.4, y0), (8.8, y0), arrow=False)
     layout.add(Label(9.6, y0, labels.get("estimate", r"\hat{\eta}_2"), "above"))
     if feedback:
-        layout.add(Sum(-0.2, 0), Label(-0.9, 0, labels.get("r", "v"), "above"))
-        layout.wire((-1.3, 0), (-0.4, 0))
-        layout.sign(-0.4, 0.1, "+")
+        _new_input(layout, labels)
         layout.add(Block(5.0, y0 - 2.6, labels.get("K", r"K_f\,[S_1\;\;S_2]"), 2.6))
         layout.wire((10.2, y0), (10.2, y0 - 2.45), (6.3, y0 - 2.45))
         layout.wire((9.6, 0), (10.7, 0), (10.7, y0 - 2.75), (6.3, y0 - 2.75))
         layout.wire((3.7, y0 - 2.6), (-0.2, y0 - 2.6), (-0.2, -RADIUS))
-        layout.sign(-0.25, -0.25, "-", "below left")
     return layout
 
 
