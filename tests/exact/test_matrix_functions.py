@@ -235,7 +235,7 @@ def test_expansions_are_those_of_sympy(function):
     assert sp.expand(sp.Add(*exact.taylor(function, t, 5)) - sp.series(function, t, 0, 5).removeO()) == 0
 
 
-@settings(max_examples=40)
+@settings(max_examples=25)
 @given(systems(6))
 def test_random_systems_agree_with_scipy(A):
     Phi = phi(A)
@@ -245,7 +245,7 @@ def test_random_systems_agree_with_scipy(A):
     assert np.abs(floats(Phi, t="1/2") - expected).max() <= 1e-8 * max(1, np.abs(expected).max())
 
 
-@settings(max_examples=40)
+@settings(max_examples=20)
 @given(systems(6))
 def test_powers_of_random_systems_agree_with_numpy(A):
     closed = exact.power(A, k).matrix

@@ -32,7 +32,7 @@ def textbook(A, b, coefficients):
     return last * controllability(A, b).inv() * phi
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(plants())
 def test_random_plants(plant):
     A, b, coefficients = plant

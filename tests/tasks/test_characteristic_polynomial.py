@@ -29,7 +29,7 @@ def test_textbook_polynomials(rows, expected, method):
     assert sp.expand(result.answers["polynomial"] - expected) == 0
 
 
-@settings(max_examples=40)
+@settings(max_examples=25)
 @given(systems(6))
 def test_coefficients_are_numpys_and_the_methods_agree(A):
     polynomials = {ask("characteristic_polynomial", system(A), method).answers["polynomial"] for method in METHODS}

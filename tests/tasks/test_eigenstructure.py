@@ -54,7 +54,7 @@ def test_a_matrix_with_parameters_keeps_them():
     assert set(result.answers["eigenvalues"]) == {a, b}
 
 
-@settings(max_examples=60)
+@settings(max_examples=30)
 @given(systems(6))
 def test_random_jordan_structures(A):
     result = ask("eigenstructure", system(A))

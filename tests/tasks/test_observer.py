@@ -55,7 +55,7 @@ def test_the_gain_polynomial_of_the_course_example():
     assert answers["polynomial"] == s**2 + R(3, 4) * s + R(1, 8)
 
 
-@settings(max_examples=25)
+@settings(max_examples=12)
 @given(systems(4), st.data())
 def test_every_method_gives_the_same_gain_of_one_output(A, data):
     n = A.rows
@@ -74,7 +74,7 @@ def test_every_method_gives_the_same_gain_of_one_output(A, data):
     assert sp.expand(results[0].answers["polynomial"] - wanted) == 0
 
 
-@settings(max_examples=20)
+@settings(max_examples=12)
 @given(systems(4), st.data())
 def test_several_outputs_get_a_gain_of_rank_one_after_a_preliminary_one(A, data):
     n = A.rows

@@ -126,7 +126,7 @@ def plants(draw):
     return system(A, B=B, C=C, D=D, discrete=draw(st.booleans()))
 
 
-@settings(max_examples=25)
+@settings(max_examples=15)
 @given(plants(), st.booleans())
 def test_random_plants_are_closed_with_both_spectra(plant, reduced):
     n, p = plant.order, plant.C.rows

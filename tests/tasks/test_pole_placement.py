@@ -48,7 +48,7 @@ def test_gains_of_the_course(A, B, poles, K, method):
         assert result.answers["K"] == sp.ImmutableMatrix(K)
 
 
-@settings(max_examples=20)
+@settings(max_examples=12)
 @given(systems(6), st.data())
 def test_all_methods_agree_with_each_other_and_with_python_control(A, data):
     n = A.rows
@@ -65,7 +65,7 @@ def test_all_methods_agree_with_each_other_and_with_python_control(A, data):
         assert np.allclose(ours, np.asarray(peer).reshape(1, n), rtol=1e-4, atol=1e-4 * np.abs(ours).max())
 
 
-@settings(max_examples=15)
+@settings(max_examples=12)
 @given(systems(5), st.integers(2, 3), st.data())
 def test_several_inputs_are_placed_whatever_the_jordan_structure(A, m, data):
     n = A.rows
@@ -122,7 +122,7 @@ def test_a_hidden_mode_must_be_among_the_poles(method):
     assert "-2" in result.reason
 
 
-@settings(max_examples=15)
+@settings(max_examples=10)
 @given(systems(3), systems(2), st.data())
 def test_hidden_parts_of_any_structure_stay_where_they_are(movable, hidden, data):
     r, h = movable.rows, hidden.rows
