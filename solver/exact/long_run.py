@@ -6,7 +6,7 @@ import cmath
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import factorial
+from math import exp, factorial
 from typing import Any
 
 import mpmath
@@ -202,9 +202,24 @@ def _searched(image: RationalMatrix) -> list[sp.Expr]:
     fine = [last * (i / SAMPLES) ** 3 for i in range(SAMPLES + 1)]
     even = [last * i / SAMPLES for i in range(SAMPLES)]
     times = sorted({*fine, *even, *(i / fastest / 20 for i in range(SAMPLES) if i / fastest / 20 < last)})
-    rough = [(complex(m), j, complex(c)) for m, j, c in modes]
-    values = [(_value(rough, t, 1, cmath.exp), t) for t in times]
+    slope = _slope(modes)
+    values = [(slope(t), t) for t in times]
     return [_refined(modes, a, b) for (before, a), (after, b) in pairwise(values) if before * after < 0]
+
+
+def _slope(modes: Sequence[tuple[Any, int, Any]]) -> Callable[[float], float]:
+    """The derivative of the sum of the modes, roughly: of each conjugate pair one mode, twice."""
+    terms = [(complex(m), j, complex(c) * (2 if m.imag > 0 else 1)) for m, j, c in modes if m.imag >= 0]
+    simple = [(m, c * m) for m, j, c in terms if j == 1]
+    real = [(m.real, a.real) for m, a in simple if not m.imag]
+    turning = [(m, a) for m, a in simple if m.imag]
+    others = [term for term in terms if term[1] > 1]
+
+    def at(t: float) -> float:
+        total = sum(a * exp(m * t) for m, a in real) + sum((a * cmath.exp(m * t)).real for m, a in turning)
+        return total + (float(_value(others, t, 1, cmath.exp)) if others else 0.0)
+
+    return at
 
 
 def _refined(modes: Sequence[tuple[complex, int, Any]], a: float, b: float) -> sp.Expr:
@@ -227,13 +242,13 @@ def _modes(image: RationalMatrix) -> list[tuple[Any, int, Any]]:
     return found
 
 
-def _value(modes: Sequence[tuple[Any, int, Any]], t: Any, order: int, exp: Callable[[Any], Any]) -> Any:
-    """The derivative of an order (0 or 1) of the sum of the modes, in the arithmetic of `exp`."""
+def _value(modes: Sequence[tuple[Any, int, Any]], t: Any, order: int, exponential: Callable[[Any], Any]) -> Any:
+    """The derivative of an order (0 or 1) of the sum of the modes, in the arithmetic of `exponential`."""
     total: Any = 0
     for value, j, c in modes:
         envelope = t ** (j - 1) / factorial(j - 1)
         slope = value * envelope + (t ** (j - 2) / factorial(j - 2) if j > 1 else 0)
-        total += c * exp(value * t) * (slope if order else envelope)
+        total += c * exponential(value * t) * (slope if order else envelope)
     return total.real
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from itertools import dropwhile
 from typing import Any
 
 import sympy as sp
@@ -117,21 +118,36 @@ def _over(K: Any, factor: Factor) -> Factor:
 
 def in_lowest_terms(numerator: Sequence[Any], factors: Iterable[tuple[Modulus, int]], x: sp.Symbol) -> sp.Expr:
     """A fraction, its numerator by coefficients (highest power first), its denominator by irreducible factors."""
-    written: sp.Poly | None = None
-    denominator = sp.Integer(1)
-    for p, multiplicity in factors:
-        K = p.domain
-        written = sp.Poly(list(numerator), x, domain=K) if written is None else written
-        factor, left = sp.Poly([K.one, *reversed(p.low)], x, domain=K), multiplicity
-        while left and not written.is_zero and written.rem(factor).is_zero:
-            written, left = written.quo(factor), left - 1
-        denominator *= polynomial(factor, x) ** left
-    if written is None or written.is_zero:
+    rest = list(dropwhile(lambda c: not c, numerator))
+    if not rest:
         return sp.Integer(0)
-    above = polynomial(written, x)
+    below = []
+    for p, multiplicity in factors:
+        left = multiplicity
+        while left and len(rest) > p.degree and (quotient_of := _exact_quotient(rest, p.low)) is not None:
+            rest, left = quotient_of, left - 1
+        if left:
+            below.append(_written(p, x, -left))
+    above = polynomial(sp.Poly(rest, x, domain=p.domain), x)
     if all(term.could_extract_minus_sign() for term in sp.Add.make_args(above)):
-        return -(sp.expand(-above) / denominator)  # a numerator that begins with a minus has it in front
-    return above / denominator
+        return -sp.Mul(sp.expand(-above), *below)  # a numerator that begins with a minus has it in front
+    return sp.Mul(above, *below)
+
+
+def _exact_quotient(numerator: Sequence[Any], low: Sequence[Any]) -> list[Any] | None:
+    """The quotient by the monic polynomial of a modulus (highest power first); None if there is a remainder."""
+    rest, d = list(numerator), len(low)
+    for i in range(len(rest) - d):
+        if rest[i]:
+            for j, c in enumerate(low):
+                rest[i + d - j] -= rest[i] * c
+    return None if any(rest[-d:]) else rest[:-d]
+
+
+@lru_cache(maxsize=256)
+def _written(p: Modulus, x: sp.Symbol, power: int) -> sp.Expr:
+    """A power of the polynomial of a modulus as an expression."""
+    return polynomial(sp.Poly([p.domain.one, *reversed(p.low)], x, domain=p.domain), x) ** power
 
 
 def keeps_quadratic(factor: Factor) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -25,6 +26,7 @@ from solver.exact.residues import residues_at
 from solver.exact.spectrum import Factor, Root, irreducible_factors
 
 
+@lru_cache(maxsize=16)
 def resolvent(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.ImmutableMatrix:
     """(xI − A)⁻¹ (n×n): entries in lowest terms, denominators as products of the irreducible factors of χ."""
     fl = faddeev_leverrier(A)

@@ -16,6 +16,8 @@ from solver.numeric.points import PointSource, free_symbols, whole_symbols
 from solver.numeric.values import SAFETY, NotEvaluable
 
 POINTS = 4
+MOST_BLURRED = 1e-5
+"""Relative to f(A): an answer further off than this is wrong, however ill-conditioned f(A) is."""
 
 
 def matrix_function_residual(A: Any, function: Any, variable: Any, F: Any) -> float:
@@ -30,12 +32,22 @@ def matrix_function_residual(A: Any, function: Any, variable: Any, F: Any) -> fl
 
 def _residual_at(A: Any, function: Any, variable: Any, F: Any, point: Mapping[Any, complex]) -> float:
     here = Environment.at([dict(point)])
+    matrix = value_of(A, here).value[0]
     with np.errstate(all="ignore"):
-        wanted = _walk(function, variable, value_of(A, here).value[0], here)
+        wanted = _walk(function, variable, matrix, here)
+        nearby = _walk(function, variable, _rounded_otherwise(matrix), here)
+    size = max(float(np.max(np.abs(wanted))), 1e-12)
+    blurred = min(SAFETY * float(np.max(np.abs(nearby - wanted))), MOST_BLURRED * size)
     found = value_of(F, here)
-    known = np.broadcast_to(SAFETY * DOUBLE.eps * found.magnitude, found.value.shape)[0]
+    known = np.broadcast_to(SAFETY * DOUBLE.eps * found.magnitude, found.value.shape)[0] + blurred
     difference = np.maximum(np.abs(found.value[0] - wanted) - known, 0.0)
-    return float(np.max(difference) / max(float(np.max(np.abs(wanted))), 1e-12))
+    return float(np.max(difference) / size)
+
+
+def _rounded_otherwise(A: Array) -> Array:
+    """A with other rounding errors: how far f moves tells what doubles know of it (at 0 a root: half)."""
+    signs = np.random.default_rng(1).choice((-1.0, 1.0), A.shape)
+    return np.asarray(A + DOUBLE.eps * float(np.max(np.abs(A))) * signs)
 
 
 def _walk(function: Any, variable: Any, A: Array, here: Environment) -> Array:

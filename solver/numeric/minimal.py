@@ -243,9 +243,12 @@ def _system_polynomial(A: Array, B: Array, C: Array, D: Array) -> list[Any]:
 
 
 def _divided(p: list[Any], zeros: list[Any]) -> tuple[list[Any], float]:
-    """The quotient of p by Π(x − zᵢ), and the size of what is left over relative to the terms of p."""
+    """The quotient of p by Π(x − zᵢ), and the size of what is left over relative to the terms of p.
+
+    Zeros at the origin come first, while the coefficients there are exactly zero.
+    """
     worst = 0.0
-    for zero in zeros:
+    for zero in sorted(zeros, key=abs):
         quotient: list[Any] = []
         value, size = MANY.number(0), MANY.context.mpf(0)
         for c in reversed(p):

@@ -45,6 +45,9 @@ def test_zeros_at_the_origin_and_close_to_it():
     assert numeric.zero_residual(differentiator, [0]) < 1e-12
     assert numeric.zero_residual(differentiator, []) == float("inf")
     assert numeric.zero_residual(differentiator, [sp.Rational(1, 10**6)]) > 1e-9
+    double = (M([[-3, 1], [-1, -1]]), M([2, 0]), M([[0, -2]]), M([[-1]]))  # −s(s + 4)/(s + 2)²
+    assert numeric.zero_residual(double, [-4, 0]) < 1e-12
+    assert numeric.zero_residual(double, [-4, sp.Rational(1, 10**6)]) > 1e-9
     tiny = sp.Rational(1, 10**6)
     slow = (M([[0, 1], [-2000, -1003]]), M([0, 1]), M([[tiny, 1]]), M([[0]]))
     assert numeric.zero_residual(slow, [-tiny]) < 1e-12
