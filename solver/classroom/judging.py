@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
+from solver.classroom.entries import all_right, entrywise, shaped, word_of
 from solver.classroom.values import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import Answers, Check, CheckStatus, Given, Task
-from solver.lazy import numeric
 
 STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
 """What a verification may raise on a value of a form it was never meant for."""
@@ -67,7 +67,7 @@ def _misfit(name: str, each: Submitted, question: Question) -> AnswerVerdict | N
         reason = "it is not finite"
     elif both and each.value.shape != ours.shape and 0 not in ours.shape:
         reason = f"it must be {ours.rows}×{ours.cols}; this one is {each.value.rows}×{each.value.cols}"
-    entries = _shaped(each.value, lambda _: str(Verdict.WRONG))
+    entries = shaped(each.value, lambda _: str(Verdict.WRONG))
     return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=entries) if reason else None
 
 
@@ -100,7 +100,7 @@ def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) ->
     free = declared.is_free(question.given)
     entries = entrywise(each, question.ours.get(name), ordered=declared.ordered)
     by_digits = not failed or (bool(each.decimals) and not (free and len(fitting) > 1))
-    if entries is not None and _all_right(entries) and by_digits:
+    if entries is not None and all_right(entries) and by_digits:
         return _correct(name, each, "right to the digits written" if each.decimals and failed else "")
     crashed = checks is None and not free and entries is not None
     if failed or crashed or (own and not _some_skipped(own)):
@@ -110,7 +110,7 @@ def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) ->
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
     if not free and (strange := _strangers(each, question)):
         reason = f"the question knows no {', '.join(strange)}"
-        return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=_shaped(each.value, lambda _: "wrong"))
+        return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=shaped(each.value, lambda _: "wrong"))
     reason = next((check.reason for check in own if check.reason), "the check cannot decide about it")
     return AnswerVerdict(name, Verdict.NOT_JUDGED, each.value, reason)
 
@@ -145,7 +145,7 @@ def _vectors(question: Question, name: str, each: Submitted) -> Any:
         right = _replaceable(question, name, own.T if rows else own, ours.T if rows else ours, transposed=rows)
     if len(right) == (own.rows if rows else own.cols):  # each is right, but not all together
         right = set()
-    return [[_word((i if rows else j) in right) for j in range(own.cols)] for i in range(own.rows)]
+    return [[word_of((i if rows else j) in right) for j in range(own.cols)] for i in range(own.rows)]
 
 
 def _replaceable(question: Question, name: str, own: Any, ours: Any, *, transposed: bool = False) -> set[int]:
@@ -166,7 +166,7 @@ def _replaceable(question: Question, name: str, own: Any, ours: Any, *, transpos
 
 
 def _correct(name: str, each: Submitted, note: str = "") -> AnswerVerdict:
-    entries = _shaped(each.value, lambda _: str(Verdict.CORRECT))
+    entries = shaped(each.value, lambda _: str(Verdict.CORRECT))
     return AnswerVerdict(name, Verdict.CORRECT, each.value, note=note, entries=entries)
 
 
@@ -211,93 +211,10 @@ def _residuals(
 ) -> list[tuple[float, float]]:
     """Pairs of residuals of the same checks, before and after one decimal is moved."""
     at = {other: number for other, (number, _) in each.decimals.items()} | {symbol: value}
-    moved = Submitted(_shaped(each.form, lambda form: form.xreplace(at), keep=True), each.form)
+    moved = Submitted(shaped(each.form, lambda form: form.xreplace(at), keep=True), each.form)
     before, after = (_checks(question, {**fitting, name: which}) or [] for which in (each, moved))
     return [
         (a.residual, b.residual)
         for a, b in zip(before, after, strict=False)
         if name in a.judges and a.residual is not None and b.residual is not None
     ]
-
-
-def entrywise(each: Submitted, ours: Any, *, ordered: bool = False) -> Any:
-    """Return "correct" or "wrong" for each entry compared with ours, in its shape; None if they can't be compared."""
-    try:
-        return _compared(each, ours, ordered=ordered)
-    except numeric.NotEvaluable:
-        return None
-
-
-def _compared(each: Submitted, ours: Any, *, ordered: bool) -> Any:
-    if isinstance(each.value, sp.MatrixBase) and isinstance(ours, sp.MatrixBase):
-        if each.value.shape != ours.shape:
-            return None
-        rows = range(ours.rows)
-        return [[_word(_agrees(each, each.form[i, j], ours[i, j])) for j in range(ours.cols)] for i in rows]
-    if isinstance(each.value, list) and isinstance(ours, list | tuple):
-        return _in_order(each, ours) if ordered else _as_set(each, list(ours))
-    if is_scalar(each.value) and is_scalar(ours):
-        return _word(_agrees(each, each.form, ours))
-    if isinstance(each.value, bool | str):
-        return _word(each.value == ours)
-    return None
-
-
-def _in_order(each: Submitted, ours: Sequence[Any]) -> list[Any]:
-    """Items compared with those at the same place; what is left over or missing is wrong."""
-    pairs = zip(each.form, ours, strict=False)
-    words = [_word(_same_item(each, form, mine)) for form, mine in pairs]
-    return words + [str(Verdict.WRONG)] * (max(len(each.form), len(ours)) - len(words))
-
-
-def is_scalar(value: Any) -> bool:
-    """Whether a value is an expression; sympy's immutable matrices are expressions too."""
-    return isinstance(value, sp.Expr) and not isinstance(value, sp.MatrixBase)
-
-
-def _as_set(each: Submitted, ours: list[Any]) -> list[Any]:
-    """Items found among ours, in any order, each as often as it stands there; a list that is too short is wrong."""
-    left = list(ours)
-    words = []
-    for form in each.form:
-        partner = next((i for i, mine in enumerate(left) if _same_item(each, form, mine)), None)
-        words.append(_word(partner is not None))
-        if partner is not None:
-            del left[partner]
-    return words + [str(Verdict.WRONG)] * max(0, len(ours) - len(words))
-
-
-def _same_item(each: Submitted, form: Any, mine: Any) -> bool:
-    if isinstance(form, sp.MatrixBase) and isinstance(mine, sp.MatrixBase):
-        return form.shape == mine.shape and all(
-            _agrees(each, a, b) for a, b in zip(form.flat(), mine.flat(), strict=True)
-        )
-    if is_scalar(form) and is_scalar(mine):
-        return _agrees(each, form, mine)
-    return bool(form == mine)
-
-
-def _agrees(each: Submitted, form: Any, mine: Any) -> bool:
-    """Whether an entry is ours, to the digits written. Raises NotEvaluable where numbers can't tell."""
-    return bool(form == mine) or bool(numeric.agrees_to_digits(form, each.decimals, mine))
-
-
-def _word(right: bool) -> str:
-    return str(Verdict.CORRECT if right else Verdict.WRONG)
-
-
-def _all_right(entries: Any) -> bool:
-    if isinstance(entries, list):
-        return all(map(_all_right, entries))
-    return bool(entries == Verdict.CORRECT)
-
-
-def _shaped(value: Any, of: Any, *, keep: bool = False) -> Any:
-    """Apply a function to every entry; a matrix becomes nested lists, or stays a matrix if `keep`."""
-    if isinstance(value, sp.MatrixBase):
-        if keep:
-            return sp.ImmutableMatrix(value.applyfunc(of))
-        return [[of(value[i, j]) for j in range(value.cols)] for i in range(value.rows)]
-    if isinstance(value, list):
-        return [_shaped(item, of, keep=keep) if isinstance(item, sp.MatrixBase) else of(item) for item in value]
-    return of(value) if keep and isinstance(value, sp.Basic) else (value if keep else of(value))
