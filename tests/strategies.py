@@ -108,7 +108,7 @@ def blocks_of(draw: st.DrawFn, n: int, *, discrete: bool, stable: bool, hidden: 
 
 
 @st.composite
-def plants(  # noqa: PLR0913 - what may be asked of a plant
+def plants(
     draw: st.DrawFn,
     largest: int = 6,
     *,
@@ -139,7 +139,7 @@ def plants(  # noqa: PLR0913 - what may be asked of a plant
 
 
 @st.composite
-def plain_plants(  # noqa: PLR0913 - what may be asked of a plant
+def plain_plants(
     draw: st.DrawFn, largest: int = 4, *, smallest: int = 1, discrete: bool = False, inputs: int = 2, outputs: int = 2
 ) -> StateSpace:
     """A system of small integers, with whatever eigenvalues that gives: mostly irrational, complex, of any degree."""

@@ -30,7 +30,10 @@ servo = Task(
         AnswerName("K", "K_f", "the gain of the states", free=several_inputs),
         AnswerName("k_I", "k_I", "the gain of the integrated error", free=several_inputs),
         AnswerName(
-            "closed_loop_A", r"\bar{A} - \bar{B}\bar{K}", r"the matrix of the closed loop in $(x, \xi)$", free=several_inputs
+            "closed_loop_A",
+            r"\bar{A} - \bar{B}\bar{K}",
+            r"the matrix of the closed loop in $(x, \xi)$",
+            free=several_inputs,
         ),
     ],
     example={"poles": '["-3 ± 2j", -4]'},
