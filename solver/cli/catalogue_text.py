@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from textwrap import wrap
@@ -24,9 +25,11 @@ from solver.derivation import (
     Task,
     TransferFunctionOption,
 )
+from solver.render.unicode_math import flat
 from solver.tasks import catalogue
 
 WIDTH = 100
+FORMULA = re.compile(r"\$([^$]*)\$")
 TIMES = {"continuous": "continuous time", "discrete": "discrete time", "both": ""}
 
 
@@ -76,9 +79,7 @@ def _option_row(option: Option) -> tuple[str, str]:
 
 
 def _answer_row(answer: AnswerName) -> tuple[str, str]:
-    from solver.render.prose import inline_as_text
-
-    words = inline_as_text(answer.doc)
+    words = FORMULA.sub(lambda formula: flat(formula[1]), answer.doc)
     return answer.name, words + (" (where it makes sense)" if answer.optional else "") + _only(answer.methods)
 
 
