@@ -36,7 +36,6 @@ from solver.numeric.minimal import (
     order_of_minimal_part,
     pole_residual,
     realized,
-    zero_residual,
 )
 from solver.numeric.model_matching import (
     direct_term,
@@ -96,6 +95,7 @@ from solver.numeric.structure import (
 from solver.numeric.tracking import completed_residual, feedforward_residual, steady_residual
 from solver.numeric.trajectory import difference, final_output, largest_output, samples_of_output, simulations
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
+from solver.numeric.zeros import zero_residual
 
 __all__ = [
     "TOLERANCE",

@@ -1,4 +1,4 @@
-"""What of a system its transfer function shows: a minimal part by orthogonal bases, its poles and its zeros.
+"""What of a system its transfer function shows: a minimal part by orthogonal bases, and its poles.
 
 All with 50 digits, so that ranks are beyond doubt. A system is a quadruple of matrices A n×n, B n×m, C p×n, D p×m.
 """
@@ -24,9 +24,6 @@ Quadruple = tuple[Any, Any, Any, Any]
 MANY = multiple(50)
 NOTHING = 1e-20
 """A part of a vector of unit length that is smaller than this is rounding (of exact entries, or of 30 digits)."""
-
-ROUNDING = 1e-35
-"""A coefficient, scaled to the size of the polynomial on its circle, that is smaller than this is rounding."""
 
 
 def realized(numerators: Sequence[Sequence[Any]], denominators: Sequence[Sequence[Any]], x: Any) -> Quadruple:
@@ -55,30 +52,30 @@ def realized(numerators: Sequence[Sequence[Any]], denominators: Sequence[Sequenc
 def pole_residual(plant: Quadruple, poles: Sequence[Any]) -> float:
     """Return the largest relative difference of Π(x − pᵢ) and the characteristic polynomial of the minimal part."""
     worst = 0.0
-    for point in _points(plant, poles):
+    for point in points_of(plant, poles):
         A, B, C, _ = quadruple_at(plant, point)
         small, _, _ = minimal_part(A, B, C)
         if len(poles) != len(small):
             return float("inf")
-        worst = max(worst, _difference(small, _numbers(poles, point)))
+        worst = max(worst, _difference(small, numbers_at(poles, point)))
     return worst
 
 
 def cancelled_residual(plant: Quadruple, cancelled: Sequence[Any]) -> float:
     """Return the largest relative difference of det(xI − A) and det(xI − A_min) Π(x − cᵢ)."""
     worst = 0.0
-    for point in _points(plant, cancelled):
+    for point in points_of(plant, cancelled):
         A, B, C, _ = quadruple_at(plant, point)
         small, _, _ = minimal_part(A, B, C)
         if len(small) + len(cancelled) != len(A):
             return float("inf")
-        worst = max(worst, _difference(A, _numbers(cancelled, point), small))
+        worst = max(worst, _difference(A, numbers_at(cancelled, point), small))
     return worst
 
 
 def order_of_minimal_part(plant: Quadruple) -> int:
     """Return the McMillan degree, parameters at random values."""
-    point = _points(plant)[0]
+    point = points_of(plant)[0]
     A, B, C, _ = quadruple_at(plant, point)
     return len(minimal_part(A, B, C)[0])
 
@@ -86,23 +83,12 @@ def order_of_minimal_part(plant: Quadruple) -> int:
 def characteristic_residual(plant: Quadruple, candidate: Any) -> float:
     """Return the largest relative difference of det(xI − A_min) and det(xI − candidate)."""
     worst = 0.0
-    for point in _points(plant, candidate):
+    for point in points_of(plant, candidate):
         A, B, C, _ = quadruple_at(plant, point)
         small, _, _ = minimal_part(A, B, C)
         if candidate.rows != candidate.cols or candidate.rows != len(small):
             return float("inf")
         worst = max(worst, _difference(small, [], _value(candidate, point)))
-    return worst
-
-
-def zero_residual(plant: Quadruple, zeros: Sequence[Any]) -> float:
-    """Return 0 for the transmission zeros with multiplicity, else what is left over when they are divided out.
-
-    They are the common roots of the system determinants of all squarings of G; two random ones have no other.
-    """
-    worst = 0.0
-    for point in _points(plant, zeros):
-        worst = max(worst, _zeros_at(quadruple_at(plant, point), _numbers(zeros, point)))
     return worst
 
 
@@ -125,18 +111,18 @@ def _reachable(A: Array, B: Array, C: Array) -> tuple[Array, Array, Array]:
     waiting = [B[:, j] for j in range(B.shape[1])]
     while waiting and len(basis) < len(A):
         vector = waiting.pop(0)
-        length = _length(vector)
-        for _ in range(2 if length else 0):
+        size = length(vector)
+        for _ in range(2 if size else 0):
             for q in basis:
-                vector = vector - q * (_conjugate(q) @ vector)
-        left = _length(vector)
-        if left > NOTHING * max(length, _length(A.reshape(-1)) * 1e-10):
+                vector = vector - q * (conjugate(q) @ vector)
+        left = length(vector)
+        if left > NOTHING * max(size, length(A.reshape(-1)) * 1e-10):
             basis.append(vector / left)
             waiting.append(A @ basis[-1])
     if not basis:
         return A[:0, :0], B[:0], C[:, :0]
     Q = np.array(basis, dtype=object).T
-    adjoint = _conjugate(Q).T
+    adjoint = conjugate(Q).T
     return adjoint @ A @ Q, adjoint @ B, C @ Q
 
 
@@ -170,112 +156,8 @@ def _probes(A: Array) -> list[Any]:
     ]
 
 
-def _zeros_at(plant: tuple[Array, Array, Array, Array], zeros: list[Any]) -> float:
-    A, B, C, D = plant
-    A, B, C = minimal_part(A, B, C)
-    random = Random(SEED)  # noqa: S311 - nothing secret
-    rank = _normal_rank(A, B, C, D)
-    square = C.shape[0] == B.shape[1] == rank
-    quotients = []
-    for _ in range(1 if square else 2):
-        mixed = (A, B, C, D) if square else _squared(A, B, C, D, rank, random)
-        quotient, left = _divided(_system_polynomial(*mixed), zeros)
-        if left > 1e-9:
-            return left
-        quotients.append(quotient)
-    if square:
-        return 0.0 if len(quotients[0]) == 1 else float("inf")
-    return 0.0 if rank == 0 or _coprime(*quotients) else float("inf")
-
-
-def _normal_rank(A: Array, B: Array, C: Array, D: Array) -> int:
-    """The rank of G(x) at a random x."""
-    x = MANY.number(complex(0.7312, 1.1173)) * (1 + _length(A.reshape(-1)))
-    n = len(A)
-    pencil = np.vstack([np.hstack([x * np.eye(n, dtype=int).astype(object) - A, -B]), np.hstack([C, D])])
-    return _rank(pencil) - n
-
-
-def _rank(M: Array) -> int:
-    """The rank by orthogonalization, the largest column first."""
-    columns = [M[:, j] for j in range(M.shape[1])]
-    largest = max((_length(column) for column in columns), default=0)
-    found = 0
-    while columns and largest:
-        lengths = [_length(column) for column in columns]
-        first = int(np.argmax(lengths))
-        if lengths[first] <= NOTHING * largest:
-            break
-        q = columns.pop(first) / lengths[first]
-        columns = [column - q * (_conjugate(q) @ column) for column in columns]
-        found += 1
-    return found
-
-
-def _squared(A: Array, B: Array, C: Array, D: Array, r: int, random: Random) -> tuple[Array, Array, Array, Array]:
-    """L G R with random L (r×p) and R (m×r)."""
-    L, R = (
-        np.array([[MANY.number(random.uniform(-2, 2)) for _ in range(columns)] for _ in range(rows)], dtype=object)
-        for rows, columns in ((r, C.shape[0]), (B.shape[1], r))
-    )
-    L, R = L.reshape(r, C.shape[0]), R.reshape(B.shape[1], r)
-    return A, B @ R, L @ C, L @ D @ R
-
-
-def _system_polynomial(A: Array, B: Array, C: Array, D: Array) -> list[Any]:
-    """The coefficients (lowest power first) of det [xI − A, −B; C, D], which is det(xI − A) det G(x)."""
-    n = len(A)
-    one = np.eye(n, dtype=int).astype(object)
-    radius = max(MANY.number(1).real, *(abs(entry) for entry in A.reshape(-1))) if n else MANY.number(1).real
-    turn = [MANY.context.expjpi(MANY.context.mpf(2 * k) / (n + 1)) for k in range(n + 1)]
-    values = [
-        determinant(np.vstack([np.hstack([radius * w * one - A, -B]), np.hstack([C, D])])) if n + len(D) else 1
-        for w in turn
-    ]
-    scaled = [
-        sum(values[k] * turn[(-i * k) % (n + 1)] for k in range(n + 1)) / (n + 1) for i in range(n + 1)
-    ]  # the coefficients times powers of the radius
-    largest = max(abs(c) for c in scaled)
-    scaled = [c if abs(c) > ROUNDING * largest else MANY.number(0) for c in scaled]
-    while len(scaled) > 1 and scaled[-1] == 0:
-        scaled.pop()
-    return [c / radius**i for i, c in enumerate(scaled)]
-
-
-def _divided(p: list[Any], zeros: list[Any]) -> tuple[list[Any], float]:
-    """The quotient of p by Π(x − zᵢ), and the size of what is left over relative to the terms of p.
-
-    Zeros at the origin come first, while the coefficients there are exactly zero.
-    """
-    worst = 0.0
-    for zero in sorted(zeros, key=abs):
-        quotient: list[Any] = []
-        value, size = MANY.number(0), MANY.context.mpf(0)
-        for c in reversed(p):
-            value, size = value * zero + c, size * abs(zero) + abs(c)
-            quotient.append(value)
-        rest = quotient.pop()
-        worst = max(worst, float(abs(rest) / size) if size else 0.0)
-        p = quotient[::-1]
-        if not p:
-            return p, float("inf")
-    return p, worst
-
-
-def _coprime(p: list[Any], q: list[Any]) -> bool:
-    """Whether two polynomials (not constant both) have no common root: Sylvester's matrix has full rank."""
-    m, n = len(p) - 1, len(q) - 1
-    if m < 0 or n < 0:
-        return False
-    if m == 0 or n == 0:
-        return True
-    zero = MANY.number(0)
-    rows = [[zero] * i + p + [zero] * (n - 1 - i) for i in range(n)]
-    rows += [[zero] * i + q + [zero] * (m - 1 - i) for i in range(m)]
-    return _rank(np.array(rows, dtype=object).T) == m + n
-
-
-def _points(*formulas: Any) -> list[Any]:
+def points_of(*formulas: Any) -> list[Any]:
+    """Return admissible points for all symbols of the formulas: two, or one where there are none."""
     symbols: frozenset[Any] = frozenset().union(*(free_symbols(formula) for formula in formulas))
     return admissible(symbols, 2)
 
@@ -287,7 +169,8 @@ def _value(M: Any, point: Any) -> Array:
     return np.broadcast_to(found.value, (1, *M.shape))[0]
 
 
-def _numbers(values: Iterable[Any], point: Any) -> list[Any]:
+def numbers_at(values: Iterable[Any], point: Any) -> list[Any]:
+    """Return the values at a point, with 50 digits; raises NotEvaluable for what is no number."""
     environment = Environment.at([dict(point)], MANY)
     numbers = [value_of(value, environment).value for value in values]
     if any(np.ndim(number) > 1 for number in numbers):
@@ -295,9 +178,11 @@ def _numbers(values: Iterable[Any], point: Any) -> list[Any]:
     return [number if np.ndim(number) == 0 else number[0] for number in numbers]
 
 
-def _length(vector: Array) -> Any:
+def length(vector: Array) -> Any:
+    """Return the Euclidean length."""
     return MANY.context.sqrt(sum((abs(entry) ** 2 for entry in vector), MANY.context.mpf(0)))
 
 
-def _conjugate(M: Array) -> Array:
+def conjugate(M: Array) -> Array:
+    """Return the conjugate entries."""
     return np.frompyfunc(MANY.context.conj, 1, 1)(M)
