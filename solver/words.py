@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from solver.lazy import sympy as sp
-
 DIGITS = 5
 
 
 def formula(value: Any) -> str:
     """Return an expression or matrix as LaTeX, without dollars."""
+    import sympy as sp  # noqa: PLC0415 - the declarations of tasks, which import this file, do not wait for sympy
+
     rounded = {number: sp.Float(number, DIGITS) for number in value.atoms(sp.Float)}
     return str(sp.latex(value.xreplace(rounded), imaginary_unit="j", ln_notation=True, mat_str="bmatrix", mat_delim=""))

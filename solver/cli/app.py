@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import io
-import os
 import sys
-import traceback
 from collections.abc import Sequence
 
 import click
 
 from solver import __version__
+from solver.cli.bugs import report_bug
 from solver.cli.check import check
 from solver.cli.group import FileOrCommand, stop_writing
 from solver.cli.listing import new, schema, tasks
@@ -58,17 +57,3 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as bug:  # noqa: BLE001 - the outermost boundary: whatever is left is a bug of the program
         return report_bug(bug)
     return result if isinstance(result, int) else 0
-
-
-def report_bug(bug: Exception, file: str = "") -> int:
-    """Say that there is a bug, with its traceback if SOLVE_DEBUG is set; return the exit code."""
-    place = f"{file}: " if file else ""
-    click.echo(f"{place}internal error: {type(bug).__name__}: {bug}", err=True)
-    if os.environ.get("SOLVE_DEBUG"):
-        traceback.print_exception(bug)
-    else:
-        click.echo(
-            "This is a bug in solve; please report it with the output of the same command under SOLVE_DEBUG=1.",
-            err=True,
-        )
-    return 1

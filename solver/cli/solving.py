@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from solver.cli.bugs import report_bug
 from solver.cli.destination import STANDARD, AtFault, Destination, write_whole
 from solver.cli.progress import Meter
 from solver.problem.source import Diagnostic, InputError, Source
@@ -77,8 +78,6 @@ def _end_orderly() -> None:
 
 def _guarded(request: Request, file: str, meter: Meter) -> int:
     """Solve one file; whatever goes wrong becomes words on standard error and an exit code."""
-    from solver.cli.app import report_bug
-
     try:
         return _solve(request, file, meter)
     except InputError as error:
