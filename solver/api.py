@@ -54,7 +54,7 @@ class WorkedSolution:
 
     def view(self, detail: str = "full", templates: str | Path | None = None) -> SolutionView:
         """Return the solution in words, at the level "brief", "full" or "tutor"; `templates` come before our own."""
-        numbers = NumberFormat.of(self.solution.problem.display)
+        numbers = NumberFormat.of(self.solution.display)
         return view_of(self.solution, Wording(numbers, detail, Path(templates) if templates else None))
 
     def html(self, detail: str = "full", templates: str | Path | None = None) -> str:

@@ -28,7 +28,7 @@ from solver.derivation.stated import difference, inverse, product, total
 from solver.derivation.steps import Claim
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
-from solver.problem.model import Part, Problem, Reference
+from solver.problem.model import Display, Part, Problem, Reference
 from solver.systems import StateSpace, System, TransferFunction
 from solver.tasks import catalogue
 
@@ -37,6 +37,10 @@ Earlier = Mapping[str, PartResult]
 
 Runner = Callable[[Problem], Iterator[list[PartResult]]]
 """Solves the parts of a problem in order, one list of results (one a method) for each part."""
+
+
+DIGITS = 15
+"""Significant digits of decimals that a later part takes from an earlier one."""
 
 
 @dataclass(frozen=True)
@@ -50,6 +54,22 @@ class Solution:
     def status(self) -> Status:
         """The worst status of the parts."""
         return Status.worst([part.status for part in self.parts])
+
+    @property
+    def display(self) -> Display:
+        """How numbers are shown: as if decimals had been typed, where a part goes on with those of an earlier one."""
+        references = [value for part in self.problem.parts for value in part.options.values()]
+        sources = {value.part for value in references if isinstance(value, Reference)}
+        answers = [part.answers.values() for part in self.parts if part.id in sources]
+        if any(_holds_decimals(value) for values in answers for value in values):
+            return replace(self.problem.display, decimals_typed=True)
+        return self.problem.display
+
+
+def _holds_decimals(value: Any) -> bool:
+    if isinstance(value, list | tuple):
+        return any(map(_holds_decimals, value))
+    return bool(getattr(value, "atoms", lambda _: ())(sp.Float))
 
 
 def solve_problem(problem: Problem, runner: Runner | None = None) -> Solution:
@@ -170,7 +190,14 @@ def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
     source = earlier.get(value.part)
     if source is None or value.answer not in source.answers:
         raise Unsolved(f"it needs the answer {value.answer} of part {value.part} (for {option}), which was not found")
-    return source.answers[value.answer]
+    found = source.answers[value.answer]
+    return _as_printed(found) if isinstance(found, sp.MatrixBase) else found
+
+
+def _as_printed(matrix: Any) -> Any:
+    """Return a matrix with its decimals taken as exact numbers of 15 digits, so that exact algebra goes on."""
+    exactly = {each: sp.Rational(str(sp.Float(each, DIGITS))) for each in matrix.atoms(sp.Float)}
+    return matrix.xreplace(exactly) if exactly else matrix
 
 
 @lemma("closed_loop")

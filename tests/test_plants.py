@@ -41,3 +41,25 @@ def test_a_constant_has_no_states():
 def test_in_discrete_time_too():
     (part,) = solved("system: {time: discrete, transfer_function: 1/(z-1/2)}\nfind: {a: characteristic_polynomial}\n")
     assert part.answers["polynomial"] == sp.Symbol("lamda") - sp.Rational(1, 2)
+
+
+def test_a_later_part_goes_on_with_the_decimals_of_an_earlier_one():
+    solution = solve_problem(
+        read_problem(
+            Source(
+                "p.yaml",
+                "system: {A: [[0, 1], [-2, -3]], B: [0, 1]}\nfind:\n"
+                "  a: {task: desired_poles, overshoot: 14%, settling_time: 2}\n"
+                "  b: {task: pole_placement, poles: {from: a}}\n"
+                "  c: {task: eigenstructure, gain: {from: b}}\n",
+            ),
+            catalogue(),
+        )
+    )
+    poles, _, closed = solution.parts
+    assert closed.status is Status.VERIFIED
+    assert np.allclose(
+        np.sort_complex([complex(value) for value in closed.answers["eigenvalues"]]),
+        np.sort_complex([complex(value) for value in poles.answers["poles"]]),
+    )
+    assert solution.display.decimals_typed

@@ -44,7 +44,7 @@ def test_the_problem_is_verified(path):
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_every_format_shows_it_at_every_level_of_detail(path, detail):
     solution = solved(path)
-    view = view_of(solution, Wording(NumberFormat.of(solution.problem.display), detail))
+    view = view_of(solution, Wording(NumberFormat.of(solution.display), detail))
     shown = [render_page(view), latex_document(view), markdown_of(view)]
     for part in view.parts:
         assert all(answer.equation in shown[2] for answer in part.answers)

@@ -125,7 +125,7 @@ def render_sheet(
     solution: Solution, marking: Marking, view: SolutionView | None = None, templates: Path | None = None
 ) -> str:
     """Return the page to hand back: values, verdicts and marks; with a view the worked solution below."""
-    typed = replace(solution.problem.display, decimals_typed=True)  # a student's decimals are shown as decimals
+    typed = replace(solution.display, decimals_typed=True)  # a student's decimals are shown as decimals
     wording = Wording(NumberFormat.of(typed))
     parts = {part.id: part for part in solution.problem.parts}
     return rendered(

@@ -138,7 +138,7 @@ class _Desk:
             return None
         if name not in self.views:
             solution = self.solutions[name]
-            numbers = NumberFormat.of(solution.problem.display)
+            numbers = NumberFormat.of(solution.display)
             with in_words("the solution"):
                 self.views[name] = view_of(solution, Wording(numbers, self.request.detail, self.request.templates))
         return self.views[name]

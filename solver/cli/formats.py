@@ -25,7 +25,7 @@ class Document:
     @cached_property
     def view(self) -> SolutionView:
         """The solution in words; raises `WordingError` if a template is missing or wrong."""
-        numbers = NumberFormat.of(self.solution.problem.display)
+        numbers = NumberFormat.of(self.solution.display)
         return view_of(self.solution, Wording(numbers, self.detail, self.templates))
 
     def rendered(self, format: str) -> bytes:  # noqa: A002 - the word of the option

@@ -68,7 +68,7 @@ class Printer(ObjectPrinter):
 
     def _rounds(self, expr: Any) -> bool:
         """Whether a number of the expression is shown rounded; then its constants are added up."""
-        return self.numbers.decimals_typed and any(map(self.numbers.rounds, expr.atoms(sp.Rational)))
+        return self.numbers.rounds_any(expr)
 
     def _print_Mul(self, expr: Any) -> str:
         return self._term(split(expr))
@@ -115,6 +115,7 @@ class Printer(ObjectPrinter):
         """Return the whole constant as a decimal, if that is how it is shown."""
         number, roots = term.number, term.roots or term.roots_below
         long = number.is_Rational and self.numbers.rounds(number)
+        long = long or any(self.numbers.rounds_root(base) for base, _ in roots)
         if roots and (self.numbers.all_decimal or number.is_Float or long):
             above = sp.Mul(*(base**exponent for base, exponent in term.roots))
             value = evaluated(number * above / sp.Mul(*(base**exponent for base, exponent in term.roots_below)))

@@ -82,8 +82,7 @@ class ObjectPrinter(LatexPrinter):
     def _alike(self, matrix: Any) -> Iterator[None]:
         """Where one number of a matrix is rounded, print all of them as decimals."""
         outside = self.numbers
-        fractions = (number for entry in matrix.flat() for number in entry.atoms(sp.Rational))
-        if any(map(outside.rounds, fractions)):
+        if any(map(outside.rounds_any, matrix.flat())):
             self.numbers = replace(outside, mode="decimal")
         try:
             yield

@@ -64,6 +64,19 @@ class NumberFormat:
         long = above > LONGEST_FRACTION[0] or below > LONGEST_FRACTION[1]
         return long and typed_length(number.p, number.q) > LONGEST_TYPED
 
+    def rounds_any(self, expression: Any) -> bool:
+        """Whether an expression holds a fraction, or a root of an integer, that is too long to be read."""
+        if not self.decimals_typed or self.mode != "typed":
+            return False
+        return any(map(self.rounds, expression.atoms(sp.Rational))) or any(
+            self.rounds_root(power.base) for power in expression.atoms(sp.Pow) if not power.exp.is_Integer
+        )
+
+    def rounds_root(self, radicand: Any) -> bool:
+        """Whether the root of this integer is too long to be read, in a problem that was typed with decimals."""
+        long = radicand.is_Integer and len(str(abs(radicand))) > LONGEST_TYPED
+        return bool(long and self.decimals_typed and self.mode == "typed")
+
     def parts(self, number: Any) -> tuple[str, int]:
         """Return digits and power of ten of a real number: ("0.25", 0), ("-1.2", -7); the sign is in the digits."""
         digits = self.digits

@@ -105,7 +105,7 @@ def view_of(solution: Solution, wording: Wording | None = None) -> SolutionView:
     Raises `WordingError` where a template is missing or wrong.
     """
     problem = solution.problem
-    wording = wording or Wording(numbers=NumberFormat.of(problem.display))
+    wording = wording or Wording(numbers=NumberFormat.of(solution.display))
     by_id = {part.id: part for part in problem.parts}
     seen: set[str] = set()
     parts = []

@@ -62,15 +62,15 @@ def incomplete_question(system: System, options: Mapping[str, Any]) -> Iterable[
     """What the question needs by its kind: an input for each input of the system, an initial state."""
     kind = options.get("kind", "complete")
     if kind == "zero_input":
-        if options.get("initial_state") is None and getattr(system, "x0", None) is None:
+        if "initial_state" not in options and getattr(system, "x0", None) is None:
             yield "", "the zero-input response needs an initial state: initial_state"
         return
     inputs = _number_of_inputs(system)
     if not inputs:
         yield "", "the response to an input needs the matrix B"
-    elif options.get("input") is None:
+    elif "input" not in options:
         yield "", f"the {kind.replace('_', '-')} response needs an input: an expression in t (discrete time: in k)"
-    elif len(options["input"]) != inputs:
+    elif options["input"] is not None and len(options["input"]) != inputs:
         count, given = f"{inputs} input{'s' if inputs > 1 else ''}", len(options["input"])
         yield "input", f"the system has {count}, but {given} {'are' if given > 1 else 'is'} given"
 
