@@ -3,17 +3,13 @@
 from collections import Counter
 
 import numpy as np
-import pytest
 import sympy as sp
 from comparing import (
     answers_of,
-    characteristic,
     close,
-    coefficients,
     floats,
     numbers,
     product,
-    rank_modulo_a_prime,
     same,
     systems_tried,
 )
@@ -21,8 +17,6 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 from strategies import plain_plants, plants
-
-from solver.derivation import Unsolved
 
 METHODS = ("eigenvalues", "lyapunov", "routh")
 
@@ -126,8 +120,10 @@ def test_the_jordan_form_has_the_blocks_the_system_was_made_of(made):
 def test_eigenvectors_in_decimals(plant):
     A = floats(plant.A)
     answers = answers_of("eigenstructure", plant)
-    V, W, J = (np.array(answers[name].evalf(25).tolist(), dtype=complex) for name in (
-        "right_eigenvectors", "left_eigenvectors", "jordan_form"))
+    V, W, J = (
+        np.array(answers[name].evalf(25).tolist(), dtype=complex)
+        for name in ("right_eigenvectors", "left_eigenvectors", "jordan_form")
+    )
     assert close(A @ V, V @ J, 1e-8)
     assert close(np.poly(np.diag(J)), np.poly(A), 1e-7)
     if answers["diagonalizable"]:

@@ -6,7 +6,6 @@ import pytest
 import sympy as sp
 from comparing import (
     answers_of,
-    arrays,
     characteristic,
     close,
     coefficients,

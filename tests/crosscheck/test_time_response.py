@@ -28,7 +28,7 @@ SIGNALS = {  # each as the output h·w of w' = S w, w(0) = w₀
 }
 SEQUENCES = {
     sp.S.One: lambda i: 1.0,
-    k: lambda i: float(i),
+    k: float,
     sp.Rational(1, 2) ** k: lambda i: 0.5**i,
     (-1) ** k: lambda i: (-1.0) ** i,
     sp.cos(sp.pi * k / 2): lambda i: (1.0, 0.0, -1.0, 0.0)[i % 4],
@@ -119,7 +119,11 @@ def test_responses_to_ramps_are_those_of_control(made, signal, method):
 
 
 @systems_tried(30)
-@given(plants(4, discrete=True), st.sampled_from(sorted(SEQUENCES, key=str)), st.sampled_from(["z_transform", "convolution"]))
+@given(
+    plants(4, discrete=True),
+    st.sampled_from(sorted(SEQUENCES, key=str)),
+    st.sampled_from(["z_transform", "convolution"]),
+)
 def test_responses_in_discrete_time_are_recursions(made, signal, method):
     plant = made.system
     A, B, C, D = arrays(plant)

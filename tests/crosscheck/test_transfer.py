@@ -148,7 +148,9 @@ def test_realizations_have_the_transfer_matrix_they_are_made_from(made, form):
         simple = sp.Poly(sp.lcm_list([bottom for row in parts for _, bottom in row]), s).is_sqf
         assert not G.has(s) or (form in ("diagonal", "modal") and (not simple or "omplex" in str(refusal)))
         return
-    A, B, C, D = (np.array(answers[name].evalf(25).tolist(), dtype=complex).reshape(answers[name].shape) for name in "ABCD")
+    A, B, C, D = (
+        np.array(answers[name].evalf(25).tolist(), dtype=complex).reshape(answers[name].shape) for name in "ABCD"
+    )
     for point in POINTS:
         assert close(resolvent_at(A, B, C, D, point), at(G, point, s), 1e-6)
 
