@@ -23,12 +23,12 @@ class Stated:
 
 
 def determinant(matrix: Any) -> Stated:
-    """Det M of a square matrix."""
+    """det M of a square matrix."""
     return Stated("determinant", (matrix,))
 
 
 def adjugate(matrix: Any) -> Stated:
-    """Adj M, the transposed matrix of cofactors."""
+    """adj M, the transposed matrix of cofactors."""
     return Stated("adjugate", (matrix,))
 
 
@@ -38,7 +38,7 @@ def partitioned(matrix: Any, rows: Sequence[int], columns: Sequence[int]) -> Sta
 
 
 def rank(matrix: Any) -> Stated:
-    """Rank M; with parameters the generic one."""
+    """rank M; with parameters the generic one."""
     return Stated("rank", (matrix,))
 
 
@@ -113,5 +113,5 @@ def summation(term: Any, index: Any, lower: Any, upper: Any) -> Stated:
 
 
 def value_at(function: Any, variable: Any, value: Any) -> Stated:
-    """F(x) at x = `value`."""
+    """f(x) at x = `value`."""
     return Stated("value_at", (function, variable, value))

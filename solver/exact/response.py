@@ -127,7 +127,7 @@ def limit_of_sum(late: sp.Expr, t: sp.Symbol) -> sp.Expr | None:
 
 
 def shifted(f: sp.MatrixBase, t: sp.Symbol, delay: sp.Expr) -> sp.ImmutableMatrix:
-    """F(t − T) step(t − T)."""
+    """f(t − T) step(t − T)."""
     later = f.xreplace({t: t - delay}) if delay != 0 else f
     step = sp.Heaviside(t - delay) if delay != 0 else sp.S.One
     return sp.ImmutableMatrix(later.applyfunc(lambda entry: entry * step))

@@ -39,7 +39,7 @@ class RootTower:
         return (c,)
 
     def add(self, a: Nested, b: Nested) -> Nested:
-        """A + b."""
+        """a + b."""
         a, b = self._same(a, b)
         return tuple(x + y for x, y in zip(a, b, strict=True))
 
@@ -48,11 +48,11 @@ class RootTower:
         return tuple(-x for x in a)
 
     def scale(self, c: Any, a: Nested) -> Nested:
-        """C a with c in K."""
+        """c a with c in K."""
         return tuple(c * x for x in a)
 
     def multiply(self, a: Nested, b: Nested) -> Nested:
-        """A b, by gᵢ² = its square."""
+        """a b, by gᵢ² = its square."""
         a, b = self._same(a, b)
         if len(a) == 1:
             return (a[0] * b[0],)

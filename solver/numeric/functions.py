@@ -141,7 +141,7 @@ def _rising(expression: Any, environment: Environment) -> Value:
 
 @rule(sp.binomial)
 def _binomial(expression: Any, environment: Environment) -> Value:
-    """X (x − 1) … (x − n + 1)/n!."""
+    """x (x − 1) … (x − n + 1)/n!."""
     x, n = expression.args
     falling = _falling_power(walk(x, environment), n)
     scale = environment.arithmetic.rational(1, int(sp.factorial(n)))

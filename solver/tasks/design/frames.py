@@ -111,7 +111,7 @@ class Placement:
 
 
 def characteristic(A: Any, x: Symbol, n: int = 0) -> Stated:
-    """Det(xI − A) as stated; n is the size of an A that is stated itself."""
+    """det(xI − A) as stated; n is the size of an A that is stated itself."""
     return determinant(difference(product(x, sp.ImmutableMatrix(sp.eye(n or A.rows))), A))
 
 

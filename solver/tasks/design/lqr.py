@@ -168,7 +168,7 @@ def is_optimal(given: Given, answers: Answers) -> Iterable[Check]:
 
 @lqr.verification("u")
 def is_the_optimal_control(given: Given, answers: Answers) -> Iterable[Check]:
-    """U = −K x at random states, K from scipy."""
+    """u = −K x at random states, K from scipy."""
     yield numeric.check_residual(
         "$u = -Kx$ at random states",
         "scipy.linalg.solve_continuous_are",

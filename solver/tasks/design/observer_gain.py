@@ -166,7 +166,7 @@ def _desired(pair: Pair, poles: Sequence[Expr], hidden: Sequence[Expr]) -> Deriv
 def _by_coefficients(
     pair: Pair, c: ImmutableMatrix, A: ImmutableMatrix, desired: Expr, hidden: Sequence[Expr], combined: str = ""
 ) -> Derivation[tuple[ImmutableMatrix, Expr]]:
-    """Det(xI − A + lc) with unknown l has the coefficients asked for; returns l (n×1) and that polynomial.
+    """det(xI − A + lc) with unknown l has the coefficients asked for; returns l (n×1) and that polynomial.
 
     `combined` is the name of A where c is not the C of the pair but a combination of its rows.
     """

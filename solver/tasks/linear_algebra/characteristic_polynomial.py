@@ -144,7 +144,7 @@ def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
 
 @characteristic_polynomial.verification("polynomial")
 def has_the_values_of_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
-    """P(x) = det(xI − A) at random x, the determinant by numpy."""
+    """p(x) = det(xI − A) at random x, the determinant by numpy."""
     A, polynomial, lamda = given.system.A, answers["polynomial"], sp.Symbol("lamda")
     yield numeric.check_residual(
         r"$\chi(\lambda) = \det(\lambda I - A)$ at random points",

@@ -224,7 +224,7 @@ def has_the_same_blocks(given: Given, answers: Answers) -> Iterable[Check]:
 
 @eigenstructure.verification("diagonalizable")
 def has_enough_eigenvectors(given: Given, answers: Answers) -> Iterable[Check]:
-    """Rank (A − λI) tells for each eigenvalue how many independent eigenvectors it has."""
+    """The rank of A − λI tells for each eigenvalue how many independent eigenvectors it has."""
     yield Check.that(
         r"$A$ is diagonalizable as stated",
         r"ranks of $A - \lambda I$",

@@ -161,7 +161,7 @@ def _same_constant(given: Given, answers: Answers) -> Check:
 
 @minimal_realization.verification("cancelled")
 def complete_the_characteristic_polynomial(given: Given, answers: Answers) -> Iterable[Check]:
-    """Det(sI − A) is det(sI − A_min) times the factors of the cancelled modes."""
+    """det(sI − A) is det(sI − A_min) times the factors of the cancelled modes."""
     plant, listed = numbers_of(given.system), list(answers["cancelled"])
     yield numeric.check_residual(
         r"poles and cancelled modes make up $\det(sI - A)$",

@@ -90,7 +90,7 @@ def by_products(given: Given) -> Derivation[Answers]:
 
 
 def _unchanged(plant: StateSpace, moved: Answers) -> Step:
-    """Det(xI − Ā) = det(xI − A), and G is the same."""
+    """det(xI − Ā) = det(xI − A), and G is the same."""
     x, A = variable_of(plant), moved["A"]
     chi = exact.faddeev_leverrier(plant.A).characteristic_polynomial(x)
     pencil = difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), A)
