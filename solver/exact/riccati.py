@@ -21,6 +21,7 @@ import mpmath
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from solver.exact.decimal_matrices import Rows, combined, powers_of, rows_of, solution_of
 from solver.exact.fields import NotExact, domain_matrix, matrix_of
 from solver.exact.pole_placement import controllability_matrix
 from solver.exact.root_choices import DIGITS, WORKING_DIGITS, Choice
@@ -30,7 +31,8 @@ from solver.exact.structure import HiddenPart, hidden_part
 from solver.exact.tower_matrices import polynomial_at, shown, solved
 from solver.words import formula
 
-MOST_SOLUTIONS = 64
+MOST_SOLUTIONS = 32
+"""As many are listed; of more there is only the stabilizing one."""
 LARGEST_NUMBER = 10**5
 LONGEST_ENTRY = 90
 """Characters of an entry with nested roots that still is readable; beyond, decimals say more."""
@@ -92,10 +94,15 @@ class Riccati:
         options = (1 if keep else len(group.choices) for group, keep in zip(self.groups, self.fixed, strict=True))
         return int(sp.prod(options))
 
+    @property
+    def listable(self) -> bool:
+        """Whether the solutions are so few that they can be listed."""
+        return self.count is not None and self.count <= MOST_SOLUTIONS
+
     @cached_property
     def solutions(self) -> tuple[RiccatiSolution, ...]:
         """All real symmetric solutions, the stabilizing one first; raises NotExact if they are endless or too many."""
-        if self.count is None or self.count > MOST_SOLUTIONS:
+        if not self.listable:
             raise NotExact("There are too many solutions to list.")
         found = (self._solution(choices) for choices in combinations(self.groups, self.fixed))
         return (self.stabilizing, *list(found)[1:])
@@ -177,13 +184,16 @@ class Riccati:
         """P and p to many digits, by the same linear equations."""
         n, p = self.order, decimal_polynomial(choices)
         with mpmath.workdps(WORKING_DIGITS):
-            H = mpmath.matrix([[mpmath.mpmathify(sp.N(x, WORKING_DIGITS)) for x in row] for row in self.H.tolist()])
-            E, identity = mpmath.zeros(2 * n), mpmath.eye(2 * n)
-            for c in p:
-                E = E * H + c * identity
-            columns = [mpmath.lu_solve(E[:, n:], -E[:, j]) for j in range(n)]
-            P = [[_decimal((columns[j][i] + columns[i][j]) / 2) for j in range(n)] for i in range(n)]
+            E = combined(self._powers_in_decimals, p)
+            X = solution_of([row[n:] for row in E], [[-entry for entry in row[:n]] for row in E])
+            P = [[_decimal((X[i][j] + X[j][i]) / 2) for j in range(n)] for i in range(n)]
             return sp.ImmutableMatrix(P), tuple(_decimal(c) for c in p)
+
+    @cached_property
+    def _powers_in_decimals(self) -> list[Rows]:
+        """I, H, …, Hⁿ, the same for all solutions."""
+        with mpmath.workdps(WORKING_DIGITS):
+            return powers_of(rows_of(self.H, WORKING_DIGITS), self.order)
 
 
 def riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> Riccati:

@@ -156,8 +156,7 @@ class Multiple:
 
     def size(self, value: Any) -> Any:
         """Return absolute values as floats."""
-        size = abs(value)
-        return size.astype(float) if isinstance(size, np.ndarray) else np.float64(size)
+        return np.abs(self.approximate(value))
 
     def approximate(self, value: Any) -> Any:
         """Return values as complex doubles."""

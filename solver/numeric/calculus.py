@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache, reduce
+from functools import cache, lru_cache, reduce
 from math import factorial
 from typing import Any
 
@@ -60,12 +60,12 @@ def derivative(environment: Environment, function: Any, variable: Any, order: An
     if m == 0:
         return walk(function, environment)
     arithmetic = environment.arithmetic
-    count = 64 if arithmetic is DOUBLE else 16 * (arithmetic.digits // 5)
+    count = _points_on(arithmetic)
     x = environment.full(walk(variable, environment).value)
     roots = unit_roots(count, arithmetic)
     for radius in RADII:
         scale = arithmetic.rational(1, round(1 / radius))
-        samples = walk(function, environment.spread(variable, x[:, None] + scale * roots[None, :]))
+        samples = _on_circle(environment, function, variable, x, radius)
         value, magnitude = _samples(samples, environment.points, count)
         if _known(value, magnitude, arithmetic) and _analytic(np.asarray(arithmetic.approximate(value)), magnitude):
             weights = (arithmetic.power(roots, arithmetic.number(-m)) * factorial(m)).reshape(
@@ -75,6 +75,44 @@ def derivative(environment: Environment, function: Any, variable: Any, order: An
             result = (value * weights).sum(axis=1) / count / scale**m
             return Value(result, magnitude.sum(axis=1) / count * factorial(m) / radius**m)
     raise NotEvaluable("the function to differentiate is not analytic near the point")
+
+
+def _points_on(arithmetic: Arithmetic) -> int:
+    """How many points a circle gets."""
+    return 64 if arithmetic is DOUBLE else 16 * (arithmetic.digits // 8)
+
+
+def _on_circle(environment: Environment, function: Any, variable: Any, x: Array, radius: float) -> Value:
+    """F at the points of the circles about x; kept for the derivatives of other orders, where f is an expression."""
+    if not isinstance(function, sp.Basic):
+        return _walked_round(environment, function, variable, x, radius)
+    others = tuple(
+        (each, tuple(environment.full(value)))
+        for each, value in sorted(environment.values.items(), key=lambda pair: str(pair[0]))
+        if each != variable and each in function.free_symbols
+    )
+    return _remembered(function, variable, tuple(x), others, environment.arithmetic, radius)
+
+
+@lru_cache(maxsize=4)
+def _remembered(
+    function: Any,
+    variable: Any,
+    x: tuple[Any, ...],
+    others: tuple[tuple[Any, tuple[Any, ...]], ...],
+    arithmetic: Arithmetic,
+    radius: float,
+) -> Value:
+    values = {symbol: arithmetic.array(listed) for symbol, listed in others}
+    environment = Environment(values, len(x), arithmetic)
+    return _walked_round(environment, function, variable, environment.full(arithmetic.array(x)), radius)
+
+
+def _walked_round(environment: Environment, function: Any, variable: Any, x: Array, radius: float) -> Value:
+    arithmetic = environment.arithmetic
+    roots = unit_roots(_points_on(arithmetic), arithmetic)
+    scale = arithmetic.rational(1, round(1 / radius))
+    return walk(function, environment.spread(variable, x[:, None] + scale * roots[None, :]))
 
 
 def _samples(samples: Value, points: int, count: int) -> tuple[Array, Array]:

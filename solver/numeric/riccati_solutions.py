@@ -9,13 +9,18 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from solver.numeric.arithmetic import Array
+from solver.numeric.arithmetic import Array, multiple
+from solver.numeric.environment import Environment
+from solver.numeric.evaluate import value_of
 from solver.numeric.points import free_symbols
 from solver.numeric.regulator import Optimum, Weights, matrix_at, optima, relative
 from solver.numeric.riccati import hamiltonian
 from solver.numeric.values import NotEvaluable
 
 ON_THE_AXIS = 1e-7
+MANY = multiple(50)
+WELL_KNOWN = 80
+"""Bits from which on an entry is known to more than rounding in doubles."""
 
 
 def all_distinct(weights: Weights, matrices: Sequence[Any]) -> bool:
@@ -37,10 +42,13 @@ def number_of_solutions(weights: Weights) -> int:
     Raises NotEvaluable where eigenvalues are too close to each other, or solutions form a continuum.
     """
     optimum = optima(weights)[0]
-    values = np.linalg.eigvals(optimum.closed_loop)
+    values, vectors = np.linalg.eig(optimum.closed_loop.T)
     scale = float(1 + np.abs(values).max())
     count = 1
     for cluster in _clusters([value for value in values if value.imag > -ON_THE_AXIS * scale], 1e-4 * scale):
+        if len(cluster) == 1:
+            count *= 2 if _is_reached(optimum, vectors[:, list(values).index(cluster[0])]) else 1
+            continue
         own, reached = _left_eigenvectors(optimum, sum(cluster) / len(cluster), 1e-6 * scale)
         if own == 0:
             raise NotEvaluable(
@@ -70,12 +78,32 @@ def _left_eigenvectors(optimum: Optimum, eigenvalue: complex, tolerance: float) 
     return own, own - hidden
 
 
+def _is_reached(optimum: Optimum, w: Array) -> bool:
+    """Whether B reaches the mode of a left eigenvector w, as far as its products with B are more than rounding."""
+    products = np.abs(w)[:, None] * np.abs(optimum.B)
+    counted = products.sum(axis=0) > 1e-12 * float(np.abs(optimum.B).max(initial=0.0))
+    return bool(np.any(counted & (np.abs(w @ optimum.B) > 1e-6 * products.sum(axis=0))))
+
+
 def signature_word(optimum: Optimum, P: Any) -> str:
-    """Return the definiteness of a symmetric matrix in words, by numpy.linalg.eigvalsh."""
+    """Return the definiteness of a symmetric matrix in words, by mpmath.eigsy; in floats, by numpy.linalg.eigvalsh.
+
+    Raises NotEvaluable where an eigenvalue is so small beside others that it may be what rounding left of zero.
+    """
     value = matrix_at(P, optimum.point, optimum.A.shape)
-    eigenvalues = np.linalg.eigvalsh((value + value.T) / 2)
-    zero = 1e-9 * max(1e-300, float(np.abs(eigenvalues).max()))
-    return definiteness_word(int(np.sum(eigenvalues > zero)), int(np.sum(eigenvalues < -zero)), len(eigenvalues))
+    digits = min((number._prec for number in sp.ImmutableMatrix(P).atoms(sp.Float)), default=WELL_KNOWN)
+    if digits < WELL_KNOWN:
+        eigenvalues, zero = list(np.linalg.eigvalsh((value + value.T) / 2)), 1e-9
+    else:
+        entries = value_of(P, Environment.at([dict(optimum.point)], MANY)).value[0]
+        eigenvalues = list(MANY.context.eigsy(MANY.context.matrix(entries + entries.T), eigvals_only=True))
+        zero = 1e-28
+    sizes = [float(abs(each)) for each in eigenvalues]
+    zero *= max(1e-300, *sizes)
+    if digits >= WELL_KNOWN and any(zero < size < 100 * zero for size in sizes):
+        raise NotEvaluable("an eigenvalue is too small beside the others to tell its sign")
+    positive, negative = (sum(1 for each in eigenvalues if sign * each > zero) for sign in (1, -1))
+    return definiteness_word(positive, negative, len(eigenvalues))
 
 
 def definiteness_word(positive: int, negative: int, n: int) -> str:

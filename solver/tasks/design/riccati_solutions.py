@@ -42,7 +42,7 @@ LISTED = (
 
 @dataclass(frozen=True)
 class Listed:
-    """What the equation method finds: the equations, all solutions and what each is; None where they are endless."""
+    """What the equation method finds: the equations, all solutions (None if endless or too many) and what each is."""
 
     P: ImmutableMatrix
     equations: list[Expr]
@@ -74,9 +74,9 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
         rows=[(i + 1, j + 1, equation) for (i, j), equation in zip(pairs, equations, strict=True)],
     )
     equation = riccati_of(problem)
-    if equation.count is None:
+    if not equation.listable:
         yield from _splitting(problem, equation, solved=False)
-        yield from _endless(problem, equation)
+        yield _endless(problem, equation) if equation.count is None else _many(problem, equation)
         return equation, Listed(P, equations, None, None)
     always = [each for each in equation.solutions if each.radicand is None]
     conditional = [each for each in equation.solutions if each.radicand is not None]
@@ -133,12 +133,12 @@ def _conditional(problem: Regulator, solutions: Sequence[exact.RiccatiSolution])
 
 
 def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) -> str:
-    """Return the word. With parameters and (A, Q) observable P has as many negative eigenvalues as p unstable roots."""
+    """Return the word. With (A, Q) observable P has as many negative eigenvalues as p unstable roots, whatever P is."""
     P, n = solution.P, equation.order
-    if not P.free_symbols:
-        return exact.definiteness_of_numbers(P)
     if equation.observable:
         return {0: "positive definite", n: "negative definite"}.get(solution.flips, "indefinite")
+    if not P.free_symbols:
+        return exact.definiteness_of_numbers(P)
     if solution.flips == 0:
         return "positive semidefinite"
     return "depends on the parameters"
@@ -178,14 +178,21 @@ def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution], word
     )
 
 
-def _endless(problem: Regulator, equation: exact.Riccati) -> Derivation[None]:
+def _many(problem: Regulator, equation: exact.Riccati) -> Step:
+    """More solutions than anyone would read: the stabilizing one alone."""
+    first = equation.stabilizing
+    claims = {"residual": residual_claim(problem, first.P), "polynomial": loop_polynomial_claim(problem, first)}
+    return Step("many", claims=claims, P=first.P, p=polynomial_of(first), count=equation.count, **problem.names)
+
+
+def _endless(problem: Regulator, equation: exact.Riccati) -> Step:
     """A continuum of solutions: the stabilizing one, and a family with one parameter where it has a simple form."""
     first = equation.stabilizing
     claims = {"residual": residual_claim(problem, first.P), "polynomial": loop_polynomial_claim(problem, first)}
     family = equation.family(sp.Symbol("tau"))
     if family is not None:
         claims["family"] = residual_claim(problem, family[0])
-    yield Step(
+    return Step(
         "endless",
         claims=claims,
         P=first.P,
