@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from math import exp, factorial
 from typing import Any
@@ -195,7 +196,8 @@ def _best(y: sp.Expr, t: sp.Symbol, candidates: Sequence[sp.Expr], bound: float)
 
 def _searched(image: RationalMatrix) -> list[sp.Expr]:
     """The zeros of the slope between samples, in decimals; the largest value is at one of them."""
-    modes = _modes(image)
+    with mpmath.workdps(DIGITS + 15):
+        modes = _modes(image)
     rates = [-m.real for m, _, _ in modes if m.real < 0]
     last = LATEST / min(rates) if rates else 0.0
     fastest = max((abs(m) for m, _, _ in modes), default=1.0)
@@ -223,9 +225,10 @@ def _slope(modes: Sequence[tuple[Any, int, Any]]) -> Callable[[float], float]:
 
 
 def _refined(modes: Sequence[tuple[complex, int, Any]], a: float, b: float) -> sp.Expr:
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(DIGITS + 15):
+        slope = partial(_value, modes, order=1, exponential=mpmath.exp)
         root = mpmath.findroot(
-            lambda t: _value(modes, t, 1, mpmath.exp), (a, b), solver="anderson", tol=1e-40, verify=False
+            slope, (a, b), solver="anderson", tol=mpmath.mpf(10) ** (-4 * DIGITS), maxsteps=200, verify=False
         )
         return sp.Float(root, DIGITS)
 
@@ -235,10 +238,10 @@ def _modes(image: RationalMatrix) -> list[tuple[Any, int, Any]]:
     found = []
     for each, order in image.poles:
         for root in each.factor.roots:
-            value = mpmath.mpmathify(sp.N(root.value, DIGITS))
+            value = mpmath.mpmathify(sp.N(root.value, DIGITS + 15))
             for j in range(1, order + 1):
                 c = residue_at(each.residues[j - 1], root, image.shape)[0]
-                found.append((mpmath.mpc(value), j, mpmath.mpc(mpmath.mpmathify(sp.N(c, DIGITS)))))
+                found.append((mpmath.mpc(value), j, mpmath.mpc(mpmath.mpmathify(sp.N(c, DIGITS + 15)))))
     return found
 
 

@@ -142,13 +142,18 @@ def gain_residual(weights: Weights, K: Any) -> float:
 
 
 def cost_matrix(optimum: Optimum, K: Array) -> Array | None:
-    """Return X with x₀ᵀXx₀ = ∫ xᵀ(Q + KᵀRK)x dt under u = −Kx, by scipy; None if A − BK is not stable."""
-    from scipy.linalg import solve_continuous_lyapunov  # noqa: PLC0415
+    """Return X with x₀ᵀXx₀ = ∫ xᵀ(Q + KᵀRK)x dt under u = −Kx, by scipy; None if A − BK is not stable.
+
+    The states are first scaled so that rows and columns of A − BK are of about the same size.
+    """
+    from scipy.linalg import matrix_balance, solve_continuous_lyapunov  # noqa: PLC0415
 
     loop = optimum.A - optimum.B @ K
     if not hurwitz(loop):
         return None
-    return np.asarray(solve_continuous_lyapunov(loop.T, -(optimum.Q + K.T @ optimum.R @ K)))
+    balanced, (scale, _) = matrix_balance(loop, permute=False, separate=True)
+    weight = (optimum.Q + K.T @ optimum.R @ K) * np.outer(scale, scale)
+    return np.asarray(solve_continuous_lyapunov(balanced.T, -weight) / np.outer(scale, scale))
 
 
 def loop_residual(weights: Weights, loop: Any) -> float:

@@ -12,6 +12,7 @@ from solver.numeric.arithmetic import Array
 from solver.numeric.evaluate import evaluate
 from solver.numeric.points import admissible, free_symbols
 from solver.numeric.regulator import Weights, optima
+from solver.numeric.tracking import least_squares
 from solver.numeric.values import ShapeMismatch, Undefined
 
 Condition = tuple[Any, Any]
@@ -55,6 +56,6 @@ def _gap(M: Array, p: int, conditions: Sequence[tuple[Array, Array]]) -> float:
             return float("inf")
     stacked = np.vstack([M, *(L for L, _ in conditions)])
     target = np.vstack([target, *(V for _, V in conditions)])
-    X = np.linalg.lstsq(stacked, target, rcond=1e-13)[0]
+    X = least_squares(stacked, target, rcond=1e-13)
     size = np.abs(stacked) @ np.abs(X) + np.abs(target)
     return float(np.max(np.abs(stacked @ X - target), initial=0.0) / np.max(size, initial=1e-300))

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from solver.numeric.arithmetic import Array
+from solver.numeric.arithmetic import Array, equilibration
 from solver.numeric.placement import rational_points
 from solver.numeric.values import NotEvaluable
 
@@ -26,11 +26,21 @@ def _steady(matrices: Matrices, point: Mapping[Any, Any], *, discrete: bool) -> 
     return np.block([[A - discrete * np.eye(n), B], [C, D]]), np.vstack([np.zeros((n, p)), np.eye(p)])
 
 
+def least_squares(M: Array, right: Array, rcond: float | None = None) -> Array:
+    """Return X with M X = right, or next to it; rows and unknowns are scaled so that the entries are of like size."""
+    rows, columns = (factors[0][:, None] for factors in equilibration(M[None]))
+    scaled = M * rows * columns.T
+    X = np.zeros((M.shape[1], right.shape[1]))
+    for _ in range(2):  # once more with what is left over
+        X = X + columns * np.linalg.lstsq(scaled, (right - M @ X) * rows, rcond=rcond)[0]
+    return X
+
+
 def _misfit(M: Array, right: Array) -> float:
     """Return the largest entry of M X − right for the best X, relative to the largest of right."""
     if not M.shape[1]:
         return float(np.max(np.abs(right), initial=0.0))
-    X = np.linalg.lstsq(M, right, rcond=None)[0]
+    X = least_squares(M, right)
     scale = max(1.0, float(np.max(np.abs(right), initial=0.0)), float(np.max(np.abs(M) @ np.abs(X), initial=0.0)))
     return float(np.max(np.abs(M @ X - right), initial=0.0)) / scale
 

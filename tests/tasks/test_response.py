@@ -179,6 +179,14 @@ def test_the_peak_of_several_modes_is_found_in_decimals():
     assert abs(float(result.answers["t_peak"]) - times[y.argmax()]) < 1e-4
 
 
+def test_the_time_of_a_peak_is_right_to_all_its_digits():
+    answers = respond(CIRCUIT, u=e(-2 * t)).answers
+    slope = sp.diff(answers["y"], t)
+    with_guard_digits = sp.Float(str(answers["t_peak"]), 60)
+    correction = (slope / sp.diff(slope, t)).subs(t, with_guard_digits).evalf(60)
+    assert abs(correction) < 1e-28
+
+
 @pytest.mark.parametrize(
     ("plant", "question"),
     [(SCALE, {"u": 1}), (SCALE, {"x0": [1, 0], "kind": "zero_input"}), (OSCILLATOR, {"u": sp.sin(2 * t)})],
