@@ -148,3 +148,21 @@ def plain_plants(
     shapes = [(n, n), (n, m), (p, n), (p, m)]
     exact = [sp.ImmutableMatrix(rows, columns, lambda *_: draw(entries)) for rows, columns in shapes]
     return StateSpace(*exact, discrete=discrete)
+
+
+DECAYING = [sp.Rational(-p, 2) for p in range(1, 11)]
+WELL_INSIDE = [sp.Rational(p, 6) for p in range(-4, 5)]
+
+
+@st.composite
+def poles_of(draw: st.DrawFn, count: int, discrete: bool = False) -> tuple[sp.Expr, ...]:
+    """So many poles where motions decay, complex ones in pairs, any of them several times."""
+    found = []
+    while len(found) < count:
+        sigma = draw(st.sampled_from(WELL_INSIDE if discrete else DECAYING))
+        if count - len(found) >= 2 and draw(st.booleans()):
+            omega = draw(st.sampled_from([sp.Rational(1, 2), sp.Rational(1, 3)] if discrete else [1, 2, 3]))
+            found += [sigma + sp.I * omega, sigma - sp.I * omega]
+        else:
+            found.append(sigma)
+    return tuple(map(sp.sympify, found))

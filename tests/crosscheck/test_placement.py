@@ -19,27 +19,11 @@ from comparing import (
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import expm
-from strategies import plain_plants, plants
+from strategies import plain_plants, plants, poles_of
 
 from solver.derivation import Unsolved
 
 METHODS = ("coefficient_matching", "bass_gura", "canonical_form", "ackermann")
-DECAYING = [sp.Rational(-p, 2) for p in range(1, 11)]
-INSIDE = [sp.Rational(p, 6) for p in range(-4, 5)]
-
-
-@st.composite
-def poles_of(draw, count, discrete=False):
-    """So many poles where motions decay, complex ones in pairs, any of them several times."""
-    found = []
-    while len(found) < count:
-        sigma = draw(st.sampled_from(INSIDE if discrete else DECAYING))
-        if count - len(found) >= 2 and draw(st.booleans()):
-            omega = draw(st.sampled_from([sp.Rational(1, 2), sp.Rational(1, 3)] if discrete else [1, 2, 3]))
-            found += [sigma + sp.I * omega, sigma - sp.I * omega]
-        else:
-            found.append(sigma)
-    return tuple(map(sp.sympify, found))
 
 
 def polynomial_of(roots):
