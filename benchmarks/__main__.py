@@ -1,6 +1,7 @@
-"""Print the table of speed targets: `python -m benchmarks [--quick] [exponential|placement|command]`.
+"""Print the tables of speed targets: `python -m benchmarks [--quick] [exponential|placement|command|growth]`.
 
-`--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10.
+`--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
+`--write` puts the tables that were measured into docs/performance.md.
 Exit code 0 if every target is met, else 1.
 """
 
@@ -10,10 +11,12 @@ import argparse
 import os
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 
-from benchmarks import command_line, matrix_exponential, pole_placement
+from benchmarks import command_line, growth, matrix_exponential, pole_placement
 from benchmarks.timing import Failure, Row
 
+PAGE = Path(__file__).parents[1] / "docs" / "performance.md"
 HEADER = f"{'work':<44} {'ours':>9} {'peer':>10} {'ratio':>7}  {'target':<20} {'met':<4} peer"
 
 
@@ -37,19 +40,54 @@ def line(row: Row | Failure) -> str:
     return f"{row.name:<44} {row.ours:>9.2f} {peer:>10} {ratio:>7}  {row.target:<20} {met:<4} {row.peer_name}".rstrip()
 
 
+def put_into_page(name: str, table: str) -> None:
+    """Replace a table of docs/performance.md, which stands between comments with its name."""
+    begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
+    before, _, rest = PAGE.read_text(encoding="utf-8").partition(begin)
+    after = rest.partition(end)[2]
+    PAGE.write_text(f"{before}{begin}\n{table}\n\n{end}{after}", encoding="utf-8")
+
+
 def main() -> int:
     """Measure, print, and return the exit code."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="leave out the peers that take seconds")
-    parser.add_argument("group", nargs="?", choices=("exponential", "placement", "command"))
+    parser.add_argument("--quick", action="store_true", help="leave out what takes seconds")
+    parser.add_argument("--write", action="store_true", help="put the tables into docs/performance.md")
+    parser.add_argument("group", nargs="?", choices=("exponential", "placement", "command", "growth"))
+    parser.add_argument("task", nargs="?", help="of the table of growth, one task only")
     chosen = parser.parse_args()
     print("times in ms: medians of processor time (of whole processes: wall time), caches emptied before each run")
-    print(f"load of the machine: {os.getloadavg()[0]:.1f}\n\n{HEADER}")
+    print(f"load of the machine: {os.getloadavg()[0]:.1f}\n")
     met = True
-    for row in measured(chosen.group, quick=chosen.quick):
-        print(line(row), flush=True)
-        met = met and row.met
+    if chosen.group != "growth":
+        met = _rows(chosen.group, quick=chosen.quick, write=chosen.write and chosen.group is None)
+    if chosen.group == "growth" or (chosen.group is None and not chosen.quick):
+        met = _growth(chosen.task, write=chosen.write and chosen.task is None) and met
     return 0 if met else 1
+
+
+def _rows(group: str | None, *, quick: bool, write: bool) -> bool:
+    print(HEADER)
+    met, printed = True, [HEADER]
+    for row in measured(group, quick=quick):
+        printed.append(line(row))
+        print(printed[-1], flush=True)
+        met = met and row.met
+    if write:
+        put_into_page("targets", "\n".join(["```text", *printed, "```"]))
+    return met
+
+
+def _growth(task: str | None, *, write: bool) -> bool:
+    print(f"\nseconds of processor time, solved and checked; targets not met in bold\n\n{growth.HEADER}")
+    met, printed = True, [growth.HEADER]
+    for each in growth.lines(task):
+        printed.append(str(each))
+        print(printed[-1], flush=True)
+        met = met and each.met
+    if write:
+        put_into_page("growth", "\n".join(printed))
+    return met
 
 
 if __name__ == "__main__":

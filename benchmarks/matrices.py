@@ -35,3 +35,9 @@ def random_rational(rows: int, columns: int, seed: int) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix(
         rows, columns, lambda *_: sp.Rational(source.choice([*range(-9, 0), *range(1, 10)]), source.randint(1, 4))
     )
+
+
+def random_integers(rows: int, columns: int, seed: int) -> sp.ImmutableMatrix:
+    """Entries from −5 to 5."""
+    source = Random(seed)
+    return sp.ImmutableMatrix(rows, columns, lambda *_: source.randint(-5, 5))

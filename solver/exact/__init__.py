@@ -59,6 +59,7 @@ from solver.exact.realization import (
 from solver.exact.response import ClosedForm, Response, piece_response, response, shifted
 from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
 from solver.exact.riccati_cases import Case, case_split
+from solver.exact.riccati_entries import riccati_entries
 from solver.exact.root_choices import OnTheAxis
 from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.row_reduction import RowReduction, null_space, row_reduce
@@ -229,6 +230,7 @@ __all__ = [
     "resolvent_matrix",
     "response",
     "riccati",
+    "riccati_entries",
     "roots_of",
     "routh",
     "routh_parts",

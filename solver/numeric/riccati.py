@@ -93,7 +93,7 @@ def equations_residual(weights: Weights, equations: Sequence[Any]) -> float:
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
     if len(equations) != len(pairs):
         return float("inf")
-    listed = sp.ImmutableMatrix([list(equations)]).subs(
+    listed = sp.ImmutableMatrix([list(equations)]).xreplace(
         {sp.Symbol(f"p{j + 1}{i + 1}"): P[i, j] for i, j in pairs if i != j}
     )
     source = PointSource(free_symbols(P) - free_symbols(weights.A))

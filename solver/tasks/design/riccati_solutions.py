@@ -100,8 +100,7 @@ def unknown_matrix(n: int) -> ImmutableMatrix:
 
 def entries_of_equation(problem: Regulator, P: ImmutableMatrix) -> ImmutableMatrix:
     """AᵀP + PA − P B R⁻¹ Bᵀ P + Q multiplied out."""
-    G = exact.weighted_input(problem.B, problem.R)
-    return sp.ImmutableMatrix((problem.A.T * P + P * problem.A - P * G * P + problem.Q).expand())
+    return exact.riccati_entries(problem.A, exact.weighted_input(problem.B, problem.R), problem.Q, P)
 
 
 @lemma("riccati_equations")
