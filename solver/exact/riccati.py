@@ -31,8 +31,8 @@ from solver.exact.structure import HiddenPart, hidden_part
 from solver.exact.tower_matrices import polynomial_at, shown, solved
 from solver.words import formula
 
-MOST_SOLUTIONS = 32
-"""As many are listed; of more there is only the stabilizing one."""
+MOST_ENTRIES = 1024
+"""Solutions are listed as long as they have no more entries together (n = 5: 40 solutions, n = 8: 16)."""
 LARGEST_NUMBER = 10**5
 LONGEST_ENTRY = 90
 """Characters of an entry with nested roots that still is readable; beyond, decimals say more."""
@@ -97,7 +97,7 @@ class Riccati:
     @property
     def listable(self) -> bool:
         """Whether the solutions are so few that they can be listed."""
-        return self.count is not None and self.count <= MOST_SOLUTIONS
+        return self.count is not None and self.count * self.order**2 <= MOST_ENTRIES
 
     @cached_property
     def solutions(self) -> tuple[RiccatiSolution, ...]:

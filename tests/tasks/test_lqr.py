@@ -242,3 +242,16 @@ def test_decimals_carry_twelve_digits_through_json():
     A, B = sp.Matrix([[1, 2, 0], [1, -1, 1], [2, 0, -2]]), sp.Matrix([1, 1, 0])
     residual = A.T * P + P * A - P * B * B.T * P + sp.diag(1, 2, 3)
     assert max(abs(entry) for entry in residual) < 1e-11
+
+
+def test_of_more_solutions_than_anyone_would_read_the_stabilizing_one_is_given():
+    coefficients = (720, 1764, 1624, 735, 175, 21)  # eigenvalues −1, …, −6
+    A = sp.Matrix(6, 6, lambda i, j: -coefficients[j] if i == 5 else int(j == i + 1))
+    plant = system(A, B=[0, 0, 0, 0, 0, 1], C=[[1, 0, 0, 0, 0, 0]])
+    Q = sp.ImmutableMatrix(sp.eye(6))
+    result = ask("lqr", plant, "riccati", Q=Q, R=ONE)
+    assert result.status is Status.VERIFIED, result.reason
+    assert "solutions" not in result.answers
+    assert next(step for step in result.steps if step.kind == "many").values["count"] == 32
+    expected = solve_continuous_are(floats(A), floats(plant.B), floats(Q), floats(ONE))
+    assert np.abs(floats(result.answers["P"]) - expected).max() < 1e-6 * np.abs(expected).max()
