@@ -6,7 +6,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.faddeev import faddeev_leverrier
-from solver.exact.fields import domain_matrix, matrix_of
+from solver.exact.fields import domain_matrix, expression, matrix_of
 
 
 def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
@@ -37,7 +37,7 @@ def inverse(A: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
 def determinant_and_adjugate(A: sp.ImmutableMatrix) -> tuple[sp.Expr, sp.ImmutableMatrix]:
     """Return det A = (−1)ⁿ aₙ and adj A = (−1)ⁿ⁻¹ Nₙ₋₁ of the Faddeev–LeVerrier recursion."""
     fl, sign = faddeev_leverrier(A), (-1) ** A.rows
-    return sign * fl.coefficients[-1], sp.ImmutableMatrix(-sign * fl.adjugate_coefficients[-1])
+    return sign * expression(fl.domain, fl.chi[-1]), sp.ImmutableMatrix(-sign * matrix_of(fl.N[-1]))
 
 
 def truncated_series(A: sp.ImmutableMatrix, t: sp.Symbol, terms: int) -> sp.ImmutableMatrix:
