@@ -210,7 +210,9 @@ def test_parts_that_are_not_verified_are_told_on_standard_error_beside_a_documen
 
 
 ENDLESS = """
+import signal
 import sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that runs tests in the background has it ignored
 sys.path.insert(0, {tests!r})
 from difficult_task import difficult
 from solver.tasks import catalogue
