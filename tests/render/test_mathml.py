@@ -10,8 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.markup import formulas as math_check
-from solver.render.mathml import ATTRIBUTES, ELEMENTS, MathError, formula, mathml
+from solver.render.mathml import MathError, formula, mathml
 from solver.render.mathml.commands import COMMANDS
+from solver.render.mathml.shapes import piece, whole
+from solver.render.mathml.writing import ATTRIBUTES, ELEMENTS
 
 
 def shape(latex: str, display: bool = True) -> str:
@@ -308,3 +310,43 @@ def test_widths_grow_with_the_formula() -> None:
     ]
     assert widths == sorted(widths)
     assert widths[0] == 0.5
+
+
+NUMBERS = st.sampled_from(["0", "7", "12", "3.5", "90001", ".5", "1,000", "x^12", "x^{12}", r"\frac12", r"\frac{1}23"])
+TERMS = st.one_of(
+    NUMBERS,
+    st.sampled_from([r"\text{a & 2}", r"\text{step 3}", r"\mathbf{12}", r"\mathrm{V2}", "2 ex", r"\sqrt[3]{2}", "-"]),
+    st.builds(r"{}e^{{-{}t}}".format, NUMBERS, NUMBERS),
+    st.builds(r"\frac{{{}}}{{{}}}".format, NUMBERS, NUMBERS),
+)
+ENTRIES = st.one_of(
+    TERMS, st.builds("{} - {}".format, TERMS, TERMS), st.sampled_from(["", "{c}", "[1]", r"a \& b", "="])
+)
+
+
+@st.composite
+def formulas(draw: st.DrawFn) -> str:
+    """A formula with matrices in it, most of them right, as a person or the printer writes them."""
+    rows = draw(st.lists(st.lists(ENTRIES, min_size=1, max_size=3).map(" & ".join), min_size=1, max_size=3))
+    kind = draw(st.sampled_from(["bmatrix", "pmatrix", "vmatrix", "matrix", "cases", "aligned"]))
+    gap = draw(st.sampled_from([r" \\ ", r"\\[4pt]", "\\\\\n"]))
+    matrix = rf"\begin{{{kind}}}{gap.join(rows)}\end{{{kind}}}"
+    around = draw(st.sampled_from(["{1}", "{0} = {1}", "{0}{1}^{{-1}}", r"\frac{{{0}}}{{2}}{1}{1}", r"\det{1} = 0"]))
+    return around.format(draw(TERMS), matrix)
+
+
+@given(formulas())
+def test_a_formula_drawn_by_its_shape_is_the_formula_drawn_as_a_whole(latex: str) -> None:
+    try:
+        expected = whole(latex)
+    except MathError:
+        with pytest.raises(MathError):
+            piece(latex)
+        return
+    assert piece(latex) == (expected.markup, pytest.approx(expected.width))
+
+
+def test_another_formula_of_the_same_shape_has_its_own_numbers() -> None:
+    first, second = (mathml(rf"\begin{{bmatrix}}{n}e^{{-{n}t}} & 0 \\ 1 & {n}\end{{bmatrix}}") for n in (3, 45))
+    assert first.replace("<mn>3</mn>", "<mn>45</mn>").replace("3", "45") == second.replace("3", "45")
+    assert second.count("<mn>45</mn>") == 3

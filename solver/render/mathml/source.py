@@ -54,12 +54,15 @@ UNIT = re.compile(r"(?<=\d)\s*(?=in|mm|cm|pt|em|ex|pc|bp|dd|cc|sp|mu)")
 
 
 def normalised(latex: str) -> str:
-    """Return the formula in latex2mathml's own dialect, with marks; raises MathError for what is not known."""
-    _check_characters(latex)
+    """Return the formula in latex2mathml's own dialect, with marks; raises MathError for what is not known.
+
+    Its characters have been checked.
+    """
     return "".join(_rewritten(latex))
 
 
-def _check_characters(latex: str) -> None:
+def check_characters(latex: str) -> None:
+    """Refuse a formula that is too long or holds characters that nobody sees; raises MathError."""
     if len(latex) > LONGEST:
         raise MathError(f"the formula is longer than {LONGEST} characters")
     if "&#" in latex:
