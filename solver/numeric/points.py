@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from functools import lru_cache
 from random import Random
 from typing import Any
 
@@ -31,11 +32,18 @@ def free_symbols(formula: Any) -> frozenset[Any]:
             body, variable, *others = formula.operands
             return (free_symbols(body) - {variable}).union(*map(free_symbols, others))
         return frozenset().union(*map(free_symbols, formula.operands))
-    if isinstance(formula, sp.Basic | MatrixBase):
+    if isinstance(formula, sp.Basic):
+        return _symbols_in(formula)
+    if isinstance(formula, MatrixBase):
         return frozenset(formula.free_symbols)
     if isinstance(formula, list | tuple):
         return frozenset().union(*map(free_symbols, formula))
     return frozenset()
+
+
+@lru_cache(maxsize=4096)
+def _symbols_in(expression: sp.Basic) -> frozenset[Any]:
+    return frozenset(expression.free_symbols)
 
 
 def whole_symbols(*formulas: Any, names: Collection[str] = ()) -> frozenset[Any]:

@@ -21,6 +21,9 @@ from solver.render.pieces import as_base, as_factor, joined, parenthesized, summ
 from solver.render.symbols import name_tex
 from solver.render.terms import Term, common_fraction, evaluated, like_terms_added, split
 
+REMEMBERED = 20_000
+"""Expressions whose LaTeX a printer keeps."""
+
 
 class Printer(ObjectPrinter):
     """Prints one value; made by `tex`. What is not overridden here is printed by sympy."""
@@ -33,7 +36,7 @@ class Printer(ObjectPrinter):
         self._memo: dict[tuple[Any, bool, str], str] = {}
 
     def _print(self, expr: Any, **kwargs: Any) -> str:
-        if not isinstance(expr, sp.Expr) or isinstance(expr, sp.MatrixExpr):
+        if not isinstance(expr, sp.Expr):
             return str(super()._print(expr, **kwargs))
         key = (expr, self._inline, self.numbers.mode)
         known = self._memo.get(key)
@@ -42,8 +45,9 @@ class Printer(ObjectPrinter):
         return known
 
     def doprint_value(self, value: Any) -> str:
-        """Print a value from the start: nothing is remembered of the one before."""
-        self._memo.clear()
+        """Print a value from the start; what was printed before need not be printed again, for the pages repeat it."""
+        if len(self._memo) > REMEMBERED:
+            self._memo.clear()
         self._inline = False
         return self._print(sp.Float(value) if isinstance(value, float) else value)
 

@@ -60,7 +60,12 @@ def is_negative(term: Any) -> bool:
     coefficient, rest = term.as_coeff_Mul()
     sums = [factor for factor in sp.Mul.make_args(rest) if factor.is_Add and factor.is_number and rest.is_Mul]
     flips = sum(all(is_negative(part) for part in each.args) for each in sums)
-    return bool(coefficient.is_negative) != bool(flips % 2)
+    return below_zero(coefficient) != bool(flips % 2)
+
+
+def below_zero(number: Any) -> bool:
+    """Whether a number is negative; sympy's own property deduces all it can of each new number, at some cost."""
+    return bool(number.p < 0) if number.is_Rational else bool(number.is_negative)
 
 
 @dataclass(slots=True)

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.render.order import factor_rank, has_variable
+from solver.render.order import below_zero, factor_rank, has_variable
 
 Factor = tuple[Any, Any]
 """A base and its exponent."""
@@ -48,7 +48,7 @@ def split(product: Any) -> Term:
     if imaginary > 1:
         number = number * (-1) ** (imaginary // 2)
     term.imaginary = imaginary % 2 == 1
-    term.negative, term.number = bool(number.is_negative), abs(number)
+    term.negative, term.number = below_zero(number), abs(number)
     _arrange(term)
     return term
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 
 LINE = 76.0
 """Width, in letters, of what fits on a line of a page."""
 
-_TOKEN = re.compile(r"\\(begin|end)\{(\w+\*?)\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_TOKEN = re.compile(r"\\(?:begin|end)\{\w+\*?\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_DIGIT = re.compile(r"[0-9]")
 _WORDS = {r"\text", r"\operatorname", r"\mathrm", r"\mathbf", r"\mathcal"}
 _WIDTHS = {
     **dict.fromkeys((r"\left", r"\right", r"\displaystyle", r"\!", r"\hline", "}"), 0.0),
@@ -21,11 +23,13 @@ _SIGNS = re.compile(r"\\(?:begin|left|right|end)\b|\\[{}]|[{}()\[\]]| (?=[+-] )"
 
 def width(tex: str) -> float:
     """Return the width of a formula in letters; the tallest part decides nothing."""
-    return _row(_tokens(tex), None)
+    return _width(_DIGIT.sub("0", tex))
 
 
-def _tokens(tex: str) -> Iterator[str]:
-    return (match[0] for match in _TOKEN.finditer(tex))
+@lru_cache(maxsize=8192)
+def _width(tex: str) -> float:
+    """Return the width of a formula; all digits are as wide as 0, so that formulas with other numbers are known."""
+    return _row(iter(_TOKEN.findall(tex)), None)
 
 
 def _row(tokens: Iterator[str], end: str | None) -> float:
