@@ -1,41 +1,8 @@
 """The exact kernels: algebra on matrices over a field, with no prose and no floats."""
 
-from solver.exact.affine import Solution, affine, solve_affine, tidy
-from solver.exact.conditions import all_positive
-from solver.exact.coordinates import inverse_in_full, is_singular, product_of
-from solver.exact.decomposition import (
-    Decomposition,
-    controllable_decomposition,
-    independent_columns,
-    kalman_decomposition,
-    observable_decomposition,
-)
-from solver.exact.definiteness import definiteness_of_numbers
-from solver.exact.eigen import Eigenspace, Eigenstructure, eigenstructure
-from solver.exact.faddeev import FaddeevLeVerrier, faddeev_leverrier
-from solver.exact.fields import NotExact
-from solver.exact.functions import MatrixFunction, exponential, interpolation_coefficients, power
-from solver.exact.gramian import InputResponse, discrete_gramian, finite_gramian, input_response
-from solver.exact.inequalities import sign_of
-from solver.exact.input_generators import Piece, read_inputs
-from solver.exact.interpolation import Condition, interpolation
-from solver.exact.long_run import Peak, constant_root, decays, horizon
-from solver.exact.luenberger import CompanionCoordinates, controllable_coordinates, observable_coordinates
-from solver.exact.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
-from solver.exact.matrices import determinant_and_adjugate, inverse, multiply, powers, taylor, truncated_series
-from solver.exact.matrix_functions import FunctionOfMatrix, matrix_function
-from solver.exact.model_matching import Matching, descending_form, matching
-from solver.exact.modes import (
-    Mode,
-    diagonal_realization,
-    is_upper,
-    jordan_realization,
-    modal_realization,
-    modes,
-    real_and_imaginary,
-)
-from solver.exact.observers import Partition, chosen_error_matrix, left_inverse, measured_first
-from solver.exact.placement import (
+from solver.exact.design.model_matching import Matching, descending_form, matching
+from solver.exact.design.observers import Partition, chosen_error_matrix, left_inverse, measured_first
+from solver.exact.design.placement import (
     combine,
     companion_rows,
     divided,
@@ -47,26 +14,10 @@ from solver.exact.placement import (
     roots_of,
     toeplitz,
 )
-from solver.exact.pole_placement import ackermann, controllability_matrix
-from solver.exact.rank_conditions import CriticalValues, critical_values, rank_conditions, telling_minors
-from solver.exact.rational import RationalMatrix, resolvent_matrix
-from solver.exact.realization import (
-    Realization,
-    common_denominators,
-    controllable_realization,
-    observable_realization,
-)
-from solver.exact.response import ClosedForm, Response, piece_response, response, shifted
-from solver.exact.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
-from solver.exact.riccati_cases import Case, case_split
-from solver.exact.riccati_entries import riccati_entries
-from solver.exact.root_choices import OnTheAxis
-from solver.exact.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
-from solver.exact.row_reduction import RowReduction, null_space, row_reduce
-from solver.exact.scalar_functions import ScalarFunction
-from solver.exact.second_order import Inconsistent, SecondOrder, second_order, specified
-from solver.exact.set_point import NoSetPoint, SetPoint, equations_of_rest, set_point
-from solver.exact.single_input import (
+from solver.exact.design.pole_placement import ackermann
+from solver.exact.design.second_order import Inconsistent, SecondOrder, second_order, specified
+from solver.exact.design.set_point import NoSetPoint, SetPoint, equations_of_rest, set_point
+from solver.exact.design.single_input import (
     ControllablePart,
     Direction,
     controllable_part,
@@ -74,8 +25,57 @@ from solver.exact.single_input import (
     lifted_gain,
     reachable_order,
 )
-from solver.exact.spectrum import Factor, Root, Spectrum, factored, spectrum
-from solver.exact.stability import (
+from solver.exact.design.tracking import added, at_rest, with_integrators
+from solver.exact.functions.closed_forms import MatrixFunction, exponential, interpolation_coefficients, power
+from solver.exact.functions.interpolation import Condition, interpolation
+from solver.exact.functions.matrix_functions import FunctionOfMatrix, matrix_function
+from solver.exact.functions.rational import RationalMatrix, resolvent_matrix
+from solver.exact.functions.scalar_functions import ScalarFunction
+from solver.exact.functions.transforms import Denominators, pairs_for, partial_fractions, resolvent, transform_pairs
+from solver.exact.linear_algebra.affine import Solution, affine, solve_affine, tidy
+from solver.exact.linear_algebra.eigen import Eigenspace, Eigenstructure, eigenstructure
+from solver.exact.linear_algebra.faddeev import FaddeevLeVerrier, faddeev_leverrier
+from solver.exact.linear_algebra.fields import NotExact
+from solver.exact.linear_algebra.matrices import (
+    determinant_and_adjugate,
+    inverse,
+    multiply,
+    powers,
+    taylor,
+    truncated_series,
+)
+from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
+from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, factored, spectrum
+from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
+from solver.exact.optimal.riccati_cases import Case, case_split
+from solver.exact.optimal.riccati_entries import riccati_entries
+from solver.exact.optimal.root_choices import OnTheAxis
+from solver.exact.representation.coordinates import inverse_in_full, is_singular, product_of
+from solver.exact.representation.luenberger import (
+    CompanionCoordinates,
+    controllable_coordinates,
+    observable_coordinates,
+)
+from solver.exact.representation.modes import (
+    Mode,
+    diagonal_realization,
+    is_upper,
+    jordan_realization,
+    modal_realization,
+    modes,
+    real_and_imaginary,
+)
+from solver.exact.representation.realization import (
+    Realization,
+    common_denominators,
+    controllable_realization,
+    observable_realization,
+)
+from solver.exact.representation.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
+from solver.exact.stability.conditions import all_positive
+from solver.exact.stability.definiteness import definiteness_of_numbers
+from solver.exact.stability.inequalities import sign_of
+from solver.exact.stability.location import (
     Location,
     definiteness,
     is_stable_polynomial,
@@ -84,7 +84,19 @@ from solver.exact.stability import (
     polynomial_conditions,
     stable_where,
 )
-from solver.exact.structure import (
+from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
+from solver.exact.stability.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
+from solver.exact.structure.controllability import controllability_matrix
+from solver.exact.structure.decomposition import (
+    Decomposition,
+    controllable_decomposition,
+    independent_columns,
+    kalman_decomposition,
+    observable_decomposition,
+)
+from solver.exact.structure.gramian import InputResponse, discrete_gramian, finite_gramian, input_response
+from solver.exact.structure.rank_conditions import CriticalValues, critical_values, rank_conditions, telling_minors
+from solver.exact.structure.ranks import (
     HiddenPart,
     PencilRank,
     hidden_part,
@@ -93,9 +105,9 @@ from solver.exact.structure import (
     rank,
     row_reduction,
 )
-from solver.exact.tracking import added, at_rest, with_integrators
-from solver.exact.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
-from solver.exact.transforms import Denominators, pairs_for, partial_fractions, resolvent, transform_pairs
+from solver.exact.time_response.input_generators import Piece, read_inputs
+from solver.exact.time_response.long_run import Peak, constant_root, decays, horizon
+from solver.exact.time_response.response import ClosedForm, Response, piece_response, response, shifted
 
 __all__ = [
     "Case",

@@ -8,8 +8,6 @@ from hypothesis import strategies as st
 
 from solver import exact
 
-pytest.importorskip("solver.exact.pole_placement")
-
 numbers = st.sampled_from([sp.Rational(p, q) for p in range(-4, 5) for q in (1, 2, 3)])
 c, m = sp.symbols("c m", positive=True)
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_are
 
 from solver.exact import NotStabilizable, OnTheAxis, case_split, definiteness_of_numbers, riccati
-from solver.exact.square_roots import RootTower
+from solver.exact.optimal.square_roots import RootTower
 
 I2 = sp.eye(2)
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from sympy import QQ
 
 from solver import exact
-from solver.exact.row_reduction import Add, Scale, Swap
+from solver.exact.linear_algebra.row_reduction import Add, Scale, Swap
 
 entries = st.integers(-3, 3)
 

@@ -3,7 +3,7 @@
 import sympy as sp
 
 from solver import exact
-from solver.exact.polynomials import invariant_factors
+from solver.exact.representation.polynomials import invariant_factors
 
 s = sp.Symbol("s")
 I = sp.ImmutableMatrix

@@ -1,0 +1,178 @@
+"""f(A) for any function that is analytic at the eigenvalues: f(A) = Σ_λ Σ_j Z_j f^{(j−1)}(λ)/(j−1)!.
+
+The Z_j are the residues of the resolvent. Polynomials and rational functions need no eigenvalue: they are reduced
+modulo the characteristic polynomial, so that irreducible factors of any degree stay exact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from math import factorial
+from typing import Any
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from solver.exact.functions.closed_forms import exponential, interpolation_coefficients, power
+from solver.exact.functions.interpolation import Condition, interpolation
+from solver.exact.functions.rational import highest_power, residue_at
+from solver.exact.functions.residues import FactorResidues, interpolation_residues, residues_at, resolvent_residues
+from solver.exact.functions.scalar_functions import ScalarFunction, at_root, multiplied_out
+from solver.exact.linear_algebra.faddeev import faddeev_leverrier
+from solver.exact.linear_algebra.fields import NotExact, collected, domain_matrix, expression, matrix_of
+from solver.exact.linear_algebra.spectrum import Factor, spectrum
+from solver.words import formula
+
+
+@dataclass(frozen=True)
+class FunctionOfMatrix:
+    """f(A) = Σ αᵢ Aⁱ (i < n), with the conditions at the eigenvalues that fix the αᵢ."""
+
+    value: sp.ImmutableMatrix
+    coefficients: tuple[sp.Expr, ...]
+    conditions: tuple[Condition, ...]
+
+
+@lru_cache(maxsize=64)
+def matrix_function(A: sp.ImmutableMatrix, f: ScalarFunction) -> FunctionOfMatrix:
+    """f(A) (n×n); raises NotExact where f is not defined on the spectrum of A."""
+    conditions = tuple(conditions_for(A, f))
+    if _is_power(f):
+        k = _exponent(f)
+        alpha = interpolation_coefficients(A, k, discrete=True)
+        return FunctionOfMatrix(power(A, k).matrix, alpha, conditions)
+    if f.rational is not None:
+        return _reduced(A, f, conditions)
+    value = _summed(resolvent_residues(A), f, A.shape)
+    if f.expression == sp.exp(f.variable * sp.Symbol("t")):
+        value = exponential(A, sp.Symbol("t")).matrix
+    residues = interpolation_residues(A) if _multiplicities_hold(A, f) else _minimal_interpolation(A)
+    size = sum(each.factor.degree * each.factor.multiplicity for each in residues)
+    alpha = tuple(_summed(residues, f, (size, 1)).flat())
+    return FunctionOfMatrix(value, alpha, conditions)
+
+
+def _minimal_interpolation(A: sp.ImmutableMatrix) -> tuple[FactorResidues, ...]:
+    """The residues of the images of αᵢ for the minimal polynomial, which asks for no more derivatives than needed."""
+    x = sp.Dummy("x")
+    factors = [Factor(each.factor.modulus, highest_power(each), each.factor.roots) for each in resolvent_residues(A)]
+    K = factors[0].modulus.domain
+    minimal = sp.Poly(1, x, domain=K)
+    for factor in factors:
+        minimal *= sp.Poly([K.one, *reversed(factor.modulus.low)], x, domain=K) ** factor.multiplicity
+    coefficients = minimal.rep.to_list()
+    m = len(coefficients) - 1
+    numerator = [
+        DomainMatrix([[coefficients[m - 1 - i - p] if p <= m - 1 - i else K.zero] for i in range(m)], (m, 1), K)
+        for p in range(m)
+    ]
+    return tuple(residues_at(numerator, coefficients[::-1], factor) for factor in factors)
+
+
+def _is_power(f: ScalarFunction) -> bool:
+    """Whether f(x) = xᵏ with a symbol k."""
+    e = f.expression
+    return bool(e.is_Pow and e.args[0] == f.variable and e.args[1].is_Symbol)
+
+
+def _exponent(f: ScalarFunction) -> Any:
+    return f.expression.args[1]
+
+
+def _multiplicities_hold(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
+    """Whether f has as many derivatives as the multiplicities ask for; if not, the chains may still ask for fewer."""
+    try:
+        for root in spectrum(A).roots:
+            for order in range(root.multiplicity):
+                f.at(root.value, order)
+    except NotExact:
+        return False
+    return True
+
+
+def conditions_for(A: sp.ImmutableMatrix, f: ScalarFunction) -> Iterator[Condition]:
+    """f^{(i)}(λ) = dⁱ/dλⁱ Σ αⱼ λʲ, i less than the multiplicity; those that do not exist are left out."""
+    found = spectrum(A)
+    if _is_power(f):
+        yield from interpolation(found, _exponent(f), discrete=True)
+        return
+    orders = {each.factor: highest_power(each) for each in resolvent_residues(A)}
+    n = A.rows if _multiplicities_hold(A, f) else sum(each.degree * order for each, order in orders.items())
+    for factor in found.factors:
+        for root in factor.roots:
+            paired = root.kind in ("complex", "decimal") and root.shift != 0
+            if paired and (root.shift.is_negative or root.shift.could_extract_minus_sign()):
+                continue
+            for i in range(root.multiplicity):
+                row = [sp.expand(sp.ff(p, i) * root.value ** (p - i)) if p >= i else sp.Integer(0) for p in range(n)]
+                try:
+                    real, imaginary = at_root(f, root, i)
+                except NotExact:
+                    if i < orders[factor]:
+                        raise
+                    break  # the eigenvectors are complete, so this derivative is not needed
+                if imaginary is None:
+                    yield Condition(tuple(row), real)
+                else:
+                    yield Condition(tuple(sp.re(c) for c in row), real)
+                    yield Condition(tuple(sp.im(c) for c in row), imaginary)
+
+
+def _summed(residues: Iterable[FactorResidues], f: ScalarFunction, shape: tuple[int, int]) -> sp.ImmutableMatrix:
+    """Σ Z_j f^{(j−1)}(λ)/(j−1)! over all roots; a conjugate pair gives 2(X u − Y v)."""
+    total = sp.zeros(*shape)
+    for each in residues:
+        for j in range(1, highest_power(each) + 1):
+            for root in each.factor.roots:
+                paired = root.kind in ("complex", "decimal") and root.shift != 0
+                if paired and (root.shift.is_negative or root.shift.could_extract_minus_sign()):
+                    continue
+                Z = residue_at(each.residues[j - 1], root, shape)
+                real, imaginary = at_root(f, root, j - 1)
+                if imaginary is None:
+                    total += Z * real / factorial(j - 1)
+                else:
+                    X, Y = Z.applyfunc(sp.re), Z.applyfunc(sp.im)
+                    total += 2 * (X * real - Y * imaginary) / factorial(j - 1)
+    return sp.ImmutableMatrix(total.applyfunc(_tidied))
+
+
+def _tidied(entry: sp.Expr) -> sp.Expr:
+    """Numbers multiplied out, with nested roots taken apart where they can be; parameters factored."""
+    if entry.free_symbols - {sp.Symbol("t")}:
+        return collected(entry) if entry.is_rational_function(*entry.free_symbols) else multiplied_out(entry)
+    expanded = multiplied_out(entry)
+    nested = any(each.base.has(sp.Pow) for each in expanded.atoms(sp.Pow) if each.exp == sp.S.Half)
+    found: sp.Expr = multiplied_out(sp.sqrtdenest(expanded)) if nested else expanded
+    return found
+
+
+def _reduced(A: sp.ImmutableMatrix, f: ScalarFunction, conditions: tuple[Condition, ...]) -> FunctionOfMatrix:
+    """A rational function modulo χ, and its value by Horner's rule."""
+    fl = faddeev_leverrier(A)
+    numerator, denominator = f.rational or (sp.Integer(0), sp.Integer(1))
+    x = f.variable
+    own = sp.Poly(numerator, x), sp.Poly(denominator, x)
+    entries = sp.ImmutableMatrix([[*A.flat(), *(c for p in own for c in p.all_coeffs())]])
+    K = domain_matrix(entries).domain
+    chi = sp.Poly([K.convert(c, fl.domain) for c in fl.chi], x, domain=K)
+    p, q = (sp.Poly([K.from_sympy(c) for c in each.all_coeffs()], x, domain=K) for each in own)
+    common = q.gcd(chi)
+    if common.degree() > 0:
+        value = (
+            "\\lambda = 0" if common.as_expr() == x else f"{formula(common.as_expr().subs(x, sp.Symbol('lamda')))} = 0"
+        )
+        raise NotExact(
+            f"The function divides by zero at an eigenvalue of the matrix (${value}$), so it does not exist."
+        )
+    alpha = (p * q.rem(chi).invert(chi)).rem(chi) if q.degree() > 0 else (p.quo_ground(q.LC())).rem(chi)
+    low = alpha.rep.to_list()[::-1]
+    low += [K.zero] * (A.rows - len(low))
+    M = domain_matrix(A).convert_to(K)
+    identity = M.eye(A.rows, K).to_dense()
+    total = identity * low[-1]
+    for c in reversed(low[:-1]):
+        total = total * M + identity * c
+    return FunctionOfMatrix(matrix_of(total), tuple(expression(K, c) for c in low), conditions)

@@ -1,0 +1,148 @@
+"""The resolvent (xI − A)⁻¹, its partial fractions, and the transform pairs that partial fractions need."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from solver.derivation.stated import Stated
+from solver.exact.functions.closed_forms import closed_form, polar
+from solver.exact.functions.rational import (
+    RationalMatrix,
+    decimal_quadratic,
+    in_lowest_terms,
+    is_simple_decimal_pair,
+    keeps_quadratic,
+    resolvent_matrix,
+)
+from solver.exact.functions.residues import residues_at
+from solver.exact.linear_algebra.faddeev import faddeev_leverrier
+from solver.exact.linear_algebra.fields import Modulus, collected
+from solver.exact.linear_algebra.spectrum import Factor, Root, irreducible_factors
+
+
+@lru_cache(maxsize=16)
+def resolvent(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.ImmutableMatrix:
+    """(xI − A)⁻¹ (n×n): entries in lowest terms, denominators as products of the irreducible factors of χ."""
+    fl = faddeev_leverrier(A)
+    factors = [
+        (Modulus(tuple(reversed(p.rep.to_list()[1:])), fl.domain), multiplicity)
+        for p, multiplicity in irreducible_factors(A)
+    ]
+    flat = zip(*(N.to_list_flat() for N in fl.N), strict=True)
+    return sp.ImmutableMatrix(A.rows, A.rows, [in_lowest_terms(list(entry), factors, x) for entry in flat])
+
+
+def partial_fractions(A: sp.ImmutableMatrix, x: sp.Symbol) -> list[Stated]:
+    """The terms of (xI − A)⁻¹ = Σ (1/p(x)ʲ) R_j(x), see `RationalMatrix.partial_fractions`."""
+    return resolvent_matrix(A).partial_fractions(x)
+
+
+def transform_pairs(
+    A: sp.ImmutableMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
+) -> list[tuple[sp.Expr, sp.Expr]]:
+    """The pairs for the partial fractions of (xI − A)⁻¹; in discrete time the images carry the factor z."""
+    return pairs_for(resolvent_matrix(A), x, time, discrete=discrete)
+
+
+@dataclass(frozen=True)
+class Denominators:
+    """What the partial fractions of an image have below: (x − λ)ʲ, and quadratics p = (x − σ)² + ω² as (p, σ, ω)."""
+
+    simple: bool
+    repeated: bool
+    quadratics: tuple[tuple[sp.Expr, sp.Expr, sp.Expr], ...]
+    alone: bool
+
+    @property
+    def named(self) -> dict[str, Any]:
+        """What the wording of partial fractions asks."""
+        return {
+            "simple": self.simple,
+            "repeated": self.repeated,
+            "quadratic": bool(self.quadratics),
+            "alone": self.alone,
+        }
+
+    @classmethod
+    def of(cls, image: RationalMatrix, x: sp.Symbol) -> Denominators:
+        """Those of the factors that do not cancel; `alone`: there is one quadratic and nothing else."""
+        simple = repeated = False
+        quadratics = []
+        for each, highest in image.poles:
+            first = each.factor.roots[0]
+            if keeps_quadratic(each.factor):
+                if first.kind == "complex":
+                    quadratics.append((each.factor.polynomial(x), first.sigma, first.shift))
+                continue
+            pairs = [root for root in each.factor.roots if is_simple_decimal_pair(root)]
+            quadratics += [(decimal_quadratic(root, x), root.sigma, root.shift) for root in pairs if root.shift > 0]
+            simple, repeated = simple or len(pairs) < len(each.factor.roots), repeated or highest > 1
+        alone = len(image.poles) == 1 and keeps_quadratic(image.poles[0][0].factor) and image.poles[0][1] == 1
+        return cls(simple, repeated, tuple(quadratics), alone)
+
+
+def pairs_for(image: RationalMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> list[tuple[sp.Expr, sp.Expr]]:
+    """Pairs (image, function of time) for partial fractions; in discrete time the images carry the factor z."""
+    pairs: list[tuple[sp.Expr, sp.Expr]] = []
+    for each, highest in image.poles:
+        for j in range(1, highest + 1):
+            of_factor = _quadratic_pairs if keeps_quadratic(each.factor) else _linear_pairs
+            pairs += of_factor(each.factor, j, x, time, discrete=discrete)
+    return pairs
+
+
+def _quadratic_pairs(
+    factor: Factor, j: int, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
+) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """The pairs of (x − σ)/pʲ and of ω/p or 1/pʲ."""
+    K, low = factor.modulus.domain, factor.modulus.low
+    p, root = factor.polynomial(x), factor.roots[-1 if factor.roots[0].kind == "symbolic" else 0]
+    carried = x if discrete else sp.Integer(1)
+    scale = root.shift if j == 1 else sp.Integer(1)
+    yield carried * (x - root.sigma) / p**j, _scalar(factor, j, [low[1] / 2, K.one], time, discrete=discrete)
+    sine = _scalar(factor, j, [K.one], time, discrete=discrete)
+    yield carried * scale / p**j, collected(scale * sine) if j == 1 and not scale.free_symbols else scale * sine
+
+
+def _linear_pairs(
+    factor: Factor, j: int, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
+) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """The pairs of 1/(x − λ)ʲ; of a simple pair of decimal roots, those of its real quadratic."""
+    for root in factor.roots:
+        if is_simple_decimal_pair(root):
+            if root.shift > 0:
+                yield from _decimal_pairs(root, x, time, discrete=discrete)
+        elif discrete and root.value == 0:
+            yield x ** (1 - j), sp.KroneckerDelta(time, j - 1)
+        elif discrete:
+            binomial = sp.expand(sp.ff(time, j - 1)) / sp.factorial(j - 1)
+            yield x / (x - root.value) ** j, binomial * root.value ** (time - j + 1)
+        else:
+            yield 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * sp.exp(root.value * time)
+
+
+def _decimal_pairs(root: Root, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    if discrete:
+        r, theta = polar(root)
+        envelope, angle = r**time, theta * time
+    else:
+        envelope, angle = sp.exp(root.sigma * time), root.shift * time
+    carried, p = x if discrete else sp.Integer(1), decimal_quadratic(root, x)
+    yield carried * (x - root.sigma) / p, envelope * sp.cos(angle)
+    yield carried * root.shift / p, envelope * sp.sin(angle)
+
+
+def _scalar(factor: Factor, j: int, numerator: list[Any], time: sp.Symbol, *, discrete: bool) -> sp.Expr:
+    """The function of time with the image numerator/pʲ (times z in discrete time)."""
+    K = factor.modulus.domain
+    p = sp.Poly([K.one, *reversed(factor.modulus.low)], sp.Dummy("x"), domain=K)
+    alone = Factor(factor.modulus, j, factor.roots)
+    coefficients = [DomainMatrix([[c]], (1, 1), K) for c in numerator]
+    residues = residues_at(coefficients, (p**j).rep.to_list()[::-1], alone)
+    return closed_form((1, 1), [residues], time, discrete=discrete).matrix[0]

@@ -1,0 +1,1 @@
+"""Matrices and polynomials over the field of their entries: elimination, eigenvalues, eigenvectors."""

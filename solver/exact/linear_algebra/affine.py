@@ -1,0 +1,66 @@
+"""Linear equations whose right side may hold any expressions: decimals, logarithms, symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from solver.exact.linear_algebra.fields import collected, domain_matrix, expression
+from solver.exact.linear_algebra.row_reduction import row_reduce
+
+
+def tidy(value: sp.Expr) -> sp.Expr:
+    """Return an expression multiplied out, or factored where it holds symbols (and no decimals)."""
+    return sp.expand(value) if value.has(sp.Float) else collected(value)
+
+
+@dataclass(frozen=True)
+class Solution:
+    """All solutions of M v = r: `values` in terms of the free unknowns, `free` their positions, `residue` ≠ 0 if none.
+
+    `conditions` are the independent equations that are left, each as an expression that is zero.
+    """
+
+    values: tuple[sp.Expr, ...]
+    free: tuple[int, ...]
+    residue: tuple[sp.Expr, ...]
+    conditions: tuple[sp.Expr, ...]
+
+
+def solve_affine(M: sp.ImmutableMatrix, right: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> Solution:
+    """Solve M v = r (M p×q over a field, r of any expressions) for the unknowns v by row reduction of [M, I]."""
+    width = M.cols
+    matrix = domain_matrix(sp.Matrix.hstack(M, sp.eye(M.rows)))
+    K = matrix.domain
+    reduction = row_reduce(tuple(tuple(row) for row in matrix.to_list()))
+    values: list[sp.Expr] = list(unknowns)
+    residue: list[sp.Expr] = []
+    conditions: list[sp.Expr] = []
+    for row in reduction.reduced:
+        entries = [expression(K, c) if c else sp.Integer(0) for c in row]
+        value = tidy(sp.Add(*(c * r for c, r in zip(entries[width:], right, strict=True))))
+        pivot = next((j for j in range(width) if entries[j] != 0), None)
+        if pivot is None:
+            residue.append(value)
+            continue
+        others = [entries[j] * unknowns[j] for j in range(pivot + 1, width)]
+        conditions.append(tidy(sp.Add(unknowns[pivot], *others, -value)))
+        values[pivot] = tidy(sp.Add(value, *(-each for each in others)))
+    pivots = {j for j in reduction.pivots if j < width}
+    left = tuple(r for r in residue if not _vanishes(r))
+    return Solution(tuple(values), tuple(j for j in range(width) if j not in pivots), left, tuple(conditions))
+
+
+def _vanishes(value: sp.Expr) -> bool:
+    if not value.has(sp.Float):
+        return bool(value == 0)
+    return not value.free_symbols and abs(value) < sp.Float("1e-18")
+
+
+def affine(expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[sp.ImmutableMatrix, list[sp.Expr]]:
+    """Return M and c with expressions = M · unknowns + c; the expressions are affine in the unknowns."""
+    M = sp.ImmutableMatrix(len(expressions), len(unknowns), lambda i, j: tidy(sp.diff(expressions[i], unknowns[j])))
+    nothing = dict.fromkeys(unknowns, sp.Integer(0))
+    return M, [tidy(each.subs(nothing)) for each in expressions]

@@ -1,0 +1,57 @@
+"""Small exact matrix operations that sympy has slower: products, powers, inverse, series."""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from solver.exact.linear_algebra.faddeev import faddeev_leverrier
+from solver.exact.linear_algebra.fields import domain_matrix, expression, matrix_of
+
+
+def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
+    """A B, exact."""
+    left, right = domain_matrix(A).unify(domain_matrix(B))
+    return matrix_of(left * right)
+
+
+def powers(A: sp.ImmutableMatrix, count: int) -> list[sp.ImmutableMatrix]:
+    """I, A, A², …: `count` matrices n×n."""
+    M = domain_matrix(A)
+    current = DomainMatrix.eye(A.rows, M.domain).to_dense()
+    found = []
+    for _ in range(count):
+        found.append(matrix_of(current))
+        current = current * M
+    return found
+
+
+def inverse(A: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+    """A⁻¹ (n×n); raises ZeroDivisionError if A is singular."""
+    det, adj = determinant_and_adjugate(A)
+    if det == 0:
+        raise ZeroDivisionError("the matrix is singular")
+    return sp.ImmutableMatrix(adj.applyfunc(lambda entry: sp.cancel(entry / det)))
+
+
+def determinant_and_adjugate(A: sp.ImmutableMatrix) -> tuple[sp.Expr, sp.ImmutableMatrix]:
+    """Return det A = (−1)ⁿ aₙ and adj A = (−1)ⁿ⁻¹ Nₙ₋₁ of the Faddeev–LeVerrier recursion."""
+    fl, sign = faddeev_leverrier(A), (-1) ** A.rows
+    return sign * expression(fl.domain, fl.chi[-1]), sp.ImmutableMatrix(-sign * matrix_of(fl.N[-1]))
+
+
+def truncated_series(A: sp.ImmutableMatrix, t: sp.Symbol, terms: int) -> sp.ImmutableMatrix:
+    """I + At + A²t²/2! + …: the first `terms` terms of e^{At}."""
+    M = sp.zeros(A.rows)
+    for i, each in enumerate(powers(A, terms)):
+        M += each * (t**i / sp.factorial(i))
+    return sp.ImmutableMatrix(M)
+
+
+def taylor(function: sp.Expr, t: sp.Symbol, terms: int) -> list[sp.Expr]:
+    """The first `terms` terms of the Taylor series of a function of t at zero, by rising power; zeros are left out."""
+    found, derivative = [], function
+    for i in range(terms):
+        found.append(sp.expand(derivative.subs(t, 0)) * t**i / sp.factorial(i))
+        derivative = sp.diff(derivative, t)
+    return [term for term in found if term != 0] or [sp.Integer(0)]

@@ -1,0 +1,250 @@
+"""Eigenvalues by the irreducible factors of the characteristic polynomial.
+
+Factors of degree 1 and 2 give exact roots. A factor of degree ≥ 3 gives decimals (Cardano's formulas help nobody).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import accumulate
+from typing import Any
+
+import mpmath
+import sympy as sp
+from sympy import QQ
+
+from solver.exact.linear_algebra.faddeev import faddeev_leverrier
+from solver.exact.linear_algebra.fields import (
+    Modulus,
+    NotExact,
+    expression,
+    in_sines,
+    is_negative,
+    square_root,
+    whole_angles,
+)
+
+DIGITS = 30
+"""Decimal digits carried for the roots of factors of degree ≥ 3."""
+
+
+@dataclass(frozen=True)
+class Root:
+    """An eigenvalue σ + δ: `kind` is rational, surd, complex (δ = jω), symbolic (sign of δ² undecided) or decimal.
+
+    `shift` is ω for a complex root (positive: the one above the real axis), δ for a surd or symbolic one, else 0.
+    """
+
+    value: sp.Expr
+    multiplicity: int
+    kind: str
+    sigma: sp.Expr
+    shift: sp.Expr
+
+
+@dataclass(frozen=True)
+class Factor:
+    """An irreducible monic factor p of χ over K, with its multiplicity and roots. `coefficients`: highest first."""
+
+    modulus: Modulus
+    multiplicity: int
+    roots: tuple[Root, ...]
+
+    @property
+    def degree(self) -> int:
+        """The degree of p."""
+        return self.modulus.degree
+
+    @cached_property
+    def coefficients(self) -> tuple[sp.Expr, ...]:
+        """The coefficients 1, c_{d−1}, …, c₀ as expressions."""
+        return (sp.Integer(1), *(expression(self.modulus.domain, c) for c in reversed(self.modulus.low)))
+
+    def polynomial(self, x: sp.Symbol) -> sp.Expr:
+        """p(x), expanded."""
+        return sp.Add(*(c * x ** (self.degree - i) for i, c in enumerate(self.coefficients)))
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The factors of χ in order; `exceptions` are conditions on parameters under which multiplicities change."""
+
+    factors: tuple[Factor, ...]
+    exceptions: tuple[sp.Basic, ...]
+
+    @property
+    def roots(self) -> tuple[Root, ...]:
+        """The distinct roots: real ones ascending, pairs with the upper root first, factor by factor."""
+        return tuple(root for factor in self.factors for root in factor.roots)
+
+    @property
+    def eigenvalues(self) -> list[sp.Expr]:
+        """The eigenvalues, repeated by multiplicity."""
+        return [root.value for root in self.roots for _ in range(root.multiplicity)]
+
+
+@lru_cache(maxsize=64)
+def spectrum(A: sp.ImmutableMatrix) -> Spectrum:
+    """The spectrum of A (n×n); raises NotExact for a factor of degree ≥ 3 with parameters."""
+    listed = irreducible_factors(A)
+    factors = [_factor(p, multiplicity) for p, multiplicity in listed]
+    return Spectrum(tuple(sorted(factors, key=_order)), _exceptions([p for p, _ in listed]))
+
+
+@lru_cache(maxsize=64)
+def irreducible_factors(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
+    """The monic irreducible factors of χ over K with their multiplicities."""
+    result = faddeev_leverrier(A)
+    x, K = sp.Dummy("x"), result.domain
+    roots, rest = _small_integer_roots(list(result.chi)) if K.is_QQ else ([], list(result.chi))
+    found = [(sp.Poly([K.one, K(-root)], x, domain=K), roots.count(root)) for root in dict.fromkeys(roots)]
+    if len(rest) == 1:
+        return found
+    _, listed = sp.Poly(rest, x, domain=K).factor_list()
+    return found + [(p.set_domain(K).monic(), multiplicity) for p, multiplicity in listed]
+
+
+def _horner(coefficients: list[int], x: int) -> list[int]:
+    """Horner's scheme: the coefficients of the quotient by (· − x), then the value at x."""
+    return list(accumulate(coefficients, lambda value, c: value * x + c))
+
+
+def _small_integer_roots(coefficients: list[Any]) -> tuple[list[int], list[Any]]:
+    """Integer roots −9 … 9 of a polynomial (highest power first), with multiplicity, and what is left without them.
+
+    Most polynomials of a course split like this, and factoring over the integers costs more than the rest of e^{At}.
+    """
+    if any(c.denominator != 1 for c in coefficients):
+        return [], coefficients
+    roots: list[int] = []
+    rest = [int(c) for c in coefficients]
+    for root in range(-9, 10):
+        while len(rest) > 1:
+            *quotient, value = _horner(rest, root)
+            if value:
+                break
+            roots, rest = [*roots, root], quotient
+    return roots, [QQ(c) for c in rest]
+
+
+def _modulus(p: sp.Poly) -> Modulus:
+    return Modulus(tuple(reversed(p.rep.to_list()[1:])), p.domain)
+
+
+def factored(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.Expr:
+    """χ(x) as the product of its irreducible factors over K."""
+    powers = sorted(
+        ((polynomial(p, x), m) for p, m in irreducible_factors(A)), key=lambda pair: sp.default_sort_key(pair[0])
+    )
+    return sp.Mul(*(sp.Pow(p, m) for p, m in powers))
+
+
+def polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
+    """A polynomial over K as an expression in x."""
+    coefficients = p.rep.to_list()
+    return sp.Add(*(expression(p.domain, c) * x ** (len(coefficients) - 1 - i) for i, c in enumerate(coefficients)))
+
+
+def roots_of(p: sp.Poly, multiplicity: int = 1) -> tuple[Root, ...]:
+    """The roots of an irreducible polynomial over a field; raises NotExact as `spectrum` does."""
+    return _factor(p.to_field().monic(), multiplicity).roots
+
+
+def split_over(factor: Factor, K: Any) -> tuple[Factor, ...]:
+    """The factors over a field K that holds the factor's own field: there it may be reducible."""
+    p, own = factor.modulus, factor.modulus.domain
+    if own == K:
+        return (factor,)
+    lifted = sp.Poly([K.one, *(K.convert(c, own) for c in reversed(p.low))], sp.Dummy("x"), domain=K)
+    _, listed = lifted.factor_list()
+    split = [_factor(q.set_domain(K).monic(), factor.multiplicity * m) for q, m in listed]
+    return tuple(sorted(split, key=_order))
+
+
+def _order(factor: Factor) -> tuple[int, Any, str]:
+    """Rational roots ascending, then surds and pairs by σ, then symbols by name, decimals last."""
+    first = factor.roots[0]
+    if first.kind == "decimal":
+        return (3, factor.degree, str(first.value))
+    if first.sigma.free_symbols or first.shift.free_symbols:
+        return (2, 0, str(first.value))
+    return (0 if first.kind == "rational" else 1, sp.N(first.sigma), str(first.shift))
+
+
+def _factor(p: sp.Poly, multiplicity: int) -> Factor:
+    K = p.domain
+    modulus = _modulus(p)
+    c = [expression(K, each) for each in modulus.low]
+    if p.degree() == 1:
+        value = sp.factor(-c[0]) if c[0].free_symbols else -c[0]
+        kind = "rational" if value.is_Rational else "symbolic" if value.free_symbols else "surd"
+        return Factor(modulus, multiplicity, (Root(value, multiplicity, kind, value, sp.Integer(0)),))
+    if p.degree() == 2:
+        return Factor(modulus, multiplicity, _pair(c[1], c[0], multiplicity))
+    return Factor(modulus, multiplicity, _decimal_roots(p, multiplicity))
+
+
+def _pair(b: sp.Expr, c: sp.Expr, multiplicity: int) -> tuple[Root, ...]:
+    """The roots σ ± δ of x² + bx + c = (x − σ)² − δ², δ² = b²/4 − c."""
+    sigma, square = -b / 2, sp.expand(b**2 / 4 - c)
+    negative = is_negative(square)
+    if negative:
+        omega = square_root(-square)
+        return tuple(
+            Root(sigma + sign * omega * sp.I, multiplicity, "complex", sigma, sign * omega) for sign in (1, -1)
+        )
+    kind = "symbolic" if negative is None else "surd"
+    delta = square_root(square)
+    return tuple(Root(sigma + sign * delta, multiplicity, kind, sigma, sign * delta) for sign in (-1, 1))
+
+
+def _decimal_roots(p: sp.Poly, multiplicity: int) -> tuple[Root, ...]:
+    """Roots of an irreducible p of degree ≥ 3 to 30 digits: real ones ascending, then pairs, the upper root first."""
+    if p.domain.is_Composite:
+        raise NotExact(
+            f"The characteristic polynomial has an irreducible factor of degree {p.degree()} with parameters in it, "
+            "whose roots have no usable form. Give the parameters values."
+        )
+    with mpmath.workdps(2 * DIGITS):
+        coefficients = [mpmath.mpmathify(sp.N(c, 2 * DIGITS)) for c in p.all_coeffs()]
+        found = mpmath.polyroots(coefficients, maxsteps=500, extraprec=400)
+        near_axis = [abs(z.imag) < mpmath.mpf(10) ** (-DIGITS) * (1 + abs(z)) for z in found]
+        real = sorted(z.real for z, flat in zip(found, near_axis, strict=True) if flat)
+        upper = [z for z, flat in zip(found, near_axis, strict=True) if not flat and z.imag > 0]
+        upper.sort(key=lambda z: (z.real, z.imag))
+        roots = [Root(_decimal(r), multiplicity, "decimal", _decimal(r), sp.Integer(0)) for r in real]
+        for z in upper:
+            sigma, omega = _decimal(z.real), _decimal(z.imag)
+            roots += [
+                Root(sigma + sign * omega * sp.I, multiplicity, "decimal", sigma, sign * omega) for sign in (1, -1)
+            ]
+    return tuple(roots)
+
+
+def _decimal(x: Any) -> sp.Float:
+    return sp.Float(x, DIGITS)
+
+
+def _exceptions(factors: list[sp.Poly]) -> tuple[sp.Basic, ...]:
+    """Where parameters make roots meet: discriminants and resultants of the factors that can vanish."""
+    found: dict[sp.Basic, None] = {}
+    if not factors[0].domain.is_Composite:
+        return ()
+    for i, p in enumerate(factors):
+        conditions = [p.resultant(q) for q in factors[:i]]
+        if p.degree() > 1:
+            conditions.append(p.discriminant())
+        for condition in conditions:
+            for factor in _vanishing_factors(condition.as_expr() if isinstance(condition, sp.Poly) else condition):
+                found[sp.Eq(factor, 0)] = None
+    return tuple(found)
+
+
+def _vanishing_factors(condition: sp.Expr) -> list[sp.Expr]:
+    """The factors of the numerator that contain parameters and are not known to differ from zero."""
+    if not condition.free_symbols:
+        return []
+    condition = in_sines(whole_angles(condition))
+    factors = sp.factor(sp.numer(sp.together(condition))).as_powers_dict()
+    return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]

@@ -1,0 +1,1 @@
+"""Riccati equations by spectral factors, over towers of square roots."""

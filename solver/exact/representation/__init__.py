@@ -1,0 +1,1 @@
+"""State space and transfer functions: from one to the other, canonical forms, coordinates."""

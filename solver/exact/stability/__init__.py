@@ -1,0 +1,1 @@
+"""Where eigenvalues lie and which matrices are definite, also for ranges of parameters."""

@@ -1,0 +1,1 @@
+"""What inputs reach and outputs show: controllability, ranks and their parameters, decompositions, Gramians."""

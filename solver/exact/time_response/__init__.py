@@ -1,0 +1,1 @@
+"""Inputs as signals and the responses to them, with their limits and peaks."""

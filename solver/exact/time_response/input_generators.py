@@ -1,0 +1,165 @@
+"""Inputs as the outputs of systems without input: u = C w, w' = A w (w(k+1) = A w(k)), w(0) = w₀.
+
+Sums of terms of `signals` are such outputs; a step or impulse that comes later begins a piece of its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from math import factorial
+
+import sympy as sp
+from sympy.functions.combinatorial.numbers import stirling
+
+from solver.exact.functions.rational import between
+from solver.exact.linear_algebra.fields import NotExact
+from solver.exact.time_response.signals import Signal, Term, delayed, read_signal, written
+
+LATEST_SAMPLE = 40
+"""The latest sample at which something may begin in discrete time."""
+
+
+@dataclass(frozen=True)
+class Generator:
+    """The system w' = A w, u = C w (w(k+1) = A w(k)) with w(0) = w0 that makes an input."""
+
+    A: sp.ImmutableMatrix
+    C: sp.ImmutableMatrix
+    w0: sp.ImmutableMatrix
+
+
+@dataclass(frozen=True)
+class Piece:
+    """What begins in the inputs at one time: `inputs` (m×1) in the time since, and `impulses` (m×1) at its start.
+
+    In discrete time there is one piece, beginning at 0, and impulses are part of its generator.
+    """
+
+    delay: sp.Expr
+    inputs: sp.ImmutableMatrix
+    impulses: sp.ImmutableMatrix
+    generator: Generator | None
+
+    def image(self, x: sp.Symbol, *, discrete: bool) -> sp.ImmutableMatrix:
+        """The transform (m×1) of the inputs, from the start of the piece."""
+        if self.generator is None:
+            return self.impulses
+        made = between(self.generator.C, self.generator.A, self.generator.w0).expression(x)
+        return sp.ImmutableMatrix(made * (x if discrete else 1) + self.impulses)
+
+
+def read_inputs(inputs: Sequence[sp.Expr], time: sp.Symbol, *, discrete: bool) -> tuple[Piece, ...]:
+    """The pieces of the inputs, the first one at time zero; raises NotExact for inputs of another kind."""
+    signals = [read_signal(u, time, discrete=discrete) for u in inputs]
+    if discrete:
+        signals = [_from_the_start(signal, time) for signal in signals]
+        written_out = sp.ImmutableMatrix([_expression(signal, time, discrete=True) for signal in signals])
+        none = sp.ImmutableMatrix(sp.zeros(len(signals), 1))
+        return (Piece(sp.S.Zero, written_out, none, _generator(signals, discrete=True)),)
+    return tuple(_piece(signals, delay, time) for delay in delayed(signals))
+
+
+def _piece(signals: Sequence[Signal], delay: sp.Expr, t: sp.Symbol) -> Piece:
+    """What begins in the signals at one time of continuous time."""
+    local: list[Signal] = []
+    for signal in signals:
+        here = sum(
+            (c * written(term, t, discrete=False) for (d, term), c in signal.terms.items() if d == delay), sp.S.Zero
+        )
+        local.append(read_signal(here.subs(t, t + delay), t, discrete=False))
+    inputs = sp.ImmutableMatrix([_expression(signal, t, discrete=False) for signal in local])
+    impulses = sp.ImmutableMatrix([signal.impulses.get(delay, sp.S.Zero) for signal in signals])
+    return Piece(delay, inputs, impulses, _generator(local, discrete=False))
+
+
+def _from_the_start(signal: Signal, k: sp.Symbol) -> Signal:
+    """Return f(k) step(k − m) as f(k) less its first m values."""
+    latest = max([*signal.delays, sp.S.Zero])
+    if latest > LATEST_SAMPLE:
+        raise NotExact(f"Steps and impulses later than sample {LATEST_SAMPLE} are not taken.")
+    terms: dict[tuple[sp.Expr, Term], sp.Expr] = {}
+    pulses = dict(signal.impulses)
+    for (delay, term), c in signal.terms.items():
+        terms[sp.S.Zero, term] = terms.get((sp.S.Zero, term), sp.S.Zero) + c
+        for i in map(sp.Integer, range(int(delay))):
+            pulses[i] = pulses.get(i, sp.S.Zero) - c * written(term, k, discrete=True).subs(k, i)
+    return Signal(
+        {key: c for key, c in terms.items() if sp.expand(c) != 0},
+        {at: weight for at, weight in pulses.items() if sp.expand(weight) != 0},
+    )
+
+
+def _expression(signal: Signal, x: sp.Symbol, *, discrete: bool) -> sp.Expr:
+    total = sum((c * written(term, x, discrete=discrete) for (_, term), c in signal.terms.items()), sp.S.Zero)
+    pulses = signal.impulses.items() if discrete else ()
+    return sp.Add(total, *(weight * sp.KroneckerDelta(x, at) for at, weight in pulses))
+
+
+def _generator(signals: Sequence[Signal], *, discrete: bool) -> Generator | None:
+    """The blocks of all terms of all inputs; None where there is no term."""
+    blocks: list[sp.Matrix] = []
+    starts: list[list[sp.Expr]] = []
+    owners: list[int] = []
+    for i, signal in enumerate(signals):
+        for A, w in [*_blocks(signal, discrete=discrete), *(_pulses(signal) if discrete else ())]:
+            blocks.append(A)
+            starts.append(w)
+            owners.append(i)
+    if not blocks:
+        return None
+    q = sum(len(w) for w in starts)
+    selection = sp.zeros(len(signals), q)
+    column = 0
+    for i, w in zip(owners, starts, strict=True):
+        selection[i, column] = 1
+        column += len(w)
+    M = sp.ImmutableMatrix(sp.diag(*blocks))
+    return Generator(M, sp.ImmutableMatrix(selection), sp.ImmutableMatrix([entry for w in starts for entry in w]))
+
+
+def _pulses(signal: Signal) -> Iterable[tuple[sp.Matrix, list[sp.Expr]]]:
+    """A chain of delays: u(k) is its entry k."""
+    if signal.impulses:
+        size = int(max(signal.impulses)) + 1
+        chain = sp.Matrix(size, size, lambda i, j: int(j == i + 1))
+        yield chain, [signal.impulses.get(sp.Integer(i), sp.S.Zero) for i in range(size)]
+
+
+def _blocks(signal: Signal, *, discrete: bool) -> Iterable[tuple[sp.Matrix, list[sp.Expr]]]:
+    """For each exponential and angle, a Jordan block of the highest power of time, and its initial state."""
+    groups: dict[tuple[sp.Expr, sp.Expr], dict[int, list[sp.Expr]]] = {}
+    for (_, (n, growth, angle, sine)), c in signal.terms.items():
+        pair = groups.setdefault((growth, angle), {}).setdefault(n, [sp.S.Zero, sp.S.Zero])
+        pair[int(sine)] += c
+    for (growth, angle), by_power in groups.items():
+        cell, scale = _cell(growth, angle, discrete=discrete)
+        vectors = {n: sp.Matrix([c, s * scale][: cell.rows]) for n, (c, s) in by_power.items()}
+        size = max(by_power) + 1
+        block = sp.zeros(size * cell.rows)
+        for j in range(size):
+            at = j * cell.rows
+            block[at : at + cell.rows, at : at + cell.rows] = cell
+            if j:
+                block[at - cell.rows : at, at : at + cell.rows] = sp.eye(cell.rows)
+        start = [_coefficient(j, cell, vectors, discrete=discrete) for j in range(size)]
+        yield block, [sp.expand(entry) for vector in start for entry in vector.flat()]
+
+
+def _cell(growth: sp.Expr, angle: sp.Expr, *, discrete: bool) -> tuple[sp.Matrix, sp.Expr]:
+    """The block [σ] or [[σ, 1], [−ω², σ]] with the eigenvalues σ ± jω, and ω."""
+    if angle == 0:
+        return sp.Matrix([[growth]]), sp.S.One
+    sigma, omega = (growth * sp.cos(angle), growth * sp.sin(angle)) if discrete else (growth, angle)
+    return sp.Matrix([[sigma, 1], [-(omega**2), sigma]]), omega
+
+
+def _coefficient(j: int, cell: sp.Matrix, vectors: Mapping[int, sp.Matrix], *, discrete: bool) -> sp.Matrix:
+    """The initial state of the j-th cell of a chain, which contributes tʲ/j! e^{Rt} (C(k, j) R^{k−j}) times it."""
+    total = sp.zeros(cell.rows, 1)
+    for n, vector in vectors.items():
+        if not discrete:
+            total += factorial(j) * vector if n == j else sp.zeros(cell.rows, 1)
+        else:  # kⁿ = Σ_j S(n, j) j! C(k, j)
+            total += stirling(n, j) * factorial(j) * cell**j * vector
+    return total
