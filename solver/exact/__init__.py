@@ -87,6 +87,7 @@ from solver.exact.stability.location import (
 from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.stability.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 from solver.exact.structure.controllability import controllability_matrix
+from solver.exact.structure.critical_values import CriticalValues, critical_values, telling_minors
 from solver.exact.structure.decomposition import (
     Decomposition,
     controllable_decomposition,
@@ -95,7 +96,7 @@ from solver.exact.structure.decomposition import (
     observable_decomposition,
 )
 from solver.exact.structure.gramian import InputResponse, discrete_gramian, finite_gramian, input_response
-from solver.exact.structure.rank_conditions import CriticalValues, critical_values, rank_conditions, telling_minors
+from solver.exact.structure.rank_conditions import rank_conditions
 from solver.exact.structure.ranks import (
     HiddenPart,
     PencilRank,
@@ -106,7 +107,8 @@ from solver.exact.structure.ranks import (
     row_reduction,
 )
 from solver.exact.time_response.input_generators import Piece, read_inputs
-from solver.exact.time_response.long_run import Peak, constant_root, decays, horizon
+from solver.exact.time_response.long_run import constant_root, decays, horizon
+from solver.exact.time_response.peaks import Peak
 from solver.exact.time_response.response import ClosedForm, Response, piece_response, response, shifted
 
 __all__ = [

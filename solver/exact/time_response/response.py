@@ -16,7 +16,8 @@ import sympy as sp
 from solver.exact.functions.rational import RationalMatrix, between
 from solver.exact.linear_algebra.fields import NotExact
 from solver.exact.time_response.input_generators import Piece, read_inputs
-from solver.exact.time_response.long_run import Peak, limit, peak
+from solver.exact.time_response.long_run import limit
+from solver.exact.time_response.peaks import Peak, peak
 from solver.exact.time_response.signals import read_signal
 from solver.systems import StateSpace
 

@@ -1,0 +1,210 @@
+"""The peak of a response, from the residues of its transform."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from math import exp, factorial
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from solver.exact.functions.rational import RationalMatrix, highest_power, residue_at
+from solver.exact.functions.residues import FactorResidues
+from solver.exact.linear_algebra.spectrum import DIGITS, Root
+from solver.exact.time_response.long_run import constant_root, limit, slowest
+
+SAMPLES = 1500
+LATEST = 40.0
+"""In units of the slowest time constant: later than that nothing is left to see."""
+
+
+@dataclass(frozen=True)
+class Peak:
+    """The value of largest size that a function attains after its start, and when first."""
+
+    time: sp.Expr
+    value: sp.Expr
+
+
+def peak(image: RationalMatrix, y: sp.Expr, time: sp.Symbol, *, discrete: bool) -> Peak | None:
+    """The peak of a scalar function y with an image; None where its size is largest at the start or in the limit.
+
+    Only for functions that tend to a limit, or oscillate steadily with one frequency; with parameters only for one
+    pair that starts level from zero, the step response of an under-damped system.
+    """
+    if y.has(sp.DiracDelta, sp.Heaviside):
+        return None
+    if y.free_symbols - {time}:
+        return None if discrete else _of_step(image, y, time)
+    final = limit(image, discrete=discrete)
+    moving = [pole for pole in image.poles if not constant_root(pole[0].factor, discrete=discrete)]
+    if not moving or (final is None and not _steady(image, moving, discrete=discrete)):
+        return None
+    bound = float(abs(final[0])) if final is not None else 0.0
+    if discrete:
+        return _largest_sample(image, y, time, bound) if final is not None else None
+    candidates = _stationary(y, moving, time)
+    if candidates is None:
+        candidates = _searched(image)
+    return _best(y, time, candidates, bound)
+
+
+def _steady(image: RationalMatrix, moving: Sequence[tuple[FactorResidues, int]], *, discrete: bool) -> bool:
+    """Whether the function is a constant and one undamped oscillation."""
+    (each, order), *others = moving
+    root = each.factor.roots[0]
+    constant = [power for other, power in image.poles if constant_root(other.factor, discrete=discrete)]
+    single = not others and order == 1 and each.factor.degree == 2 and all(power == 1 for power in constant)
+    return single and not discrete and root.kind == "complex" and root.sigma == 0
+
+
+def _of_step(image: RationalMatrix, y: sp.Expr, t: sp.Symbol) -> Peak | None:
+    """The peak of c (1 − e^{σt}(cos ωt − σ/ω sin ωt)), whose slope is a multiple of e^{σt} sin ωt: it overshoots."""
+    final = limit(image, discrete=False)
+    moving = [pole for pole in image.poles if not constant_root(pole[0].factor, discrete=False)]
+    if final is None or final[0] == 0 or len(moving) != 1:
+        return None
+    (each, order), *_ = moving
+    root = next((root for root in each.factor.roots if root.kind == "complex" and root.shift.is_positive), None)
+    if root is None or order != 1 or any(sp.cancel(sp.diff(y, t, i).subs(t, 0)) != 0 for i in (0, 1)):
+        return None
+    return Peak(sp.pi / root.shift, final[0] * (1 + sp.exp(sp.pi * root.sigma / root.shift)))
+
+
+def _stationary(y: sp.Expr, moving: Sequence[tuple[FactorResidues, int]], t: sp.Symbol) -> list[sp.Expr] | None:
+    """The first times at which the slope is zero, exactly: for one pair, or two real modes; None for others."""
+    modes = [(root, order) for each, order in moving for root in each.factor.roots]
+    slope = [sp.expand(sp.diff(y, t, i).subs(t, 0)) for i in (1, 2)]
+    if any(root.kind == "decimal" for root, _ in modes) or len(modes) > 2:
+        return None
+    if len(modes) == 2 and all(order == 1 for _, order in modes):
+        (first, _), (second, _) = modes
+        if first.kind == "complex":
+            return _of_pair(first if first.shift.is_positive else second, slope)
+        return _of_two(first.value, second.value, slope)
+    if len(modes) == 1 and modes[0][1] == 2:
+        return _of_double(modes[0][0].value, slope)
+    return [] if len(modes) == 1 and modes[0][1] == 1 else None
+
+
+def _of_pair(root: Root, slope: list[sp.Expr]) -> list[sp.Expr]:
+    """Zeros of e^{σt}(a cos ωt + b sin ωt): tan ωt = −a/b."""
+    a, omega = slope[0], root.shift
+    b = sp.radsimp(sp.expand((slope[1] - root.sigma * a) / omega))
+    angle = sp.pi if a == 0 else sp.pi / 2 if b == 0 else sp.atan(sp.radsimp(-a / b))
+    first = angle if angle.is_positive else angle + sp.pi
+    return [sp.radsimp(first / omega), sp.radsimp((first + sp.pi) / omega)]
+
+
+def _of_two(p: sp.Expr, q: sp.Expr, slope: list[sp.Expr]) -> list[sp.Expr]:
+    """Zeros of c e^{pt} + d e^{qt}."""
+    d = (slope[1] - p * slope[0]) / (q - p)
+    c = slope[0] - d
+    ratio = sp.radsimp(sp.expand(-d / c)) if sp.expand(c) != 0 else sp.S.Zero
+    if not ratio.is_positive:
+        return []
+    if (1 - ratio).is_positive:
+        ratio, p, q = sp.radsimp(1 / ratio), q, p
+    return [sp.radsimp(sp.log(ratio) / (p - q))]
+
+
+def _of_double(p: sp.Expr, slope: list[sp.Expr]) -> list[sp.Expr]:
+    """Zeros of (c + d t) e^{pt}."""
+    d = sp.expand(slope[1] - p * slope[0])
+    return [sp.radsimp(-slope[0] / d)] if d != 0 else []
+
+
+def _best(y: sp.Expr, t: sp.Symbol, candidates: Sequence[sp.Expr], bound: float) -> Peak | None:
+    """The candidate with the largest size, if it is larger than at the start and in the limit."""
+    found: Peak | None = None
+    largest = max(bound, abs(float(y.subs(t, 0).evalf(DIGITS)))) * (1 + 1e-13) + 1e-300
+    for time in candidates:
+        size = abs(float(y.subs(t, time).evalf(DIGITS))) if float(time.evalf(DIGITS)) > 0 else 0.0
+        if size > largest * (1 + 1e-13):
+            value = y.subs(t, time)
+            value = value.evalf(DIGITS) if time.has(sp.Float) else sp.expand(value, power_exp=False, log=False)
+            found, largest = Peak(time, value), size
+    return found
+
+
+def _searched(image: RationalMatrix) -> list[sp.Expr]:
+    """The zeros of the slope between samples, in decimals; the largest value is at one of them."""
+    with mpmath.workdps(DIGITS + 15):
+        modes = _modes(image)
+    rates = [-m.real for m, _, _ in modes if m.real < 0]
+    last = LATEST / min(rates) if rates else 0.0
+    fastest = max((abs(m) for m, _, _ in modes), default=1.0)
+    fine = [last * (i / SAMPLES) ** 3 for i in range(SAMPLES + 1)]
+    even = [last * i / SAMPLES for i in range(SAMPLES)]
+    times = sorted({*fine, *even, *(i / fastest / 20 for i in range(SAMPLES) if i / fastest / 20 < last)})
+    slope = _slope(modes)
+    values = [(slope(t), t) for t in times]
+    return [_refined(modes, a, b) for (before, a), (after, b) in pairwise(values) if before * after < 0]
+
+
+def _slope(modes: Sequence[tuple[Any, int, Any]]) -> Callable[[float], float]:
+    """The derivative of the sum of the modes, roughly: of each conjugate pair one mode, twice."""
+    terms = [(complex(m), j, complex(c) * (2 if m.imag > 0 else 1)) for m, j, c in modes if m.imag >= 0]
+    simple = [(m, c * m) for m, j, c in terms if j == 1]
+    real = [(m.real, a.real) for m, a in simple if not m.imag]
+    turning = [(m, a) for m, a in simple if m.imag]
+    others = [term for term in terms if term[1] > 1]
+
+    def at(t: float) -> float:
+        total = sum(a * exp(m * t) for m, a in real) + sum((a * cmath.exp(m * t)).real for m, a in turning)
+        return total + (float(_value(others, t, 1, cmath.exp)) if others else 0.0)
+
+    return at
+
+
+def _refined(modes: Sequence[tuple[complex, int, Any]], a: float, b: float) -> sp.Expr:
+    with mpmath.workdps(DIGITS + 15):
+        slope = partial(_value, modes, order=1, exponential=mpmath.exp)
+        root = mpmath.findroot(
+            slope, (a, b), solver="anderson", tol=mpmath.mpf(10) ** (-4 * DIGITS), maxsteps=200, verify=False
+        )
+        return sp.Float(root, DIGITS)
+
+
+def _modes(image: RationalMatrix) -> list[tuple[Any, int, Any]]:
+    """λ, j and the coefficient of t^{j−1}/(j−1)! e^{λt}, in numbers."""
+    found = []
+    for each, order in image.poles:
+        for root in each.factor.roots:
+            value = mpmath.mpmathify(sp.N(root.value, DIGITS + 15))
+            for j in range(1, order + 1):
+                c = residue_at(each.residues[j - 1], root, image.shape)[0]
+                found.append((mpmath.mpc(value), j, mpmath.mpc(mpmath.mpmathify(sp.N(c, DIGITS + 15)))))
+    return found
+
+
+def _value(modes: Sequence[tuple[Any, int, Any]], t: Any, order: int, exponential: Callable[[Any], Any]) -> Any:
+    """The derivative of an order (0 or 1) of the sum of the modes, in the arithmetic of `exponential`."""
+    total: Any = 0
+    for value, j, c in modes:
+        envelope = t ** (j - 1) / factorial(j - 1)
+        slope = value * envelope + (t ** (j - 2) / factorial(j - 2) if j > 1 else 0)
+        total += c * exponential(value * t) * (slope if order else envelope)
+    return total.real
+
+
+def _largest_sample(image: RationalMatrix, y: sp.Expr, k: sp.Symbol, bound: float) -> Peak | None:
+    """The sample of largest size, among those before everything has died out."""
+    constant = slowest(image, discrete=True)
+    last = min(int(LATEST * (constant or 0.0)) + _highest_order(image) + 2, SAMPLES)
+    values = [float(y.subs(k, i).evalf(DIGITS)) for i in range(last)]
+    largest = max(range(last), key=lambda i: (abs(values[i]) > bound * (1 + 1e-13), abs(values[i])))
+    first = next(i for i in range(last) if abs(values[i]) >= abs(values[largest]) * (1 - 1e-13))
+    if first == 0 or abs(values[first]) <= bound * (1 + 1e-13):
+        return None
+    return Peak(sp.Integer(first), sp.expand(y.subs(k, first)))
+
+
+def _highest_order(image: RationalMatrix) -> int:
+    """The highest multiplicity of a pole."""
+    return max((highest_power(each) for each in image.residues), default=0)
