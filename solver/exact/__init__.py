@@ -31,7 +31,14 @@ from solver.exact.functions.interpolation import Condition, interpolation
 from solver.exact.functions.matrix_functions import FunctionOfMatrix, matrix_function
 from solver.exact.functions.rational import RationalMatrix, resolvent_matrix
 from solver.exact.functions.scalar_functions import ScalarFunction
-from solver.exact.functions.transforms import Denominators, pairs_for, partial_fractions, resolvent, transform_pairs
+from solver.exact.functions.transforms import (
+    Denominators,
+    pairs_for,
+    partial_fractions,
+    resolvent,
+    resolvent_cancels,
+    transform_pairs,
+)
 from solver.exact.linear_algebra.affine import Solution, affine, solve_affine, tidy
 from solver.exact.linear_algebra.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.linear_algebra.faddeev import FaddeevLeVerrier, faddeev_leverrier
@@ -40,6 +47,7 @@ from solver.exact.linear_algebra.matrices import (
     determinant_and_adjugate,
     inverse,
     multiply,
+    pencil,
     powers,
     taylor,
     truncated_series,
@@ -227,6 +235,7 @@ __all__ = [
     "off_the_point_one",
     "pairs_for",
     "partial_fractions",
+    "pencil",
     "pencil_ranks",
     "piece_response",
     "polynomial_conditions",
@@ -241,6 +250,7 @@ __all__ = [
     "read_inputs",
     "real_and_imaginary",
     "resolvent",
+    "resolvent_cancels",
     "resolvent_matrix",
     "response",
     "riccati",

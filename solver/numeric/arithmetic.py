@@ -79,7 +79,7 @@ class Double:
 
     def size(self, value: Any) -> Any:
         """Return absolute values as floats."""
-        return np.abs(value)
+        return abs(value) if isinstance(value, complex) else np.abs(value)
 
     def approximate(self, value: Any) -> Any:
         """Return values as complex doubles."""

@@ -12,9 +12,9 @@ from solver.derivation import Check, CheckStatus, Claim, Stated, Step
 from solver.numeric.arithmetic import DOUBLE, Arithmetic
 from solver.numeric.compare import TOLERANCE, Point, worst_residual
 from solver.numeric.contour import REACH
-from solver.numeric.environment import Environment
+from solver.numeric.environment import Environment, Environments
 from solver.numeric.evaluate import value_of
-from solver.numeric.points import PointSource, free_symbols, whole_symbols
+from solver.numeric.points import PointSource, first_points, free_symbols, whole_symbols
 from solver.numeric.poles import circle_around_poles
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined, Value
 
@@ -38,24 +38,32 @@ ORACLES = (
 
 def check_steps(steps: Iterable[Step], *, integers: frozenset[str] = frozenset()) -> tuple[Check, ...]:
     """Return the checks of all claims of the steps and their substeps, in the order of reading."""
+    environments = Environments()
     return tuple(
-        check_claim(claim, claim.says or f"{step.kind}: {key}", integers=integers)
+        check_claim(claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments)
         for first in steps
         for step in first.walk()
         for key, claim in step.claims.items()
     )
 
 
-def check_claim(claim: Claim, label: str, *, integers: frozenset[str] = frozenset(), answer: str = "") -> Check:
+def check_claim(
+    claim: Claim,
+    label: str,
+    *,
+    integers: frozenset[str] = frozenset(),
+    answer: str = "",
+    environments: Environments | None = None,
+) -> Check:
     """Return the check of one equality at random points; `integers` names symbols that take whole numbers.
 
     Failed where the shapes differ; skipped, with the reason, where a side can't be evaluated soundly. `answer` is the
-    name of the answer that it judges.
+    name of the answer that it judges; `environments` are shared with the other claims of a derivation.
     """
     judges = (answer,) if answer else ()
     oracle = oracle_of(claim)
     try:
-        residual, digits = claim_residual(claim.left, claim.right, integers)
+        residual, digits = claim_residual(claim.left, claim.right, integers, environments)
     except ShapeMismatch as mismatch:
         return Check(label, oracle, None, None, CheckStatus.FAILED, str(mismatch), judges)
     except NotEvaluable as refusal:
@@ -97,26 +105,30 @@ def nodes_of_stated(formula: Any) -> Iterable[Stated]:
             yield from nodes_of_stated(operand)
 
 
-def claim_residual(left: Any, right: Any, integers: frozenset[str] = frozenset()) -> tuple[float, int]:
+def claim_residual(
+    left: Any, right: Any, integers: frozenset[str] = frozenset(), environments: Environments | None = None
+) -> tuple[float, int]:
     """Return the worst residual of left = right over some points, and the digits that decided it.
 
     Points at which a side has no value are replaced by others, up to ten. Raises NotEvaluable, ShapeMismatch.
     """
     symbols = free_symbols(left) | free_symbols(right)
     whole = whole_symbols(left, right, names=integers) & symbols
-    source = PointSource(symbols, whole)
     wanted = (POINTS_OF_WHOLE_NUMBERS if whole else POINTS) if symbols else 1
     stated = [formula for side in (left, right) for formula in nodes_of_stated(side)]
     transforms = [formula for formula in stated if formula.operation == "inverse_laplace"]
+    known = environments or Environments()
 
     def sides(points: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
-        environment = Environment.at(points, arithmetic)
+        environment = known.at(points, arithmetic)
         return value_of(left, environment), value_of(right, environment)
 
-    points = _in_reach(source.several(wanted), transforms)
+    points = _in_reach(first_points(symbols, whole, wanted), transforms)
     try:
         return worst_residual(sides, points)
     except Undefined:
+        source = PointSource(symbols, whole)
+        source.several(wanted)
         return _point_by_point(sides, source, transforms, points)
 
 
@@ -139,7 +151,7 @@ def _point_by_point(
     return max(residual for residual, _ in results), max(digits for _, digits in results)
 
 
-def _in_reach(points: list[Point], transforms: list[Stated]) -> list[Point]:
+def _in_reach(points: Sequence[Point], transforms: list[Stated]) -> list[Point]:
     """Scale t so that the inversion integrals keep their digits: radius · t between 0.4 and REACH."""
     reach: dict[Any, Any] = {}
     for image, s, t in (formula.operands for formula in transforms):

@@ -47,8 +47,8 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
 def _flat(value: Value, points: int) -> tuple[Array, Array]:
     """Return values and magnitudes as arrays (P, entries)."""
     full = (points, *np.shape(value.value)[1:])
-    parts = (np.broadcast_to(part, full).reshape(points, -1) for part in value)
-    return next(parts), next(parts)
+    shown, size = (part if np.shape(part) == full else np.broadcast_to(part, full) for part in value)
+    return shown.reshape(points, -1), size.reshape(points, -1)
 
 
 def worst_residual(sides: Sides, points: Sequence[Point]) -> tuple[float, int]:

@@ -60,3 +60,20 @@ class Environment:
             magnitude[:, i] = entry.magnitude
         full = (self.points, *shape)
         return Value(value.reshape(full), magnitude.reshape(full))
+
+
+class Environments:
+    """The environments in which the claims of one derivation are tried.
+
+    Claims in the same symbols are tried at the same points, and hold the same matrices: each is evaluated once.
+    """
+
+    def __init__(self) -> None:
+        self._known: dict[Any, Environment] = {}
+
+    def at(self, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic) -> Environment:
+        """Return the environment of these points."""
+        key = (arithmetic.digits, tuple(tuple(point.items()) for point in points))
+        if key not in self._known:
+            self._known[key] = Environment.at(points, arithmetic)
+        return self._known[key]

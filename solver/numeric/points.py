@@ -132,6 +132,12 @@ class PointSource:
         return max(number, 1) if symbol.is_positive or symbol.is_zero is False else number
 
 
+@lru_cache(maxsize=256)
+def first_points(symbols: frozenset[Any], whole: frozenset[Any], count: int) -> tuple[dict[Any, complex], ...]:
+    """Return the first points of a source for these symbols; they must not be changed."""
+    return tuple(PointSource(symbols, whole).several(count))
+
+
 def admissible(symbols: Iterable[Any], count: int) -> list[Mapping[Any, complex]]:
     """Return some points for parameters of a matrix; one point if there are none."""
     symbols = list(symbols)

@@ -6,6 +6,7 @@ right). What is not plainly rational is refused, never guessed.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import zip_longest
 from typing import Any, NamedTuple
 
@@ -39,13 +40,31 @@ def circle_around_poles(image: Any, s: Any, environment: Environment, *, centred
     NotEvaluable if the image is not rational in s or a denominator may have lost its leading coefficient.
     """
     alike = free_symbols(image) <= {s}  # no parameters: the same poles at each point
-    approximate = environment.approximate()
-    points = [_single(approximate, p) for p in range(1 if alike else environment.points)]
-    poles = [np.concatenate([np.zeros(0), *poles_of(image, s, point)]) for point in points]
+    if alike and _is_hashable(image):
+        poles = [_poles_of_numbers(image, s)]
+    else:
+        approximate = environment.approximate()
+        points = [_single(approximate, p) for p in range(1 if alike else environment.points)]
+        poles = [np.concatenate([np.zeros(0), *poles_of(image, s, point)]) for point in points]
     centre = np.array([0.0 if centred or not len(each) else np.mean(each.real) for each in poles])
     spread = [np.max(np.abs(each - c), initial=0.0) for each, c in zip(poles, centre, strict=True)]
     radius = np.array([2.1 * r + 0.5 * abs(c) or 1.0 for r, c in zip(spread, centre, strict=True)])
     return Circle(*(np.broadcast_to(each, (environment.points,)) for each in (centre, radius)))
+
+
+def _is_hashable(image: Any) -> bool:
+    """Whether the image can be remembered: it holds no list and no matrix that may change."""
+    try:
+        hash(image)
+    except TypeError:
+        return False
+    return True
+
+
+@lru_cache(maxsize=256)
+def _poles_of_numbers(image: Any, s: Any) -> Array:
+    """Return the poles of an image without parameters; the transforms of a derivation ask for them several times."""
+    return np.concatenate([np.zeros(0), *poles_of(image, s, Environment({}, 1))])
 
 
 def _single(environment: Environment, p: int) -> Environment:

@@ -36,6 +36,8 @@ class Printer(ObjectPrinter):
         self._memo: dict[tuple[Any, bool, str], str] = {}
 
     def _print(self, expr: Any, **kwargs: Any) -> str:
+        if isinstance(expr, sp.Integer):
+            return str(expr.p)
         if not isinstance(expr, sp.Expr):
             return str(super()._print(expr, **kwargs))
         key = (expr, self._inline, self.numbers.mode)

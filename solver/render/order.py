@@ -186,7 +186,11 @@ def _logarithmic_rate(base: Any, exponent: Any) -> tuple[float, str]:
 def _mean_root(base: Any) -> tuple[float, str]:
     """Return the mean of the roots of a denominator in s or z: the real part, for a linear factor or a pair."""
     variable = next((symbol for symbol in base.free_symbols if symbol.name in MAIN), None)
-    if variable is None or not base.is_polynomial(variable):
+    if variable is None:
+        return 0.0, ""
+    if variable not in (rest := base - variable).free_symbols:  # x + c, nearly always
+        return _real(-rest)
+    if not base.is_polynomial(variable):
         return 0.0, ""
     poly = sp.Poly(base, variable)
     if not poly.degree():

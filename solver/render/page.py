@@ -122,6 +122,7 @@ def _environment(templates: Path | None) -> Environment:
         loader=FileSystemLoader([*own, resources.root("templates") / "html"]),
         autoescape=True,
         undefined=StrictUndefined,
+        auto_reload=False,  # templates do not change while a program runs
         trim_blocks=True,
         lstrip_blocks=True,
     )

@@ -115,7 +115,8 @@ def _as_growth(base: Any, exponent: Any) -> Factor:
 def _arrange(term: Term) -> None:
     """Sort the groups; functions stay in the numerator unless the denominator has only parameters."""
     for group in (term.above, term.below, term.functions):
-        group.sort(key=lambda factor: factor_rank(factor[0]))
+        if len(group) > 1:
+            group.sort(key=lambda factor: factor_rank(factor[0]))
     term.roots.sort(key=lambda factor: factor[0].is_Add)
     if any(base.has(sp.Function) or has_variable(base) for base, _ in term.below):
         term.above, term.functions = term.above + term.functions, []

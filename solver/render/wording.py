@@ -228,6 +228,7 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
     environment = ImmutableSandboxedEnvironment(
         loader=FileSystemLoader([*own, resources.root("templates") / "wording"]),
         undefined=StrictUndefined,
+        auto_reload=False,  # templates do not change while a program runs
         autoescape=False,  # this is Markdown; HTML is escaped where it is made, in `prose`
         trim_blocks=True,
         lstrip_blocks=True,

@@ -17,7 +17,15 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.derivation.stated import Stated, product, quotient
 from solver.exact.functions.closed_forms import MatrixFunction, closed_form
-from solver.exact.functions.residues import FactorResidues, Residue, divided_by, multiply_by, reduce_modulo, residues_at
+from solver.exact.functions.residues import (
+    FactorResidues,
+    MatrixPolynomial,
+    Residue,
+    divided_by,
+    multiply_by,
+    reduce_modulo,
+    residues_at,
+)
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import (
     Algebraic,
@@ -25,10 +33,11 @@ from solver.exact.linear_algebra.fields import (
     common_factors_below,
     domain_matrix,
     expressions,
+    in_powers,
     matrix_of,
 )
 from solver.exact.linear_algebra.instances import value_at
-from solver.exact.linear_algebra.spectrum import Factor, Root, polynomial, spectrum
+from solver.exact.linear_algebra.spectrum import Factor, Root, spectrum
 
 
 @dataclass(frozen=True)
@@ -43,7 +52,8 @@ class RationalMatrix:
     @cached_property
     def residues(self) -> tuple[FactorResidues, ...]:
         """The residues at the roots of each factor."""
-        return tuple(residues_at(list(self.numerator), self.chi, factor) for factor in self.factors)
+        numerator = MatrixPolynomial(self.numerator)
+        return tuple(residues_at(numerator, self.chi, factor) for factor in self.factors)
 
     @property
     def poles(self) -> list[tuple[FactorResidues, int]]:
@@ -123,22 +133,37 @@ def _over(K: Any, factor: Factor) -> Factor:
     return Factor(Modulus(tuple(K.convert(c, p.domain) for c in p.low), K), factor.multiplicity, factor.roots)
 
 
-def in_lowest_terms(numerator: Sequence[Any], factors: Iterable[tuple[Modulus, int]], x: sp.Symbol) -> sp.Expr:
+def in_lowest_terms(numerator: Sequence[Any], factors: Sequence[tuple[Modulus, int]], x: sp.Symbol) -> sp.Expr:
     """A fraction, its numerator by coefficients (highest power first), its denominator by irreducible factors."""
-    rest = list(dropwhile(lambda c: not c, numerator))
+    rest, left = cancelled(numerator, factors)
     if not rest:
         return sp.Integer(0)
+    K = factors[0][0].domain
+    below = [_written(p, x, -power) for p, power in left]
+    if K.is_QQ:
+        begins_with_minus = all(c <= 0 for c in rest)
+        above = in_powers([-c for c in rest] if begins_with_minus else rest, K, x)
+    else:
+        above = in_powers(rest, K, x)
+        begins_with_minus = all(term.could_extract_minus_sign() for term in sp.Add.make_args(above))
+        above = sp.expand(-above) if begins_with_minus else above
+    whole = sp.Mul(above, *below)
+    return -whole if begins_with_minus else whole  # a numerator that begins with a minus has it in front
+
+
+def cancelled(
+    numerator: Sequence[Any], factors: Iterable[tuple[Modulus, int]]
+) -> tuple[list[Any], list[tuple[Modulus, int]]]:
+    """What is left of a numerator (empty if it is zero), and of the powers of the irreducible factors below it."""
+    rest = list(dropwhile(lambda c: not c, numerator))
     below = []
-    for p, multiplicity in factors:
+    for p, multiplicity in factors if rest else ():
         left = multiplicity
         while left and len(rest) > p.degree and (quotient_of := _exact_quotient(rest, p.low)) is not None:
             rest, left = quotient_of, left - 1
         if left:
-            below.append(_written(p, x, -left))
-    above = polynomial(sp.Poly(rest, x, domain=p.domain), x)
-    if all(term.could_extract_minus_sign() for term in sp.Add.make_args(above)):
-        return -sp.Mul(sp.expand(-above), *below)  # a numerator that begins with a minus has it in front
-    return sp.Mul(above, *below)
+            below.append((p, left))
+    return rest, below
 
 
 def _exact_quotient(numerator: Sequence[Any], low: Sequence[Any]) -> list[Any] | None:
@@ -154,7 +179,7 @@ def _exact_quotient(numerator: Sequence[Any], low: Sequence[Any]) -> list[Any] |
 @lru_cache(maxsize=256)
 def _written(p: Modulus, x: sp.Symbol, power: int) -> sp.Expr:
     """A power of the polynomial of a modulus as an expression."""
-    return polynomial(sp.Poly([p.domain.one, *reversed(p.low)], x, domain=p.domain), x) ** power
+    return in_powers([p.domain.one, *reversed(p.low)], p.domain, x) ** power
 
 
 def keeps_quadratic(factor: Factor) -> bool:

@@ -14,6 +14,7 @@ from solver.derivation.stated import Stated
 from solver.exact.functions.closed_forms import closed_form, polar
 from solver.exact.functions.rational import (
     RationalMatrix,
+    cancelled,
     decimal_quadratic,
     in_lowest_terms,
     is_simple_decimal_pair,
@@ -29,13 +30,26 @@ from solver.exact.linear_algebra.spectrum import Factor, Root, irreducible_facto
 @lru_cache(maxsize=16)
 def resolvent(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.ImmutableMatrix:
     """(xI − A)⁻¹ (n×n): entries in lowest terms, denominators as products of the irreducible factors of χ."""
-    fl = faddeev_leverrier(A)
-    factors = [
-        (Modulus(tuple(reversed(p.rep.to_list()[1:])), fl.domain), multiplicity)
-        for p, multiplicity in irreducible_factors(A)
-    ]
-    flat = zip(*(N.to_list_flat() for N in fl.N), strict=True)
-    return sp.ImmutableMatrix(A.rows, A.rows, [in_lowest_terms(list(entry), factors, x) for entry in flat])
+    factors = _factors_of(A)
+    return sp.ImmutableMatrix(A.rows, A.rows, [in_lowest_terms(entry, factors, x) for entry in _numerators(A)])
+
+
+def resolvent_cancels(A: sp.ImmutableMatrix) -> bool:
+    """Whether an entry of (xI − A)⁻¹ that is not zero has a factor in common with χ."""
+    factors = _factors_of(A)
+    reduced = (cancelled(entry, factors) for entry in _numerators(A))
+    return any(rest and below != factors for rest, below in reduced)
+
+
+def _numerators(A: sp.ImmutableMatrix) -> list[tuple[Any, ...]]:
+    """The entries of adj(xI − A), row by row, as coefficients over K, the highest power first."""
+    return list(zip(*(N.to_list_flat() for N in faddeev_leverrier(A).N), strict=True))
+
+
+def _factors_of(A: sp.ImmutableMatrix) -> list[tuple[Modulus, int]]:
+    """The irreducible factors of χ with their multiplicities."""
+    K = faddeev_leverrier(A).domain
+    return [(Modulus(tuple(reversed(p.rep.to_list()[1:])), K), power) for p, power in irreducible_factors(A)]
 
 
 def partial_fractions(A: sp.ImmutableMatrix, x: sp.Symbol) -> list[Stated]:

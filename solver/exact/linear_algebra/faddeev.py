@@ -16,7 +16,7 @@ import sympy as sp
 from sympy import QQ
 from sympy.polys.matrices import DomainMatrix
 
-from solver.exact.linear_algebra.fields import domain_matrix, expression, matrix_of
+from solver.exact.linear_algebra.fields import domain_matrix, expression, in_powers, matrix_of
 
 
 @dataclass(frozen=True)
@@ -39,15 +39,22 @@ class FaddeevLeVerrier:
 
     def characteristic_polynomial(self, x: sp.Symbol) -> sp.Expr:
         """χ(x) = det(xI − A), expanded."""
-        n = len(self.N)
-        return sp.Add(*(c * x ** (n - k) for k, c in enumerate(self.coefficients)))
+        return in_powers(self.chi, self.domain, x)
 
     def adjugate(self, x: sp.Symbol) -> sp.ImmutableMatrix:
         """adj(xI − A), entries expanded in x."""
+        if x not in self._adjugates:
+            self._adjugates[x] = self._adjugate(x)
+        return self._adjugates[x]
+
+    @cached_property
+    def _adjugates(self) -> dict[sp.Symbol, sp.ImmutableMatrix]:
+        return {}
+
+    def _adjugate(self, x: sp.Symbol) -> sp.ImmutableMatrix:
         n = len(self.N)
-        lists = [N.flat() for N in self.adjugate_coefficients]
-        entries = [sp.Add(*(flat[i] * x ** (n - 1 - k) for k, flat in enumerate(lists))) for i in range(n * n)]
-        return sp.ImmutableMatrix(n, n, entries)
+        flat = zip(*(N.to_list_flat() for N in self.N), strict=True)
+        return sp.ImmutableMatrix(n, n, [in_powers(entry, self.domain, x) for entry in flat])
 
 
 @lru_cache(maxsize=64)

@@ -69,6 +69,12 @@ def expression(K: Any, element: Element) -> sp.Expr:
     return whole_angles(found) if K.is_Composite else found
 
 
+def in_powers(coefficients: Sequence[Any], K: Any, x: sp.Symbol) -> sp.Expr:
+    """The polynomial with these coefficients in K, the highest power first, as an expression in x."""
+    degree = len(coefficients) - 1
+    return sp.Add(*(expression(K, c) * x ** (degree - i) for i, c in enumerate(coefficients) if c))
+
+
 def whole_angles(found: sp.Expr) -> sp.Expr:
     """The expression with cos θ and sin θ in place of tan(θ/2)."""
     for tangent in found.atoms(sp.tan):

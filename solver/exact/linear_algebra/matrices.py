@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
@@ -13,6 +15,13 @@ def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
     """A B, exact."""
     left, right = domain_matrix(A).unify(domain_matrix(B))
     return matrix_of(left * right)
+
+
+@lru_cache(maxsize=64)
+def pencil(A: sp.ImmutableMatrix, x: sp.Expr) -> sp.ImmutableMatrix:
+    """xI − A (n×n)."""
+    n = A.rows
+    return sp.ImmutableMatrix(n, n, [x - a if i % (n + 1) == 0 else -a for i, a in enumerate(A.flat())])
 
 
 def powers(A: sp.ImmutableMatrix, count: int) -> list[sp.ImmutableMatrix]:

@@ -19,6 +19,7 @@ from solver.exact.linear_algebra.fields import (
     Modulus,
     NotExact,
     expression,
+    in_powers,
     in_sines,
     is_negative,
     square_root,
@@ -142,8 +143,7 @@ def factored(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.Expr:
 
 def polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
     """A polynomial over K as an expression in x."""
-    coefficients = p.rep.to_list()
-    return sp.Add(*(expression(p.domain, c) * x ** (len(coefficients) - 1 - i) for i, c in enumerate(coefficients)))
+    return in_powers(p.rep.to_list(), p.domain, x)
 
 
 def roots_of(p: sp.Poly, multiplicity: int = 1) -> tuple[Root, ...]:

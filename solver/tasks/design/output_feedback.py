@@ -165,7 +165,7 @@ def reduced_loop_of(
 def separation_of(whole: ImmutableMatrix, plant: Plant, control: Design, observer: Design) -> Derivation[None]:
     """The polynomial of the whole is the product of the two that were designed."""
     x = plant.variable
-    pencil = sp.ImmutableMatrix(x * sp.eye(whole.rows) - whole)
+    pencil = exact.pencil(whole, x)
     both = product(control.polynomial, observer.polynomial)
     yield Step(
         "separation",

@@ -136,11 +136,7 @@ def estimate_of(parts: exact.Partition, design: Gain, J: ImmutableMatrix, plant:
     )
     yield Step(
         "error",
-        claims={
-            "polynomial": Claim(
-                determinant(sp.ImmutableMatrix(x * sp.eye(q) - J)), design.polynomial, "polynomial of the error"
-            )
-        },
+        claims={"polynomial": Claim(determinant(exact.pencil(J, x)), design.polynomial, "polynomial of the error")},
         x=x,
         discrete=plant.discrete,
         fixed=design.fixed,

@@ -26,7 +26,7 @@ characteristic_polynomial = Task(
 @lemma("determinant")
 def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeVerrier]:
     """χ(x) = det(xI − A), expanded along the row with most zeros; returns χ and the adjugate in x."""
-    pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
+    pencil = exact.pencil(A, x)
     yield Step(
         "pencil",
         claims={
@@ -137,7 +137,7 @@ def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
     polynomial = resolvent.characteristic_polynomial(lamda)
     yield Step(
         "polynomial",
-        claims={"polynomial": Claim(determinant(lamda * sp.eye(A.rows) - A), polynomial, r"$\det(\lambda I - A)$")},
+        claims={"polynomial": Claim(determinant(exact.pencil(A, lamda)), polynomial, r"$\det(\lambda I - A)$")},
     )
     return Answers(polynomial=polynomial)
 

@@ -106,7 +106,7 @@ def _eigenspace_steps(A: ImmutableMatrix, spaces: Sequence[exact.Eigenspace], *,
         mirrored = bool(value.has(sp.I)) and sp.conjugate(value) in seen
         seen.append(value)
         kind = "conjugate" if mirrored else "chains" if space.geometric < space.algebraic else "eigenspace"
-        pencil = sp.ImmutableMatrix(value * sp.eye(A.rows) - A)
+        pencil = exact.pencil(A, value)
         reduction = None if mirrored else space.reduction
         yield Step(
             kind,

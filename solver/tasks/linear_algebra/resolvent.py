@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.stated import adjugate, inverse, inverse_laplace, inverse_z, power, quotient, total
 from solver.lazy import exact
-from solver.lazy import sympy as sp
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 
 if TYPE_CHECKING:
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
 def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
     """det(xI − A) and adj(xI − A); returns the adjugate."""
     resolvent = yield from determinant_of(A, x)
-    pencil, adj = sp.ImmutableMatrix(x * sp.eye(A.rows) - A), resolvent.adjugate(x)
+    pencil, adj = exact.pencil(A, x), resolvent.adjugate(x)
     yield Step(
         "adjugate",
         claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
@@ -32,7 +31,7 @@ def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMat
 def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
     """(xI − A)⁻¹ = adj(xI − A)/det(xI − A); returns it with cancelled entries."""
     adj = yield from adjugate_of_pencil(A, x)
-    pencil, chi = sp.ImmutableMatrix(x * sp.eye(A.rows) - A), exact.factored(A, x)
+    pencil, chi = exact.pencil(A, x), exact.factored(A, x)
     inverted = exact.resolvent(A, x)
     yield Step(
         "inverse",
@@ -41,7 +40,7 @@ def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatr
             "entries": Claim(quotient(adj, chi), inverted, "entries of the inverse"),
         },
         x=x,
-        cancels=any(sp.degree(sp.fraction(a)[1], x) < A.rows for a in inverted.flat() if a != 0),
+        cancels=exact.resolvent_cancels(A),
     )
     return inverted
 
@@ -49,7 +48,7 @@ def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatr
 @lemma("resolvent")
 def partial_fractions_of(A: ImmutableMatrix, x: Symbol) -> Derivation[Any]:
     """(xI − A)⁻¹ as a sum of matrices over powers of the irreducible factors of det(xI − A); returns the sum."""
-    pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
+    pencil = exact.pencil(A, x)
     terms = exact.partial_fractions(A, x)
     expansion = total(*terms)
     yield Step(

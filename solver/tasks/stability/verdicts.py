@@ -77,7 +77,7 @@ def critical_eigenvalues(A: ImmutableMatrix, found: exact.Location, *, discrete:
         return
     for space in found.critical:
         vectors = sp.ImmutableMatrix(sp.Matrix.hstack(*(chain[0] for chain in space.chains)))
-        pencil = sp.ImmutableMatrix(space.root.value * sp.eye(A.rows) - A)
+        pencil = exact.pencil(A, space.root.value)
         zero = sp.ImmutableMatrix(sp.zeros(*vectors.shape))
         yield Step(
             "critical",

@@ -37,7 +37,7 @@ def hidden_modes_of(pair: Pair, matrix: Any) -> Derivation[list[Any] | None]:
     except exact.NotExact:
         roots = None
     if k > 1:
-        pencil = sp.ImmutableMatrix(lamda * sp.eye(k) - H)
+        pencil = exact.pencil(H, lamda)
         found = (
             exact.factored(H, lamda)
             if roots is None

@@ -75,7 +75,7 @@ class Question:
 
     def pencil(self) -> ImmutableMatrix:
         """The matrix sI − A (zI − A)."""
-        return sp.ImmutableMatrix(self.variable * sp.eye(self.system.order) - self.system.A)
+        return exact.pencil(self.system.A, self.variable)
 
 
 def entry_or_column(column: ImmutableMatrix) -> Any:
