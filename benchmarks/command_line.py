@@ -74,7 +74,7 @@ def _warm() -> Iterator[Row]:
     package = import_module("solver")  # only here, so that the rows above do not pay for it
 
     def work(n: int, first: int) -> Any:
-        return package.solve(problem_text(n, first))._repr_html_()
+        return package.solve(problem_text(n, first)).html()
 
     three = milliseconds_of_each([lambda first=first: work(3, first) for first in range(1, 10)])
     yield Row("warm solve + check + HTML, n = 3", three, at_most=30)
