@@ -50,9 +50,9 @@ def solve_files(request: Request) -> int:
     """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
     quiet_threads()
     if len(request.files) > 1:
-        from solver.limits.child import load_algebra
+        from solver.limits.child import load_all_algebra
 
-        load_algebra()  # once, and not in the child of each file
+        load_all_algebra()  # once, and not in the child of each file
     meter = Meter(len(request.files))
     return max(_guarded(request, file, meter) for file in request.files)
 

@@ -22,6 +22,8 @@ except ImportError:  # Windows
     resource = None  # type: ignore[assignment]  # checked before it is used
 
 from solver.derivation import PartResult, Status
+from solver.imports import postpone
+from solver.lazy import exact, numeric
 
 if TYPE_CHECKING:
     from multiprocessing.context import ForkContext, SpawnContext
@@ -130,9 +132,19 @@ def _live(channel: Connection) -> None:
 
 
 def load_algebra() -> None:
-    """Import what solving needs, in this process and so in all that it starts from now on."""
-    for name in ("solver.engine", "solver.exact", "solver.numeric", "scipy.linalg"):
+    """Import what every problem needs, in this process and so in all that it starts from now on."""
+    for name in ("testing", "f2py"):  # scipy.linalg takes every module of numpy; these two cost as much as itself
+        postpone("numpy", name)
+    for name in ("solver.engine", "solver.numeric.claims", "scipy.linalg"):
         import_module(name)
+
+
+def load_all_algebra() -> None:
+    """Import what any problem may need, once for several problems."""
+    load_algebra()
+    for package in (exact, numeric):
+        for name in package.__all__:
+            getattr(package, name)
 
 
 def _solve_guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[PartResult, bool]:

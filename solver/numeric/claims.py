@@ -13,7 +13,7 @@ from solver.numeric.arithmetic import DOUBLE, Arithmetic
 from solver.numeric.compare import TOLERANCE, Point, worst_residual
 from solver.numeric.contour import REACH
 from solver.numeric.environment import Environment, Environments
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import PointSource, first_points, free_symbols, whole_symbols
 from solver.numeric.poles import circle_around_poles
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined, Value

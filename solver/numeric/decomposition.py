@@ -17,9 +17,9 @@ import sympy as sp
 
 from solver.numeric.arithmetic import Array
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import SEED, admissible, free_symbols
-from solver.numeric.rank import independent, rank
+from solver.numeric.ranks import independent, rank
 from solver.numeric.similar import SMALL, misfit
 
 PATTERNS: Mapping[str, tuple[tuple[int, ...], ...]] = {

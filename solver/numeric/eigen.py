@@ -16,7 +16,7 @@ import sympy as sp
 from solver.derivation.stated import determinant, difference, product
 from solver.numeric.compare import Point
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.exponential import equality_residual
 from solver.numeric.points import SEED, admissible, free_symbols
 

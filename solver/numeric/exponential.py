@@ -11,7 +11,7 @@ from solver.derivation.stated import exponential, power, product
 from solver.numeric.arithmetic import Arithmetic, Array
 from solver.numeric.compare import Point, worst_residual
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import admissible, free_symbols
 from solver.numeric.values import ShapeMismatch, Undefined, Value
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from solver.numeric.arithmetic import Array
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import admissible, free_symbols
 
 SAME = 1e-9

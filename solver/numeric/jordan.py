@@ -15,9 +15,9 @@ import sympy as sp
 
 from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import admissible, free_symbols
-from solver.numeric.rank import independent
+from solver.numeric.ranks import independent
 
 DIGITS = 100
 CLUSTER = 1e-6

@@ -11,7 +11,7 @@ import sympy as sp
 
 from solver.numeric.arithmetic import DOUBLE, Array
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import PointSource, free_symbols, whole_symbols
 from solver.numeric.values import SAFETY, NotEvaluable
 

@@ -15,7 +15,7 @@ import sympy as sp
 
 from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.multiple_precision import determinant
 from solver.numeric.points import SEED, admissible, free_symbols
 from solver.numeric.values import NotEvaluable

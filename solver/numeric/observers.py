@@ -11,7 +11,7 @@ import sympy as sp
 from solver.numeric.arithmetic import Array
 from solver.numeric.eigen import spectrum_residual
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import evaluate, value_of
+from solver.numeric.evaluation import evaluate, value_of
 from solver.numeric.placement import fixed_modes, rational_points
 from solver.numeric.points import admissible, free_symbols
 

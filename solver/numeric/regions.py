@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import SEED, free_symbols
 from solver.numeric.stability import STABLE, located
 from solver.numeric.values import NotEvaluable, Undefined

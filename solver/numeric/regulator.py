@@ -15,7 +15,7 @@ from numpy.linalg import LinAlgError
 
 from solver.numeric.arithmetic import Array
 from solver.numeric.compare import Point
-from solver.numeric.evaluate import evaluate
+from solver.numeric.evaluation import evaluate
 from solver.numeric.points import PointSource, free_symbols
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
 

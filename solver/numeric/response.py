@@ -15,7 +15,7 @@ import sympy as sp
 
 from solver.derivation.stated import Stated, exponential, integral, product, total
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.exponential import equality_residual
 from solver.numeric.points import admissible, free_symbols
 from solver.numeric.values import NotEvaluable

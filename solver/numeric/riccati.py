@@ -10,7 +10,7 @@ import sympy as sp
 
 from solver.derivation.stated import difference, inverse, product, total, transpose
 from solver.numeric.arithmetic import Array
-from solver.numeric.evaluate import evaluate
+from solver.numeric.evaluation import evaluate
 from solver.numeric.exponential import equality_residual
 from solver.numeric.points import PointSource, free_symbols
 from solver.numeric.regulator import Optimum, Weights, hurwitz, matrix_at, optima, relative, worst

@@ -11,7 +11,7 @@ import sympy as sp
 
 from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import free_symbols
 from solver.numeric.regulator import Optimum, Weights, matrix_at, optima, relative
 from solver.numeric.riccati import hamiltonian

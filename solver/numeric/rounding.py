@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.numeric.evaluate import evaluate
+from solver.numeric.evaluation import evaluate
 from solver.numeric.points import PointSource, free_symbols, nodes, whole_symbols
 
 NOTHING = 1e-40

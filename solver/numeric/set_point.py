@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array
-from solver.numeric.evaluate import evaluate
+from solver.numeric.evaluation import evaluate
 from solver.numeric.points import admissible, free_symbols
 from solver.numeric.regulator import Weights, optima
 from solver.numeric.tracking import least_squares

@@ -14,7 +14,7 @@ import numpy as np
 
 from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import SEED, PointSource, free_symbols
 from solver.numeric.values import NotEvaluable, Undefined
 

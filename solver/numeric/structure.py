@@ -20,9 +20,9 @@ from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.compare import Point
 from solver.numeric.eigen import spectrum_residual
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import SEED, PointSource, free_symbols
-from solver.numeric.rank import rank, rank_at
+from solver.numeric.ranks import rank, rank_at
 from solver.numeric.values import NotEvaluable
 
 DIGITS = 50

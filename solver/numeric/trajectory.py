@@ -14,7 +14,7 @@ import sympy as sp
 
 from solver.numeric.arithmetic import DOUBLE, Array
 from solver.numeric.environment import Environment
-from solver.numeric.evaluate import value_of
+from solver.numeric.evaluation import value_of
 from solver.numeric.points import admissible, free_symbols
 from solver.numeric.response import impulses, intervals, sampled
 from solver.numeric.values import SAFETY, NotEvaluable

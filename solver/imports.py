@@ -1,0 +1,47 @@
+"""Imports that wait until what they import is used: a program that runs for a second should load what it needs."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from importlib.util import LazyLoader, find_spec, module_from_spec
+from pathlib import Path
+from typing import Any
+
+
+def names_of_stub(package: str, file: str) -> tuple[list[str], Callable[[str], Any]]:
+    """Return `__all__` and `__getattr__` of a package whose names are imported when they are first used.
+
+    The stub `__init__.pyi` beside the package's file says, as imports, in which module each name is; type checkers
+    read it too. A module directly in the package may not have a public name: it would stand in its place.
+    """
+    tree = ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8"))
+    imports = [line for line in tree.body if isinstance(line, ast.ImportFrom)]
+    homes = {alias.name: str(line.module) for line in imports for alias in line.names}
+
+    def get(name: str) -> Any:
+        if name not in homes:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        value = getattr(import_module(homes[name]), name)
+        setattr(sys.modules[package], name, value)
+        return value
+
+    return list(homes), get
+
+
+def postpone(package: str, name: str) -> None:
+    """Let the module `package.name` run when it is first used, and not already when all names of the package are taken.
+
+    An `import` statement of its own is a use too.
+    """
+    full_name = f"{package}.{name}"
+    spec = None if full_name in sys.modules else find_spec(full_name)
+    if spec is None or spec.loader is None:
+        return
+    spec.loader = LazyLoader(spec.loader)
+    module = module_from_spec(spec)
+    sys.modules[full_name] = module
+    spec.loader.exec_module(module)
+    setattr(import_module(package), name, module)
