@@ -55,7 +55,8 @@ class Seconds(click.FloatRange):
     "-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: beside FILE."
 )
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much is written.")
-@click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
+@click.option("--templates", metavar="DIR",
+              type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
               help="Templates that take precedence over the program's own.")  # fmt: skip
 @click.option("--open", "open_page", is_flag=True, help="Open the page in a browser.")
 @click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
