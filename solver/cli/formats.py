@@ -23,10 +23,20 @@ class Document:
     name: str = ""
 
     @cached_property
+    def wording(self) -> Wording:
+        """How the solution is worded."""
+        return Wording(NumberFormat.of(self.solution.display), self.detail, self.templates)
+
+    @cached_property
     def view(self) -> SolutionView:
         """The solution in words; raises `WordingError` if a template is missing or wrong."""
-        numbers = NumberFormat.of(self.solution.display)
-        return view_of(self.solution, Wording(numbers, self.detail, self.templates))
+        return view_of(self.solution, self.wording)
+
+    def load_wording(self) -> None:
+        """Compile the wording of all that is asked before it is needed; raises Jinja's `TemplateError`."""
+        for part in self.solution.problem.parts:
+            for name in ("question", *part.methods):
+                self.wording.load(f"{part.task}/{name}")
 
     def rendered(self, format: str) -> bytes:  # noqa: A002 - the word of the option
         """Return the solution in a format; raises `PdfUnavailable`, `WordingError`, or Jinja's `TemplateError`."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import io
 import os
 import signal
 import sys
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TextIO
 
 import click
 
@@ -95,7 +96,7 @@ def _guarded(request: Request, file: str, meter: Meter) -> int:
 
 
 def _solve(request: Request, file: str, meter: Meter) -> int:
-    import sympy  # noqa: F401 - here, so that the child has it too
+    import sympy.tensor.tensor  # noqa: F401 - here, so that the child has it too; the first sum needs the tensors
 
     from solver.limits import Child, Limits, in_child
 
@@ -113,15 +114,23 @@ def _solve(request: Request, file: str, meter: Meter) -> int:
 
 
 def _rehearse(request: Request, problem: Problem) -> None:
-    """Load what writes the solution, while the child solves: write one without parts."""
+    """Load what writes the solution, while the child solves: write one whose first part is not solved."""
     from solver.cli.formats import Document
+    from solver.derivation import PartResult, Status
     from solver.engine import Solution
 
-    empty = Document(Solution(problem, ()), request.detail, request.templates)
-    for format_ in request.destination.formats:
-        if format_ != "pdf":
-            with suppress(AtFault):  # it will be told of the solution itself
-                _rendered(empty, format_)
+    first = problem.parts[0]
+    unsolved = PartResult(first.id, first.task, first.methods[0], Status.UNSOLVED)
+    document = Document(Solution(problem, (unsolved,)), request.detail, request.templates)
+    with suppress(AtFault):  # of what is wrong with templates it will be told with the solution itself
+        with in_words("the solution"):
+            document.load_wording()
+            view = document.view
+        for format_ in request.destination.formats:
+            if format_ != "pdf":
+                _rendered(document, format_)
+        if not request.destination.standard_output:
+            _print_summary(view, [], file=io.StringIO(), verbose=request.verbose)
 
 
 def source_of(file: str) -> Source:
@@ -202,12 +211,12 @@ def _tell_what_is_wrong(solution: Solution) -> None:
             click.echo(f"part {part.id} ({part.method}): {part.status}: {part.reason}", err=True)
 
 
-def _print_summary(view: SolutionView, written: list[Path], *, verbose: bool) -> None:
+def _print_summary(view: SolutionView, written: list[Path], *, verbose: bool, file: TextIO | None = None) -> None:
     from rich.console import Console
 
     from solver.render.terminal import WIDTH, print_summary
 
-    console = Console(highlight=False, width=None if sys.stdout.isatty() else WIDTH, soft_wrap=False)
+    console = Console(file=file, highlight=False, width=None if sys.stdout.isatty() else WIDTH, soft_wrap=False)
     print_summary(view, console, verbose=verbose)
     for path in written:
         click.echo(f"wrote {path}")

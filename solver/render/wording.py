@@ -140,6 +140,10 @@ class Wording:
         except (TemplateError, TypeError, ValueError, ArithmeticError, LookupError, AttributeError) as error:
             raise WordingError(f"{place}: {error}") from error
 
+    def load(self, wording: str) -> None:
+        """Compile a file of macros before it is needed; raises Jinja's `TemplateError`."""
+        self._module(wording)
+
     def _module(self, wording: str) -> Any:
         """Return the macros of a file as attributes."""
         if wording not in self._modules:
