@@ -17,14 +17,7 @@ from solver.exact.design.placement import (
 from solver.exact.design.pole_placement import ackermann
 from solver.exact.design.second_order import Inconsistent, SecondOrder, second_order, specified
 from solver.exact.design.set_point import NoSetPoint, SetPoint, equations_of_rest, set_point
-from solver.exact.design.single_input import (
-    ControllablePart,
-    Direction,
-    controllable_part,
-    direction,
-    lifted_gain,
-    reachable_order,
-)
+from solver.exact.design.single_input import Direction, direction, lifted_gain
 from solver.exact.design.tracking import added, at_rest, with_integrators
 from solver.exact.functions.closed_forms import MatrixFunction, exponential, interpolation_coefficients, power
 from solver.exact.functions.interpolation import Condition, interpolation
@@ -42,7 +35,7 @@ from solver.exact.functions.transforms import (
 from solver.exact.linear_algebra.affine import Solution, affine, solve_affine, tidy
 from solver.exact.linear_algebra.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.linear_algebra.faddeev import FaddeevLeVerrier, faddeev_leverrier
-from solver.exact.linear_algebra.fields import NotExact
+from solver.exact.linear_algebra.fields import NotExact, vanishing_factors
 from solver.exact.linear_algebra.matrices import (
     determinant_and_adjugate,
     inverse,
@@ -94,11 +87,12 @@ from solver.exact.stability.location import (
 )
 from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
 from solver.exact.stability.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
-from solver.exact.structure.controllability import controllability_matrix
+from solver.exact.structure.controllability import controllability_matrix, reachable_order
 from solver.exact.structure.critical_values import CriticalValues, critical_values, telling_minors
 from solver.exact.structure.decomposition import (
     Decomposition,
     controllable_decomposition,
+    controllable_part,
     independent_columns,
     kalman_decomposition,
     observable_decomposition,
@@ -124,7 +118,6 @@ __all__ = [
     "ClosedForm",
     "CompanionCoordinates",
     "Condition",
-    "ControllablePart",
     "CriticalValues",
     "Decomposition",
     "Denominators",
@@ -276,6 +269,7 @@ __all__ = [
     "transfer_matrix_of_fractions",
     "transform_pairs",
     "truncated_series",
+    "vanishing_factors",
     "weighted_input",
     "with_integrators",
 ]

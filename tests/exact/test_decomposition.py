@@ -7,7 +7,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import eigenvalues, jordan_block, unimodular
 
-from solver.exact import controllable_decomposition, kalman_decomposition, observable_decomposition, rank_conditions
+from solver.exact import (
+    controllable_decomposition,
+    controllable_part,
+    kalman_decomposition,
+    observable_decomposition,
+    rank_conditions,
+)
 
 a, b = sp.symbols("a b")
 M = sp.ImmutableMatrix
@@ -50,6 +56,19 @@ def test_the_controllable_part_is_all_that_the_input_reaches(plant):
     assert found.input_block(1).is_zero_matrix
     assert rank_of_reached(found.block(0, 0), found.input_block(0)) == r if r else True
     assert found.trivial == (r == A.rows) == (sp.eye(A.rows) == found.T and r == A.rows)
+
+
+@settings(max_examples=25, deadline=None)
+@given(plants())
+def test_single_states_may_stand_for_what_the_input_does_not_reach(plant):
+    A, B, _ = plant
+    found, other = controllable_part(A, B), controllable_decomposition(A, B)
+    assert found.orders == other.orders
+    assert found.bases[0] == other.bases[0]
+    assert found.T * found.A == A * found.T
+    assert found.T * found.B == B
+    assert found.block(1, 0).is_zero_matrix
+    assert all(sorted(unit) == [0] * (A.rows - 1) + [1] for unit in found.bases[1].T.tolist())
 
 
 @settings(max_examples=25, deadline=None)

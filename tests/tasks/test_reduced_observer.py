@@ -135,6 +135,8 @@ def test_random_plants_are_solved_or_refused_for_a_reason(plant, paired):
     poles = [R(-1, 2) + R(1, 3) * I, R(-1, 2) - R(1, 3) * I][: 2 * (paired and q >= 2)]
     poles += [R(-1, k + 2) for k in range(q - len(poles))]
     seen = M.vstack(*(plant.C * plant.A**k for k in range(n))).rank()
+    # a hidden eigenvalue that is asked for by chance is no reason to refuse
+    assume(seen == n or all((plant.A - pole * sp.eye(n)).det() != 0 for pole in poles))
     result = ask("reduced_observer", plant, poles=poles)
     if seen == n:
         assert result.status is Status.VERIFIED, result.reason

@@ -8,7 +8,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.design.tracking import at_rest
-from solver.exact.linear_algebra.fields import collected, domain_matrix, matrix_of
+from solver.exact.linear_algebra.fields import collected, domain_matrix, matrix_of, vanishing_factors
 
 
 class NoSetPoint(Exception):  # noqa: N818 - a finding
@@ -36,6 +36,11 @@ class SetPoint:
     def right(self) -> sp.ImmutableMatrix:
         """[0; I], the right side of the equations ((n+p)×p)."""
         return held(self.F.rows, self.F.cols)
+
+    @property
+    def stacked(self) -> sp.ImmutableMatrix:
+        """[F; N], the solution of the equations ((n+m)×p)."""
+        return sp.ImmutableMatrix(self.F.col_join(self.N))
 
     @property
     def unique(self) -> bool:
@@ -87,8 +92,4 @@ def _least(M: DomainMatrix, right: DomainMatrix, rank: int) -> DomainMatrix:
 
 def _exceptions(M: DomainMatrix) -> tuple[sp.Basic, ...]:
     """Where the determinant of a square M vanishes."""
-    det = M.domain.to_sympy(M.det())
-    if not det.free_symbols:
-        return ()
-    powers = sp.factor(sp.numer(sp.together(det))).as_powers_dict()
-    return tuple(sp.Eq(factor, 0) for factor in powers if factor.free_symbols and not factor.is_nonzero)
+    return tuple(sp.Eq(factor, 0) for factor in vanishing_factors(M.domain.to_sympy(M.det())))

@@ -1,4 +1,4 @@
-"""What inputs reach, in coordinates that show it, and one input in place of several."""
+"""One input in place of several, and the gain of the part that it reaches."""
 
 from __future__ import annotations
 
@@ -9,67 +9,20 @@ from itertools import product
 import sympy as sp
 
 from solver.exact.design.placement import combine
-from solver.exact.linear_algebra.fields import domain_matrix
-from solver.exact.linear_algebra.matrices import inverse, multiply
-from solver.exact.structure.controllability import controllability_matrix
-
-
-@dataclass(frozen=True)
-class ControllablePart:
-    """Coordinates x = T ξ in which A is [[A_c, *], [0, A_u]] and B is [[B_c], [0]]; `order` r is the size of A_c.
-
-    The first r columns of T are columns of the controllability matrix, the others the unit vectors of the coordinates
-    `free`; so the entries of K = [K_c, κ] T⁻¹ at these places are those of κ.
-    """
-
-    T: sp.ImmutableMatrix
-    inverse: sp.ImmutableMatrix
-    A: sp.ImmutableMatrix
-    B: sp.ImmutableMatrix
-    order: int
-    free: tuple[int, ...]
-
-    @property
-    def A_c(self) -> sp.ImmutableMatrix:
-        """The controllable block (r×r)."""
-        return self.A[: self.order, : self.order]
-
-    @property
-    def B_c(self) -> sp.ImmutableMatrix:
-        """The input of the controllable block (r×m)."""
-        return self.B[: self.order, :]
-
-    @property
-    def A_u(self) -> sp.ImmutableMatrix:
-        """The block that the input does not reach (n−r × n−r)."""
-        return self.A[self.order :, self.order :]
-
-
-def controllable_part(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> ControllablePart:
-    """Decompose (A, B), for general parameters; r may be 0 or n."""
-    n = A.rows
-    reach = controllability_matrix(A, B)
-    columns = tuple(domain_matrix(reach).rref()[1])
-    basis = reach[:, list(columns)]
-    rows = tuple(domain_matrix(basis).transpose().rref()[1]) if columns else ()
-    free = tuple(i for i in range(n) if i not in rows)
-    units = sp.eye(n)[:, list(free)]
-    T = sp.ImmutableMatrix(sp.Matrix.hstack(sp.Matrix(basis), units))
-    back = inverse(T)
-    return ControllablePart(T, back, multiply(multiply(back, A), T), multiply(back, B), len(columns), free)
+from solver.exact.structure.controllability import reachable_order
+from solver.exact.structure.decomposition import Decomposition
 
 
 def lifted_gain(
-    part: ControllablePart, k_c: sp.ImmutableMatrix, unknowns: Sequence[sp.Symbol]
+    part: Decomposition, k_c: sp.ImmutableMatrix, unknowns: Sequence[sp.Symbol]
 ) -> tuple[sp.ImmutableMatrix, tuple[sp.Symbol, ...]]:
-    """Return k = [k_c, κ] T⁻¹ (1×n) with the unknowns of the coordinates `free` for κ, and these unknowns."""
-    free = tuple(unknowns[j] for j in part.free)
-    return combine([*k_c.flat(), *free], part.inverse), free
+    """Return k = [k_c, κ] T⁻¹ (1×n) for a `controllable_part`, and κ: the unknowns at the places of its unit vectors.
 
-
-def reachable_order(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> int:
-    """Return the rank of the controllability matrix (for general parameters)."""
-    return int(domain_matrix(controllability_matrix(A, B)).rank())
+    They are the entries of k at these places too.
+    """
+    units = part.bases[1]
+    free = tuple(unknowns[units[:, j].flat().index(1)] for j in range(units.cols))
+    return combine([*k_c.flat(), *free], part.T_inverse), free
 
 
 @dataclass(frozen=True)

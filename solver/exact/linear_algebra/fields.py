@@ -162,6 +162,14 @@ def in_sines(radicand: sp.Expr) -> sp.Expr:
     return sp.expand(radicand).subs(squares) if squares else radicand
 
 
+def vanishing_factors(value: sp.Expr) -> list[sp.Expr]:
+    """The factors of the numerator that contain parameters and are not known to differ from zero."""
+    if not value.free_symbols:
+        return []
+    factors = sp.factor(sp.numer(sp.together(in_sines(whole_angles(value))))).as_powers_dict()
+    return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]
+
+
 def is_negative(radicand: sp.Expr) -> bool | None:
     """Whether the radicand is negative (for general parameters); None where the assumptions do not decide."""
     factored = sp.factor(in_sines(radicand)) if radicand.free_symbols else radicand

@@ -20,10 +20,9 @@ from solver.exact.linear_algebra.fields import (
     NotExact,
     expression,
     in_powers,
-    in_sines,
     is_negative,
     square_root,
-    whole_angles,
+    vanishing_factors,
 )
 
 DIGITS = 30
@@ -236,15 +235,6 @@ def _exceptions(factors: list[sp.Poly]) -> tuple[sp.Basic, ...]:
         if p.degree() > 1:
             conditions.append(p.discriminant())
         for condition in conditions:
-            for factor in _vanishing_factors(condition.as_expr() if isinstance(condition, sp.Poly) else condition):
+            for factor in vanishing_factors(condition.as_expr() if isinstance(condition, sp.Poly) else condition):
                 found[sp.Eq(factor, 0)] = None
     return tuple(found)
-
-
-def _vanishing_factors(condition: sp.Expr) -> list[sp.Expr]:
-    """The factors of the numerator that contain parameters and are not known to differ from zero."""
-    if not condition.free_symbols:
-        return []
-    condition = in_sines(whole_angles(condition))
-    factors = sp.factor(sp.numer(sp.together(condition))).as_powers_dict()
-    return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]

@@ -22,6 +22,11 @@ def controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMa
     return matrix_of(blocks[0].hstack(*blocks[1:]))
 
 
+def reachable_order(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> int:
+    """Return the rank of the controllability matrix (for general parameters)."""
+    return int(domain_matrix(controllability_matrix(A, B)).rank())
+
+
 def _integer_controllability_matrix(A: Sequence[sp.Rational], B: Sequence[sp.Rational], m: int) -> sp.ImmutableMatrix:
     n = len(B) // m
     (F, f), (G, h) = integer_rows(A, n), integer_rows(B, m)

@@ -142,6 +142,18 @@ def controllable_decomposition(A: sp.MatrixBase, B: sp.MatrixBase, C: sp.MatrixB
     return plant.in_bases(reached, _null_space(reached.transpose()), reached=reached)
 
 
+def controllable_part(A: sp.MatrixBase, B: sp.MatrixBase) -> Decomposition:
+    """The controllable decomposition with unit vectors in place of the orthogonal complement; raises NotExact.
+
+    What is not reached is then shown by single states, and a gain may act on these as it likes.
+    """
+    plant = _Plant(A, B, None)
+    reached = _independent(plant.reachable())
+    rows = _pivots(reached.transpose()) if reached.shape[1] else ()
+    others = [i for i in range(plant.n) if i not in rows]
+    return plant.in_bases(reached, _columns(DomainMatrix.eye(plant.n, plant.K).to_dense(), others))
+
+
 def observable_decomposition(A: sp.MatrixBase, B: sp.MatrixBase | None, C: sp.MatrixBase) -> Decomposition:
     """Return A = [[A_o, 0], [A₂₁, A_ō]], C = [C_o, 0] (A n×n, B n×m, C p×n); raises NotExact.
 

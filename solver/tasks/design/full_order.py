@@ -12,9 +12,8 @@ from solver.derivation.stated import determinant, difference, product, transpose
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.design.frames import Placement, characteristic
-from solver.tasks.design.observer_gain import decays
+from solver.tasks.design.observer_gain import number_fault, require_decay
 from solver.tasks.design.placement import place
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -26,23 +25,15 @@ def observer_pole_faults(system: StateSpace, poles: Sequence[Expr], option: str 
     """What is wrong with the number of poles of an observer of full order."""
     if system.C is None:
         return
-    n, seen = system.order, exact.controllable_part(system.A.T, system.C.T).order
-    if len(poles) not in (n, seen):
-        part = "" if seen == n else f" (or the {seen} of the observable part)"
-        given = f"{len(poles)} pole{' is' if len(poles) == 1 else 's are'} given"
-        yield option, f"{given}; the observer has order n = {n} and needs as many{part}"
+    n, seen = system.order, exact.reachable_order(system.A.T, system.C.T)
+    if fault := number_fault(poles, f"n = {n}", n, seen):
+        yield option, fault
 
 
 def require_detectable(A: ImmutableMatrix, C: ImmutableMatrix, *, discrete: bool) -> None:
     """Raise Unsolved where a part of the error that no gain reaches does not decay."""
     modes = exact.observable_decomposition(A, None, C).hidden_modes
-    growing = next((mode for mode in modes if decays(mode, discrete=discrete) is False), None)
-    if growing is not None:
-        inside = r"$|\lambda| < 1$" if discrete else r"$\operatorname{Re}\lambda < 0$"
-        raise Unsolved(
-            f"The plant is not detectable: its eigenvalue $\\lambda = {formula(growing)}$ is unobservable, so no gain "
-            f"moves it, and it does not have {inside}. The estimation error would not decay."
-        )
+    require_decay(modes, "The plant is not detectable: its", discrete=discrete)
 
 
 @lemma("observer")

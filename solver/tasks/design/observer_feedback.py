@@ -102,7 +102,7 @@ def _faults_of_numbers(system: Any, options: Mapping[str, Any]) -> Iterator[tupl
     plant, n = measuring(system), system.order
     poles, L = options.get("observer_poles"), options.get("observer_gain")
     if options.get("poles") is not None:
-        reached = exact.controllable_part(plant.A, plant.B).order
+        reached = exact.reachable_order(plant.A, plant.B)
         if len(options["poles"]) not in (n, reached):
             part = "" if reached == n else f" (or the {reached} of the controllable part)"
             yield "poles", f"{len(options['poles'])} poles are given; the state feedback needs n = {n}{part}"

@@ -1,4 +1,4 @@
-"""The gain L that gives A − LC the eigenvalues asked for, for a pair (A, C) that may go by other names."""
+"""The gain L that gives A − LC the eigenvalues asked for, for a pair (A, C) of blocks that go by other names."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.stated import determinant, difference, power, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.design.comparison import compared
 from solver.words import formula
 
 if TYPE_CHECKING:
@@ -22,9 +23,9 @@ class Pair:
 
     A: ImmutableMatrix
     C: ImmutableMatrix
-    A_name: str = "A"
-    C_name: str = "C"
-    discrete: bool = False
+    A_name: str
+    C_name: str
+    discrete: bool
 
     @property
     def n(self) -> int:
@@ -43,11 +44,10 @@ class Pair:
 
 @dataclass(frozen=True)
 class Gain:
-    """The gain L (n×p), the polynomial det(xI − A + LC) and, of one output, the same with unknown entries of L."""
+    """The gain L (n×p), the polynomial det(xI − A + LC), and its roots that no gain moves."""
 
     L: ImmutableMatrix
     polynomial: Expr
-    unknown: Expr | None
     fixed: tuple[Expr, ...]
 
 
@@ -59,9 +59,8 @@ def gain_of(pair: Pair, poles: Sequence[Expr]) -> Derivation[Gain]:
     """
     hidden = yield from _what_is_seen(pair)
     desired = yield from _desired(pair, poles, hidden)
-    unknown = None
     if pair.C.rows == 1:
-        L, unknown = yield from _by_coefficients(pair, pair.C, pair.A, desired, hidden)
+        L = yield from _by_coefficients(pair, pair.C, pair.A, desired, hidden)
     elif not hidden and len(exact.independent_columns(pair.C)) == pair.n:
         L = yield from _by_choice(pair, poles)
     else:
@@ -77,7 +76,7 @@ def gain_of(pair: Pair, poles: Sequence[Expr]) -> Derivation[Gain]:
         pair=pair,
         L=L,
     )
-    return Gain(L, desired, unknown, tuple(hidden))
+    return Gain(L, desired, tuple(hidden))
 
 
 def _pencil(M: ImmutableMatrix, x: Symbol) -> ImmutableMatrix:
@@ -96,7 +95,7 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
     if p == 1:
         det = exact.determinant_and_adjugate(O)[0]
         claims["determinant"] = Claim(determinant(O), det, "determinant of the observability matrix")
-        exceptions = zeros_of(O)
+        exceptions = exact.vanishing_factors(det)
     parts = exact.observable_decomposition(A, None, C)
     yield Step(
         "pair",
@@ -111,7 +110,6 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
     if parts.trivial:
         return []
     N, block, modes = parts.bases[1], parts.block(1, 1), parts.hidden_modes
-    kept = [decays(mode, discrete=pair.discrete) for mode in modes]
     yield Step(
         "hidden",
         claims={
@@ -122,23 +120,30 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
         N=N,
         block=block,
         modes=modes,
-        undecided=None in kept,
+        undecided=any(decays(mode, discrete=pair.discrete) is None for mode in modes),
     )
-    if False in kept:
-        unit = r"$|\lambda| < 1$" if pair.discrete else r"$\operatorname{Re}\lambda < 0$"
-        raise Unsolved(
-            f"The pair $({pair.A_name}, {pair.C_name})$ is not detectable: the eigenvalue "
-            f"$\\lambda = {formula(modes[kept.index(False)])}$ is unobservable, so no gain moves it, and it does not "
-            f"have {unit}. The estimation error would not decay."
-        )
+    require_decay(modes, f"The pair $({pair.A_name}, {pair.C_name})$ is not detectable: the", discrete=pair.discrete)
     return list(modes)
 
 
-def zeros_of(M: ImmutableMatrix) -> list[Expr]:
-    """The factors of det M that hold parameters and may vanish."""
-    det, _ = exact.determinant_and_adjugate(M)
-    factors = sp.factor(sp.numer(sp.together(det))).as_powers_dict() if det.free_symbols else {}
-    return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]
+def require_decay(modes: Sequence[Expr], whose: str, *, discrete: bool) -> None:
+    """Raise Unsolved where an unobservable mode does not decay; `whose` begins the sentence about its eigenvalue."""
+    growing = next((mode for mode in modes if decays(mode, discrete=discrete) is False), None)
+    if growing is not None:
+        inside = r"$|\lambda| < 1$" if discrete else r"$\operatorname{Re}\lambda < 0$"
+        raise Unsolved(
+            f"{whose} eigenvalue $\\lambda = {formula(growing)}$ is unobservable, so no gain moves it, and it does not "
+            f"have {inside}. The estimation error would not decay."
+        )
+
+
+def number_fault(poles: Sequence[Expr], order: str, own: int, seen: int) -> str:
+    """What is wrong with the number of poles; right are `own`, the order of the observer, and the `seen` among them."""
+    if len(poles) in (own, seen):
+        return ""
+    part = "" if seen == own else f" (or the {seen} of the observable part)"
+    given = f"{len(poles)} pole{' is' if len(poles) == 1 else 's are'} given"
+    return f"{given}; the observer has order {order} and needs as many{part}"
 
 
 def decays(mode: Expr, *, discrete: bool) -> bool | None:
@@ -165,8 +170,8 @@ def _desired(pair: Pair, poles: Sequence[Expr], hidden: Sequence[Expr]) -> Deriv
 
 def _by_coefficients(
     pair: Pair, c: ImmutableMatrix, A: ImmutableMatrix, desired: Expr, hidden: Sequence[Expr], combined: str = ""
-) -> Derivation[tuple[ImmutableMatrix, Expr]]:
-    """det(xI − A + lc) with unknown l has the coefficients asked for; returns l (n×1) and that polynomial.
+) -> Derivation[ImmutableMatrix]:
+    """det(xI − A + lc) with unknown l has the coefficients asked for; returns l (n×1).
 
     `combined` is the name of A where c is not the C of the pair but a combination of its rows.
     """
@@ -174,7 +179,6 @@ def _by_coefficients(
     unknowns = sp.symbols(f"l1:{n + 1}")
     l = sp.ImmutableMatrix(unknowns)
     unknown = exact.loop_coefficients(A.T, c.T, sp.ImmutableMatrix([unknowns]), unknowns)[1:]
-    wanted = sp.Poly(desired, x).all_coeffs()[1:]
     error = sp.ImmutableMatrix(A - l * c)
     powers = [(entry, x ** (n - 1 - k)) for k, entry in enumerate(unknown)]
     shown = total(x**n, *(product(entry, power_) for entry, power_ in powers if entry != 0))
@@ -188,23 +192,19 @@ def _by_coefficients(
         combined=combined,
         n=n,
     )
-    M, constant = exact.affine(unknown, unknowns)
-    right = [exact.tidy(d - a) for d, a in zip(wanted, constant, strict=True)]
-    solution = exact.solve_affine(M, right, unknowns)
-    if solution.residue:
+    found = compared(unknown, sp.Poly(desired, x).all_coeffs()[1:], unknowns)
+    if found.solution.residue:
         raise Unsolved(_not_reached(pair, hidden))
-    values = [exact.tidy(value.subs(dict.fromkeys(unknowns, 0))) for value in solution.values]
-    L = sp.ImmutableMatrix(values)
-    stated = total(sp.ImmutableMatrix(constant), product(M, L))
+    values = [exact.tidy(value.subs(dict.fromkeys(unknowns, 0))) for value in found.solution.values]
     yield Step(
         "compare",
-        claims={"equations": Claim(stated, sp.ImmutableMatrix(wanted), "equations for the gain")},
-        equations=list(zip(unknown, wanted, strict=True)),
+        claims={"equations": found.claim(values)},
+        equations=found.equations,
         solution=list(zip(unknowns, values, strict=True)),
-        free=[unknowns[j] for j in solution.free],
+        free=found.free,
         pair=pair,
     )
-    return L, sp.Add(x**n, *(entry * power_ for entry, power_ in powers))
+    return sp.ImmutableMatrix(values)
 
 
 def _not_reached(pair: Pair, hidden: Sequence[Expr]) -> str:
@@ -248,7 +248,7 @@ def _by_one_combination(pair: Pair, desired: Expr, hidden: Sequence[Expr]) -> De
     if L0 is not None:
         claims["shifted"] = Claim(difference(pair.A, product(L0, pair.C)), A0, "error matrix after the first gain")
     yield Step("combination", claims=claims, pair=pair, q=q, L0=L0, A0=A0)
-    l, _ = yield from _by_coefficients(pair, c, A0, desired, hidden, pair.A_name if L0 is None else "A_0")
+    l = yield from _by_coefficients(pair, c, A0, desired, hidden, pair.A_name if L0 is None else "A_0")
     L = sp.ImmutableMatrix(l * q if L0 is None else L0 + l * q)
     stated = product(l, q) if L0 is None else total(L0, product(l, q))
     yield Step("combined_gain", claims={"gain": Claim(stated, L, "gain of all outputs")}, pair=pair, first=L0)

@@ -65,14 +65,14 @@ def place(
     loop = plant if reduction.preliminary is None else sp.ImmutableMatrix(plant - inputs * reduction.preliminary)
     b = sp.ImmutableMatrix(inputs * reduction.g)
     pair = Pair(frame.reduced(shifted=reduction.preliminary is not None), loop, b, x, desired, poles)
-    part = yield from _controllability(pair)
+    order = yield from _controllability(pair)
     if method == "coefficient_matching":
         found = yield from matched(pair, wanted.row, wanted.unknowns)
-    elif part.order == plant.rows:
+    elif order == plant.rows:
         k = yield from METHODS[method](pair)
         found = Placement(k, loop, exact.polynomial_in(x, desired))
     else:
-        found = yield from _part_placed(pair, part, poles, method)
+        found = yield from _part_placed(pair, poles, method)
     K = yield from _all_inputs(pair.frame, reduction, found.K)
     yield from closed_loop_of(frame, plant, inputs, K, found.polynomial, x)
     gain_polynomial = None if frame.several else found.gain_polynomial
@@ -105,8 +105,8 @@ def _one_input(frame: Frame, A: ImmutableMatrix, B: ImmutableMatrix) -> Derivati
 
 
 @lemma("placement")
-def _controllability(pair: Pair) -> Derivation[exact.ControllablePart]:
-    """The matrix [b, Ab, …, Aⁿ⁻¹b], its columns and its determinant; a lower rank than n is worth a step later."""
+def _controllability(pair: Pair) -> Derivation[int]:
+    """The matrix [b, Ab, …, Aⁿ⁻¹b], its columns, its determinant and its rank; one below n is worth a step later."""
     frame, A, b, n = pair.frame, pair.A, pair.b, pair.A.rows
     C_o = exact.controllability_matrix(A, b)
     line = f"{'row' if frame.dual else 'column'} {{}} of the {'observ' if frame.dual else 'controll'}ability matrix"
@@ -118,21 +118,22 @@ def _controllability(pair: Pair) -> Derivation[exact.ControllablePart]:
     }
     det = exact.determinant_and_adjugate(C_o)[0]
     claims["determinant"] = Claim(determinant(frame.shown(C_o)), det, "its determinant")
-    part = exact.controllable_part(A, b)
-    yield Step("controllability", claims=claims, C_o=frame.shown(C_o), det=det, order=part.order, n=n, **pair.flags)
-    if part.order == 0:
+    order = exact.reachable_order(A, b)
+    yield Step("controllability", claims=claims, C_o=frame.shown(C_o), det=det, order=order, n=n, **pair.flags)
+    if order == 0:
         raise Unsolved(
             "The output shows nothing of the state." if frame.dual else "The input does not act on the state at all."
         )
-    return part
+    return order
 
 
 @lemma("placement")
-def _part_placed(pair: Pair, part: exact.ControllablePart, poles: Sequence[Expr], method: str) -> Derivation[Placement]:
+def _part_placed(pair: Pair, poles: Sequence[Expr], method: str) -> Derivation[Placement]:
     """Place the poles of the controllable part; the others stay where they are."""
-    frame, x, r = pair.frame, pair.x, part.order
-    shown = frame.shown
-    fixed_chi = exact.faddeev_leverrier(part.A_u).coefficients
+    frame, x, part = pair.frame, pair.x, exact.controllable_part(pair.A, pair.b)
+    shown, r, A_c, A_u = frame.shown, part.orders[0], part.block(0, 0), part.block(1, 1)
+    b, b_c = sp.ImmutableMatrix(part.B), sp.ImmutableMatrix(part.input_block(0))
+    fixed_chi = exact.faddeev_leverrier(A_u).coefficients
     fixed = exact.roots_of(fixed_chi)
     yield Step(
         "decomposition",
@@ -140,13 +141,13 @@ def _part_placed(pair: Pair, part: exact.ControllablePart, poles: Sequence[Expr]
             "A": Claim(
                 frame.times(inverse(shown(part.T)), shown(pair.A), shown(part.T)), shown(part.A), r"$T^{-1} A T$"
             ),
-            "B": Claim(frame.times(inverse(shown(part.T)), shown(pair.b)), shown(part.B), r"$T^{-1} b$"),
-            "fixed": Claim(characteristic(shown(part.A_u), x), linear_factors(x, fixed), "fixed modes"),
+            "B": Claim(frame.times(inverse(shown(part.T)), shown(pair.b)), shown(b), r"$T^{-1} b$"),
+            "fixed": Claim(characteristic(shown(A_u), x), linear_factors(x, fixed), "fixed modes"),
         },
         T=shown(part.T),
-        A_c=shown(part.A_c),
-        b_c=shown(part.B_c),
-        A_u=shown(part.A_u),
+        A_c=shown(A_c),
+        b_c=shown(b_c),
+        A_u=shown(A_u),
         fixed=fixed,
         order=r,
         **pair.flags,
@@ -162,10 +163,10 @@ def _part_placed(pair: Pair, part: exact.ControllablePart, poles: Sequence[Expr]
         all_given=len(poles) == pair.A.rows,
         **pair.flags,
     )
-    inner = Pair(frame.part(), part.A_c, part.B_c, x, desired, poles)
+    inner = Pair(frame.part(), A_c, b_c, x, desired, poles)
     k_c = yield from METHODS[method](inner)
     k, free = exact.lifted_gain(part, k_c, pair.unknowns)
-    stretched = sp.ImmutableMatrix([[*k_c.flat(), *(k[j] for j in part.free)]])
+    stretched = sp.ImmutableMatrix([[*k_c.flat(), *free]])
     yield Step(
         "lift",
         claims={"gain": Claim(frame.times(shown(stretched), inverse(shown(part.T))), shown(k), "original coordinates")},

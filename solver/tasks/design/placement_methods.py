@@ -9,6 +9,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.stated import difference, inverse, power, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import Pair, Placement, characteristic, movable_poles
 
 if TYPE_CHECKING:
@@ -212,25 +213,21 @@ def _equated(
     pair: Pair, coefficients: Sequence[Expr], desired: Sequence[Expr], unknowns: Sequence[Symbol]
 ) -> Derivation[exact.Solution]:
     """Coefficient by coefficient: linear equations for the unknowns, and their solution."""
-    M, constant = exact.affine(coefficients[1:], unknowns)
-    right = [exact.tidy(d - c) for d, c in zip(desired[1:], constant, strict=True)]
-    solution = exact.solve_affine(M, right, unknowns)
+    found = compared(coefficients[1:], desired[1:], unknowns)
+    solution = found.solution
     yield Step(
         "equations",
         unclaimed="the equations define the gain; they are checked when it is found",
-        equations=list(zip(coefficients[1:], desired[1:], strict=True)),
+        equations=found.equations,
         **pair.flags,
     )
     if solution.residue:
         raise Unsolved("The equations for the unknowns contradict each other: no such gain places these poles.")
-    values = sp.ImmutableMatrix(len(unknowns), 1, list(solution.values))
-    stated = total(sp.ImmutableMatrix(len(constant), 1, constant), product(M, values))
-    claim = Claim(stated, sp.ImmutableMatrix(len(constant), 1, list(desired[1:])), "equations for the gain")
     yield Step(
         "solution",
-        claims={"equations": claim},
+        claims={"equations": found.claim(solution.values)},
         found=[(u, value) for u, value in zip(unknowns, solution.values, strict=True) if u != value],
-        free=[unknowns[j] for j in solution.free],
+        free=found.free,
         **pair.flags,
     )
     return solution

@@ -10,7 +10,7 @@ from solver.derivation.figures import Diagram
 from solver.derivation.stated import Stated, determinant, difference, inverse, partitioned, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.tasks.design.observer_gain import Gain, Pair, gain_of, zeros_of
+from solver.tasks.design.observer_gain import Gain, Pair, gain_of, number_fault
 from solver.tasks.design.plants import Plant
 
 if TYPE_CHECKING:
@@ -30,14 +30,9 @@ def measurement_fault(plant: Plant) -> str:
 def pole_faults(plant: Plant, poles: Sequence[Expr]) -> Iterator[tuple[str, str]]:
     """A number of poles that fits neither the unmeasured states nor those of them that the output shows."""
     n, p = plant.n, plant.p
-    seen = exact.controllable_part(plant.A.T, plant.C.T).order
-    if len(poles) not in (n - p, seen - p):
-        observable = "" if seen == n else f" (or the {seen - p} of the observable part)"
-        yield (
-            "poles",
-            f"{len(poles)} {'pole is' if len(poles) == 1 else 'poles are'} given; the observer has order "
-            f"n − p = {n} − {p} = {n - p} and needs as many{observable}",
-        )
+    seen = exact.reachable_order(plant.A.T, plant.C.T)
+    if fault := number_fault(poles, f"n − p = {n} − {p} = {n - p}", n - p, seen - p):
+        yield "poles", fault
 
 
 def _column(names: Iterable[str]) -> ImmutableMatrix:
@@ -64,7 +59,7 @@ def partition_of(plant: Plant) -> Derivation[exact.Partition]:
         permutation=parts.permutation,
         measured=_column(names[row.index(1)] for row in C.tolist()) if parts.permutation else None,
         unmeasured=_column(names[j] for j in parts.unmeasured),
-        exceptions=zeros_of(parts.Q),
+        exceptions=exact.vanishing_factors(exact.determinant_and_adjugate(parts.Q)[0]),
         D=None if plant.plain else plant.D,
     )
     yield Step(

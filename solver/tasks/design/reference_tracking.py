@@ -18,13 +18,13 @@ from solver.derivation import (
     Task,
     Unsolved,
 )
-from solver.derivation.stated import determinant, difference, inverse, product, rank, total, transpose
+from solver.derivation.stated import determinant, difference, inverse, product, rank, total
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
-from solver.tasks.design.set_point import feedthrough
+from solver.tasks.design.set_point import feedthrough, least_solution
 from solver.tasks.freedom import gain_is_free, more_inputs_than_outputs, reference_gain_is_free
 
 if TYPE_CHECKING:
@@ -92,16 +92,15 @@ def steady_state_of(
         raise Unsolved(_no_steady_state(m, p, discrete=discrete))
     steady = exact.set_point(A, B, C, D, discrete=discrete)
     if not steady.unique:
-        solution = product(transpose(M), inverse(product(M, transpose(M))), steady.right)
+        solution = least_solution(steady)
     elif not exact.is_singular(exact.at_rest(A, discrete=discrete)):
         yield from _through_the_inverse(A, B, C, D, steady, discrete=discrete)
         return steady.F, steady.N
     else:
         solution = product(inverse(M), steady.right)
-    stacked = sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix(steady.F), sp.Matrix(steady.N)))
     yield Step(
         "solution",
-        claims={"solution": Claim(solution, stacked, "solution of the equations of the steady state")},
+        claims={"solution": Claim(solution, steady.stacked, "solution of the equations of the steady state")},
         F=steady.F,
         N=steady.N,
         unique=steady.unique,

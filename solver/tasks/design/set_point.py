@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import determinant, inverse, product, total, transpose
+from solver.derivation.stated import Stated, determinant, inverse, product, total, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 
@@ -60,16 +60,14 @@ def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
     except exact.NoSetPoint as finding:
         raise Unsolved(_no_set_point(finding.rank, n, m, p, discrete=plant.discrete)) from finding
     M, right = found.matrix, found.right
-    stacked = sp.ImmutableMatrix(found.F.col_join(found.N))
     square = m == p and found.unique
-    claims = {"solution": Claim(product(M, stacked), right, "the set point")}
+    claims = {"solution": Claim(product(M, found.stacked), right, "the set point")}
     if square:
         claims["determinant"] = Claim(
             determinant(M), exact.determinant_and_adjugate(M)[0], "determinant of the equations"
         )
     elif found.rank == n + p:
-        least = product(transpose(M), inverse(product(M, transpose(M))), right)
-        claims["least"] = Claim(least, stacked, "the least solution")
+        claims["least"] = Claim(least_solution(found), found.stacked, "the least solution")
     yield Step(
         "set_point",
         claims=claims,
@@ -87,6 +85,12 @@ def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
         exceptions=found.exceptions,
     )
     return found
+
+
+def least_solution(found: exact.SetPoint) -> Stated:
+    """Mᵀ(MMᵀ)⁻¹ [0; I] as stated, for a matrix M of independent rows."""
+    M = found.matrix
+    return product(transpose(M), inverse(product(M, transpose(M))), found.right)
 
 
 def _no_set_point(rank: int, n: int, m: int, p: int, *, discrete: bool) -> str:
