@@ -6,7 +6,8 @@ so it is at most τ if and only if the entry agrees to τ relative to its own si
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -90,4 +91,14 @@ def _with_many_digits(sides: Sides, point: Point) -> tuple[float, int]:
             raise Undefined(f"the formula is not defined here ({trouble})") from trouble
         if settled[0] or residual[0] > TOLERANCE:  # more digits would change nothing
             break
+    if np.isnan(residual[0]):
+        if all(np.any(np.isinf(arithmetic.size(side.value))) for side in (left, right)):
+            raise Undefined("the values are too large to be compared")
+        return math.inf, digits
     return float(residual[0]), digits
+
+
+def worst_of(residuals: Iterable[float]) -> float:
+    """Return the largest residual; infinity if one is not a number, which `max` would pass over."""
+    found = list(residuals)
+    return math.inf if any(map(math.isnan, found)) else max(found)

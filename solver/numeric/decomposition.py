@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array
+from solver.numeric.compare import worst_of
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
 from solver.numeric.points import SEED, admissible, free_symbols
@@ -65,7 +66,7 @@ def separation_residual(part: str, T: Any, A: Any, B: Any, C: Any) -> float:
         return float("inf")
     if _separates(part, T, A, B, C):
         return 0.0
-    return max(_largest_sine(part, at(T, point), whole) for point, whole in references(part, A, B, C, [T]))
+    return worst_of(_largest_sine(part, at(T, point), whole) for point, whole in references(part, A, B, C, [T]))
 
 
 def _separates(part: str, T: Any, A: Any, B: Any, C: Any) -> bool:
@@ -178,14 +179,14 @@ def coordinates_residual(part: str, plant: tuple[Any, Any, Any], answers: Mappin
     A singular value of the conditions on T; infinite where shapes misfit or only singular T satisfy them.
     """
     pairs = references(part, *plant, others=list(answers.values()))
-    return max(misfit(whole, _mask(part, whole.orders), _at(answers, point)) for point, whole in pairs)
+    return worst_of(misfit(whole, _mask(part, whole.orders), _at(answers, point)) for point, whole in pairs)
 
 
 def visible_part_residual(part: str, plant: tuple[Any, Any, Any], answers: Mapping[str, Any]) -> float:
     """How far A, B, C (any of them) are from describing the first part of the decomposition in some coordinates."""
     pairs = references(part, *plant, others=list(answers.values()))
     k = pairs[0][1].orders[0]
-    return max(misfit(whole.visible, np.ones((k, k), dtype=bool), _at(answers, point)) for point, whole in pairs)
+    return worst_of(misfit(whole.visible, np.ones((k, k), dtype=bool), _at(answers, point)) for point, whole in pairs)
 
 
 def _at(answers: Mapping[str, Any], point: Any) -> dict[str, Array]:
@@ -206,7 +207,7 @@ def hidden_polynomial_residual(part: str, plant: tuple[Any, Any, Any], modes: Se
             x = scale * complex(random.uniform(0.5, 1.5), random.uniform(0.5, 1.5))
             left = np.linalg.det(x * np.eye(n) - whole.A) / np.linalg.det(x * np.eye(k) - whole.A[:k, :k])
             right = np.prod(x - values)
-            worst = max(worst, float(abs(left - right) / max(abs(left), abs(right))))
+            worst = worst_of((worst, float(abs(left - right) / max(abs(left), abs(right)))))
     return worst
 
 

@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array, multiple
+from solver.numeric.compare import worst_of
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
 from solver.numeric.points import admissible, free_symbols
@@ -99,7 +100,7 @@ def chains_residual(A: Any, V: Any, *, rows: bool = False) -> float:
         return float("inf")
     if not independent(V.T if rows else V):
         return float("inf")
-    return max(_chains_at(A, V, point, rows=rows) for point in admissible(free_symbols([A, V]), 2))
+    return worst_of(_chains_at(A, V, point, rows=rows) for point in admissible(free_symbols([A, V]), 2))
 
 
 def _chains_at(A: Any, V: Any, point: Mapping[Any, complex], *, rows: bool) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import DOUBLE, Array
+from solver.numeric.compare import worst_of
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
 from solver.numeric.points import PointSource, free_symbols, whole_symbols
@@ -27,7 +28,7 @@ def matrix_function_residual(A: Any, function: Any, variable: Any, F: Any) -> fl
     symbols = (free_symbols(A) | free_symbols(F) | free_symbols(function)) - {variable}
     source = PointSource(symbols, whole_symbols(function, names={"k"}) - {variable})
     points = source.several(POINTS if symbols else 1)
-    return max(_residual_at(A, function, variable, F, point) for point in points)
+    return worst_of(_residual_at(A, function, variable, F, point) for point in points)
 
 
 def _residual_at(A: Any, function: Any, variable: Any, F: Any, point: Mapping[Any, complex]) -> float:

@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array, multiple
+from solver.numeric.compare import worst_of
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
 from solver.numeric.multiple_precision import determinant
@@ -57,7 +58,7 @@ def pole_residual(plant: Quadruple, poles: Sequence[Any]) -> float:
         small, _, _ = minimal_part(A, B, C)
         if len(poles) != len(small):
             return float("inf")
-        worst = max(worst, _difference(small, numbers_at(poles, point)))
+        worst = worst_of((worst, _difference(small, numbers_at(poles, point))))
     return worst
 
 
@@ -69,7 +70,7 @@ def cancelled_residual(plant: Quadruple, cancelled: Sequence[Any]) -> float:
         small, _, _ = minimal_part(A, B, C)
         if len(small) + len(cancelled) != len(A):
             return float("inf")
-        worst = max(worst, _difference(A, numbers_at(cancelled, point), small))
+        worst = worst_of((worst, _difference(A, numbers_at(cancelled, point), small)))
     return worst
 
 
@@ -88,7 +89,7 @@ def characteristic_residual(plant: Quadruple, candidate: Any) -> float:
         small, _, _ = minimal_part(A, B, C)
         if candidate.rows != candidate.cols or candidate.rows != len(small):
             return float("inf")
-        worst = max(worst, _difference(small, [], _value(candidate, point)))
+        worst = worst_of((worst, _difference(small, [], _value(candidate, point))))
     return worst
 
 
@@ -134,7 +135,7 @@ def _difference(A: Array, roots: Iterable[Any], factor: Array | None = None) -> 
         right = _shifted_determinant(factor, x) if factor is not None else MANY.number(1)
         for root in listed:
             right = right * (x - root)
-        worst = max(worst, float(abs(left - right) / max(abs(left), abs(right))))
+        worst = worst_of((worst, float(abs(left - right) / max(abs(left), abs(right)))))
     return worst
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array
+from solver.numeric.compare import worst_of
 from solver.numeric.placement import rational_points
 
 Fraction = tuple[Any, Any]
@@ -85,7 +86,7 @@ def realization_residual(matrices: Any, plant: Fraction, x: Any) -> float:
     for point in rational_points(*matrices, *(p.subs(x, 0) for p in plant)):
         for at in POINTS:
             expected = complex((plant[0] / plant[1]).subs({**point, x: at}))
-            worst = max(worst, abs(_transfer(matrices, point, at) - expected) / abs(expected))
+            worst = worst_of((worst, abs(_transfer(matrices, point, at) - expected) / abs(expected)))
     return worst
 
 
@@ -98,5 +99,5 @@ def matched_residual(matrices: Any, K: Any, target: Any, x: Any) -> float:
     worst = 0.0
     for point in rational_points(*matrices, K, target.subs(x, sp.Rational(1, 7))):
         ratios = [_transfer(loop, point, at) / complex(target.subs({**point, x: at})) for at in POINTS]
-        worst = max(worst, *(abs(ratio / ratios[0] - 1) for ratio in ratios))
+        worst = worst_of((worst, *(abs(ratio / ratios[0] - 1) for ratio in ratios)))
     return worst

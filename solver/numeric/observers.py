@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array
+from solver.numeric.compare import worst_of
 from solver.numeric.eigen import spectrum_residual
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import evaluate, value_of
@@ -20,7 +21,7 @@ def row_space_residual(X: Any, C: Any) -> float:
     """Return how far the rows of X (k×n) are from combinations of the rows of C (p×n), relative to their size."""
     if X.cols != C.cols:
         return float("inf")
-    return max(_row_space_residual_at(*values) for values in _at_points(X, C))
+    return worst_of(_row_space_residual_at(*values) for values in _at_points(X, C))
 
 
 def _row_space_residual_at(X: Array, C: Array) -> float:
@@ -36,7 +37,7 @@ def driven_error_residual(A: Any, C: Any, E: Any, J: Any, G: Any) -> float:
     q, n = E.shape
     if J.shape != (q, q) or G.shape != (q, n):
         return float("inf")
-    return max(_driven_error_at(*values) for values in _at_points(A, C, E, J, G))
+    return worst_of(_driven_error_at(*values) for values in _at_points(A, C, E, J, G))
 
 
 def _driven_error_at(A: Array, C: Array, E: Array, J: Array, G: Array) -> float:
@@ -67,7 +68,7 @@ def joined_spectrum_residual(found: Sequence[Any], groups: Sequence[Any]) -> flo
     for point in rational_points(list(found), *(M for group in groups for M in _members(group))):
         here = [(sp.Integer(0) + value).subs(point) for value in found]
         matrix = sp.ImmutableMatrix(sp.diag(*(_with_poles(group, point) for group in groups)))
-        worst = max(worst, spectrum_residual(matrix, here))
+        worst = worst_of((worst, spectrum_residual(matrix, here)))
     return worst
 
 
@@ -95,7 +96,7 @@ def closing_residual(plant: tuple[Any, ...], G: Any, x: Any, groups: Sequence[An
     for point in rational_points(*flat):
         here = [M.subs(point) for M in plant]
         loops = [_array(_with_poles(group, point)) for group in groups]
-        worst = max(worst, _closing_residual_at([_array(M) for M in here], G.subs(point), x, loops, order))
+        worst = worst_of((worst, _closing_residual_at([_array(M) for M in here], G.subs(point), x, loops, order)))
     return worst
 
 

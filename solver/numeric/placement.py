@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 
 from solver.derivation.stated import difference, product
+from solver.numeric.compare import worst_of
 from solver.numeric.eigen import spectrum_residual
 from solver.numeric.exponential import equality_residual
 from solver.numeric.points import SEED, admissible, free_symbols
@@ -42,7 +43,7 @@ def placed_matrix_residual(
         return spectrum_residual(loop, list(poles))
     worst = 0.0
     for point, listed in all_poles(A, B, poles, row, unknowns, loop):
-        worst = max(worst, spectrum_residual(sp.ImmutableMatrix(loop.subs(point)), listed))
+        worst = worst_of((worst, spectrum_residual(sp.ImmutableMatrix(loop.subs(point)), listed)))
     return worst
 
 
@@ -69,7 +70,7 @@ def roots_residual(
         here = polynomial.subs({symbol: value for symbol, value in point.items() if symbol != x})
         factors = product(*(difference(x, root) for root in listed))
         points = [{x: value} for value in (0.7 + 1.3j, -1.1 + 0.4j, 2.3 - 0.9j)]
-        worst = max(worst, equality_residual(factors, here, points))
+        worst = worst_of((worst, equality_residual(factors, here, points)))
     return worst
 
 
@@ -82,7 +83,7 @@ def range_residual(A: Any, B: Any, loop: Any) -> float:
         gap = np.array(sp.Matrix((A - loop).subs(point)).evalf(20).tolist(), dtype=complex)
         columns = np.array(B.subs(point).evalf(20).tolist(), dtype=complex)
         X = np.linalg.lstsq(columns, gap, rcond=None)[0]
-        worst = max(worst, float(np.max(np.abs(columns @ X - gap)) / max(1.0, np.max(np.abs(gap)))))
+        worst = worst_of((worst, float(np.max(np.abs(columns @ X - gap)) / max(1.0, np.max(np.abs(gap))))))
     return worst
 
 
@@ -98,7 +99,7 @@ def fit_residual(row: Any, unknowns: Sequence[Any], K: Any) -> float:
         columns, constant = (np.array(each.evalf(20).tolist(), dtype=complex) for each in (M, c))
         target = np.array(K.T.subs(point).evalf(20).tolist(), dtype=complex) + constant
         theta = np.linalg.lstsq(columns, target, rcond=None)[0]
-        worst = max(worst, float(np.max(np.abs(columns @ theta - target)) / max(1.0, np.max(np.abs(target)))))
+        worst = worst_of((worst, float(np.max(np.abs(columns @ theta - target)) / max(1.0, np.max(np.abs(target))))))
     return worst
 
 
@@ -154,7 +155,7 @@ def modes_residual(expected: Sequence[Any], found: Sequence[Any]) -> float:
         z = complex(sp.N(value))
         nearest = min(left, key=lambda other: abs(other - z))
         left.remove(nearest)
-        worst = max(worst, abs(nearest - z) / (1 + abs(z)))
+        worst = worst_of((worst, abs(nearest - z) / (1 + abs(z))))
     return worst
 
 
@@ -164,7 +165,7 @@ def fixed_modes_residual(A: Any, B: Any, found: Sequence[Any], row: Any = None, 
     for point in rational_points(A, B, list(found)):
         here = row.subs({s: v for s, v in point.items() if s not in unknowns}) if row is not None else None
         modes = fixed_modes(A.subs(point), B.subs(point), here, unknowns)
-        worst = max(worst, modes_residual(modes, [(sp.Integer(0) + value).subs(point) for value in found]))
+        worst = worst_of((worst, modes_residual(modes, [(sp.Integer(0) + value).subs(point) for value in found])))
     return worst
 
 

@@ -14,7 +14,7 @@ import sympy as sp
 from numpy.linalg import LinAlgError
 
 from solver.numeric.arithmetic import Array
-from solver.numeric.compare import Point
+from solver.numeric.compare import Point, worst_of
 from solver.numeric.evaluation import evaluate
 from solver.numeric.points import PointSource, free_symbols
 from solver.numeric.values import NotEvaluable, ShapeMismatch, Undefined
@@ -119,7 +119,7 @@ def relative(difference_: Array, *scales: Array) -> float:
 def worst(weights: Weights, judge: Callable[[Optimum], float], *others: Any) -> float:
     """Return the largest of a residual over the admissible points; infinite where a value is not real or defined."""
     try:
-        return max(judge(optimum) for optimum in optima(weights, others))
+        return worst_of(judge(optimum) for optimum in optima(weights, others))
     except Undefined:
         return float("inf")
 

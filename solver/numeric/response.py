@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from solver.derivation.stated import Stated, exponential, integral, product, total
+from solver.numeric.compare import worst_of
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
 from solver.numeric.exponential import equality_residual
@@ -165,4 +166,4 @@ def beginnings(inputs: Any, k: Any) -> list[Any]:
 def residual_of_pairs(pairs: Sequence[tuple[Any, Any]]) -> float:
     """Return the largest residual of several equalities, parameters at random values."""
     points = admissible(free_symbols([side for pair in pairs for side in pair]), 2)
-    return max(equality_residual(left, right, [dict(point) for point in points]) for left, right in pairs)
+    return worst_of(equality_residual(left, right, [dict(point) for point in points]) for left, right in pairs)

@@ -10,6 +10,7 @@ import sympy as sp
 
 from solver.derivation.stated import difference, inverse, product, total, transpose
 from solver.numeric.arithmetic import Array
+from solver.numeric.compare import worst_of
 from solver.numeric.evaluation import evaluate
 from solver.numeric.exponential import equality_residual
 from solver.numeric.points import PointSource, free_symbols
@@ -117,7 +118,7 @@ def _matched(stated: Array, given: Array) -> float:
     for row in stated:
         gaps = {k: _gap_up_to_factor(row, given[k]) for k in left}
         best = min(gaps, key=lambda k: gaps[k])
-        worst_gap = max(worst_gap, gaps[best])
+        worst_gap = worst_of((worst_gap, gaps[best]))
         left.remove(best)
     return worst_gap
 

@@ -9,6 +9,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
+from solver.numeric.compare import worst_of
 from solver.numeric.points import SEED
 from solver.numeric.values import NotEvaluable
 
@@ -124,7 +125,7 @@ def second_order_residual(
                 return float("inf")
             size = max(abs(each) for each in expected)
             gaps = [abs(a - b) / size for a, b in zip(values, expected, strict=True)]
-            worst = max(worst, *(float(gap) for gap in gaps))
+            worst = worst_of((worst, *(float(gap) for gap in gaps)))
     return worst
 
 

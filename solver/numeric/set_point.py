@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array
+from solver.numeric.compare import worst_of
 from solver.numeric.evaluation import evaluate
 from solver.numeric.points import admissible, free_symbols
 from solver.numeric.regulator import Weights, optima
@@ -26,13 +27,13 @@ def set_point_residual(M: Any, p: int, conditions: Sequence[Condition]) -> float
     """
     symbols = free_symbols(M).union(*(free_symbols(L) | free_symbols(V) for L, V in conditions))
     points = admissible(symbols, 2)
-    return max(_gap(_at(M, point), p, [(_at(L, point), _at(V, point)) for L, V in conditions]) for point in points)
+    return worst_of(_gap(_at(M, point), p, [(_at(L, point), _at(V, point)) for L, V in conditions]) for point in points)
 
 
 def reference_residual_at_optimum(weights: Weights, M: Any, p: int, K_o: Any) -> float:
     """Return the least relative residual of M X = [0; I] and [K, I] X = K_o with scipy's optimal K."""
     identity = np.eye(weights.B.cols)
-    return max(
+    return worst_of(
         _gap(_at(M, optimum.point), p, [(np.hstack([optimum.K, identity]), _at(K_o, optimum.point))])
         for optimum in optima(weights, (M, K_o))
     )

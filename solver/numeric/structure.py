@@ -17,7 +17,7 @@ from mpmath.libmp.libhyper import NoConvergence
 from sympy.polys.matrices import DomainMatrix
 
 from solver.numeric.arithmetic import Array, multiple
-from solver.numeric.compare import Point
+from solver.numeric.compare import Point, worst_of
 from solver.numeric.eigen import spectrum_residual
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
@@ -54,7 +54,7 @@ def hidden_modes_residual(A: Any, B: Any, modes: Sequence[Any]) -> float:
             return float("inf")
         if H.rows:
             here = [mode.xreplace(exact) for mode in modes]
-            worst = max(worst, spectrum_residual(H, here))
+            worst = worst_of((worst, spectrum_residual(H, here)))
     return worst
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import Array, equilibration
+from solver.numeric.compare import worst_of
 from solver.numeric.placement import rational_points
 from solver.numeric.values import NotEvaluable
 
@@ -55,9 +56,9 @@ def steady_residual(matrices: Matrices, known: Mapping[str, Any], *, discrete: b
     for point in rational_points(*matrices, *known.values()):
         M, right = _steady(matrices, point, discrete=discrete)
         if "F" in known:
-            worst = max(worst, _misfit(M[:, n:], right - M[:, :n] @ _floats(known["F"], point)))
+            worst = worst_of((worst, _misfit(M[:, n:], right - M[:, :n] @ _floats(known["F"], point))))
         else:
-            worst = max(worst, _misfit(M[:, :n], right - M[:, n:] @ _floats(known["N"], point)))
+            worst = worst_of((worst, _misfit(M[:, :n], right - M[:, n:] @ _floats(known["N"], point))))
     return worst
 
 
@@ -74,7 +75,7 @@ def feedforward_residual(matrices: Matrices, K_o: Any, K: Any, poles: Sequence[A
         gain = _floats(K, point) if K is not None else gain_of_poles(A, B, poles, point)
         M, right = _steady(matrices, point, discrete=discrete)
         stacked = np.vstack([M, np.hstack([gain, np.eye(B.cols)])])
-        worst = max(worst, _misfit(stacked, np.vstack([right, _floats(K_o, point)])))
+        worst = worst_of((worst, _misfit(stacked, np.vstack([right, _floats(K_o, point)]))))
     return worst
 
 
@@ -118,5 +119,5 @@ def completed_residual(A: Any, B: Any, known: Mapping[int, Any], poles: Sequence
         free = [j for j in range(A.rows) if j not in values]
         scale = float(np.max(np.abs(rows)))
         rest = right - sum((rows[:, j] * value for j, value in values.items()), np.zeros(len(right)))
-        worst = max(worst, _misfit(rows[:, free] / scale, (rest / scale).reshape(-1, 1)))
+        worst = worst_of((worst, _misfit(rows[:, free] / scale, (rest / scale).reshape(-1, 1))))
     return worst

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.arithmetic import Array
+from solver.numeric.compare import worst_of
 from solver.numeric.minimal import (
     MANY,
     NOTHING,
@@ -34,7 +35,7 @@ def zero_residual(plant: Quadruple, zeros: Sequence[Any]) -> float:
     """
     worst = 0.0
     for point in points_of(plant, zeros):
-        worst = max(worst, _zeros_at(quadruple_at(plant, point), numbers_at(zeros, point)))
+        worst = worst_of((worst, _zeros_at(quadruple_at(plant, point), numbers_at(zeros, point))))
     return worst
 
 
@@ -123,7 +124,7 @@ def _divided(p: list[Any], zeros: list[Any]) -> tuple[list[Any], float]:
             value, size = value * zero + c, size * abs(zero) + abs(c)
             quotient.append(value)
         rest = quotient.pop()
-        worst = max(worst, float(abs(rest) / size) if size else 0.0)
+        worst = worst_of((worst, float(abs(rest) / size) if size else 0.0))
         p = quotient[::-1]
         if not p:
             return p, float("inf")

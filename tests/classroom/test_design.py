@@ -82,6 +82,8 @@ WRONG = [
     ("one", "K", "[3, 11]"),
     ("one", "K", "[13, 6]"),
     ("one", "gain_polynomial", "s^2 + (3 - k2)s + 2 - k1"),
+    ("one", "polynomial", "exp(1000 t)"),
+    ("one", "polynomial", "exp(1000 s)"),
     ("two", "K", "[[1, 1], [0, 1]]"),
     ("two", "K", "[[-1, 1], [0, -2]]"),
     ("two", "closed_loop_A", "[[1, 5], [0, 2]]"),

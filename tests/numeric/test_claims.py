@@ -1,6 +1,7 @@
 """How claims are judged: entry by entry, at admissible points, and never in silence."""
 
 import itertools
+import math
 
 import pytest
 import sympy as sp
@@ -8,6 +9,7 @@ import sympy as sp
 from solver.derivation import CheckStatus, Claim, Step
 from solver.derivation.stated import determinant, exponential, inverse_laplace, inverse_z, power, product
 from solver.numeric import check_claim, check_residual, check_steps
+from solver.numeric.compare import worst_of
 from solver.numeric.points import PointSource, free_symbols, whole_symbols
 from solver.numeric.values import NotEvaluable
 
@@ -90,6 +92,18 @@ def test_a_point_without_a_value_is_replaced_by_another():
     claim = Claim((a**2 - pole**2) / (a - pole), a + pole)
     assert check_claim(claim, "").status is CheckStatus.PASSED
     assert check_claim(Claim(claim.left, a - pole), "").status is CheckStatus.FAILED
+
+
+def test_values_beyond_every_floating_point_number_are_told_apart():
+    assert status(sp.exp(10**4 * t), sp.exp(10**4 * t)) is CheckStatus.PASSED
+    assert status(sp.exp(10**4 * t), t) is CheckStatus.FAILED
+    assert status(t, 2 * sp.exp(10**4 * t)) is CheckStatus.FAILED
+    assert status(sp.exp(10**4 * t), 2 * sp.exp(10**4 * t)) is not CheckStatus.PASSED
+
+
+def test_a_residual_that_is_no_number_is_the_worst():
+    assert worst_of([0.0, 1e-12]) == 1e-12
+    assert worst_of([0.0, math.nan, 1e-12]) == math.inf
 
 
 def test_a_claim_without_a_value_anywhere_is_skipped_with_the_reason():
