@@ -65,6 +65,15 @@ def test_measured_states_may_be_named_or_numbered():
         assert ask("reduced_observer", plant, poles=POLES, measured=(word,)).answers == by_c
 
 
+def test_the_unknown_entries_of_the_gain_have_names_that_the_plant_has_not():
+    length = sp.Symbol("l1", positive=True)
+    plant = system([[0, 1, 0], [0, 0, length], [0, -length, -1]], B=[0, 0, 1], C=[[1, 0, 0]])
+    result = ask("reduced_observer", plant, poles=[R(-2), R(-3)])
+    assert result.status is Status.VERIFIED, result.reason
+    (compared,) = (step for step in result.steps if step.kind == "compare")
+    assert [str(unknown) for unknown, _ in compared.values["solution"]] == ["h1", "h2"]
+
+
 def test_two_positions_of_the_pendulum_give_its_velocities():
     A = [[0, 1, 0, 0], [0, R(-3, 17), R(-981, 425), 0], [0, 0, 0, 1], [0, R(20, 51), R(2289, 85), 0]]
     plant = system(A, B=[0, R(30, 17), 0, R(-200, 51)], C=[[1, 0, 0, 0], [0, 0, 1, 0]])

@@ -85,7 +85,7 @@ class Pair:
 def unknown_gains(plant: Sequence[Any], poles: Sequence[Any], *, dual: bool = False) -> tuple[Symbol, ...]:
     """Return k1 … kn (l1 … ln in the dual); other letters where the plant or the poles use these."""
     taken = {str(symbol) for each in (*plant, *poles) for symbol in each.free_symbols}
-    for letter in ("l", "ell", "lambda_") if dual else ("k", "kappa", "h"):
+    for letter in ("l", "h", "g") if dual else ("k", "kappa", "h"):
         names = [f"{letter}{i}" for i in range(1, plant[0].rows + 1)]
         if not taken & set(names):
             break

@@ -11,6 +11,7 @@ from solver.derivation.stated import determinant, difference, power, product, to
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.design.comparison import compared
+from solver.tasks.design.frames import unknown_gains
 from solver.words import formula
 
 if TYPE_CHECKING:
@@ -176,7 +177,7 @@ def _by_coefficients(
     `combined` is the name of A where c is not the C of the pair but a combination of its rows.
     """
     n, x = pair.n, pair.variable
-    unknowns = sp.symbols(f"l1:{n + 1}")
+    unknowns = unknown_gains((A, c), (desired,), dual=True)
     l = sp.ImmutableMatrix(unknowns)
     unknown = exact.loop_coefficients(A.T, c.T, sp.ImmutableMatrix([unknowns]), unknowns)[1:]
     error = sp.ImmutableMatrix(A - l * c)
@@ -190,7 +191,7 @@ def _by_coefficients(
         },
         pair=pair,
         combined=combined,
-        n=n,
+        unknowns=unknowns,
     )
     found = compared(unknown, sp.Poly(desired, x).all_coeffs()[1:], unknowns)
     if found.solution.residue:
