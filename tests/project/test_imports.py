@@ -9,7 +9,7 @@ from pkgutil import iter_modules
 
 import pytest
 
-LAZY = ["solver.numeric"]
+LAZY = ["solver.exact", "solver.numeric"]
 
 
 @pytest.mark.parametrize("name", LAZY)
