@@ -26,7 +26,7 @@ from solver.derivation import (
     TransferFunctionOption,
 )
 from solver.render.unicode_math import flat
-from solver.tasks import catalogue
+from solver.tasks import Declaration, catalogue
 
 WIDTH = 100
 FORMULA = re.compile(r"\$([^$]*)\$")
@@ -35,19 +35,19 @@ TIMES = {"continuous": "continuous time", "discrete": "discrete time", "both": "
 
 def overview() -> str:
     """Return all tasks by group: name, title, methods."""
-    known = list(catalogue().values())
-    width = max((len(task.name) for task in known), default=0)
+    known = catalogue().declarations()
+    width = max((len(each.name) for each in known), default=0)
     lines: list[str] = []
-    for group, members in groupby(known, key=lambda task: task.group):
-        lines += [group, *(f"  {task.name:{width}}  {_summary(task)}" for task in members), ""]
+    for group, members in groupby(known, key=lambda each: each.group):
+        lines += [group, *(f"  {each.name:{width}}  {_summary(each)}" for each in members), ""]
     return "\n".join(
         [*lines, "`solve tasks NAME` tells more of one; `solve new NAME` writes a problem file that asks it."]
     )
 
 
-def _summary(task: Task) -> str:
-    methods = [name for name in task.methods if name != task.name]
-    return f"{task.title} ({', '.join(methods)})" if methods else task.title
+def _summary(declared: Declaration) -> str:
+    methods = [name for name in declared.methods if name != declared.name]
+    return f"{declared.title} ({', '.join(methods)})" if methods else declared.title
 
 
 def one(task: Task) -> str:

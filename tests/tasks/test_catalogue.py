@@ -94,3 +94,10 @@ def test_the_catalogue_is_read_without_sympy():
     heavy = "bool({'sympy', 'numpy'} & {*sys.modules})"
     code = f"import sys; from solver.tasks import catalogue; list(catalogue().values()); sys.exit({heavy})"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.parametrize("declared", catalogue().declarations(), ids=lambda declared: declared.name)
+def test_what_is_read_from_a_declaration_is_what_the_task_has(declared):
+    task = catalogue()[declared.name]
+    assert (task.name, task.group, task.title) == (declared.name, declared.group, declared.title)
+    assert tuple(task.methods) == declared.methods
