@@ -92,10 +92,12 @@ def _guarded(request: Request, file: str, meter: Meter) -> int:
     except Exception as bug:  # noqa: BLE001 - the boundary of a file: a bug in one must not stop the rest
         return report_bug(bug, file)
     finally:
+        gc.enable()
         meter.next_file()
 
 
 def _solve(request: Request, file: str, meter: Meter) -> int:
+    gc.disable()  # until all is loaded, see `_rehearse` and the child: a collection takes as long as loading numpy
     import sympy.tensor.tensor  # noqa: F401 - here, so that the child has it too; the first sum needs the tensors
 
     from solver.limits import Child, Limits, in_child
@@ -114,7 +116,10 @@ def _solve(request: Request, file: str, meter: Meter) -> int:
 
 
 def _rehearse(request: Request, problem: Problem) -> None:
-    """Load what writes the solution, while the child solves: write one whose first part is not solved."""
+    """Load what writes the solution, while the child solves: write one whose first part is not solved.
+
+    What is loaded then stays, and garbage is collected without looking at it.
+    """
     from solver.cli.formats import Document
     from solver.derivation import PartResult, Status
     from solver.engine import Solution
@@ -131,6 +136,8 @@ def _rehearse(request: Request, problem: Problem) -> None:
                 _rendered(document, format_)
         if not request.destination.standard_output:
             _print_summary(view, [], file=io.StringIO(), verbose=request.verbose)
+    gc.freeze()
+    gc.enable()
 
 
 def source_of(file: str) -> Source:

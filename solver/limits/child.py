@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 import multiprocessing
 import os
@@ -117,6 +118,8 @@ def _live(channel: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent hears it too, and ends the child
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     load_algebra()
+    gc.freeze()  # what is loaded is no garbage; the parent may have put off collecting
+    gc.enable()
     try:
         units, known, limits = channel.recv()
     except EOFError:  # the parent is gone
