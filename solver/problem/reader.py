@@ -12,7 +12,7 @@ from solver.problem.model import Display, Part, Problem
 from solver.problem.nodes import MappingNode, Node, ScalarNode
 from solver.problem.options import read_integer
 from solver.problem.parts import PartReader, PlantOf
-from solver.problem.shape import check_shape
+from solver.problem.shape_check import check_shape
 from solver.problem.source import InputError, Report, Source
 from solver.problem.systems import read_system
 from solver.problem.texts import check_texts

@@ -6,6 +6,9 @@ Imports no algebra: it is made from the declarations of the catalogue.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import Any
+
+from pydantic import TypeAdapter
 
 from solver.derivation import (
     Channel,
@@ -23,9 +26,13 @@ from solver.derivation import (
     Task,
     TransferFunctionOption,
 )
-from solver.problem.shape import MATRIX, MAX_PARTS, PART_ID, PROBLEM, VALUE, VALUES
-from solver.problem.shapes import Schema, definitions
+from solver.problem.shape import MAX_PARTS, PART_ID, Matrix, ProblemShape, Values
 
+Schema = dict[str, Any]
+
+VALUE: Schema = {"type": ["number", "string"]}
+MATRIX: Schema = TypeAdapter(Matrix).json_schema()
+VALUES: Schema = TypeAdapter(Values).json_schema()
 REFERENCE: Schema = {
     "type": "object",
     "description": "the answer of an earlier part",
@@ -40,14 +47,14 @@ REFERENCE: Schema = {
 
 def json_schema(catalogue: Mapping[str, Task]) -> Schema:
     """Return the schema of problem files for the tasks of the catalogue."""
-    schema = PROBLEM.definition()
-    defined = definitions(PROBLEM)
-    common = defined.pop("PartShape")["properties"]
-    defined["Reference"] = REFERENCE
-    defined["Matrix"] = MATRIX.schema()
+    schema = _tidy(ProblemShape.model_json_schema(ref_template="#/$defs/{model}"))
+    definitions = schema["$defs"]
+    common = definitions.pop("PartShape")["properties"]
+    definitions["Reference"] = REFERENCE
+    definitions["Matrix"] = MATRIX
     names = sorted(catalogue)
-    defined |= {f"task_{name}": _part(task, common) for name, task in catalogue.items()}
-    defined["Part"] = {
+    definitions |= {f"task_{name}": _part(task, common) for name, task in catalogue.items()}
+    definitions["Part"] = {
         "type": "object",
         "required": ["task"],
         "properties": {"task": {"enum": names, "description": "what is asked"}},
@@ -62,7 +69,7 @@ def json_schema(catalogue: Mapping[str, Task]) -> Schema:
         "additionalProperties": {"oneOf": [_named(catalogue.values()), {"$ref": "#/$defs/Part"}]},
     }
     schema["title"] = "A problem for `solve`"
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "$defs": defined, **schema}
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
 def _named(tasks: Iterable[Task]) -> Schema:
@@ -117,7 +124,7 @@ def _option(option: Option) -> Schema:
 
 def _kind(kind: OptionKind) -> Schema:
     """Return what a kind of option may hold."""
-    schema = VALUES.schema()
+    schema = VALUES
     match kind:
         case Integer():
             bounds = {"minimum": kind.minimum, "maximum": kind.maximum}
@@ -127,13 +134,24 @@ def _kind(kind: OptionKind) -> Schema:
         case Flag():
             schema = {"type": "boolean"}
         case Number() | Expression():
-            schema = VALUE.schema()
+            schema = VALUE
         case MatrixOf():
             schema = {"$ref": "#/$defs/Matrix"}
         case Channel():
             schema = {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]}
         case TransferFunctionOption():
-            schema = {"anyOf": [VALUE.schema(), {"$ref": "#/$defs/ZerosPolesGain"}, {"$ref": "#/$defs/Fraction"}]}
+            schema = {"anyOf": [VALUE, {"$ref": "#/$defs/ZerosPolesGain"}, {"$ref": "#/$defs/Fraction"}]}
         case ExpressionList() | Poles() | Names():
             pass
     return schema
+
+
+def _tidy(schema: Any) -> Any:
+    """Drop the titles made from key names, and defaults that only mean "absent"."""
+    if isinstance(schema, list):
+        return [_tidy(each) for each in schema]
+    if not isinstance(schema, dict):
+        return schema
+    dropped = {"title"} if isinstance(schema.get("title"), str) else set()
+    dropped |= {"default"} if "default" in schema and schema["default"] is None else set()
+    return {key: _tidy(value) for key, value in schema.items() if key not in dropped}

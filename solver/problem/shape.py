@@ -1,268 +1,230 @@
-"""The shape of a problem file; it checks files, and the JSON Schema is made from it.
+"""The shape of a problem file: one set of models validates files and gives the JSON Schema.
 
-The options of a part are read elsewhere: they depend on the catalogue.
+Scalars arrive as text (see `yaml_tree`), so `Value` is a string here and a number or a string in the schema.
+What stands in the values, and the options of a part, is read elsewhere: it depends on the catalogue.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from unicodedata import category
+from typing import Annotated, Any, Literal
 
-from solver.problem.nodes import MappingNode, Node
-from solver.problem.shapes import (
-    Either,
-    Field,
-    ListOf,
-    MappingOf,
-    Misshapen,
-    Path,
-    Record,
-    Scalar,
-    Schema,
-    Word,
-    is_text,
-    kind_of_value,
-)
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, StringConstraints, Tag
+from pydantic import WithJsonSchema as Schema
+from pydantic_core import PydanticCustomError
+
 from solver.problem.source import did_you_mean
 
 MAX_STATES = 12
 MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
-LONGEST_PART_ID = 32
+
+KINDS = {
+    "A": "<state_space>",
+    "transfer_function": "<transfer_function>",
+    "transfer_matrix": "<transfer_matrix>",
+    "matrix": "<matrix>",
+}
+"""The key that tells the kind of a system. Names of alternatives stand in <> so that they are never taken for keys."""
 
 RESERVED = ("equations", "lagrangian", "circuit", "functional", "model")
 """Kinds of system that are known but can't be read yet."""
 
-TEXT = Scalar("string", "number")
-VALUE = Scalar("number", "string")
-VALUES = Either("a value or a list of values", kind_of_value, value=VALUE, list=ListOf(VALUE))
-ROW = Either("a row of numbers or expressions", kind_of_value, value=VALUE, list=ListOf(VALUE))
-MATRIX = Either("a matrix: a list of rows [[..], [..]]", kind_of_value, value=VALUE, list=ListOf(ROW, least=1))
-MARKS = Either(
-    "a number, or the marks of each answer, as in {K: 2, polynomial: 1},",
-    kind_of_value,
-    value=VALUE,
-    mapping=MappingOf(VALUE),
-)
-MODE = Word("exact", "decimals", "both")
+
+def kind_of_value(value: Any) -> str | None:
+    """Return "<value>", "<list>" or "<mapping>"; None for anything else."""
+    if isinstance(value, str):
+        return "<value>"
+    return "<list>" if isinstance(value, list) else "<mapping>" if isinstance(value, dict) else None
 
 
-def _kind_of_transfer_function(node: Node) -> str:
-    if isinstance(node, MappingNode):
-        return "fraction" if "numerator" in node or "denominator" in node else "zeros_poles_gain"
-    return "value" if is_text(node) else ""
-
-
-RATIONAL = Either(
-    "an expression, {zeros, poles, gain} or {numerator, denominator}",
-    _kind_of_transfer_function,
-    value=VALUE,
-    zeros_poles_gain=Record(
-        "ZerosPolesGain",
-        "G = gain (s − z₁)…/((s − p₁)…).",
-        {
-            "zeros": Field(VALUES, "zeros; none if absent"),
-            "poles": Field(VALUES, "poles; none if absent"),
-            "gain": Field(VALUE, "the factor in front; 1 if absent"),
-        },
-    ),
-    fraction=Record(
-        "Fraction",
-        "Coefficients, the highest power first.",
-        {
-            "numerator": Field(VALUES, "coefficients of the numerator, highest power first", required=True),
-            "denominator": Field(VALUES, "coefficients of the denominator, highest power first", required=True),
-        },
-    ),
-)
-
-
-class _SystemOfKind(Record):
-    """A system; the key `kind` tells that it is of this kind."""
-
-    kind: str
-
-    def __init__(self, kind: str, name: str, doc: str, fields: dict[str, Field]) -> None:
-        super().__init__(name, doc, {**ANY_SYSTEM, **fields})
-        self.kind = kind
-
-    def unknown(self, key: str, node: MappingNode) -> tuple[str, str]:
-        """Tell a key of another kind of system from one that no system has."""
-        if key in (*STATE_SPACE.fields, *KINDS, *RESERVED):
-            return f"'{key}' cannot stand beside '{self.kind}'", ""
-        return super().unknown(key, node)
-
-
-ANY_SYSTEM = {
-    "time": Field(Word("continuous", "discrete"), "continuous or discrete time", default="continuous"),
-    "sample_time": Field(VALUE, "sampling period in discrete time"),
-    "inputs": Field(VALUES, "names of the inputs"),
-    "outputs": Field(VALUES, "names of the outputs"),
-}
-"""What may stand beside any kind of system."""
-
-STATE_SPACE = _SystemOfKind(
-    "A",
-    "StateSpaceShape",
-    "x' = A x + B u, y = C x + D u.",
-    {
-        "A": Field(MATRIX, "system matrix, n×n", required=True),
-        "B": Field(MATRIX, "input matrix, n×m; a flat list is a column"),
-        "C": Field(MATRIX, "output matrix, p×n; a flat list is a row"),
-        "D": Field(MATRIX, "feedthrough, p×m; zero if absent"),
-        "initial_state": Field(MATRIX, "x(0), n values"),
-        "states": Field(VALUES, "names of the states"),
-    },
-)
-TRANSFER_FUNCTION = _SystemOfKind(
-    "transfer_function",
-    "TransferFunctionShape",
-    "G(s), in discrete time G(z).",
-    {
-        "transfer_function": Field(
-            RATIONAL,
-            "an expression in s (discrete: z), {zeros, poles, gain} or {numerator, denominator}",
-            required=True,
-        )
-    },
-)
-TRANSFER_MATRIX = _SystemOfKind(
-    "transfer_matrix",
-    "TransferMatrixShape",
-    "G(s) of several inputs or outputs.",
-    {
-        "transfer_matrix": Field(
-            ListOf(ListOf(RATIONAL, least=1), least=1),
-            "rows of transfer functions: one row an output, one column an input",
-            required=True,
-        )
-    },
-)
-BARE_MATRIX = _SystemOfKind(
-    "matrix",
-    "MatrixShape",
-    "A bare matrix, for questions of linear algebra.",
-    {"matrix": Field(MATRIX, "a matrix", required=True)},
-)
-KINDS = {system.kind: system for system in (STATE_SPACE, TRANSFER_FUNCTION, TRANSFER_MATRIX, BARE_MATRIX)}
-"""Systems by the key that tells their kind."""
-
-
-def _kind_of_system(node: Node) -> str:
-    """Return the key that tells the kind: A where there is none, whose absence is then the fault."""
-    if not isinstance(node, MappingNode):
-        return ""
-    return next((key for key in KINDS if key in node), "A")
-
-
-class _System(Either):
-    """A system of any kind."""
-
-    def faults(self, node: Node, path: Path) -> Iterator[Misshapen]:
-        """Yield the faults; of a system whose keys tell no kind that can be read, the key that is most telling."""
-        stray = _stray_key(node) if isinstance(node, MappingNode) else None
-        if stray is None or not isinstance(node, MappingNode):
-            yield from super().faults(node, path)
-            return
-        message, known = f"unknown key '{stray}' in a system", [*STATE_SPACE.fields, *KINDS, *RESERVED]
-        if stray in RESERVED:
-            message, known = f"'{stray}' cannot be read yet; give A, B, C, D or a transfer_function", []
-        fault = node.entries[stray].key.diagnostic(message, did_you_mean(stray, known))
-        yield Misshapen((*path, stray), fault)
-
-
-def _stray_key(node: MappingNode) -> str | None:
-    """Return the key, if there is one, that keeps a system without the key of any kind from being read."""
-    if any(key in node for key in KINDS):
+def kind_of_system(value: Any) -> str | None:
+    """Return the kind that the keys of a system tell."""
+    if not isinstance(value, dict):
         return None
-    reserved = (key for key in RESERVED if key in node)
-    return next(reserved, next((key for key in node.entries if key not in STATE_SPACE.fields), None))
+    return next((kind for key, kind in KINDS.items() if key in value), "<state_space>")
 
 
-SYSTEM = _System("a system: a mapping such as {A: [[0, 1], [-2, -3]], B: [0, 1]}", _kind_of_system, **KINDS)
-PART = Record(
-    "PartShape",
-    "One question with its options; the other keys are options of the task.",
-    {
-        "task": Field(TEXT, "what is asked; `solve tasks` lists the names", required=True),
-        "method": Field(VALUES, "one method of the task, or several"),
-        "marks": Field(MARKS, "marks of the part, or of each of its answers"),
-        "prompt": Field(TEXT, "own wording of the question, in Markdown"),
-        "system": Field(SYSTEM, "the part's own system"),
-    },
-    is_open=True,
-)
-DISPLAY = Record(
-    "DisplayShape",
-    "How numbers are shown.",
-    {
-        "mode": Field(MODE, "how numbers are shown", default="decimals"),
-        "decimals": Field(VALUE, "significant digits of decimals"),
-    },
-)
+def _either(expected: str) -> Discriminator:
+    """Choose among alternatives by the kind of value; say what is expected where none fits."""
+    return Discriminator(kind_of_value, custom_error_type="expected", custom_error_message=expected)
 
 
-class _Parts(MappingOf):
-    """The parts by name: at least one, and not too many."""
-
-    def faults(self, node: Node, path: Path) -> Iterator[Misshapen]:
-        """Yield the faults of names and parts, or that there are none or too many."""
-        if not isinstance(node, MappingNode):
-            yield from super().faults(node, path)
-        elif not node.entries:
-            yield Misshapen(path, node.diagnostic("this is empty"))
-        elif len(node.entries) > MAX_PARTS:
-            yield Misshapen(path, node.diagnostic(f"there are more than {MAX_PARTS} parts"))
-        else:
-            yield from self._names(node, path)
-            yield from super().faults(node, path)
-
-    @staticmethod
-    def _names(node: MappingNode, path: Path) -> Iterator[Misshapen]:
-        for entry in node:
-            if not names_a_part(entry.key.text):
-                message = f"'{entry.key.text[:40]}' cannot name a part: at most 32 letters, digits, and - _ . ( )"
-                yield Misshapen((*path, entry.key.text), entry.key.diagnostic(message))
-
-    def schema(self) -> Schema:
-        """Return the object with the names' pattern."""
-        bounds = {"maxProperties": MAX_PARTS, "minProperties": 1}
-        return {**bounds, "patternProperties": {PART_ID: self.value.schema()}, "type": "object"}
+Text = Annotated[str, Schema({"type": ["string", "number"]})]
+Value = Annotated[str, Schema({"type": ["number", "string"]})]
+Values = Annotated[
+    Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
+    _either("a value or a list of values"),
+]
+Marks = Annotated[
+    Annotated[Value, Tag("<value>")] | Annotated[dict[str, Value], Tag("<mapping>")],
+    _either("a number, or the marks of each answer, as in {K: 2, polynomial: 1},"),
+]
+Row = Annotated[
+    Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
+    _either("a row of numbers or expressions"),
+]
+Matrix = Annotated[
+    Annotated[Value, Tag("<value>")] | Annotated[list[Row], Tag("<list>"), Field(min_length=1)],
+    _either("a matrix: a list of rows [[..], [..]]"),
+]
 
 
-def names_a_part(name: str) -> bool:
-    """Whether a name fits `PART_ID`, where a letter is one of any language, with its marks and joiners."""
-    return 1 <= len(name) <= LONGEST_PART_ID and all(
-        each in "_.()-\u200c\u200d" or category(each)[0] in "LM" or category(each) in ("Nd", "Nl", "Pc")
-        for each in name
+def optional(description: str) -> Any:
+    """Return a field that may be absent."""
+    return Field(default=None, description=description)
+
+
+class Shape(BaseModel):
+    """A mapping with known keys only."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class ZerosPolesGain(Shape):
+    """G = gain (s − z₁)…/((s − p₁)…)."""
+
+    zeros: Values = optional("zeros; none if absent")
+    poles: Values = optional("poles; none if absent")
+    gain: Value = optional("the factor in front; 1 if absent")
+
+
+class Fraction(Shape):
+    """Coefficients, the highest power first."""
+
+    numerator: Values = Field(description="coefficients of the numerator, highest power first")
+    denominator: Values = Field(description="coefficients of the denominator, highest power first")
+
+
+def _kind_of_transfer_function(value: Any) -> str | None:
+    if isinstance(value, dict):
+        return "<fraction>" if "numerator" in value or "denominator" in value else "<zeros_poles_gain>"
+    return "<value>" if isinstance(value, str) else None
+
+
+Rational = Annotated[
+    Annotated[Value, Tag("<value>")]
+    | Annotated[ZerosPolesGain, Tag("<zeros_poles_gain>")]
+    | Annotated[Fraction, Tag("<fraction>")],
+    Discriminator(
+        _kind_of_transfer_function,
+        custom_error_type="expected",
+        custom_error_message="an expression, {zeros, poles, gain} or {numerator, denominator}",
+    ),
+]
+
+
+class AnySystem(Shape):
+    """What may stand beside any kind of system."""
+
+    time: Literal["continuous", "discrete"] = Field(default="continuous", description="continuous or discrete time")
+    sample_time: Value = optional("sampling period in discrete time")
+    inputs: Values = optional("names of the inputs")
+    outputs: Values = optional("names of the outputs")
+
+
+class StateSpaceShape(AnySystem):
+    """x' = A x + B u, y = C x + D u."""
+
+    A: Matrix = Field(description="system matrix, n×n")
+    B: Matrix = optional("input matrix, n×m; a flat list is a column")
+    C: Matrix = optional("output matrix, p×n; a flat list is a row")
+    D: Matrix = optional("feedthrough, p×m; zero if absent")
+    initial_state: Matrix = optional("x(0), n values")
+    states: Values = optional("names of the states")
+
+
+class TransferFunctionShape(AnySystem):
+    """G(s), in discrete time G(z)."""
+
+    transfer_function: Rational = Field(
+        description="an expression in s (discrete: z), {zeros, poles, gain} or {numerator, denominator}"
     )
 
 
-PROBLEM = Record(
-    "ProblemShape",
-    "A problem: a system and what is asked about it.",
-    {
-        "title": Field(TEXT, "printed on top"),
-        "source": Field(TEXT, "where the problem is from; printed under the title"),
-        "statement": Field(TEXT, "the problem in words: Markdown with $math$"),
-        "parameters": Field(MappingOf(VALUE), "values of symbols that occur in the expressions"),
-        "assume": Field(
-            MappingOf(Word("positive", "negative", "nonzero", "real", "complex", "integer")),
-            "what is known of symbols without a value",
-        ),
-        "display": Field(
-            Either("exact, both or {decimals: 4}", kind_of_value, value=MODE, mapping=DISPLAY), "how numbers are shown"
-        ),
-        "system": Field(SYSTEM, "the system of all parts without their own"),
-        "find": Field(
-            _Parts(Either("a task's name or a mapping {task: .., ..}", kind_of_value, value=TEXT, mapping=PART)),
-            "what is asked, in order, by the part's name as printed",
-            required=True,
-        ),
-    },
-)
+class TransferMatrixShape(AnySystem):
+    """G(s) of several inputs or outputs."""
+
+    transfer_matrix: list[Annotated[list[Rational], Field(min_length=1)]] = Field(
+        min_length=1, description="rows of transfer functions: one row an output, one column an input"
+    )
 
 
-def check_shape(root: Node) -> list[Misshapen]:
-    """Return what is wrong with the shape of a problem."""
-    return list(PROBLEM.faults(root, ()))
+class MatrixShape(AnySystem):
+    """A bare matrix, for questions of linear algebra."""
+
+    matrix: Matrix = Field(description="a matrix")
+
+
+def _known_kind(value: Any) -> Any:
+    """Refuse, in words, a system whose keys tell no kind that can be read."""
+    if not isinstance(value, dict) or any(key in value for key in KINDS):
+        return value
+    for key in RESERVED:
+        if key in value:
+            message = "'{key}' cannot be read yet; give A, B, C, D or a transfer_function"
+            raise PydanticCustomError("at_key", message, {"key": key})
+    known = [*StateSpaceShape.model_fields, *KINDS, *RESERVED]
+    for key in value:
+        if key not in known:
+            context = {"key": key, "suggestion": did_you_mean(key, known)}
+            raise PydanticCustomError("at_key", "unknown key '{key}' in a system", context)
+    return value
+
+
+System = Annotated[
+    Annotated[StateSpaceShape, Tag("<state_space>")]
+    | Annotated[TransferFunctionShape, Tag("<transfer_function>")]
+    | Annotated[TransferMatrixShape, Tag("<transfer_matrix>")]
+    | Annotated[MatrixShape, Tag("<matrix>")],
+    Discriminator(
+        kind_of_system,
+        custom_error_type="expected",
+        custom_error_message="a system: a mapping such as {A: [[0, 1], [-2, -3]], B: [0, 1]}",
+    ),
+    BeforeValidator(_known_kind),
+]
+
+
+class PartShape(BaseModel):
+    """One question with its options; the other keys are options of the task."""
+
+    model_config = ConfigDict(extra="allow", strict=True)
+
+    task: Text = Field(description="what is asked; `solve tasks` lists the names")
+    method: Values = optional("one method of the task, or several")
+    marks: Marks = optional("marks of the part, or of each of its answers")
+    prompt: Text = optional("own wording of the question, in Markdown")
+    system: System = optional("the part's own system")
+
+
+class DisplayShape(Shape):
+    """How numbers are shown."""
+
+    mode: Literal["exact", "decimals", "both"] = Field(default="decimals", description="how numbers are shown")
+    decimals: Value = optional("significant digits of decimals")
+
+
+Display = Annotated[
+    Annotated[Literal["exact", "decimals", "both"], Tag("<value>")] | Annotated[DisplayShape, Tag("<mapping>")],
+    _either("exact, both or {decimals: 4}"),
+]
+Assumption = Literal["positive", "negative", "nonzero", "real", "complex", "integer"]
+Find = Annotated[
+    Annotated[Text, Tag("<value>")] | Annotated[PartShape, Tag("<mapping>")],
+    _either("a task's name or a mapping {task: .., ..}"),
+]
+
+
+class ProblemShape(Shape):
+    """A problem: a system and what is asked about it."""
+
+    title: Text = optional("printed on top")
+    source: Text = optional("where the problem is from; printed under the title")
+    statement: Text = optional("the problem in words: Markdown with $math$")
+    parameters: dict[str, Value] = optional("values of symbols that occur in the expressions")
+    assume: dict[str, Assumption] = optional("what is known of symbols without a value")
+    display: Display = optional("how numbers are shown")
+    system: System = optional("the system of all parts without their own")
+    find: dict[Annotated[str, StringConstraints(pattern=PART_ID)], Find] = Field(
+        min_length=1, max_length=MAX_PARTS, description="what is asked, in order, by the part's name as printed"
+    )

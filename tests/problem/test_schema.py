@@ -9,7 +9,7 @@ import yaml
 
 from solver.problem.reader import read_problem
 from solver.problem.schema import json_schema
-from solver.problem.shape import PROBLEM
+from solver.problem.shape import ProblemShape
 from solver.problem.source import InputError, Source
 from solver.problem.template import new_problem
 
@@ -84,7 +84,7 @@ def test_every_option_is_described_and_every_task_has_a_branch(catalogue):
 
 def test_every_key_of_a_problem_is_described(catalogue):
     properties = json_schema(catalogue)["properties"]
-    assert properties.keys() == PROBLEM.fields.keys()
+    assert properties.keys() == ProblemShape.model_fields.keys()
     assert all(each.get("description") for each in properties.values())
 
 

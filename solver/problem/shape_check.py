@@ -1,0 +1,129 @@
+"""Checking the shape of a problem file: the models' complaints in plain words, at their places."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from solver.problem import shape
+from solver.problem.nodes import MappingNode, Node, SequenceNode
+from solver.problem.source import Diagnostic, did_you_mean
+
+Path = tuple[str | int, ...]
+
+MODELS: Mapping[str | int, type[BaseModel]] = {
+    "<state_space>": shape.StateSpaceShape,
+    "<transfer_function>": shape.TransferFunctionShape,
+    "<transfer_matrix>": shape.TransferMatrixShape,
+    "<matrix>": shape.MatrixShape,
+    "<zeros_poles_gain>": shape.ZerosPolesGain,
+    "<fraction>": shape.Fraction,
+    "<mapping>": shape.DisplayShape,
+}
+"""The models by the names of alternatives, as these stand in the location of an error."""
+
+EXPECTED = {
+    "string_type": "a number or a text",
+    "list_type": "a list",
+    "dict_type": "a mapping (key: value)",
+    "model_type": "a mapping (key: value)",
+}
+
+
+@dataclass(frozen=True)
+class Misshapen:
+    """Something wrong with the shape: the path of keys to it, and words. A `surplus` key leaves the rest readable."""
+
+    path: Path
+    diagnostic: Diagnostic
+    surplus: bool = False
+
+    def spoils(self, path: Path) -> bool:
+        """Whether what stands at the path can't be read because of it."""
+        inside, around = self.path[: len(path)] == path, path[: len(self.path)] == self.path
+        return around or (inside and not self.surplus)
+
+    def spoils_part(self, name: str) -> bool:
+        """Whether a part can't be read because of it; the part's own system is read apart."""
+        return self.spoils(("find", name)) and self.path[:3] != ("find", name, "system")
+
+
+def check_shape(root: Node) -> list[Misshapen]:
+    """Return what is wrong with the shape of a problem."""
+    try:
+        shape.ProblemShape.model_validate(root.plain())
+    except ValidationError as error:
+        return [_explained(root, each) for each in error.errors(include_url=False)]
+    return []
+
+
+def _explained(root: Node, error: Mapping[str, Any]) -> Misshapen:
+    """Return one complaint in words, with the path to what it is about."""
+    location, kind, context = error["loc"], error["type"], error.get("ctx", {})
+    path, node, parent = _walk(root, location)
+    if kind == "extra_forbidden":
+        model = MODELS.get(location[-2], shape.ProblemShape) if len(location) > 1 else shape.ProblemShape
+        return Misshapen(path, _key(parent, path).diagnostic(*_unknown(str(path[-1]), model, parent)), surplus=True)
+    if kind == "string_pattern_mismatch":
+        message = f"'{str(path[-1])[:40]}' cannot name a part: at most 32 letters, digits, and - _ . ( )"
+        return Misshapen(path, _key(parent, path).diagnostic(message))
+    if kind == "at_key":
+        at = _key(node, (*path, context["key"]))
+        return Misshapen((*path, context["key"]), at.diagnostic(error["msg"], context.get("suggestion", "")))
+    if kind == "missing":
+        return Misshapen((*path, location[-1]), _missing(node, path, str(location[-1])))
+    return Misshapen(path, node.diagnostic(*_words(error, node)))
+
+
+def _walk(root: Node, location: Sequence[str | int]) -> tuple[Path, Node, Node]:
+    """Follow a location to its node and the node around it; the names of alternatives in it are stepped over."""
+    path: Path = ()
+    node = parent = root
+    for step in location:
+        if isinstance(node, MappingNode) and isinstance(step, str) and step in node:
+            path, node, parent = (*path, step), node[step], node
+        elif isinstance(node, SequenceNode) and isinstance(step, int):
+            path, node, parent = (*path, step), node.items[step], node
+    return path, node, parent
+
+
+def _key(mapping: Node, path: Path) -> Node:
+    """Return the node of the last key of the path."""
+    return mapping.entries[str(path[-1])].key if isinstance(mapping, MappingNode) else mapping
+
+
+def _unknown(key: str, model: type[BaseModel], parent: Node) -> tuple[str, str]:
+    """Return the message for a key that the model does not know, and the key probably meant."""
+    present = parent.entries if isinstance(parent, MappingNode) else {}
+    kind = next((name for name in shape.KINDS if name in model.model_fields), "")
+    if kind and key in (*shape.StateSpaceShape.model_fields, *shape.KINDS, *shape.RESERVED):
+        return f"'{key}' cannot stand beside '{kind}'", ""
+    return f"unknown key '{key[:60]}'", did_you_mean(key, (name for name in model.model_fields if name not in present))
+
+
+def _missing(node: Node, path: Path, key: str) -> Diagnostic:
+    if not path:
+        return Diagnostic(f"'{key}' is missing", note=f"a problem needs the key '{key}:'")
+    return node.diagnostic(f"'{key}' is missing here")
+
+
+def _words(error: Mapping[str, Any], node: Node) -> tuple[str, str]:
+    """Return what is wrong with a value, and the word probably meant."""
+    kind, context = error["type"], error.get("ctx", {})
+    got = node.what if len(node.what) < 60 else "a text"
+    if kind == "expected":
+        return f"{error['msg']} is expected here, not {got}", ""
+    if kind in EXPECTED:
+        return f"{EXPECTED[kind]} is expected here, not {got}", ""
+    if kind == "literal_error":
+        words = re.findall(r"'([^']*)'", context["expected"])
+        return f"'{got}' is not known here; it is one of {', '.join(words)}", did_you_mean(got, words)
+    if kind == "too_short":
+        return "this is empty", ""
+    if kind == "too_long":
+        return f"there are more than {context['max_length']} parts", ""
+    raise AssertionError(f"a complaint without words: {kind}")  # each kind the models can raise is named above
