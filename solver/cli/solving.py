@@ -97,7 +97,9 @@ def _guarded(request: Request, file: str, meter: Meter) -> int:
 
 
 def _solve(request: Request, file: str, meter: Meter) -> int:
-    gc.disable()  # until all is loaded, see `_rehearse` and the child: a collection takes as long as loading numpy
+    is_first = not gc.get_freeze_count()
+    if is_first:
+        gc.disable()  # until all is loaded, see `_rehearse` and the child: a collection takes as long as loading numpy
     import sympy.tensor.tensor  # noqa: F401 - here, so that the child has it too; the first sum needs the tensors
 
     from solver.limits import Child, Limits, in_child
@@ -110,7 +112,7 @@ def _solve(request: Request, file: str, meter: Meter) -> int:
 
         problem = read_problem(source_of(file), catalogue())
         with meter.file(file) as notify:
-            rehearsal = partial(_rehearse, request, problem)
+            rehearsal = partial(_rehearse, request, problem) if is_first else None
             solution = solve_problem(problem, in_child(limits, notify, rehearsal, child))
     return _deliver(request, file, solution)
 
