@@ -56,7 +56,7 @@ _COLUMNS = re.compile(r"\{[lcr|]{1,40}\}")
 _NAME = re.compile(r"\{([a-z]+|[BV]matrix)\}")
 _TEXT = re.compile(r"\{([A-Za-z0-9 .,;:!?()\[\]+*/='-]*)\}")
 _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|\s+|.", re.DOTALL)
-_DIGIT = re.compile(r"[0-9]")
+_NUMBER = re.compile(r"[0-9]+")
 _PLAIN = re.compile(r"[A-Za-z0-9+\-*/=<>()\[\]|.,;:!?'\s]")
 _TYPED = "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ"
 _TYPED_NAMES = (
@@ -84,13 +84,17 @@ def check_math(formula: str) -> None:
 
 
 def find_problem(formula: str) -> tuple[int, str] | None:
-    """Return where a formula leaves our dialect, and how; None if it does not."""
-    return _problem_of(_DIGIT.sub("0", formula))
+    """Return where a formula leaves our dialect, and how; None if it does not.
+
+    One number is as good as another, so a formula is known by the one with other numbers.
+    """
+    if len(formula) <= LONGEST and _problem_of(_NUMBER.sub("0", formula)) is None:
+        return None
+    return _problem_of(formula)
 
 
 @lru_cache(maxsize=8192)
 def _problem_of(formula: str) -> tuple[int, str] | None:
-    """Return the problem of a formula; one digit is as good as another, so that it is known with other numbers."""
     if len(formula) > LONGEST:
         return 0, f"a formula of more than {LONGEST} characters"
     if not formula.strip():

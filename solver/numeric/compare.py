@@ -37,9 +37,12 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
     noise = SAFETY * arithmetic.eps * (l_size + r_size)
     scale = np.maximum(size, noise / TOLERANCE)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
+    agree = difference <= TOLERANCE * size
+    if arithmetic is DOUBLE and agree.all():
+        return residual.max(axis=1), np.ones(points, dtype=bool)
     zero = (l_value == 0) | (r_value == 0)
-    settled = (difference <= TOLERANCE * size) | (zero & (difference <= noise) & (noise <= QUIET))
-    hidden = (difference > TOLERANCE * size) & (difference <= noise) & (noise > 1e-3 * np.maximum(size, 1.0))
+    settled = agree | (zero & (difference <= noise) & (noise <= QUIET))
+    hidden = ~agree & (difference <= noise) & (noise > 1e-3 * np.maximum(size, 1.0))
     if arithmetic is not DOUBLE and np.any(hidden):
         raise NotEvaluable("the decimals in the formula carry too few digits to judge the equality")
     return residual.max(axis=1), settled.all(axis=1)

@@ -86,7 +86,8 @@ class Lexicon:
         text = node.text
         names = Names(self.symbols, {name: sp.Symbol(name) for name in variables}, self.values, open=True)
         try:
-            for token in tokenize(text):
+            tokens = list(tokenize(text))
+            for token in tokens:
                 if token.text in barred and token.text not in variables and token.kind is Kind.NAME:
                     message = f"'{text[token.at : token.end]}' cannot stand here: {barred[token.text]}"
                     raise ExpressionError(message, token.at, token.end - token.at)
@@ -94,12 +95,12 @@ class Lexicon:
         except ExpressionError as error:
             note = f"write {error.suggestion}" if error.suggestion else ""
             raise node.fault_inside(error.message, error.at, error.length, note=note) from None
-        self._remember(text, value if isinstance(value, tuple) else (value,), variables)
+        self.used.update(token.text for token in tokens if token.kind is Kind.NAME)
+        self.decimals = self.decimals or uses_decimal(text)
+        self._remember(value if isinstance(value, tuple) else (value,), variables)
         return value
 
-    def _remember(self, text: str, values: Collection[object], variables: Collection[str]) -> None:
-        self.used.update(token.text for token in tokenize(text) if token.kind is Kind.NAME)
-        self.decimals = self.decimals or uses_decimal(text)
+    def _remember(self, values: Collection[object], variables: Collection[str]) -> None:
         for value in values:
             for symbol in getattr(value, "free_symbols", ()):
                 if symbol.name not in variables:

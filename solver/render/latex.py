@@ -185,7 +185,10 @@ class Printer(ObjectPrinter):
         return str(expr)
 
     def _print_Rational(self, expr: Any) -> str:
-        return self._term(split(expr)) if expr.q != 1 else str(expr.p)
+        if self.numbers.shows_decimal(expr):
+            return self.numbers.decimal(expr)
+        sign = "-" if expr.p < 0 else ""
+        return sign + self._fraction([str(abs(expr.p))], [str(expr.q)])
 
     def _print_Float(self, expr: Any) -> str:
         return self.numbers.decimal(expr)

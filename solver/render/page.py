@@ -44,14 +44,18 @@ def render_page(
 
 def rendered(template: str, templates: Path | None = None, **values: Any) -> str:
     """Return a page made by one of the templates in `html/`, with the style, the font and the policy of all pages."""
-    environment = _environment(templates)
-    style = environment.get_template("style.css").render(font=_font())
-    return environment.get_template(template).render(
-        **values,
-        version=__version__,
-        policy=POLICY,
-        style=Markup(style.replace("</", "<\\/")),  # noqa: S704 - our own file; nothing in it can end the element
+    return (
+        _environment(templates)
+        .get_template(template)
+        .render(**values, version=__version__, policy=POLICY, style=_style(templates))
     )
+
+
+@lru_cache
+def _style(templates: Path | None) -> Markup:
+    """Return the style of all pages, with the font in it."""
+    style = _environment(templates).get_template("style.css").render(font=_font())
+    return Markup(style.replace("</", "<\\/"))  # noqa: S704 - our own file; nothing in it can end the element
 
 
 def drawn(latex: str, display: bool) -> str:

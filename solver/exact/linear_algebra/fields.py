@@ -84,6 +84,8 @@ def whole_angles(found: sp.Expr) -> sp.Expr:
 
 def common_factors_below(value: sp.Expr) -> sp.Expr:
     """The value with 1/(m (a + b)) in place of 1/(m a + m b)."""
+    if value.is_Rational:
+        return value
     above, below = sp.fraction(value)
     return above / sp.factor_terms(below) if below.is_Add and below.free_symbols else value
 

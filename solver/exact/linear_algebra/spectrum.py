@@ -132,6 +132,7 @@ def _modulus(p: sp.Poly) -> Modulus:
     return Modulus(tuple(reversed(p.rep.to_list()[1:])), p.domain)
 
 
+@lru_cache(maxsize=64)
 def factored(A: sp.ImmutableMatrix, x: sp.Symbol) -> sp.Expr:
     """χ(x) as the product of its irreducible factors over K."""
     powers = sorted(

@@ -7,10 +7,11 @@ text, the outcome is an expression or an `ExpressionError` with place, reason an
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
 
+from solver.lazy import sympy as sp
 from solver.problem.expressions.bounds import check_numbers
 from solver.problem.expressions.build import build, build_fraction
 from solver.problem.expressions.errors import ExpressionError
@@ -19,9 +20,6 @@ from solver.problem.expressions.names import Names
 from solver.problem.expressions.shape import check_shape
 from solver.problem.expressions.syntax import Node
 from solver.problem.expressions.tokens import Kind, is_decimal, tokenize
-
-if TYPE_CHECKING:
-    import sympy as sp
 
 __all__ = [
     "ExpressionError",
@@ -35,8 +33,13 @@ __all__ = [
 ]
 
 
+INTEGER = re.compile(r"-?[0-9]{1,15}")
+
+
 def parse_expression(text: str, names: Names) -> sp.Expr:
     """Return the expression, exact: "0.75" is 3/4. Raises ExpressionError."""
+    if INTEGER.fullmatch(text):  # as most entries of matrices are
+        return sp.Integer(int(text))
     with _only_expression_errors(text):
         node = parse(text, names)
         _check(node, names)

@@ -52,7 +52,8 @@ def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:
 
 
 def _row_with_most_zeros(M: ImmutableMatrix) -> int:
-    return max(range(M.rows), key=lambda i: (sum(entry == 0 for entry in M.row(i)), -i))
+    zeros = [row.count(0) for row in M.tolist()]
+    return zeros.index(max(zeros))
 
 
 def expansion_of(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
