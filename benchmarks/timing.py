@@ -15,7 +15,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from statistics import median
@@ -76,15 +77,28 @@ def forget() -> None:
 
 def milliseconds(work: Callable[[], Any], repetitions: int = 7) -> float:
     """The median time of the work with caches emptied before each repetition."""
-    times = []
     work()  # imports and one-time tables
-    for _ in range(repetitions):
-        forget()
-        gc.collect()
-        start = process_time()
-        work()
-        times.append(process_time() - start)
-    return 1000 * median(times)
+    with without_collection():
+        return 1000 * median(_timed(work) for _ in range(repetitions))
+
+
+@contextmanager
+def without_collection() -> Iterator[None]:
+    """Collect no garbage, like `timeit`: a collection goes through all that is loaded, whoever set it off."""
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
+
+
+def _timed(work: Callable[[], Any]) -> float:
+    """The seconds of one run that begins with empty caches."""
+    forget()
+    start = process_time()
+    work()
+    return process_time() - start
 
 
 def milliseconds_of_each(works: Sequence[Callable[[], Any]]) -> float:
@@ -99,10 +113,7 @@ def milliseconds_of_each(works: Sequence[Callable[[], Any]]) -> float:
 
 def once(work: Callable[[], Any]) -> float:
     """The time of one run with caches empty: for peers that take seconds."""
-    forget()
-    start = process_time()
-    work()
-    return 1000 * (process_time() - start)
+    return 1000 * _timed(work)
 
 
 def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: int = 7) -> tuple[float, float]:
@@ -110,13 +121,10 @@ def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: 
     times: tuple[list[float], list[float]] = ([], [])
     for work in (ours, peer):
         work()
-    for _ in range(repetitions):
-        for work, kept in zip((ours, peer), times, strict=True):
-            forget()
-            gc.collect()
-            start = process_time()
-            work()
-            kept.append(process_time() - start)
+    with without_collection():
+        for _ in range(repetitions):
+            for work, kept in zip((ours, peer), times, strict=True):
+                kept.append(_timed(work))
     return 1000 * median(times[0]), 1000 * median(times[1])
 
 

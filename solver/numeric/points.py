@@ -32,10 +32,10 @@ def free_symbols(formula: Any) -> frozenset[Any]:
             body, variable, *others = formula.operands
             return (free_symbols(body) - {variable}).union(*map(free_symbols, others))
         return frozenset().union(*map(free_symbols, formula.operands))
+    if isinstance(formula, sp.Basic):
+        return _symbols_in(formula)  # an immutable matrix too
     if isinstance(formula, MatrixBase):
         return frozenset().union(*map(_symbols_in, formula.flat()))
-    if isinstance(formula, sp.Basic):
-        return _symbols_in(formula)
     if isinstance(formula, list | tuple):
         return frozenset().union(*map(free_symbols, formula))
     return frozenset()

@@ -11,6 +11,7 @@ from typing import Any
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
+from solver.matrices import entries
 from solver.render.numbers import NumberFormat
 from solver.render.pieces import parenthesized, summed
 from solver.render.symbols import name_tex
@@ -75,14 +76,15 @@ class ObjectPrinter(LatexPrinter):
         if 0 in expr.shape:
             return r"\text{empty}"
         with self._alike(expr):
-            rows = r" \\ ".join(" & ".join(self._cell(entry) for entry in row) for row in expr.tolist())
+            cells = [self._cell(entry) for entry in entries(expr)]
+        rows = r" \\ ".join(" & ".join(cells[i : i + expr.cols]) for i in range(0, len(cells), expr.cols))
         return rf"\begin{{bmatrix}}{rows}\end{{bmatrix}}"
 
     @contextmanager
     def _alike(self, matrix: Any) -> Iterator[None]:
         """Where one number of a matrix is rounded, print all of them as decimals."""
         outside = self.numbers
-        if any(map(outside.rounds_any, matrix.flat())):
+        if any(map(outside.rounds_any, entries(matrix))):
             self.numbers = replace(outside, mode="decimal")
         try:
             yield

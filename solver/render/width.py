@@ -9,7 +9,7 @@ from functools import lru_cache
 LINE = 76.0
 """Width, in letters, of what fits on a line of a page."""
 
-_TOKEN = re.compile(r"\\(?:begin|end)\{\w+\*?\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_TOKEN = re.compile(r"\\(?:begin|end)\{\w+\*?\}|\\[A-Za-z]+|\\.|\S", re.DOTALL)  # without spaces
 _DIGIT = re.compile(r"[0-9]")
 _WORDS = {r"\text", r"\operatorname", r"\mathrm", r"\mathbf", r"\mathcal"}
 _WIDTHS = {
@@ -18,6 +18,7 @@ _WIDTHS = {
     **dict.fromkeys((r"\det", r"\cos", r"\sin", r"\tan", r"\exp"), 3.0),
     **{r"\quad": 2.0, r"\qquad": 4.0, r"\,": 0.3, r"\;": 0.6, r"\ ": 0.5},
 }
+_COMPOUND = {r"\frac", "^", "_", "{", *_WORDS}
 _SIGNS = re.compile(r"\\(?:begin|left|right|end)\b|\\[{}]|[{}()\[\]]| (?=[+-] )")
 
 
@@ -42,6 +43,8 @@ def _row(tokens: Iterator[str], end: str | None) -> float:
 
 
 def _piece(piece: str, tokens: Iterator[str]) -> float:
+    if piece not in _COMPOUND and not piece.startswith(r"\begin{"):
+        return _WIDTHS.get(piece, 1.0)
     if piece == r"\begin{array}":
         _argument(tokens)  # its columns
     if piece.startswith(r"\begin{"):
@@ -52,16 +55,12 @@ def _piece(piece: str, tokens: Iterator[str]) -> float:
         return 0.7 * _argument(tokens)
     if piece in _WORDS:
         return _argument(tokens)
-    if piece == "{":
-        return _row(tokens, "}")
-    return 0.0 if piece.isspace() else _WIDTHS.get(piece, 1.0)
+    return _row(tokens, "}")
 
 
 def _argument(tokens: Iterator[str]) -> float:
-    for piece in tokens:
-        if not piece.isspace():
-            return _piece(piece, tokens)
-    return 0.0
+    piece = next(tokens, None)
+    return 0.0 if piece is None else _piece(piece, tokens)
 
 
 def _matrix(tokens: Iterator[str]) -> float:

@@ -22,6 +22,7 @@ from solver.exact.linear_algebra.integers import (
     over_denominator,
     times,
 )
+from solver.matrices import entries
 
 
 def ackermann(A: sp.MatrixBase, b: sp.MatrixBase, coefficients: Sequence[Any]) -> sp.ImmutableMatrix:
@@ -33,7 +34,7 @@ def ackermann(A: sp.MatrixBase, b: sp.MatrixBase, coefficients: Sequence[Any]) -
     Source: J. Ackermann, Der Entwurf linearer Regelungssysteme im Zustandsraum, Regelungstechnik 20 (1972).
     """
     c: list[Any] = [each if isinstance(each, sp.Expr) else sp.Rational(each) for each in coefficients]
-    flat_A, flat_b = A.flat(), b.flat()
+    flat_A, flat_b = entries(A), entries(b)
     if are_rational(flat_A) and are_rational(flat_b) and are_rational(c):
         return _rational_gain(flat_A, flat_b, c)
     if any(each.has(sp.Float, sp.Function, sp.NumberSymbol) for each in c):
@@ -90,8 +91,9 @@ def _rational_gain(A: Sequence[sp.Rational], b: Sequence[sp.Rational], c: Sequen
         scale *= f
         R = [sum(map(mul, R, column)) + weight * scale * x for column, x in zip(columns, Q, strict=True)]
     factor = f ** (n - 1) * h  # Fⁿ⁻¹g = fⁿ⁻¹h Aⁿ⁻¹b
-    gain = DomainMatrix([[sp.QQ(x * factor, d * e * scale) for x in R]], (1, n), sp.QQ)
-    return gain.to_Matrix().as_immutable()  # faster than from expressions
+    gain = {i: sp.QQ(x * factor, d * e * scale) for i, x in enumerate(R) if x}
+    row = DomainMatrix({0: gain} if gain else {}, (1, n), sp.QQ)  # sparse, as sympy's matrices keep it: the fastest way
+    return row.to_Matrix().as_immutable()
 
 
 def _last_solution(rows: list[Integers]) -> tuple[Integers, int]:

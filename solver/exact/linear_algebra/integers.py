@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import lcm
-from operator import mul
+from operator import attrgetter, mul
 
 import sympy as sp
 
 Integers = list[int]
 
+_is_rational = attrgetter("is_Rational")
+
 
 def are_rational(entries: Sequence[sp.Expr]) -> bool:
     """Whether all entries are rational numbers."""
-    return all(entry.is_Rational for entry in entries)
+    return all(map(_is_rational, entries))
 
 
 def common_denominator(numbers: Sequence[sp.Rational]) -> int:
     """The least common denominator of the numbers."""
-    return lcm(*(int(x.q) for x in numbers))
+    return lcm(*[int(x.q) for x in numbers])
 
 
 def over_denominator(numbers: Sequence[sp.Rational], denominator: int) -> Integers:

@@ -9,6 +9,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import domain_matrix, expression, matrix_of
+from solver.matrices import entries
 
 
 def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
@@ -21,7 +22,7 @@ def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
 def pencil(A: sp.ImmutableMatrix, x: sp.Expr) -> sp.ImmutableMatrix:
     """xI − A (n×n)."""
     n = A.rows
-    return sp.ImmutableMatrix(n, n, [x - a if i % (n + 1) == 0 else -a for i, a in enumerate(A.flat())])
+    return sp.ImmutableMatrix(n, n, [x - a if i % (n + 1) == 0 else -a for i, a in enumerate(entries(A))])
 
 
 def powers(A: sp.ImmutableMatrix, count: int) -> list[sp.ImmutableMatrix]:

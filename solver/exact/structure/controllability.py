@@ -8,11 +8,12 @@ import sympy as sp
 
 from solver.exact.linear_algebra.fields import domain_matrix, matrix_of
 from solver.exact.linear_algebra.integers import are_rational, integer_rows, times
+from solver.matrices import entries
 
 
 def controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
     """Return [B, AB, …, Aⁿ⁻¹B] (n × nm) for A n×n and B n×m; raises NotExact."""
-    flat_A, flat_B = A.flat(), B.flat()  # each costs more than the arithmetic of a small matrix: once is enough
+    flat_A, flat_B = entries(A), entries(B)
     if are_rational(flat_A) and are_rational(flat_B):
         return _integer_controllability_matrix(flat_A, flat_B, B.cols)
     M, block = domain_matrix(A).unify(domain_matrix(B))

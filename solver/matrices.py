@@ -1,0 +1,13 @@
+"""The entries of a matrix, as expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from sympy import ImmutableDenseMatrix, MatrixBase
+
+
+def entries(M: MatrixBase) -> Sequence[Any]:
+    """Return the entries row by row; `flat()` would make the expressions anew, an immutable matrix keeps its own."""
+    return M.args[2].args if isinstance(M, ImmutableDenseMatrix) else M.flat()
