@@ -56,7 +56,7 @@ def main() -> int:
     parser.add_argument("group", nargs="?", choices=("exponential", "placement", "command", "growth"))
     parser.add_argument("task", nargs="?", help="of the table of growth, one task only")
     chosen = parser.parse_args()
-    print("times in ms: medians of processor time (of whole processes: wall time), caches emptied before each run")
+    print("times in ms: the least processor time (of whole processes: wall time), caches emptied before each run")
     print(f"load of the machine: {os.getloadavg()[0]:.1f}\n")
     met = True
     if chosen.group != "growth":

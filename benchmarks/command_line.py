@@ -9,7 +9,7 @@ from math import log
 from pathlib import Path
 from typing import Any
 
-from benchmarks.timing import Failure, Row, milliseconds_of_each, process
+from benchmarks.timing import Failure, Row, milliseconds_of_each, output, process
 
 PROBLEM = """\
 title: Benchmark
@@ -21,6 +21,8 @@ find:
 
 NO_SYMPY = "import sys; sys.argv = {argv}; from solver.cli import main\ntry:\n main()\nexcept SystemExit:\n pass\n"
 NO_SYMPY += "assert 'sympy' not in sys.modules, 'sympy was imported'"
+
+WARM = "from benchmarks.command_line import milliseconds_of_unseen; print(milliseconds_of_unseen({n}, {count}))"
 
 
 def companion_text(n: int, first: int = 1) -> str:
@@ -71,12 +73,16 @@ def _cold() -> Iterator[Row]:
 
 def _warm() -> Iterator[Row]:
     """Yield the times of problems never seen before in a process that has solved others."""
-    package = import_module("solver")  # only here, so that the rows above do not pay for it
-
-    def work(n: int, first: int) -> Any:
-        return package.solve(problem_text(n, first)).html()
-
-    three = milliseconds_of_each([lambda first=first: work(3, first) for first in range(1, 10)])
+    three, six = (
+        min(float(output(["-c", WARM.format(n=n, count=count)])) for _ in range(5)) for n, count in ((3, 8), (6, 4))
+    )
     yield Row("warm solve + check + HTML, n = 3", three, at_most=30)
-    six = milliseconds_of_each([lambda first=first: work(6, first) for first in range(1, 6)])
     yield Row(f"warm, n = 6 (growth n^{log(six / three, 2):.1f})", six, at_most=three * 2**4)
+
+
+def milliseconds_of_unseen(n: int, count: int) -> float:
+    """The median time of problems of order n that this process has not seen, after one to warm up."""
+    package = import_module("solver")  # only here, so that the rows above do not pay for it
+    return milliseconds_of_each(
+        [lambda first=first: package.solve(problem_text(n, first)).html() for first in range(1, count + 2)]
+    )

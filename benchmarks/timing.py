@@ -1,8 +1,8 @@
 """Timing with fresh caches, and the rows of the table.
 
 A repetition starts with every cache empty (sympy's, and ours), so it costs what the first such problem costs in a
-process that has the libraries loaded. Times are medians of the processor time (the work is done by one thread, and
-other processes on the machine then count less); ours and the peer's are measured in turns in the same run.
+process that has the libraries loaded. Times are the least processor times, as `timeit` advises: what a repetition takes
+longer comes from other processes on the machine. Ours and the peer's are measured in turns in the same run.
 """
 
 from __future__ import annotations
@@ -76,10 +76,10 @@ def forget() -> None:
 
 
 def milliseconds(work: Callable[[], Any], repetitions: int = 7) -> float:
-    """The median time of the work with caches emptied before each repetition."""
+    """The least time of the work with caches emptied before each repetition."""
     work()  # imports and one-time tables
     with without_collection():
-        return 1000 * median(_timed(work) for _ in range(repetitions))
+        return 1000 * min(_timed(work) for _ in range(repetitions))
 
 
 @contextmanager
@@ -117,7 +117,7 @@ def once(work: Callable[[], Any]) -> float:
 
 
 def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: int = 7) -> tuple[float, float]:
-    """The medians of ours and of a peer, measured in turns so that both see the same load."""
+    """The least times of ours and of a peer, measured in turns so that both see the same load."""
     times: tuple[list[float], list[float]] = ([], [])
     for work in (ours, peer):
         work()
@@ -125,11 +125,11 @@ def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: 
         for _ in range(repetitions):
             for work, kept in zip((ours, peer), times, strict=True):
                 kept.append(_timed(work))
-    return 1000 * median(times[0]), 1000 * median(times[1])
+    return 1000 * min(times[0]), 1000 * min(times[1])
 
 
 def process(arguments: Sequence[str], repetitions: int = 5) -> tuple[float, float]:
-    """The medians of wall time and CPU time (ms) of a Python process, the first run (it compiles) left out.
+    """The least wall time and CPU time (ms) of a Python process, the first run (it compiles) left out.
 
     Raises RuntimeError if it fails.
     """
@@ -137,16 +137,22 @@ def process(arguments: Sequence[str], repetitions: int = 5) -> tuple[float, floa
     for _ in range(repetitions + 1):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         start = perf_counter()
-        finished = subprocess.run(
-            [sys.executable, *arguments], capture_output=True, text=True, check=False, env=_with_bytecode()
-        )
+        output(arguments)
         walls.append(perf_counter() - start)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         cpus.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-        if finished.returncode != 0:
-            lines = finished.stderr.strip().splitlines()
-            raise RuntimeError(lines[-1] if lines else f"exit code {finished.returncode}")
-    return 1000 * median(walls[1:]), 1000 * median(cpus[1:])
+    return 1000 * min(walls[1:]), 1000 * min(cpus[1:])
+
+
+def output(arguments: Sequence[str]) -> str:
+    """What a Python process prints; raises RuntimeError if it fails."""
+    finished = subprocess.run(
+        [sys.executable, *arguments], capture_output=True, text=True, check=False, env=_with_bytecode()
+    )
+    if finished.returncode != 0:
+        lines = finished.stderr.strip().splitlines()
+        raise RuntimeError(lines[-1] if lines else f"exit code {finished.returncode}")
+    return finished.stdout
 
 
 @cache

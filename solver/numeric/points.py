@@ -12,6 +12,7 @@ from sympy.functions.special.tensor_functions import KroneckerDelta
 from sympy.matrices.matrixbase import MatrixBase
 
 from solver.derivation import Stated
+from solver.matrices import entries
 
 SEED = 20_011  # any constant will do
 COMPLEX_NAMES = frozenset({"s", "z", "lamda", "lambda"})
@@ -24,6 +25,8 @@ WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
 BOUND = {"inverse_laplace": 1, "inverse_z": 1, "integral": 1, "value_at": 1, "summation": 1}
 """Operations that bind a variable, and which operand it is; the image or function is operand 0."""
 
+BINDS_NOTHING = (sp.Add, sp.Mul, sp.Pow, sp.Tuple, sp.ImmutableDenseMatrix)
+
 
 def free_symbols(formula: Any) -> frozenset[Any]:
     """Return the symbols whose values the formula needs."""
@@ -35,14 +38,16 @@ def free_symbols(formula: Any) -> frozenset[Any]:
     if isinstance(formula, sp.Basic):
         return _symbols_in(formula)  # an immutable matrix too
     if isinstance(formula, MatrixBase):
-        return frozenset().union(*map(_symbols_in, formula.flat()))
+        return frozenset().union(*map(_symbols_in, entries(formula)))
     if isinstance(formula, list | tuple):
         return frozenset().union(*map(free_symbols, formula))
     return frozenset()
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=8192)
 def _symbols_in(expression: sp.Basic) -> frozenset[Any]:
+    if isinstance(expression, BINDS_NOTHING):  # sympy would go through the whole expression each time
+        return frozenset().union(*map(_symbols_in, expression.args))
     return frozenset(expression.free_symbols)
 
 
@@ -82,7 +87,7 @@ def nodes(formula: Any) -> Iterable[Any]:
     if isinstance(formula, Stated):
         parts: Iterable[Any] = formula.operands
     elif isinstance(formula, MatrixBase):
-        parts = formula.flat()
+        parts = entries(formula)
     elif isinstance(formula, sp.Basic):
         parts = formula.args
     else:

@@ -6,8 +6,9 @@ right). What is not plainly rational is refused, never guessed.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
-from itertools import zip_longest
+from itertools import product, zip_longest
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ import sympy as sp
 from sympy.matrices.matrixbase import MatrixBase
 
 from solver.derivation import Stated
+from solver.matrices import entries
 from solver.numeric.arithmetic import Array
 from solver.numeric.environment import Environment
 from solver.numeric.points import free_symbols
@@ -49,7 +51,7 @@ def circle_around_poles(image: Any, s: Any, environment: Environment, *, centred
     centre = np.array([0.0 if centred or not len(each) else np.mean(each.real) for each in poles])
     spread = [np.max(np.abs(each - c), initial=0.0) for each, c in zip(poles, centre, strict=True)]
     radius = np.array([2.1 * r + 0.5 * abs(c) or 1.0 for r, c in zip(spread, centre, strict=True)])
-    return Circle(*(np.broadcast_to(each, (environment.points,)) for each in (centre, radius)))
+    return Circle(*(np.full(environment.points, each) for each in (centre, radius)))
 
 
 def _is_hashable(image: Any) -> bool:
@@ -73,10 +75,12 @@ def _single(environment: Environment, p: int) -> Environment:
 
 def poles_of(image: Any, s: Any, point: Environment) -> list[Array]:
     """Return (a superset of) the poles at one point, as arrays."""
+    if s not in free_symbols(image):
+        return []
     if isinstance(image, Stated):
         return _poles_of_stated(image, s, point)
     if isinstance(image, MatrixBase):
-        return _poles_of_expressions(list(image.flat()), s, point)
+        return _poles_of_expressions(entries(image), s, point)
     if isinstance(image, list | tuple):
         return [pole for entry in image for pole in poles_of(entry, s, point)]
     return _poles_of_expressions([image], s, point)
@@ -116,7 +120,7 @@ def _zeros_of_determinant(matrix: Any, s: Any, point: Environment) -> Array:
         matrix = _pencil(matrix)
     if not isinstance(matrix, MatrixBase):
         return zeros_of(matrix, s, point)
-    rationals = [rational(entry, s, point) for entry in matrix.flat()]
+    rationals = [rational(entry, s, point) for entry in entries(matrix)]
     if any(len(denominator) > 1 for _, denominator in rationals):
         raise NotEvaluable("the zeros of a determinant are found for polynomial entries only")
     degree = max((len(numerator) for numerator, _ in rationals), default=1) - 1
@@ -149,7 +153,7 @@ def _zeros_of_polynomial_matrix(M: Array) -> Array:
     return np.asarray(np.linalg.eigvals(np.vstack([top, below])))
 
 
-def _poles_of_expressions(expressions: list[Any], s: Any, point: Environment) -> list[Array]:
+def _poles_of_expressions(expressions: Sequence[Any], s: Any, point: Environment) -> list[Array]:
     bases = set().union(*(_denominators(expression, s) for expression in expressions))
     return [_zeros_of_rational(base, s, point) for base in bases]
 
@@ -173,7 +177,17 @@ Polynomial = list[Value]
 
 
 def _zeros_of_rational(expression: Any, s: Any, point: Environment) -> Array:
-    numerator, _ = rational(expression, s, point)
+    alike = free_symbols(expression) <= {s}
+    return _zeros_of_numbers(expression, s) if alike else _roots(rational(expression, s, point)[0])
+
+
+@lru_cache(maxsize=256)
+def _zeros_of_numbers(expression: Any, s: Any) -> Array:
+    """Return the zeros of an expression without parameters; the terms of an image and the image share them."""
+    return _roots(rational(expression, s, Environment({}, 1))[0])
+
+
+def _roots(numerator: Polynomial) -> Array:
     kept = list(numerator)
     while kept and abs(kept[-1].value) <= SAFETY * EPS * kept[-1].magnitude:
         if kept[-1].value != 0:
@@ -220,8 +234,10 @@ def _size(coefficient: Value) -> float:
 
 
 def _times(p: Polynomial, q: Polynomial) -> Polynomial:
-    values = np.convolve([c.value for c in p], [c.value for c in q])
-    sizes = np.convolve([_size(c) for c in p], [_size(c) for c in q])
+    values, sizes = ([0.0] * (len(p) + len(q) - 1) for _ in range(2))
+    for (i, a), (j, b) in product(enumerate(p), enumerate(q)):  # short: numpy would take longer
+        values[i + j] += a.value * b.value
+        sizes[i + j] += _size(a) * _size(b)
     return [Value(value, size) for value, size in zip(values, sizes, strict=True)]
 
 

@@ -150,7 +150,10 @@ def multiply(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
 
 def aligned(left: Value, right: Value) -> tuple[Value, Value]:
     """Give a scalar beside a matrix (or list) the axes it needs to broadcast."""
-    depth = max(np.ndim(left.value), np.ndim(right.value))
+    left_depth, right_depth = (getattr(side.value, "ndim", 0) for side in (left, right))
+    if left_depth == right_depth:
+        return left, right
+    depth = max(left_depth, right_depth)
     return _deepened(left, depth), _deepened(right, depth)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.matrixbase import MatrixBase
 
+from solver.matrices import entries
 from solver.numeric.arithmetic import Arithmetic
 from solver.numeric.environment import Environment
 from solver.numeric.values import SAFETY, NotEvaluable, Value
@@ -186,7 +187,7 @@ def on_the_cut(value: Value, arithmetic: Arithmetic) -> Any:
 
 @rule(MatrixBase)
 def _matrix(matrix: Any, environment: Environment) -> Value:
-    return environment.stack([walk(entry, environment) for entry in matrix.flat()], matrix.shape)
+    return environment.stack([walk(entry, environment) for entry in entries(matrix)], matrix.shape)
 
 
 @rule(list, tuple)

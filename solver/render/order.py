@@ -150,9 +150,9 @@ def _add_symbol(rank: _Rank, symbol: Any, power: float) -> None:
 def _add_power(rank: _Rank, base: Any, exponent: Any) -> None:
     if not exponent.is_Rational:
         _add_rate(rank, *_logarithmic_rate(base, exponent))
-    elif base.is_Symbol and (exponent > 0 or base.name not in MAIN):
+    elif base.is_Symbol and (exponent.p > 0 or base.name not in MAIN):
         _add_symbol(rank, base, float(exponent))
-    elif exponent < 0:
+    elif exponent.p < 0:
         rank.fraction = 1
         rank.multiplicity -= float(exponent)
         _add_rate(rank, *_mean_root(base))
@@ -204,6 +204,7 @@ def _real(number: Any) -> tuple[float, str]:
     return 0.0, str(number)
 
 
+@lru_cache(maxsize=4096)
 def has_variable(expression: Any) -> bool:
     """Whether it depends on s, z, λ or t, not on parameters alone."""
     return any(symbol.name in MAIN or symbol.name == "t" for symbol in expression.free_symbols)

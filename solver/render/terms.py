@@ -35,10 +35,13 @@ class Term:
 def split(product: Any) -> Term:
     """Take a product apart. Its value is unchanged; the factors of each group are in the order of writing."""
     term = Term()
-    number, imaginary = sp.S.One, 0
+    number: sp.Expr = sp.S.One
+    imaginary = 0
     for factor in sp.Mul.make_args(product):
         if factor.is_Number:
-            number = number * factor
+            number = factor if number is sp.S.One else number * factor
+        elif factor.is_Symbol:
+            term.above.append((factor, sp.S.One))
         elif factor is sp.I:
             imaginary += 1
         elif factor.is_number:
@@ -48,7 +51,8 @@ def split(product: Any) -> Term:
     if imaginary > 1:
         number = number * (-1) ** (imaginary // 2)
     term.imaginary = imaginary % 2 == 1
-    term.negative, term.number = below_zero(number), abs(number)
+    term.negative = below_zero(number)
+    term.number = abs(number) if term.negative else number
     _arrange(term)
     return term
 
@@ -60,7 +64,7 @@ def _base_and_exponent(factor: Any) -> Factor:
 def _place_constant(term: Term, constant: Any) -> Any:
     """Put a constant above or below; return the rational factor taken out of a sum of roots: (1 + √5)/2 gives 1/2."""
     base, exponent = _base_and_exponent(constant)
-    if exponent.is_Rational and exponent < 0:
+    if exponent.is_Rational and exponent.p < 0:
         term.roots_below.append((base, -exponent))
         return sp.S.One
     if exponent is sp.S.One and base.is_Add:
@@ -96,7 +100,7 @@ def common_fraction(constant: Any) -> Any | None:
 
 
 def _place(term: Term, base: Any, exponent: Any) -> None:
-    if exponent.is_Rational and exponent < 0:
+    if exponent.is_Rational and exponent.p < 0:
         term.below.append((base, -exponent))
     elif base.is_Function or not exponent.is_number:
         term.functions.append(_as_growth(base, exponent))
@@ -118,7 +122,7 @@ def _arrange(term: Term) -> None:
         if len(group) > 1:
             group.sort(key=lambda factor: factor_rank(factor[0]))
     term.roots.sort(key=lambda factor: factor[0].is_Add)
-    if any(base.has(sp.Function) or has_variable(base) for base, _ in term.below):
+    if any(has_variable(base) or base.has(sp.Function) for base, _ in term.below):
         term.above, term.functions = term.above + term.functions, []
 
 

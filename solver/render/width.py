@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import lru_cache
+from string import ascii_letters
 
 LINE = 76.0
 """Width, in letters, of what fits on a line of a page."""
@@ -17,8 +18,10 @@ _WIDTHS = {
     **dict.fromkeys(("=", "+", "-", r"\approx", r"\le", r"\ge"), 2.0),
     **dict.fromkeys((r"\det", r"\cos", r"\sin", r"\tan", r"\exp"), 3.0),
     **{r"\quad": 2.0, r"\qquad": 4.0, r"\,": 0.3, r"\;": 0.6, r"\ ": 0.5},
+    **dict.fromkeys(ascii_letters + "0()[]|,.", 1.0),
 }
-_COMPOUND = {r"\frac", "^", "_", "{", *_WORDS}
+"""Of what is not listed and stands alone, 1."""
+
 _SIGNS = re.compile(r"\\(?:begin|left|right|end)\b|\\[{}]|[{}()\[\]]| (?=[+-] )")
 
 
@@ -43,11 +46,12 @@ def _row(tokens: Iterator[str], end: str | None) -> float:
 
 
 def _piece(piece: str, tokens: Iterator[str]) -> float:
-    if piece not in _COMPOUND and not piece.startswith(r"\begin{"):
-        return _WIDTHS.get(piece, 1.0)
-    if piece == r"\begin{array}":
-        _argument(tokens)  # its columns
+    known = _WIDTHS.get(piece)
+    if known is not None:
+        return known
     if piece.startswith(r"\begin{"):
+        if piece == r"\begin{array}":
+            _argument(tokens)  # its columns
         return _matrix(tokens)
     if piece == r"\frac":
         return max(_argument(tokens), _argument(tokens)) + 0.4
@@ -55,7 +59,7 @@ def _piece(piece: str, tokens: Iterator[str]) -> float:
         return 0.7 * _argument(tokens)
     if piece in _WORDS:
         return _argument(tokens)
-    return _row(tokens, "}")
+    return _row(tokens, "}") if piece == "{" else 1.0
 
 
 def _argument(tokens: Iterator[str]) -> float:
@@ -67,12 +71,14 @@ def _matrix(tokens: Iterator[str]) -> float:
     columns: list[float] = [0.0]
     column, cell = 0, 0.0
     for piece in tokens:
-        at_end = piece.startswith(r"\end{")
-        if at_end or piece in {"&", r"\\"}:
+        known = _WIDTHS.get(piece)
+        if known is not None:
+            cell += known
+        elif piece in {"&", r"\\"} or piece.startswith(r"\end{"):
             columns.extend([0.0] * (column + 1 - len(columns)))
             columns[column] = max(columns[column], cell)
             column, cell = (column + 1 if piece == "&" else 0), 0.0
-            if at_end:
+            if piece.startswith(r"\end{"):
                 break
         else:
             cell += _piece(piece, tokens)

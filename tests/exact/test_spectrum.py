@@ -4,8 +4,12 @@ import mpmath
 import pytest
 import sympy as sp
 from exact_cases import COMPLEX, DECIMAL, NUMERIC, RATIONAL, SURD, companion, each, theta, x
+from hypothesis import given
+from hypothesis import strategies as st
 
 from solver import exact
+from solver.exact.linear_algebra.fields import in_powers
+from solver.exact.linear_algebra.spectrum import irreducible_factors
 
 p, q = sp.symbols("p q", real=True)
 c, m, stiffness = sp.symbols("c m stiffness", positive=True)
@@ -14,6 +18,8 @@ j, sqrt = sp.I, sp.sqrt
 SPECTRA = [
     (companion((x + 1) * (x + 2) * (x + 3)), [-3, -2, -1]),
     (companion(x**2 * (x - 1)), [0, 0, 1]),
+    (companion((x + 40) ** 2 * (x - 25) * (x + 120)), [-120, -40, -40, 25]),
+    (companion(x * (x - 12) * (x**2 + 1) * (x + sp.S.Half)), [-sp.S.Half, 0, 12, j, -j]),
     (companion(x**2 - 4 * x + 1), [2 - sqrt(3), 2 + sqrt(3)]),
     (companion(x**2 + 2 * x + 5), [-1 + 2 * j, -1 - 2 * j]),
     (companion(x**2 + x + 1), [-sp.S.Half + sqrt(3) * j / 2, -sp.S.Half - sqrt(3) * j / 2]),
@@ -32,6 +38,23 @@ def test_known_spectra_in_their_order(A, expected):
     assert [sp.expand(found - value) for found, value in zip(exact.spectrum(A).eigenvalues, expected, strict=True)] == [
         0
     ] * A.rows
+
+
+@given(st.lists(st.fractions(max_denominator=30) | st.integers(-300, 300), min_size=1, max_size=8))
+def test_a_polynomial_is_written_as_sympy_itself_writes_it(coefficients):
+    numbers = [sp.Rational(c.numerator, c.denominator) for c in coefficients]
+    expected = sum(c * x ** (len(numbers) - 1 - i) for i, c in enumerate(numbers))
+    assert in_powers([sp.QQ(int(c.p), int(c.q)) for c in numbers], sp.QQ, x) == expected
+
+
+@given(st.lists(st.integers(-130, 130), min_size=1, max_size=5), st.sampled_from([1, x**2 + 1, x**2 - 2, 3 * x - 1]))
+def test_irreducible_factors_are_those_of_sympy(roots, other):
+    chi = sp.Poly(sp.prod([x - root for root in roots]) * other, x).monic()
+    found = irreducible_factors(companion(chi.as_expr()))
+    expected = [(p.monic(), m) for p, m in chi.factor_list()[1]]
+    assert sorted(((p.all_coeffs(), m) for p, m in found), key=str) == sorted(
+        ((p.all_coeffs(), m) for p, m in expected), key=str
+    )
 
 
 @pytest.mark.parametrize("A", **each(NUMERIC))

@@ -13,7 +13,6 @@ from math import factorial
 
 import sympy as sp
 
-from solver.exact.functions.assembly import linear_combination
 from solver.exact.functions.residues import (
     FactorResidues,
     Residue,
@@ -21,6 +20,7 @@ from solver.exact.functions.residues import (
     multiply_by,
     resolvent_residues,
 )
+from solver.exact.linear_algebra.assembly import linear_combination
 from solver.exact.linear_algebra.fields import (
     Algebraic,
     NotExact,

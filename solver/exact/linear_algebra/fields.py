@@ -14,6 +14,8 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from solver.exact.linear_algebra.assembly import linear_combination
+
 Element = Any
 """An element of a field: of K (a sympy domain element) or of L (an `Algebraic`)."""
 
@@ -72,7 +74,8 @@ def expression(K: Any, element: Element) -> sp.Expr:
 def in_powers(coefficients: Sequence[Any], K: Any, x: sp.Symbol) -> sp.Expr:
     """The polynomial with these coefficients in K, the highest power first, as an expression in x."""
     degree = len(coefficients) - 1
-    return sp.Add(*(expression(K, c) * x ** (degree - i) for i, c in enumerate(coefficients) if c))
+    terms = [(expression(K, c), x ** (degree - i)) for i, c in enumerate(coefficients) if c]
+    return linear_combination(terms) if K.is_QQ else sp.Add(*(c * power for c, power in terms))
 
 
 def whole_angles(found: sp.Expr) -> sp.Expr:

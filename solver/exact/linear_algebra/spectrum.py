@@ -111,7 +111,7 @@ def _horner(coefficients: list[int], x: int) -> list[int]:
 
 
 def _small_integer_roots(coefficients: list[Any]) -> tuple[list[int], list[Any]]:
-    """Integer roots −9 … 9 of a polynomial (highest power first), with multiplicity, and what is left without them.
+    """Integer roots −99 … 99 of a polynomial (highest power first), with multiplicity, and what is left without them.
 
     Most polynomials of a course split like this, and factoring over the integers costs more than the rest of e^{At}.
     """
@@ -119,8 +119,8 @@ def _small_integer_roots(coefficients: list[Any]) -> tuple[list[int], list[Any]]
         return [], coefficients
     roots: list[int] = []
     rest = [int(c) for c in coefficients]
-    for root in range(-9, 10):
-        while len(rest) > 1:
+    for root in range(-99, 100):
+        while len(rest) > 1 and (rest[-1] % root == 0 if root else rest[-1] == 0):  # a root divides the constant term
             *quotient, value = _horner(rest, root)
             if value:
                 break

@@ -18,7 +18,7 @@ from latex2mathml.converter import convert_to_element
 
 from solver.render.mathml.source import MathError, normalised
 from solver.render.mathml.tree import repair
-from solver.render.mathml.writing import width, written
+from solver.render.mathml.writing import Extent, extent, width, written
 
 FIRST = 90_000
 """The number that stands for the first piece taken out; the next ones follow, at most 9,999."""
@@ -46,11 +46,11 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """Markup around the slots, the number in each slot, and the tree, which knows the widths."""
+    """Markup around the slots, the number in each slot, and how wide that will be."""
 
     markup: tuple[str, ...]
     slots: tuple[int, ...]
-    tree: Element
+    extent: Extent
 
 
 @lru_cache(maxsize=8192)
@@ -70,13 +70,13 @@ def piece(latex: str, entry: bool = False) -> Piece:
     for slot, markup in zip(shape.slots, shape.markup[1:], strict=True):
         filled += (contents[slot].markup, markup)
     widths = {str(FIRST + slot): content.width for slot, content in enumerate(contents)}
-    return Piece("".join(filled), width(shape.tree, widths))
+    return Piece("".join(filled), width(shape.extent, widths))
 
 
 def whole(latex: str, entry: bool = False) -> Piece:
     """Draw a formula, or an entry, without taking it apart; raises MathError."""
     tree = _tree(latex, entry)
-    return Piece(written(tree), width(tree, {}))
+    return Piece(written(tree), width(extent(tree), {}))
 
 
 def _taken_apart(latex: str) -> tuple[str, list[Piece]]:
@@ -112,7 +112,9 @@ def _taken_apart(latex: str) -> tuple[str, list[Piece]]:
 def _shape(outline: str, entry: bool) -> Shape:
     tree = _tree(outline, entry)
     markup = SLOT.split(written(tree))
-    return Shape(tuple(markup[::2]), tuple(int(number) - FIRST for number in markup[1::2]), tree)
+    numbers = markup[1::2]
+    slots = tuple(int(number) - FIRST for number in numbers)
+    return Shape(tuple(markup[::2]), slots, extent(tree, {str(FIRST + slot) for slot in slots}))
 
 
 def _tree(latex: str, entry: bool = False) -> Element:

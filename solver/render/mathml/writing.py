@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from html import escape
 from itertools import zip_longest
+from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 from solver.render.mathml.source import MathError
@@ -48,23 +49,50 @@ def _whole(element: Element) -> str:
     return f"<{tag}{attributes}>{written(element)}</{tag}>"
 
 
-def width(element: Element, numbers: Mapping[str, float]) -> float:
-    """Estimate the width in em: enough to know which formulas may not fit on a narrow screen.
+class Group(NamedTuple):
+    """An element whose width depends on what stands in it."""
 
-    `numbers` gives the width of those numbers that stand for something else.
-    """
+    tag: str
+    parts: list[Extent]
+
+
+class Table(NamedTuple):
+    """The cells of a matrix, row by row."""
+
+    rows: list[list[Extent]]
+
+
+Extent = float | str | Group | Table
+"""How wide something is: so many em, or as wide as what a number stands for, or as its parts make it."""
+
+
+def extent(element: Element, slots: Collection[str] = ()) -> Extent:
+    """Return how wide an element will be, roughly; `slots` are the numbers that stand for something else."""
     text = element.text or ""
     match element.tag:
         case "mi" | "mn" | "mtext":
-            return numbers.get(text, 0.5 * len(text)) if element.tag == "mn" else 0.5 * len(text)
+            return text if element.tag == "mn" and text in slots else 0.5 * len(text)
         case "mo":
             return 0.4 if "stretchy" in element.attrib else 0.9
         case "mspace":
             return float((element.get("width") or "0").rstrip("emx"))
         case "mtable":
-            columns = zip_longest(*([width(cell, numbers) for cell in row] for row in element), fillvalue=0.0)
-            return sum(0.8 + max(column) for column in columns)
-    return _around(element.tag, [width(child, numbers) for child in element])
+            return Table([[extent(cell, slots) for cell in row] for row in element])
+    parts = [extent(child, slots) for child in element]
+    known = [part for part in parts if isinstance(part, float)]
+    return _around(element.tag, known) if len(known) == len(parts) else Group(element.tag, parts)
+
+
+def width(extent: Extent, numbers: Mapping[str, float]) -> float:
+    """Estimate the width in em: enough to know which formulas may not fit on a narrow screen."""
+    if isinstance(extent, float):
+        return extent
+    if isinstance(extent, str):
+        return numbers[extent]
+    if isinstance(extent, Table):
+        columns = zip_longest(*([width(cell, numbers) for cell in row] for row in extent.rows), fillvalue=0.0)
+        return sum(0.8 + max(column) for column in columns)
+    return _around(extent.tag, [width(part, numbers) for part in extent.parts])
 
 
 def _around(tag: str, widths: list[float]) -> float:
@@ -78,4 +106,4 @@ def _around(tag: str, widths: list[float]) -> float:
             return widths[0] + 0.7 * widths[1]
         case "msubsup":
             return widths[0] + 0.7 * max(widths[1:])
-    return sum(widths)
+    return sum(widths, 0.0)

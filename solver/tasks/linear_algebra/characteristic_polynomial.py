@@ -48,7 +48,7 @@ def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeV
 
 def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:
     """How the determinant is expanded: the row, and whether the matrix is triangular."""
-    return {"row": _row_with_most_zeros(pencil), "triangular": bool(pencil.is_upper or pencil.is_lower)}
+    return {"row": _row_with_most_zeros(pencil), "triangular": _is_triangular(pencil)}
 
 
 def _row_with_most_zeros(M: ImmutableMatrix) -> int:
@@ -56,10 +56,15 @@ def _row_with_most_zeros(M: ImmutableMatrix) -> int:
     return zeros.index(max(zeros))
 
 
+def _is_triangular(M: ImmutableMatrix) -> bool:
+    n = M.rows
+    return any(all(M[i, j] == 0 for i in range(n) for j in range(n) if sign * i < sign * j) for sign in (1, -1))
+
+
 def expansion_of(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
     """The determinant as it is written before multiplying out, and multiplied out."""
     says = "the determinant multiplied out"
-    if pencil.is_upper or pencil.is_lower:
+    if _is_triangular(pencil):
         diagonal = [pencil[i, i] for i in range(pencil.rows)]
         return {
             "stated": Claim(determinant(pencil), product(*diagonal), "determinant of a triangular matrix"),
