@@ -113,8 +113,7 @@ def _shape(outline: str, entry: bool) -> Shape:
     tree = _tree(outline, entry)
     markup = SLOT.split(written(tree))
     numbers = markup[1::2]
-    slots = tuple(int(number) - FIRST for number in numbers)
-    return Shape(tuple(markup[::2]), slots, extent(tree, {str(FIRST + slot) for slot in slots}))
+    return Shape(tuple(markup[::2]), tuple(int(number) - FIRST for number in numbers), extent(tree, numbers))
 
 
 def _tree(latex: str, entry: bool = False) -> Element:
