@@ -9,7 +9,7 @@ from math import log
 from pathlib import Path
 from typing import Any
 
-from benchmarks.timing import Failure, Row, milliseconds_of_each, output, process
+from benchmarks.timing import Failure, Row, milliseconds_of_each, output, processes
 
 PROBLEM = """\
 title: Benchmark
@@ -41,9 +41,8 @@ def problem_text(n: int, first: int = 1) -> str:
 
 def rows() -> Iterator[Row | Failure]:
     """Return the lines of the table."""
-    _, bare = process(["-c", "pass"])
     for words in (["--help"], ["tasks"]):
-        yield from _guarded(f"solve {words[0]}: CPU above bare Python", lambda words=words: _startup(words, bare))
+        yield from _guarded(f"solve {words[0]}: CPU above bare Python", lambda words=words: _startup(words))
     yield from _guarded("cold solve, n = 3, HTML, checks", _cold)
     yield from _guarded("warm solve + check + HTML, n = 3", _warm)
 
@@ -56,9 +55,9 @@ def _guarded(name: str, measure: Any) -> Iterator[Row | Failure]:
         yield Failure(name, str(reason))
 
 
-def _startup(words: list[str], bare: float) -> Iterator[Row]:
-    process(["-c", NO_SYMPY.format(argv=["solve", *words])], repetitions=1)
-    _, cpu = process(["-m", "solver", *words])
+def _startup(words: list[str]) -> Iterator[Row]:
+    output(["-c", NO_SYMPY.format(argv=["solve", *words])])
+    (_, bare), (_, cpu) = processes(["-c", "pass"], ["-m", "solver", *words])
     yield Row(f"solve {words[0]}: CPU above bare Python", cpu - bare, at_most=150)
 
 
@@ -66,8 +65,8 @@ def _cold() -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "problem.yaml"
         path.write_text(problem_text(3), encoding="utf-8")
-        sympy_wall, _ = process(["-c", "import sympy"])
-        wall, _ = process(["-m", "solver", str(path), "-o", str(Path(folder) / "page.html")])
+        solve = ["-m", "solver", str(path), "-o", str(Path(folder) / "page.html")]
+        (wall, _), (sympy_wall, _) = processes(solve, ["-c", "import sympy"])
     yield Row("cold solve, n = 3, HTML, checks", wall, "python -c 'import sympy'", sympy_wall, 1 / 2.5)
 
 

@@ -128,20 +128,22 @@ def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: 
     return 1000 * min(times[0]), 1000 * min(times[1])
 
 
-def process(arguments: Sequence[str], repetitions: int = 5) -> tuple[float, float]:
-    """The least wall time and CPU time (ms) of a Python process, the first run (it compiles) left out.
+def processes(*works: Sequence[str], repetitions: int = 9) -> list[tuple[float, float]]:
+    """The least wall and CPU time (ms) of Python processes run in turns; a first run of each, which compiles, does not count.
 
-    Raises RuntimeError if it fails.
+    Raises RuntimeError if one fails.
     """
-    walls, cpus = [], []
-    for _ in range(repetitions + 1):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        start = perf_counter()
-        output(arguments)
-        walls.append(perf_counter() - start)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        cpus.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    return 1000 * min(walls[1:]), 1000 * min(cpus[1:])
+    times = [[_of_process(arguments) for arguments in works] for _ in range(repetitions + 1)]
+    return [(min(wall for wall, _ in each), min(cpu for _, cpu in each)) for each in zip(*times[1:], strict=True)]
+
+
+def _of_process(arguments: Sequence[str]) -> tuple[float, float]:
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    start = perf_counter()
+    output(arguments)
+    wall = perf_counter() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return 1000 * wall, 1000 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
 
 
 def output(arguments: Sequence[str]) -> str:
