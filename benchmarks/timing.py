@@ -129,7 +129,7 @@ def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: 
 
 
 def processes(*works: Sequence[str], repetitions: int = 9) -> list[tuple[float, float]]:
-    """The least wall and CPU time (ms) of Python processes run in turns; a first run of each, which compiles, does not count.
+    """The least wall and CPU time (ms) of Python processes run in turns, without a first run of each, which compiles.
 
     Raises RuntimeError if one fails.
     """
