@@ -22,7 +22,12 @@ find:
 NO_SYMPY = "import sys; sys.argv = {argv}; from solver.cli import main\ntry:\n main()\nexcept SystemExit:\n pass\n"
 NO_SYMPY += "assert 'sympy' not in sys.modules, 'sympy was imported'"
 
+WARMING = 5
+"""Problems after which a process is warm: Python's bytecode has adapted, the shapes of formulas are known."""
+
 WARM = "from benchmarks.command_line import milliseconds_of_unseen; print(milliseconds_of_unseen({n}, {count}))"
+
+IMPORT = "from time import process_time as t; start = t(); import sympy; print(1000 * (t() - start))"
 
 
 def companion_text(n: int, first: int = 1) -> str:
@@ -71,17 +76,20 @@ def _cold() -> Iterator[Row]:
 
 
 def _warm() -> Iterator[Row]:
-    """Yield the times of problems never seen before in a process that has solved others."""
-    three, six = (
-        min(float(output(["-c", WARM.format(n=n, count=count)])) for _ in range(5)) for n, count in ((3, 8), (6, 4))
-    )
-    yield Row("warm solve + check + HTML, n = 3", three, at_most=30)
+    """Yield the times of problems never seen before in a process that has solved others.
+
+    `import sympy` beside them tells how quick the machine is at the time.
+    """
+    works = [WARM.format(n=3, count=8), WARM.format(n=6, count=4), IMPORT]
+    turns = [[float(output(["-c", work])) for work in works] for _ in range(7)]
+    three, six, sympy = map(min, zip(*turns, strict=True))
+    yield Row("warm solve + check + HTML, n = 3", three, "import sympy", sympy, at_most=30)
     yield Row(f"warm, n = 6 (growth n^{log(six / three, 2):.1f})", six, at_most=three * 2**4)
 
 
 def milliseconds_of_unseen(n: int, count: int) -> float:
-    """The median time of problems of order n that this process has not seen, after one to warm up."""
+    """The median time of problems of order n that this process has not seen, after some others of that order."""
     package = import_module("solver")  # only here, so that the rows above do not pay for it
-    return milliseconds_of_each(
-        [lambda first=first: package.solve(problem_text(n, first)).html() for first in range(1, count + 2)]
-    )
+    firsts = [*range(count + 1, count + 1 + WARMING), *range(1, count + 1)]
+    works = [lambda first=first: package.solve(problem_text(n, first)).html() for first in firsts]
+    return milliseconds_of_each(works, WARMING)

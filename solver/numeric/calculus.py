@@ -13,7 +13,7 @@ from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array, multiple
 from solver.numeric.contour import unit_roots
 from solver.numeric.environment import Environment
 from solver.numeric.stated import add, operation
-from solver.numeric.values import NotEvaluable, Undefined, Value
+from solver.numeric.values import NotEvaluable, Undefined, Value, gathered
 from solver.numeric.walk import walk
 
 RADII = (1.0, 0.25, 0.0625, 2.0**-6, 2.0**-8, 2.0**-12, 2.0**-18)
@@ -73,7 +73,7 @@ def derivative(environment: Environment, function: Any, variable: Any, order: An
     for radius in RADII:
         scale = arithmetic.rational(1, round(1 / radius))
         samples = _on_circle(environment, function, variable, x, radius)
-        value, magnitude = _samples(samples, environment.points, count)
+        value, magnitude = gathered(samples, environment.points, count)
         if _known(value, magnitude, arithmetic) and _analytic(np.asarray(arithmetic.approximate(value)), magnitude):
             weights = (arithmetic.power(roots, arithmetic.number(-m)) * factorial(m)).reshape(
                 (1, count, *(1 for _ in value.shape[2:]))
@@ -120,14 +120,6 @@ def _walked_round(environment: Environment, function: Any, variable: Any, x: Arr
     roots = unit_roots(_points_on(arithmetic), arithmetic)
     scale = arithmetic.rational(1, round(1 / radius))
     return walk(function, environment.spread(variable, x[:, None] + scale * roots[None, :]))
-
-
-def _samples(samples: Value, points: int, count: int) -> tuple[Array, Array]:
-    """Return values and magnitudes as arrays (P, N, …)."""
-    tail = np.shape(samples.value)[1:]
-    value = np.broadcast_to(samples.value, (points * count, *tail)).reshape((points, count, *tail))
-    magnitude = np.broadcast_to(samples.magnitude, (points * count, *tail)).reshape((points, count, *tail))
-    return value, magnitude
 
 
 def _known(value: Array, magnitude: Array, arithmetic: Any) -> bool:
@@ -190,7 +182,7 @@ def _panels(environment: Environment, integrand: Any, variable: Any, span: tuple
     weights = (half * w[None, :]).reshape(-1)
     start, width = span
     samples = walk(integrand, environment.spread(variable, start[:, None] + width[:, None] * u[None, :]))
-    value, magnitude = _samples(samples, environment.points, len(u))
+    value, magnitude = gathered(samples, environment.points, len(u))
     factor = (width[:, None] * weights[None, :]).reshape((environment.points, len(u), *(1 for _ in value.shape[2:])))
     return Value((value * factor).sum(axis=1), (magnitude * arithmetic.size(factor)).sum(axis=1))
 

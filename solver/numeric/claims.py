@@ -153,10 +153,13 @@ def _point_by_point(
 
 def _in_reach(points: Sequence[Point], transforms: list[Stated]) -> list[Point]:
     """Scale t so that the inversion integrals keep their digits: radius · t between 0.4 and REACH."""
+    if not transforms:
+        return list(points)
     reach: dict[Any, Any] = {}
+    environment = Environment.at(points)
     for image, s, t in (formula.operands for formula in transforms):
         if t in points[0]:
-            radius = circle_around_poles(image, s, Environment.at(points), centred=False).radius
+            radius = circle_around_poles(image, s, environment, centred=False).radius
             reach[t] = np.minimum(reach.get(t, np.inf), REACH / radius)
     scaled = [{t: point[t] / 1.5 * float(largest[p]) for t, largest in reach.items()} for p, point in enumerate(points)]
     return [{**point, **times} for point, times in zip(points, scaled, strict=True)]

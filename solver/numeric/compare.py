@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array, multiple
-from solver.numeric.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, shape_of
+from solver.numeric.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, filled, shape_of
 
 TOLERANCE = 1e-9
 QUIET = 1e-10
@@ -50,8 +50,7 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
 
 def _flat(value: Value, points: int) -> tuple[Array, Array]:
     """Return values and magnitudes as arrays (P, entries)."""
-    full = (points, *np.shape(value.value)[1:])
-    shown, size = (part if np.shape(part) == full else np.broadcast_to(part, full) for part in value)
+    shown, size = filled(value, points)
     return shown.reshape(points, -1), size.reshape(points, -1)
 
 

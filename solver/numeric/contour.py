@@ -17,7 +17,7 @@ from solver.numeric.environment import Environment
 from solver.numeric.linear_terms import linear_terms
 from solver.numeric.poles import Circle, circle_around_poles
 from solver.numeric.stated import add, multiply, operation
-from solver.numeric.values import NotEvaluable, Value
+from solver.numeric.values import NotEvaluable, Value, gathered
 from solver.numeric.walk import walk
 
 REACH = 6.0
@@ -104,11 +104,9 @@ def _integrate(environment: Environment, image: Any, variable: Any, nodes: Array
     """Return the mean over the nodes (P×N) of the image times the weights (P×N)."""
     F = walk(image, environment.spread(variable, nodes))
     arithmetic = environment.arithmetic
-    shape = (*nodes.shape, *np.shape(F.value)[1:])
-    factor = weights.reshape((*nodes.shape, *(1 for _ in shape[2:])))
-    value = np.broadcast_to(F.value, (nodes.size, *shape[2:])).reshape(shape)
-    magnitude = np.broadcast_to(F.magnitude, (nodes.size, *shape[2:])).reshape(shape)
-    count = nodes.shape[1]
+    points, count = nodes.shape
+    value, magnitude = gathered(F, points, count)
+    factor = weights.reshape((points, count, *(1 for _ in value.shape[2:])))
     # what the rule itself leaves out, beside the rounding of the values
     left_out = arithmetic.size(value) * (accuracy(arithmetic) / arithmetic.eps)
     size = arithmetic.size(factor)

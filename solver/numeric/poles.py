@@ -43,15 +43,26 @@ def circle_around_poles(image: Any, s: Any, environment: Environment, *, centred
     """
     alike = free_symbols(image) <= {s}  # no parameters: the same poles at each point
     if alike and _is_hashable(image):
-        poles = [_poles_of_numbers(image, s)]
+        circles = [_circle_of_numbers(image, s, centred)]
     else:
         approximate = environment.approximate()
         points = [_single(approximate, p) for p in range(1 if alike else environment.points)]
-        poles = [np.concatenate([np.zeros(0), *poles_of(image, s, point)]) for point in points]
-    centre = np.array([0.0 if centred or not len(each) else np.mean(each.real) for each in poles])
-    spread = [np.max(np.abs(each - c), initial=0.0) for each, c in zip(poles, centre, strict=True)]
-    radius = np.array([2.1 * r + 0.5 * abs(c) or 1.0 for r, c in zip(spread, centre, strict=True)])
-    return Circle(*(np.full(environment.points, each) for each in (centre, radius)))
+        circles = [_circle_around(poles_of(image, s, point), centred) for point in points]
+    return Circle(*(np.full(environment.points, each) for each in zip(*circles, strict=True)))
+
+
+def _circle_around(found: Sequence[Array], centred: bool) -> tuple[float, float]:
+    """Return centre and radius."""
+    poles = np.concatenate([np.zeros(0), *found])
+    centre = 0.0 if centred or not len(poles) else np.mean(poles.real)
+    spread = np.max(np.abs(poles - centre), initial=0.0)
+    return float(centre), float(2.1 * spread + 0.5 * abs(centre) or 1.0)
+
+
+@lru_cache(maxsize=256)
+def _circle_of_numbers(image: Any, s: Any, centred: bool) -> tuple[float, float]:
+    """Return the circle of an image without parameters; the transforms of a derivation ask for it several times."""
+    return _circle_around(poles_of(image, s, Environment({}, 1)), centred)
 
 
 def _is_hashable(image: Any) -> bool:
@@ -61,12 +72,6 @@ def _is_hashable(image: Any) -> bool:
     except TypeError:
         return False
     return True
-
-
-@lru_cache(maxsize=256)
-def _poles_of_numbers(image: Any, s: Any) -> Array:
-    """Return the poles of an image without parameters; the transforms of a derivation ask for them several times."""
-    return np.concatenate([np.zeros(0), *poles_of(image, s, Environment({}, 1))])
 
 
 def _single(environment: Environment, p: int) -> Environment:

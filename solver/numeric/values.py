@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
 SAFETY = 64.0
 """Errors above SAFETY · ε · magnitude are not explained by rounding."""
 
@@ -43,3 +45,15 @@ class Value(NamedTuple):
 def shape_of(value: Value) -> tuple[int, ...]:
     """Shape of the value at one point: () for a scalar."""
     return tuple(getattr(value.value, "shape", ()))[1:]
+
+
+def filled(value: Value, points: int) -> Value:
+    """Return the value with an entry at each of P points for all that broadcasts, in both arrays."""
+    full = (points, *np.shape(value.value)[1:])
+    return Value(*(part if np.shape(part) == full else np.broadcast_to(part, full) for part in value))
+
+
+def gathered(value: Value, points: int, count: int) -> Value:
+    """Return values at N samples for each of P points, found all at once (P·N, …), as arrays (P, N, …)."""
+    shape = (points, count, *np.shape(value.value)[1:])
+    return Value(*(part.reshape(shape) for part in filled(value, points * count)))
