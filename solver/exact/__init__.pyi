@@ -37,6 +37,7 @@ from solver.exact.linear_algebra.eigen import Eigenspace, Eigenstructure, eigens
 from solver.exact.linear_algebra.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.linear_algebra.fields import NotExact, vanishing_factors
 from solver.exact.linear_algebra.matrices import (
+    determinant,
     determinant_and_adjugate,
     inverse,
     multiply,
@@ -181,6 +182,7 @@ __all__ = [
     "definiteness",
     "definiteness_of_numbers",
     "descending_form",
+    "determinant",
     "determinant_and_adjugate",
     "diagonal_realization",
     "direction",

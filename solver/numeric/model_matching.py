@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from sympy.polys.matrices import DomainMatrix
 
 from solver.numeric.arithmetic import Array
 from solver.numeric.compare import worst_of
@@ -41,12 +42,18 @@ def matching_possible(plant: Fraction, target: Any, x: Any, *, discrete: bool) -
 
 
 def fraction_of(matrices: Any, x: Any) -> Fraction:
-    """Return numerator and denominator of C (xI − A)⁻¹ B + D of one input and output, by determinants of sympy."""
+    """Return numerator and denominator of C (xI − A)⁻¹ B + D of one input and output, by sympy's `charpoly`.
+
+    By the matrix determinant lemma C (xI − A)⁻¹ B = det(xI − A + BC)/det(xI − A) − 1.
+    """
     A, B, C, D = matrices
-    pencil = sp.Matrix(x * sp.eye(A.rows) - A)
-    chi = sp.expand(pencil.det(method="berkowitz"))
-    bordered = sp.Matrix.vstack(sp.Matrix.hstack(pencil, sp.Matrix(B)), sp.Matrix.hstack(-sp.Matrix(C), sp.Matrix(D)))
-    return sp.expand(bordered.det(method="berkowitz")), chi
+    closed, chi = (_characteristic_polynomial(M, x) for M in (A - B * C, A))
+    return sp.expand(closed - chi + D[0, 0] * chi), chi
+
+
+def _characteristic_polynomial(M: Any, x: Any) -> Any:
+    found = DomainMatrix.from_Matrix(sp.Matrix(M), extension=True)
+    return sum(found.domain.to_sympy(c) * x**i for i, c in enumerate(reversed(found.charpoly())))
 
 
 def direct_term(plant: Fraction, x: Any) -> Any:

@@ -73,13 +73,12 @@ def _remainders(V: Array) -> list[float]:
         if left[-1] < 1e-40:
             break
         q = columns.pop(largest) / lengths[largest]
-        conjugate = np.array([context.conj(entry) for entry in q], dtype=object)
-        columns = [column - q * (conjugate @ column) for column in columns]
+        columns = [column - q * context.fdot(column, q, conjugate=True) for column in columns]
     return left
 
 
 def _length(column: Array, context: Any) -> Any:
-    return context.sqrt(sum(abs(entry) ** 2 for entry in column))
+    return context.sqrt(context.fsum(column, absolute=True, squared=True))
 
 
 def _stated_rank(environment: Environment, matrix: Any) -> Value:

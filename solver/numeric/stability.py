@@ -7,10 +7,12 @@ so many digits that a cluster of computed eigenvalues is one multiple eigenvalue
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from random import Random
 from typing import Any, NamedTuple
 
 import numpy as np
+import sympy as sp
 
 from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
@@ -102,6 +104,12 @@ def _with_many_digits(A: Any, point: Point, *, discrete: bool) -> Location:
 
 def clusters(A: Any, point: Point) -> list[tuple[Any, int, Any, Any]]:
     """Return each eigenvalue (its mean), its multiplicity, a function giving dim ker(A − λI), and the arithmetic."""
+    return _clusters(sp.ImmutableMatrix(A), tuple(point.items()))
+
+
+@lru_cache(maxsize=64)
+def _clusters(A: Any, point: tuple[tuple[Any, complex], ...]) -> list[tuple[Any, int, Any, Any]]:
+    """Return them; the checks of one part ask for the same ones."""
     n = A.rows
     arithmetic = multiple(max(100, 40 * n))
     mp = arithmetic.context

@@ -234,13 +234,15 @@ def _as_assumed(symbol: Any, value: Any) -> Any:
 def _falls(M: Any, r: int, tau: Any, line: Mapping[Any, Any]) -> Iterator[dict[Any, Any]]:
     """The points of the line, admissible for all parameters, at which the rank of M is below r."""
     random = Random(SEED)  # noqa: S311 - nothing secret
-    U = sp.Matrix(r, M.rows, [random.randint(-9, 9) for _ in range(r * M.rows)])
-    W = sp.Matrix(M.cols, r, [random.randint(-9, 9) for _ in range(r * M.cols)])
-    on_line = U * sp.Matrix(M).xreplace(dict(line)) * W
+    U = DomainMatrix.from_Matrix(sp.Matrix(r, M.rows, [random.randint(-9, 9) for _ in range(r * M.rows)]))
+    W = DomainMatrix.from_Matrix(sp.Matrix(M.cols, r, [random.randint(-9, 9) for _ in range(r * M.cols)]))
+    on_line = sp.Matrix(M).xreplace(dict(line))
     if not all(entry.is_rational_function(tau) for entry in on_line.flat()):
         raise NotEvaluable("the entries are not rational in the parameters")
-    D = DomainMatrix.from_Matrix(on_line, extension=True).to_field()
-    for root in _roots(D.domain.to_sympy(D.det()), tau):
+    D = DomainMatrix.from_Matrix(on_line, extension=True)
+    U, D, W = (each.convert_to(D.domain) for each in (U, D, W))
+    minor = (U * D * W).to_field()
+    for root in _roots(minor.domain.to_sympy(minor.det()), tau):
         if abs(sp.im(root)) > 1e-30:
             continue
         point = {y: sp.N(value.xreplace({tau: sp.re(root)}), DIGITS + 10) for y, value in line.items()}

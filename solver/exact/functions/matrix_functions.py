@@ -23,6 +23,7 @@ from solver.exact.functions.scalar_functions import ScalarFunction, at_root, mul
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import NotExact, collected, domain_matrix, expression, matrix_of
 from solver.exact.linear_algebra.spectrum import Factor, spectrum
+from solver.matrices import entries
 from solver.words import formula
 
 
@@ -45,9 +46,9 @@ def matrix_function(A: sp.ImmutableMatrix, f: ScalarFunction) -> FunctionOfMatri
         return FunctionOfMatrix(power(A, k).matrix, alpha, conditions)
     if f.rational is not None:
         return _reduced(A, f, conditions)
-    value = _summed(resolvent_residues(A), f, A.shape)
-    if f.expression == sp.exp(f.variable * sp.Symbol("t")):
-        value = exponential(A, sp.Symbol("t")).matrix
+    t = sp.Symbol("t")
+    is_exponential = f.expression == sp.exp(f.variable * t)
+    value = exponential(A, t).matrix if is_exponential else _summed(resolvent_residues(A), f, A.shape)
     residues = interpolation_residues(A) if _multiplicities_hold(A, f) else _minimal_interpolation(A)
     size = sum(each.factor.degree * each.factor.multiplicity for each in residues)
     alpha = tuple(_summed(residues, f, (size, 1)).flat())
@@ -122,7 +123,7 @@ def conditions_for(A: sp.ImmutableMatrix, f: ScalarFunction) -> Iterator[Conditi
 
 def _summed(residues: Iterable[FactorResidues], f: ScalarFunction, shape: tuple[int, int]) -> sp.ImmutableMatrix:
     """Σ Z_j f^{(j−1)}(λ)/(j−1)! over all roots; a conjugate pair gives 2(X u − Y v)."""
-    total = sp.zeros(*shape)
+    terms: list[list[sp.Expr]] = [[] for _ in range(shape[0] * shape[1])]
     for each in residues:
         for j in range(1, highest_power(each) + 1):
             for root in each.factor.roots:
@@ -132,20 +133,29 @@ def _summed(residues: Iterable[FactorResidues], f: ScalarFunction, shape: tuple[
                 Z = residue_at(each.residues[j - 1], root, shape)
                 real, imaginary = at_root(f, root, j - 1)
                 if imaginary is None:
-                    total += Z * real / factorial(j - 1)
+                    _add(terms, Z, real / factorial(j - 1))
                 else:
-                    X, Y = Z.applyfunc(sp.re), Z.applyfunc(sp.im)
-                    total += 2 * (X * real - Y * imaginary) / factorial(j - 1)
-    return sp.ImmutableMatrix(total.applyfunc(_tidied))
+                    _add(terms, Z.applyfunc(sp.re), 2 * real / factorial(j - 1))
+                    _add(terms, Z.applyfunc(sp.im), -2 * imaginary / factorial(j - 1))
+    return sp.ImmutableMatrix(*shape, [_tidied(sp.Add(*each)) for each in terms])
+
+
+def _add(terms: list[list[sp.Expr]], Z: sp.ImmutableMatrix, value: sp.Expr) -> None:
+    """Add Z times a number, or a function of t, to the terms of each entry, multiplied out."""
+    parts = sp.Add.make_args(multiplied_out(value))
+    for place, entry in zip(terms, entries(Z), strict=True):
+        if entry.is_Rational:
+            place.extend(entry * part for part in parts if entry)
+        else:
+            place.extend(sp.Add.make_args(multiplied_out(entry * value)))
 
 
 def _tidied(entry: sp.Expr) -> sp.Expr:
-    """Numbers multiplied out, with nested roots taken apart where they can be; parameters factored."""
+    """Nested roots of numbers taken apart where they can be; parameters factored."""
     if entry.free_symbols - {sp.Symbol("t")}:
-        return collected(entry) if entry.is_rational_function(*entry.free_symbols) else multiplied_out(entry)
-    expanded = multiplied_out(entry)
-    nested = any(each.base.has(sp.Pow) for each in expanded.atoms(sp.Pow) if each.exp == sp.S.Half)
-    found: sp.Expr = multiplied_out(sp.sqrtdenest(expanded)) if nested else expanded
+        return collected(entry) if entry.is_rational_function(*entry.free_symbols) else entry
+    nested = any(each.base.has(sp.Pow) for each in entry.atoms(sp.Pow) if each.exp == sp.S.Half)
+    found: sp.Expr = multiplied_out(sp.sqrtdenest(entry)) if nested else entry
     return found
 
 

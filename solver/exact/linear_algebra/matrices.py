@@ -44,10 +44,15 @@ def inverse(A: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix(adj.applyfunc(lambda entry: sp.cancel(entry / det)))
 
 
+def determinant(A: sp.ImmutableMatrix) -> sp.Expr:
+    """Det A = (−1)ⁿ aₙ of the Faddeev–LeVerrier recursion."""
+    fl = faddeev_leverrier(A)
+    return (-1) ** A.rows * expression(fl.domain, fl.chi[-1])
+
+
 def determinant_and_adjugate(A: sp.ImmutableMatrix) -> tuple[sp.Expr, sp.ImmutableMatrix]:
-    """Return det A = (−1)ⁿ aₙ and adj A = (−1)ⁿ⁻¹ Nₙ₋₁ of the Faddeev–LeVerrier recursion."""
-    fl, sign = faddeev_leverrier(A), (-1) ** A.rows
-    return sign * expression(fl.domain, fl.chi[-1]), sp.ImmutableMatrix(-sign * matrix_of(fl.N[-1]))
+    """Return det A and adj A = (−1)ⁿ⁻¹ Nₙ₋₁ of the Faddeev–LeVerrier recursion."""
+    return determinant(A), sp.ImmutableMatrix((-1) ** (A.rows - 1) * matrix_of(faddeev_leverrier(A).N[-1]))
 
 
 def truncated_series(A: sp.ImmutableMatrix, t: sp.Symbol, terms: int) -> sp.ImmutableMatrix:

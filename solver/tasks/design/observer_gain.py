@@ -94,7 +94,7 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
     }
     det, exceptions = None, []
     if p == 1:
-        det = exact.determinant_and_adjugate(O)[0]
+        det = exact.determinant(O)
         claims["determinant"] = Claim(determinant(O), det, "determinant of the observability matrix")
         exceptions = exact.vanishing_factors(det)
     parts = exact.observable_decomposition(A, None, C)

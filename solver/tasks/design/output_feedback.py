@@ -198,7 +198,7 @@ def reduced_compensator(
     claims = {"E": Claim(product(K, total(parts.T[:, :p], product(parts.T[:, p:], L))), E, "$K (S_1 + S_2 L)$")}
     if not plant.plain:
         W = sp.ImmutableMatrix(sp.eye(K.rows) - E * D)
-        if exact.determinant_and_adjugate(W)[0] == 0:
+        if exact.determinant(W) == 0:
             raise Unsolved(
                 "The loop is not well posed: $I - K(S_1 + S_2L)D$ is singular, so $u$ and $y$ do not determine each "
                 "other at an instant."

@@ -116,7 +116,7 @@ def _controllability(pair: Pair) -> Derivation[int]:
         )
         for i in range(1, n)
     }
-    det = exact.determinant_and_adjugate(C_o)[0]
+    det = exact.determinant(C_o)
     claims["determinant"] = Claim(determinant(frame.shown(C_o)), det, "its determinant")
     order = exact.reachable_order(A, b)
     yield Step("controllability", claims=claims, C_o=frame.shown(C_o), det=det, order=order, n=n, **pair.flags)

@@ -59,7 +59,7 @@ def partition_of(plant: Plant) -> Derivation[exact.Partition]:
         permutation=parts.permutation,
         measured=_column(names[row.index(1)] for row in C.tolist()) if parts.permutation else None,
         unmeasured=_column(names[j] for j in parts.unmeasured),
-        exceptions=exact.vanishing_factors(exact.determinant_and_adjugate(parts.Q)[0]),
+        exceptions=exact.vanishing_factors(exact.determinant(parts.Q)),
         D=None if plant.plain else plant.D,
     )
     yield Step(

@@ -85,7 +85,7 @@ def steady_state_of(
     order = exact.rank(M)
     claims = {"rank": Claim(rank(M), sp.Integer(order), "rank of the matrix of the steady state")}
     if M.is_square:
-        det = exact.determinant_and_adjugate(M)[0]
+        det = exact.determinant(M)
         claims["determinant"] = Claim(determinant(M), det, "determinant of the matrix of the steady state")
     yield Step("steady_state", claims=claims, M=M, discrete=discrete, inputs=m, outputs=p, states=n, order=order)
     if order < n + p:

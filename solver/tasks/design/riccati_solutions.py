@@ -152,7 +152,7 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
             minors.append([])
             for k in range(1, each.P.rows + 1):
                 block = sp.ImmutableMatrix(each.P[:k, :k])
-                minor = exact.determinant_and_adjugate(block)[0]
+                minor = exact.determinant(block)
                 minors[-1].append((minor, exact.sign_of(minor) or 0))
                 claims[f"minor{k}_{number}"] = Claim(
                     determinant(block), minor, f"leading minor {k} of $P_{{{number}}}$"

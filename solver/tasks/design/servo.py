@@ -91,7 +91,7 @@ def _integrators_reached(plant: Any, D: ImmutableMatrix) -> Derivation[None]:
     order = exact.rank(M)
     claims = {"rank": Claim(rank(M), sp.Integer(order), "rank of the matrix of the steady state")}
     if m == p:
-        det = exact.determinant_and_adjugate(M)[0]
+        det = exact.determinant(M)
         claims["determinant"] = Claim(determinant(M), det, "determinant of the matrix of the steady state")
     yield Step("condition", claims=claims, M=M, order=order, needed=n + p, discrete=plant.discrete, square=m == p)
     if order == n + p:

@@ -63,9 +63,7 @@ def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
     square = m == p and found.unique
     claims = {"solution": Claim(product(M, found.stacked), right, "the set point")}
     if square:
-        claims["determinant"] = Claim(
-            determinant(M), exact.determinant_and_adjugate(M)[0], "determinant of the equations"
-        )
+        claims["determinant"] = Claim(determinant(M), exact.determinant(M), "determinant of the equations")
     elif found.rank == n + p:
         claims["least"] = Claim(least_solution(found), found.stacked, "the least solution")
     yield Step(

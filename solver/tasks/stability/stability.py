@@ -111,7 +111,7 @@ def by_lyapunov(given: Given) -> Derivation[Answers]:
     verdict, semidefinite = "", exact.definiteness(Q) != "positive definite"
     facts = {"discrete": discrete, "dual": dual, "semidefinite": semidefinite}
     if P is not None:
-        minors = [exact.determinant_and_adjugate(sp.ImmutableMatrix(P[:k, :k]))[0] for k in range(1, A.rows + 1)]
+        minors = [exact.determinant(sp.ImmutableMatrix(P[:k, :k])) for k in range(1, A.rows + 1)]
         signs = [exact.sign_of(minor) for minor in minors]
         definite = False if any(sign is not None and sign < 1 for sign in signs) else None if None in signs else True
         claims = {

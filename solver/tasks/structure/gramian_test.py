@@ -104,7 +104,7 @@ def _definite(pair: Pair, W: ImmutableMatrix) -> Step:
     if r == pair.n:
         for k in range(1, pair.n + 1):
             minor = sp.ImmutableMatrix(W[:k, :k])
-            value = sp.factor(exact.determinant_and_adjugate(minor)[0])
+            value = sp.factor(exact.determinant(minor))
             claims[f"minor{k}"] = Claim(determinant(minor), value, f"leading minor {k} of the Gramian")
     minors = [claims[f"minor{k}"].right for k in range(1, pair.n + 1)] if r == pair.n else []
     return Step("definite", claims=claims, W=W, minors=minors, r=r, n=pair.n, dual=pair.dual)

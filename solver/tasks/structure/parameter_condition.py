@@ -88,7 +88,7 @@ def by_minors(given: Given) -> Derivation[Answers]:
 
 def _determinant(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
     """One input (output): the determinant of the square matrix."""
-    det = exact.determinant_and_adjugate(matrix)[0]
+    det = exact.determinant(matrix)
     claims = {"expanded": Claim(determinant(matrix), sp.expand(det), "determinant")}
     claims["factored"] = Claim(sp.expand(det), sp.factor(det), "determinant in factors")
     return Step("determinant", claims=claims | arithmetic_of(matrix), x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))

@@ -34,7 +34,7 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
     yield _matrix(pair, matrix)
     det = None
     if matrix.rows == matrix.cols:
-        det = sp.factor(exact.determinant_and_adjugate(matrix)[0])
+        det = sp.factor(exact.determinant(matrix))
         yield Step(
             "determinant",
             claims={"value": Claim(determinant(matrix), det, "determinant"), **arithmetic_of(matrix)},
@@ -90,7 +90,7 @@ def matrix_of(pair: Pair) -> Derivation[ImmutableMatrix]:
 def rank_in_short(pair: Pair) -> Derivation[Rank]:
     """The matrix and its rank, where another test has given the verdict."""
     matrix = pair.matrix
-    det = sp.factor(exact.determinant_and_adjugate(matrix)[0]) if matrix.rows == matrix.cols else None
+    det = sp.factor(exact.determinant(matrix)) if matrix.rows == matrix.cols else None
     r = exact.rank(matrix)
     claims = {"rank": Claim(rank(matrix), sp.Integer(r), "rank")}
     if det is not None:
