@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache, lru_cache, reduce
+from itertools import pairwise
 from math import factorial
 from typing import Any
 
@@ -10,14 +11,17 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.arithmetic import DOUBLE, Arithmetic, Array, multiple
-from solver.numeric.contour import unit_roots
+from solver.numeric.contour import accuracy, unit_roots
 from solver.numeric.environment import Environment
 from solver.numeric.stated import add, operation
 from solver.numeric.values import NotEvaluable, Undefined, Value, gathered
 from solver.numeric.walk import walk
 
 RADII = (1.0, 0.25, 0.0625, 2.0**-6, 2.0**-8, 2.0**-12, 2.0**-18)
-PANELS = 4
+IN_DOUBLES = ((4, 20), (8, 20))
+WITH_MANY_DIGITS = ((1, 28), (1, 40), (2, 40))
+"""How an integral is refined: the number of panels, and of nodes on each."""
+
 MOST_TERMS = 200
 
 
@@ -151,31 +155,37 @@ def integral(environment: Environment, integrand: Any, variable: Any, lower: Any
     if upper == sp.oo:
         return _to_infinity(environment, integrand, variable, a)
     b = environment.full(walk(upper, environment).value)
-    edges = np.linspace(0.0, 1.0, (PANELS if environment.arithmetic is DOUBLE else 1) + 1)
-    coarse, fine = (_panels(environment, integrand, variable, (a, b - a), each) for each in (edges, _halved(edges)))
-    return _with_error(coarse, fine, environment.arithmetic)
+    arithmetic = environment.arithmetic
+    finer = (
+        _panels(environment, integrand, variable, (a, b - a), np.linspace(0.0, 1.0, count + 1), nodes)
+        for count, nodes in (IN_DOUBLES if arithmetic is DOUBLE else WITH_MANY_DIGITS)
+    )
+    for coarse, fine in pairwise(finer):
+        if np.all(arithmetic.size(fine.value - coarse.value) <= accuracy(arithmetic) * fine.magnitude):
+            break
+    return _with_error(coarse, fine, arithmetic)
 
 
 def _to_infinity(environment: Environment, integrand: Any, variable: Any, a: Array) -> Value:
     """∫ from a to ∞ on panels whose lengths double, from 1/64 to 1024; refused unless the integrand has died away."""
     edges = np.array([0.0, *(2.0**i for i in range(-6, 11))])
-    one = environment.full(1)
-    coarse, fine = (_panels(environment, integrand, variable, (a, one), each) for each in (edges, _halved(edges)))
-    last = _panels(environment, integrand, variable, (a, one), edges[-2:])
+    one, nodes = environment.full(1), 20 if environment.arithmetic is DOUBLE else 40
+    halved = np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
+    coarse, fine, last = (
+        _panels(environment, integrand, variable, (a, one), each, nodes) for each in (edges, halved, edges[-2:])
+    )
     size = environment.arithmetic.size
     if np.any(size(last.value) > 1e-12 * size(fine.value) + 1e-15 * fine.magnitude):
         raise NotEvaluable("the integrand of an integral to infinity decays too slowly")
     return _with_error(coarse, fine, environment.arithmetic)
 
 
-def _halved(edges: Array) -> Array:
-    return np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
-
-
-def _panels(environment: Environment, integrand: Any, variable: Any, span: tuple[Array, Array], edges: Array) -> Value:
+def _panels(
+    environment: Environment, integrand: Any, variable: Any, span: tuple[Array, Array], edges: Array, nodes: int
+) -> Value:
     """∫ of f(a + w u) w du over the panels between the edges of u."""
     arithmetic = environment.arithmetic
-    x, w = legendre(arithmetic)
+    x, w = legendre(arithmetic, nodes)
     half = arithmetic.array((edges[1:] - edges[:-1]) / 2)[:, None]
     middle = arithmetic.array((edges[1:] + edges[:-1]) / 2)[:, None]
     u = (middle + half * x[None, :]).reshape(-1)
@@ -196,14 +206,13 @@ def _with_error(coarse: Value, fine: Value, arithmetic: Arithmetic) -> Value:
 
 
 @cache
-def legendre(arithmetic: Arithmetic) -> tuple[Array, Array]:
-    """Return nodes and weights of Gauss and Legendre on [−1, 1]: 20 in doubles, 40 with many digits."""
+def legendre(arithmetic: Arithmetic, count: int) -> tuple[Array, Array]:
+    """Return nodes and weights of Gauss and Legendre on [−1, 1]."""
+    x, w = np.polynomial.legendre.leggauss(count)
     if arithmetic is DOUBLE:
-        x, w = np.polynomial.legendre.leggauss(20)
         return x, w
-    count = 40
     many = multiple(arithmetic.digits).context
-    nodes = [_refined(many.mpf(float(x)), count) for x in np.polynomial.legendre.leggauss(count)[0]]
+    nodes = [_refined(many.mpf(float(each)), count) for each in x]
     weights = [2 / ((1 - x * x) * _legendre(x, count)[1] ** 2) for x in nodes]
     return arithmetic.array(nodes), arithmetic.array(weights)
 

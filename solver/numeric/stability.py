@@ -1,7 +1,8 @@
 """Where the eigenvalues lie: inside the region of stability, on its boundary or outside. Decided by numbers.
 
-numpy decides where rounding could not have moved an eigenvalue across (Bauer and Fike's bound); else mpmath does, with
-so many digits that a cluster of computed eigenvalues is one multiple eigenvalue (Kato, Perturbation Theory, II §2.1).
+numpy decides, on the matrix as it is or balanced, where rounding could not have moved an eigenvalue across (Bauer and
+Fike's bound); else mpmath does, with so many digits that a cluster of computed eigenvalues is one multiple eigenvalue
+(Kato, Perturbation Theory, II §2.1).
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
 from solver.numeric.points import SEED, PointSource, free_symbols
-from solver.numeric.values import NotEvaluable, Undefined
+from solver.numeric.values import SAFETY, NotEvaluable, Undefined, filled
 
 STABLE, MARGINAL, UNSTABLE = "asymptotically stable", "marginally stable", "unstable"
 POINTS = 16
@@ -73,22 +74,34 @@ def _is_defined(formula: Any, point: Point) -> bool:
 
 def located(A: Any, point: Point, *, discrete: bool) -> Location:
     """Return where the eigenvalues of A (n×n) lie at a point, with as many digits as it takes."""
-    here = value_of(A, Environment.at([dict(point)])).value[0]
-    excess = certain_excess(here, discrete=discrete)
+    excess = certain_excess(A, point, discrete=discrete)
     if excess is not None:
         outside = int(np.sum(excess > 0))
-        return Location(len(here) - outside, 0, outside, True)
+        return Location(len(excess) - outside, 0, outside, True)
     return _with_many_digits(A, point, discrete=discrete)
 
 
-def certain_excess(M: Array, *, discrete: bool) -> Array | None:
+def certain_excess(A: Any, point: Point, *, discrete: bool) -> Array | None:
     """Return Re λ (discrete: |λ| − 1) of the eigenvalues if rounding can't have changed a sign, else None."""
+    M, sizes = (part[0] for part in filled(value_of(A, Environment.at([dict(point)])), 1))
     if not np.all(np.isfinite(M)):
         return None
+    excess = _excess(M, sizes, discrete=discrete)
+    if excess is not None:
+        return excess
+    from scipy.linalg import matrix_balance  # noqa: PLC0415 - 150 ms that most checks do not need
+
+    balanced, (scale, _) = matrix_balance(M, permute=False, separate=True)  # by powers of two, so exactly
+    return _excess(balanced, sizes * scale[None, :] / scale[:, None], discrete=discrete)
+
+
+def _excess(M: Array, sizes: Array, *, discrete: bool) -> Array | None:
+    """Return them by Bauer and Fike's bound; `sizes` are the magnitudes of the entries of M."""
     values, vectors = np.linalg.eig(M)
     excess = np.asarray(np.abs(values) - 1.0 if discrete else values.real)
     with np.errstate(all="ignore"):
-        reach = 1e3 * len(M) * 2.0**-52 * float(np.linalg.norm(M)) * float(np.linalg.cond(vectors))
+        rounding = 2.0**-52 * float(1e3 * len(M) * np.linalg.norm(M) + SAFETY * np.linalg.norm(sizes))
+        reach = rounding * float(np.linalg.cond(vectors))
     return excess if bool(np.all(np.abs(excess) > reach + 1e-12 * discrete)) else None
 
 
@@ -133,7 +146,7 @@ def _clusters(A: Any, point: tuple[tuple[Any, complex], ...]) -> list[tuple[Any,
 def externally_stable(A: Any, B: Any, C: Any, point: Point, *, discrete: bool) -> bool:
     """Whether C (xI − A)⁻¹ B stays bounded near each eigenvalue that is not inside the region of stability."""
     n = A.rows
-    inside = certain_excess(value_of(A, Environment.at([dict(point)])).value[0], discrete=discrete)
+    inside = certain_excess(A, point, discrete=discrete)
     if inside is not None and np.all(inside < 0):
         return True
     for value, _, _, mp in clusters(A, point):
