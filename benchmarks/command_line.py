@@ -81,7 +81,7 @@ def _warm() -> Iterator[Row]:
     `import sympy` beside them tells how quick the machine is at the time.
     """
     works = [WARM.format(n=3, count=8), WARM.format(n=6, count=4), IMPORT]
-    turns = [[float(output(["-c", work])) for work in works] for _ in range(7)]
+    turns = [[float(output(["-c", work])) for work in works] for _ in range(12)]
     three, six, sympy = map(min, zip(*turns, strict=True))
     yield Row("warm solve + check + HTML, n = 3", three, "import sympy", sympy, at_most=30)
     yield Row(f"warm, n = 6 (growth n^{log(six / three, 2):.1f})", six, at_most=three * 2**4)

@@ -38,13 +38,13 @@ def rows(*, quick: bool = False) -> Iterator[Row]:
     """The lines of the table; `quick` leaves out the peers that take seconds."""
     for n, (faster, than_transform, at_most) in TARGETS.items():
         A = companion_of_integers(n)
-        mine, peer = side_by_side(lambda A=A: ours(A), lambda A=A: sympy_exponential(A), repetitions=5)
+        mine, peer = side_by_side(lambda A=A: ours(A), lambda A=A: sympy_exponential(A))
         yield Row(f"e^(At), companion, n = {n}", mine, "sympy (A*t).exp()", peer, faster, at_most)
         if not quick:
             peer = once(lambda A=A: entrywise_inverse_laplace(A))
             yield Row(f"e^(At), companion, n = {n}", mine, "sympy inverse Laplace, entrywise", peer, than_transform)
     A = dense(6)
-    mine, peer = side_by_side(lambda: ours(A), lambda: sympy_exponential(A), repetitions=5)
+    mine, peer = side_by_side(lambda: ours(A), lambda: sympy_exponential(A))
     yield Row("e^(At), dense, n = 6", mine, "sympy (A*t).exp()", peer, 5, 13)
     for name, polynomial in (("cubic x³ + x + 1", x**3 + x + 1), ("quartic x⁴ + x + 1", x**4 + x + 1)):
         A = companion(polynomial)

@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
+from itertools import count
 from statistics import median
 from time import perf_counter, process_time
 from typing import Any
@@ -75,11 +76,23 @@ def forget() -> None:
                     value.cache_clear()
 
 
-def milliseconds(work: Callable[[], Any], repetitions: int = 7) -> float:
+LEAST_TURNS, LEAST_SECONDS = 5, 5.0
+"""How often, and how long, a time is measured anew: a machine shared with others is slow for seconds on end."""
+
+
+def _turns() -> Iterator[int]:
+    start = perf_counter()
+    for turn in count():
+        if turn >= LEAST_TURNS and perf_counter() - start > LEAST_SECONDS:
+            return
+        yield turn
+
+
+def milliseconds(work: Callable[[], Any]) -> float:
     """The least time of the work with caches emptied before each repetition."""
     work()  # imports and one-time tables
     with without_collection():
-        return 1000 * min(_timed(work) for _ in range(repetitions))
+        return 1000 * min(_timed(work) for _ in _turns())
 
 
 @contextmanager
@@ -116,13 +129,13 @@ def once(work: Callable[[], Any]) -> float:
     return 1000 * _timed(work)
 
 
-def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any], repetitions: int = 7) -> tuple[float, float]:
+def side_by_side(ours: Callable[[], Any], peer: Callable[[], Any]) -> tuple[float, float]:
     """The least times of ours and of a peer, measured in turns so that both see the same load."""
     times: tuple[list[float], list[float]] = ([], [])
     for work in (ours, peer):
         work()
     with without_collection():
-        for _ in range(repetitions):
+        for _ in _turns():
             for work, kept in zip((ours, peer), times, strict=True):
                 kept.append(_timed(work))
     return 1000 * min(times[0]), 1000 * min(times[1])
