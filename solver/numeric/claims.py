@@ -113,7 +113,7 @@ def claim_residual(
     Points at which a side has no value are replaced by others, up to ten. Raises NotEvaluable, ShapeMismatch.
     """
     symbols = free_symbols(left) | free_symbols(right)
-    whole = whole_symbols(left, right, names=integers) & symbols if symbols else symbols
+    whole = whole_symbols(left, right, names=integers, symbols=symbols) & symbols if symbols else symbols
     wanted = (POINTS_OF_WHOLE_NUMBERS if whole else POINTS) if symbols else 1
     stated = [formula for side in (left, right) for formula in nodes_of_stated(side)]
     transforms = [formula for formula in stated if formula.operation == "inverse_laplace"]

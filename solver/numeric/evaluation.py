@@ -38,7 +38,7 @@ def value_of(expression: Any, environment: Environment) -> Value:
     try:
         with np.errstate(all="ignore"):
             result = walk(expression, environment)
-            finite = bool(np.all(np.isfinite(environment.arithmetic.approximate(result.value))))
+            finite = bool(np.isfinite(environment.arithmetic.approximate(result.value)).all())
     except (ZeroDivisionError, OverflowError) as trouble:
         raise Undefined(f"the formula is not defined here ({trouble})") from trouble
     if not finite and environment.arithmetic is DOUBLE:

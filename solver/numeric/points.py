@@ -51,13 +51,15 @@ def _symbols_in(expression: sp.Basic) -> frozenset[Any]:
     return frozenset(expression.free_symbols)
 
 
-def whole_symbols(*formulas: Any, names: Collection[str] = ()) -> frozenset[Any]:
+def whole_symbols(*formulas: Any, names: Collection[str] = (), symbols: frozenset[Any] | None = None) -> frozenset[Any]:
     """Return the symbols that take whole numbers: by assumption, by name, or by the place where they stand.
 
     Such places are the k of an inverse z-transform, the arguments of Kronecker's delta and of factorials, and the
-    exponent of a base that is not known to be positive (λᵏ; a parameter k in e^{kt} is none).
+    exponent of a base that is not known to be positive (λᵏ; a parameter k in e^{kt} is none). `symbols` are those of
+    the formulas, if they are known already.
     """
-    symbols = frozenset().union(*map(free_symbols, formulas))
+    if symbols is None:
+        symbols = frozenset().union(*map(free_symbols, formulas))
     found = {symbol for symbol in symbols if symbol.is_integer or symbol.name in names}
     if all(symbol.name in NEVER_WHOLE for symbol in symbols - found):
         return frozenset(found)

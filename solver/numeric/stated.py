@@ -6,6 +6,7 @@ Each operation has an algorithm of its own here; magnitudes bound the rounding t
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -42,7 +43,7 @@ def square(operand: Any, environment: Environment) -> Value:
     rows, columns = shape_of(result)
     if rows != columns:
         raise ShapeMismatch(f"a matrix {rows}×{columns} is not square")
-    if environment.arithmetic is DOUBLE and not np.all(np.isfinite(result.value)):
+    if environment.arithmetic is DOUBLE and not np.isfinite(result.value).all():
         raise Undefined("the matrix is not finite here")
     return result
 
@@ -76,17 +77,21 @@ def adjugate(environment: Environment, matrix: Any) -> Value:
 def _by_minors(M: Value, environment: Environment) -> Value:
     """Adj M: the entry (j, i) is (−1)^{i+j} times the determinant of M without row i and column j."""
     n = M.value.shape[1]
-    one = environment.arithmetic.number(1)
     if n == 1:
-        return Value(np.full_like(M.value, one), np.ones_like(M.magnitude))
-    keep = [[k for k in range(n) if k != i] for i in range(n)]
-    parts = [np.ix_(range(environment.points), keep[i], keep[j]) for j in range(n) for i in range(n)]
-    minors = np.stack([M.value[part] for part in parts], axis=1).reshape(-1, n - 1, n - 1)
-    sizes = np.stack([M.magnitude[part] for part in parts], axis=1).reshape(-1, n - 1, n - 1)
-    flat = environment.arithmetic.determinant(minors)
-    signs = np.array([[(-1) ** (i + j) for j in range(n)] for i in range(n)])
+        return Value(np.full_like(M.value, environment.arithmetic.number(1)), np.ones_like(M.magnitude))
+    rows, columns, signs = _places_of_minors(n)
+    minors, sizes = (part[:, rows, columns].reshape(-1, n - 1, n - 1) for part in M)
     shape = (environment.points, n, n)
-    return Value(flat.reshape(shape) * signs, hadamard(sizes).reshape(shape))
+    return Value(environment.arithmetic.determinant(minors).reshape(shape) * signs, hadamard(sizes).reshape(shape))
+
+
+@cache
+def _places_of_minors(n: int) -> tuple[Array, Array, Array]:
+    """Return the rows and columns that the minors of adj M keep, entry by entry, and their signs."""
+    keep = np.array([[k for k in range(n) if k != i] for i in range(n)])
+    rows, columns = np.tile(keep, (n, 1)), np.repeat(keep, n, axis=0)
+    signs = np.array([[(-1) ** (i + j) for j in range(n)] for i in range(n)])
+    return rows[:, :, None], columns[:, None, :], signs
 
 
 @operation

@@ -153,7 +153,7 @@ class Wording:
 
     @cached_property
     def _modules(self) -> dict[str, Any]:
-        return {}
+        return _macros_of(self)
 
     @cached_property
     def _names(self) -> dict[str, Any]:
@@ -223,6 +223,12 @@ class Wording:
         if shown in {"1", "-1"}:
             return shown.replace("1", row)
         return joined([shown if not is_sum(shown.removeprefix("-")) else parenthesized(shown), row])
+
+
+@lru_cache(maxsize=8)
+def _macros_of(_wording: Wording) -> dict[str, Any]:
+    """Return the place where equal wordings keep the macros that they have loaded."""
+    return {}
 
 
 @lru_cache(maxsize=8)

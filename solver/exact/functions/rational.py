@@ -26,6 +26,7 @@ from solver.exact.functions.residues import (
     reduce_modulo,
     residues_at,
 )
+from solver.exact.linear_algebra.assembly import product_of_powers
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import (
     Algebraic,
@@ -143,6 +144,10 @@ def in_lowest_terms(numerator: Sequence[Any], factors: Sequence[tuple[Modulus, i
     if K.is_QQ:
         begins_with_minus = all(c <= 0 for c in rest)
         above = in_powers([-c for c in rest] if begins_with_minus else rest, K, x)
+        if below and above.is_Number:
+            return product_of_powers(-above if begins_with_minus else above, below)
+        if below and above.is_Add:
+            return product_of_powers(sp.Integer(-1 if begins_with_minus else 1), [above, *below])
     else:
         above = in_powers(rest, K, x)
         begins_with_minus = all(term.could_extract_minus_sign() for term in sp.Add.make_args(above))

@@ -138,7 +138,8 @@ def _linear_pairs(
             binomial = sp.expand(sp.ff(time, j - 1)) / sp.factorial(j - 1)
             yield x / (x - root.value) ** j, binomial * root.value ** (time - j + 1)
         else:
-            yield 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * sp.exp(root.value * time)
+            mode = sp.exp(root.value * time)
+            yield 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * mode if j > 1 else mode
 
 
 def _decimal_pairs(root: Root, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> Iterator[tuple[sp.Expr, sp.Expr]]:

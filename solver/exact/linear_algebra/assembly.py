@@ -30,6 +30,14 @@ def linear_combination(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> sp.Expr:
     return _sum(number, products)
 
 
+def product_of_powers(number: sp.Expr, factors: Iterable[sp.Expr]) -> sp.Expr:
+    """Number · factors, at least one; powers of different bases, none a number, and no sum alone beside a number."""
+    ordered: list[sp.Expr] = sorted(factors, key=_in_order)
+    if number is not sp.S.One:
+        ordered.insert(0, number)
+    return ordered[0] if len(ordered) == 1 else sp.Mul._from_args(ordered, is_commutative=True)
+
+
 def _rest(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> Iterable[sp.Expr]:
     """The terms not yet taken from an iterator, by sympy's own arithmetic."""
     for coefficient, function in terms:
@@ -44,7 +52,9 @@ def _scaled(number: sp.Expr, function: sp.Expr) -> sp.Expr:
     if number is sp.S.One:
         return function
     factors: tuple[Any, ...] = function.args if function.is_Mul else (function,)
-    return sp.Mul(number, *factors, evaluate=bool(factors[0].is_Number))
+    if factors[0].is_Number:
+        return sp.Mul(number, *factors)
+    return sp.Mul._from_args([number, *factors], is_commutative=True)
 
 
 def _sum(number: sp.Expr, products: list[sp.Expr]) -> sp.Expr:
@@ -53,4 +63,4 @@ def _sum(number: sp.Expr, products: list[sp.Expr]) -> sp.Expr:
         products.insert(0, number)
     if len(products) < 2:
         return products[0] if products else sp.S.Zero
-    return sp.Add(*products, evaluate=False)
+    return sp.Add._from_args(products, is_commutative=True)

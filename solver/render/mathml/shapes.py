@@ -46,11 +46,15 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """Markup around the slots, the number in each slot, and how wide that will be."""
+    """Markup around the slots, the number in each slot, how wide that will be, how many pieces it holds.
+
+    It holds −1 pieces if their slots are not 0, 1, …, each once.
+    """
 
     markup: tuple[str, ...]
     slots: tuple[int, ...]
     extent: Extent
+    holds: int
 
 
 @lru_cache(maxsize=8192)
@@ -64,7 +68,7 @@ def piece(latex: str, entry: bool = False) -> Piece:
         shape = _shape(outline, entry)
     except MathError:  # perhaps an entry that is none, as in \text{a & b}; the whole formula says what is wrong
         shape = None
-    if shape is None or sorted(shape.slots) != list(range(len(contents))):
+    if shape is None or shape.holds != len(contents):
         return whole(latex, entry)
     filled = [shape.markup[0]]
     for slot, markup in zip(shape.slots, shape.markup[1:], strict=True):
@@ -113,7 +117,9 @@ def _shape(outline: str, entry: bool) -> Shape:
     tree = _tree(outline, entry)
     markup = SLOT.split(written(tree))
     numbers = markup[1::2]
-    return Shape(tuple(markup[::2]), tuple(int(number) - FIRST for number in numbers), extent(tree, numbers))
+    slots = tuple(int(number) - FIRST for number in numbers)
+    holds = len(slots) if sorted(slots) == list(range(len(slots))) else -1
+    return Shape(tuple(markup[::2]), slots, extent(tree, numbers), holds)
 
 
 def _tree(latex: str, entry: bool = False) -> Element:
