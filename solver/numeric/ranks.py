@@ -11,8 +11,6 @@ from solver.numeric.arithmetic import Array, multiple
 from solver.numeric.environment import Environment
 from solver.numeric.evaluation import value_of
 from solver.numeric.points import admissible, free_symbols
-from solver.numeric.stated import OPERATIONS
-from solver.numeric.values import Value
 
 CLEAR = 1e-6
 """A smallest singular value (of columns of unit length) above this is not zero."""
@@ -79,15 +77,3 @@ def _remainders(V: Array) -> list[float]:
 
 def _length(column: Array, context: Any) -> Any:
     return context.sqrt(context.fsum(column, absolute=True, squared=True))
-
-
-def _stated_rank(environment: Environment, matrix: Any) -> Value:
-    """Rank M at each point."""
-    full = {symbol: environment.full(value) for symbol, value in environment.values.items()}
-    counts = [
-        rank_at(matrix, {symbol: values[p] for symbol, values in full.items()}) for p in range(environment.points)
-    ]
-    return Value(environment.arithmetic.array(counts), np.zeros(environment.points))
-
-
-OPERATIONS["rank"] = _stated_rank

@@ -109,6 +109,18 @@ def trace(environment: Environment, matrix: Any) -> Value:
 
 
 @operation
+def rank(environment: Environment, matrix: Any) -> Value:
+    """Rank M at each point."""
+    from solver.numeric.ranks import rank_at  # noqa: PLC0415 - ranks are found by evaluating entries, by this module
+
+    full = {symbol: environment.full(value) for symbol, value in environment.values.items()}
+    counts = [
+        rank_at(matrix, {symbol: values[p] for symbol, values in full.items()}) for p in range(environment.points)
+    ]
+    return Value(environment.arithmetic.array(counts), np.zeros(environment.points))
+
+
+@operation
 def inverse(environment: Environment, matrix: Any) -> Value:
     """M⁻¹ (1/m of a scalar)."""
     M = walk(matrix, environment)

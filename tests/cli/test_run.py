@@ -6,6 +6,9 @@ import pytest
 import sympy as sp
 from small_problems import BAD, GOOD
 
+from solver.resources import root
+
+EXAMPLES = sorted(path for path in (root("problems") / "examples").glob("*.yaml") if ".answers" not in path.name)
 SUFFIXES = {"html": ".html", "latex": ".tex", "md": ".md", "json": ".json", "text": ".txt"}
 
 
@@ -169,3 +172,13 @@ def test_where_there_is_no_browser_it_says_so(solve, good, monkeypatch):
     done = solve("good.yaml", "--open")
     assert done.code == 0
     assert "open good.html yourself" in done.err
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_every_check_of_an_example_passes_in_a_process_of_its_own(process, path):
+    """Among the tests everything is imported already, and so is what registers itself on import."""
+    done = process(path, "-f", "json", "-o", "-")
+    checks = [check for part in json.loads(done.out)["parts"] for check in part["checks"]]
+    assert done.code == 0
+    assert checks
+    assert [check for check in checks if check["status"] != "passed"] == []

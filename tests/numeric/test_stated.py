@@ -2,6 +2,8 @@
 
 import inspect
 import itertools
+import subprocess
+import sys
 
 import pytest
 import sympy as sp
@@ -28,8 +30,12 @@ from solver.derivation.stated import (
     transpose,
     value_at,
 )
-from solver.numeric import check_claim
+from solver.numeric import NotEvaluable, check_claim
+from solver.numeric.arithmetic import multiple
+from solver.numeric.environment import Environment
+from solver.numeric.evaluation import value_of
 from solver.numeric.stated import OPERATIONS
+from solver.numeric.values import SAFETY
 
 s, t, z, k, x, tau, w = sp.symbols("s t z k x tau omega", positive=None)
 a = sp.Symbol("a", real=True)
@@ -153,6 +159,13 @@ def test_every_operation_that_can_be_stated_can_be_evaluated_and_is_in_the_table
     assert {left.operation for left, _ in RIGHT if isinstance(left, stated.Stated)} >= names
 
 
+def test_every_operation_can_be_evaluated_whatever_was_imported_before():
+    code = "from solver.numeric import check_claim; from solver.numeric.stated import OPERATIONS; print(*OPERATIONS)"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    functions = inspect.getmembers(stated, inspect.isfunction)
+    assert set(found.stdout.split()) >= {name for name, each in functions if each.__module__ == stated.__name__}
+
+
 @pytest.mark.parametrize(
     ("formula", "reason"),
     [
@@ -171,6 +184,23 @@ def test_what_has_no_sound_evaluation_is_skipped_with_the_reason(formula, reason
     check = check_claim(Claim(formula, 1), "refused")
     assert check.status is CheckStatus.SKIPPED
     assert reason in check.reason
+
+
+@pytest.mark.parametrize("rate", [1, 30, 60])
+def test_an_integral_with_many_digits_is_refined_until_they_are_known(rate):
+    arithmetic = multiple(50)
+    formula = integral(sp.exp(-rate * tau) * sp.sin(tau), tau, 0, 3)
+    found = value_of(formula, Environment.at([{}], arithmetic))
+    mp = arithmetic.context
+    right = (1 - mp.exp(-3 * rate) * (rate * mp.sin(3) + mp.cos(3))) / (rate**2 + 1)
+    error = abs(complex(found.value[0] - right))
+    assert error <= 1e-9 * abs(complex(right))
+    assert error <= SAFETY * arithmetic.eps * found.magnitude[0]
+
+
+def test_an_integrand_too_quick_for_the_nodes_is_refused():
+    with pytest.raises(NotEvaluable, match="smooth"):
+        value_of(integral(sp.cos(900 * tau), tau, 0, 3), Environment.at([{}], multiple(50)))
 
 
 @pytest.mark.parametrize("pole", [sp.Rational(1, 5), sp.Rational(3, 2), sp.Rational(1, 50)])
