@@ -115,13 +115,13 @@ def _with_many_digits(A: Any, point: Point, *, discrete: bool) -> Location:
     return Location(counts[0], counts[1], counts[2], semisimple)
 
 
-def clusters(A: Any, point: Point) -> list[tuple[Any, int, Any, Any]]:
+def clusters(A: Any, point: Point) -> tuple[tuple[Any, int, Any, Any], ...]:
     """Return each eigenvalue (its mean), its multiplicity, a function giving dim ker(A − λI), and the arithmetic."""
     return _clusters(sp.ImmutableMatrix(A), tuple(point.items()))
 
 
 @lru_cache(maxsize=64)
-def _clusters(A: Any, point: tuple[tuple[Any, complex], ...]) -> list[tuple[Any, int, Any, Any]]:
+def _clusters(A: Any, point: tuple[tuple[Any, complex], ...]) -> tuple[tuple[Any, int, Any, Any], ...]:
     """Return them; the checks of one part ask for the same ones."""
     n = A.rows
     arithmetic = multiple(max(100, 40 * n))
@@ -140,7 +140,7 @@ def _clusters(A: Any, point: tuple[tuple[Any, complex], ...]) -> list[tuple[Any,
             return sum(1 for value in singular if value < mp.mpf(10) ** -25)
 
         found.append((mean, len(near), nullity, mp))
-    return found
+    return tuple(found)
 
 
 def externally_stable(A: Any, B: Any, C: Any, point: Point, *, discrete: bool) -> bool:

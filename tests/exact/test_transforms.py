@@ -85,3 +85,13 @@ def test_pairs_of_a_double_root():
 def test_only_pairs_that_occur_are_listed():
     pairs = exact.transform_pairs(RATIONAL["a multiple of the identity"], s, t, discrete=False)
     assert pairs == [(1 / (s - 5), sp.exp(5 * t))]
+
+
+@pytest.mark.parametrize("A", **each(EXACT))
+def test_what_is_put_together_is_what_sympy_would_make_of_it(A):
+    """An expression in another order, or with terms not joined, would not be equal to the same one elsewhere."""
+    for M in (exact.resolvent(A, s), exact.exponential(A, t).matrix):
+        for entry in M.flat():
+            for node in sp.preorder_traversal(entry):
+                if isinstance(node, sp.Add | sp.Mul):
+                    assert node.func(*node.args).args == node.args

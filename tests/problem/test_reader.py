@@ -142,8 +142,10 @@ def test_a_parameter_that_occurs_nowhere_suggests_the_one_meant(read):
 
 
 def test_a_parameter_used_by_another_or_by_an_option_occurs(read):
-    read("parameters: {m: 2, k: m}\nsystem: {A: k}\n" + FIND)
-    read("parameters: {p: 2}\n" + SYSTEM + "find: {a: {task: placement, poles: [-1, -p]}}\n")
+    system = read("parameters: {m: 2, k: m}\nsystem: {A: k}\n" + FIND).parts[0].system
+    assert list(system.A) == [2]
+    placed = read("parameters: {p: 2}\n" + SYSTEM + "find: {a: {task: placement, poles: [-1, -p]}}\n")
+    assert placed.parts[0].options["poles"] == (-1, -2)
 
 
 def test_an_assumption_about_an_unused_name_is_accepted(read):

@@ -298,9 +298,10 @@ def test_whatever_is_written_is_drawn_from_the_list_or_refused(pieces: list[str]
 @given(st.text(max_size=30))
 def test_any_text_at_all_is_drawn_or_refused(written: str) -> None:
     try:
-        tree(written)
+        drawn = tree(written)
     except MathError:
         return
+    assert {element.tag for element in drawn.iter()} <= ELEMENTS
 
 
 def test_widths_grow_with_the_formula() -> None:
