@@ -1,16 +1,12 @@
-"""Shared by all tests: the helpers beside this file can be imported, and hypothesis keeps no clock."""
+"""Shared by all tests: hypothesis keeps no clock, and what TeX reads is skipped where there is none."""
 
 import os
 import shutil
-import sys
-from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # tiny matrices are slowed down a hundredfold by threads
-
-sys.path.insert(0, str(Path(__file__).parent))
 
 settings.register_profile("default", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("ci", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])

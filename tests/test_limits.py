@@ -3,7 +3,6 @@
 import sys
 
 import pytest
-from difficult_task import difficult, problem_text
 
 from solver.derivation import Status
 from solver.engine import solve_problem
@@ -11,6 +10,7 @@ from solver.limits import Limits, in_child
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.tasks import catalogue
+from tests.helpers.difficult_task import difficult, problem_text
 
 LIMITS = Limits(seconds=1.0, megabytes=200)
 

@@ -1,9 +1,9 @@
 """Tasks of representation and analysis: right answers in unusual forms, and the wrong ones that students write."""
 
 import pytest
-from marked import marked, solved, verdict
 
 from solver.tasks import catalogue
+from tests.helpers.marked import marked, solved, verdict
 
 QUESTIONS = solved(
     """

@@ -1,9 +1,9 @@
 """Answer files are as hostile as problem files: every fault has a place, and words."""
 
 import pytest
-from marked import marked, solved
 
 from solver.problem.source import InputError
+from tests.helpers.marked import marked, solved
 
 PLANT = solved("system: {A: [[0, 1], [-2, -3]], B: [0, 1]}\nfind: {a: eigenstructure, b: controllability}\n")
 

@@ -1,9 +1,9 @@
 """Tasks of design: right answers in unusual forms, and the wrong ones that students write."""
 
 import pytest
-from marked import solved, verdict
 
 from solver.tasks import catalogue
+from tests.helpers.marked import solved, verdict
 
 QUESTIONS = solved(
     """

@@ -1,7 +1,8 @@
 """A wrong value that is right with the student's own earlier answers is right, and said to be so."""
 
 import pytest
-from marked import marked, solved
+
+from tests.helpers.marked import marked, solved
 
 CHAIN = solved(
     """

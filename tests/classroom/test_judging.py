@@ -1,10 +1,10 @@
 """Verdicts by property: right answers in unusual forms pass, wrong ones do not, and the words fit."""
 
 import pytest
-from marked import marked, solved, verdict
 
 from solver.classroom.report import wrong_places
 from solver.problem.source import InputError
+from tests.helpers.marked import marked, solved, verdict
 
 PLANT = solved(
     """

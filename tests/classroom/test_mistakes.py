@@ -2,8 +2,9 @@
 
 import pytest
 import sympy as sp
-from marked import solved, verdict
-from students import written
+
+from tests.helpers.marked import solved, verdict
+from tests.helpers.students import written
 
 PLANT = solved(
     """

@@ -10,9 +10,6 @@ from functools import cache
 
 import pytest
 import sympy as sp
-from defining import still_right
-from marked import marker
-from students import mutants, rounded, written
 
 from solver.classroom.judging import judge
 from solver.classroom.values import Reader, Submitted
@@ -24,6 +21,9 @@ from solver.problem.source import Source
 from solver.problem.yaml_tree import parse_yaml
 from solver.resources import root
 from solver.tasks import catalogue
+from tests.helpers.defining import still_right
+from tests.helpers.marked import marker
+from tests.helpers.students import mutants, rounded, written
 
 EXAMPLES = sorted(root("problems").joinpath("examples").glob("*.yaml"))
 MOST = 3

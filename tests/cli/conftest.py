@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from difficult_task import difficult, problem_text
-from small_problems import GOOD
 
 from solver.cli import main
 from solver.tasks import catalogue
+from tests.helpers.difficult_task import difficult, problem_text
+from tests.helpers.small_problems import GOOD
 
 
 class Outcome(NamedTuple):

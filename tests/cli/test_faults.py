@@ -8,9 +8,9 @@ import time
 from pathlib import Path
 
 import pytest
-from small_problems import GOOD
 
 from solver.cli import destination, group
+from tests.helpers.small_problems import GOOD
 
 
 def names(folder):
@@ -213,8 +213,7 @@ ENDLESS = """
 import signal
 import sys
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that runs tests in the background has it ignored
-sys.path.insert(0, {tests!r})
-from difficult_task import difficult
+from tests.helpers.difficult_task import difficult
 from solver.tasks import catalogue
 catalogue()["difficult"] = difficult
 from solver.cli import main
@@ -227,9 +226,8 @@ sys.exit(main(["difficult.yaml"]))
 def test_a_signal_ends_the_command_and_its_child_quietly(difficult_file, tmp_path, number, code):
     difficult_file("endless")
     told = tmp_path / "pid"
-    script = ENDLESS.format(tests=str(Path(__file__).parents[1]))
     env = {**os.environ, "DIFFICULT_PID_FILE": str(told), "PYTHONPATH": str(Path(__file__).parents[2])}
-    with subprocess.Popen([sys.executable, "-c", script], cwd=tmp_path, env=env, stderr=subprocess.PIPE) as process:
+    with subprocess.Popen([sys.executable, "-c", ENDLESS], cwd=tmp_path, env=env, stderr=subprocess.PIPE) as process:
         end = time.monotonic() + 60
         while not (told.exists() and told.read_text()) and time.monotonic() < end:
             time.sleep(0.05)

@@ -4,9 +4,9 @@ import json
 
 import pytest
 import sympy as sp
-from small_problems import BAD, GOOD
 
 from solver.resources import root
+from tests.helpers.small_problems import BAD, GOOD
 
 EXAMPLES = sorted(path for path in (root("problems") / "examples").glob("*.yaml") if ".answers" not in path.name)
 SUFFIXES = {"html": ".html", "latex": ".tex", "md": ".md", "json": ".json", "text": ".txt"}

@@ -1,7 +1,8 @@
 """What only lists or explains imports no algebra; the same input gives the same bytes."""
 
 import pytest
-from small_problems import GOOD
+
+from tests.helpers.small_problems import GOOD
 
 HEAVY = ("sympy", "numpy", "scipy", "rich", "jinja2", "latex2mathml", "matplotlib", "yaml", "markdown_it")
 TOLD = """

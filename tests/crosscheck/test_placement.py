@@ -3,7 +3,13 @@
 import control
 import numpy as np
 import sympy as sp
-from comparing import (
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from scipy.linalg import expm
+
+from solver.derivation import Unsolved
+from tests.helpers.asking import system
+from tests.helpers.comparing import (
     answers_of,
     arrays,
     characteristic,
@@ -16,12 +22,7 @@ from comparing import (
     same,
     systems_tried,
 )
-from hypothesis import assume, given
-from hypothesis import strategies as st
-from scipy.linalg import expm
-from strategies import plain_plants, plants, poles_of
-
-from solver.derivation import Unsolved
+from tests.helpers.strategies import plain_plants, plants, poles_of
 
 METHODS = ("coefficient_matching", "bass_gura", "canonical_form", "ackermann")
 
@@ -251,18 +252,13 @@ def test_a_model_is_matched_by_the_closed_loop(made, data):
 def test_specifications_are_met_by_the_step_response(twentieths, natural):
     zeta = sp.Rational(twentieths, 20)
     s = sp.Symbol("s")
-    answers = answers_of("desired_poles", made_up(), damping_ratio=zeta, natural_frequency=sp.sympify(natural))
+    answers = answers_of("desired_poles", system([[0]]), damping_ratio=zeta, natural_frequency=sp.sympify(natural))
     found = sp.Poly(answers["polynomial"], s).all_coeffs()
     assert close([float(c) for c in found], [1, 2 * float(zeta * natural), float(natural) ** 2], 1e-9)
-    system = control.tf([float(found[2])], [float(c) for c in found])
-    info = control.step_info(system, np.linspace(0, 20 / float(natural), 20001))
+    model = control.tf([float(found[2])], [float(c) for c in found])
+    info = control.step_info(model, np.linspace(0, 20 / float(natural), 20001))
     asked = {"overshoot": sp.nsimplify(sp.Float(info["Overshoot"] / 100), rational=True)}
     if info["Overshoot"] > 0.5:
-        again = answers_of("desired_poles", made_up(), **asked, peak_time=sp.nsimplify(info["PeakTime"], rational=True))
+        asked["peak_time"] = sp.nsimplify(info["PeakTime"], rational=True)
+        again = answers_of("desired_poles", system([[0]]), **asked)
         assert close([float(again["damping_ratio"])], [float(zeta)], 1e-2)
-
-
-def made_up():
-    from asking import system  # noqa: PLC0415
-
-    return system([[0]])

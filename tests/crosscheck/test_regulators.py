@@ -3,13 +3,13 @@
 import control
 import numpy as np
 import sympy as sp
-from comparing import answers_of, arrays, close, floats, numbers, systems_tried
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_are
-from strategies import plain_plants, plants
 
 from solver.derivation import Unsolved
+from tests.helpers.comparing import answers_of, arrays, close, floats, numbers, systems_tried
+from tests.helpers.strategies import plain_plants, plants
 
 
 @st.composite

@@ -4,7 +4,11 @@ from collections import Counter
 
 import numpy as np
 import sympy as sp
-from comparing import (
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
+
+from tests.helpers.comparing import (
     answers_of,
     close,
     floats,
@@ -13,10 +17,7 @@ from comparing import (
     same,
     systems_tried,
 )
-from hypothesis import assume, given
-from hypothesis import strategies as st
-from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
-from strategies import plain_plants, plants
+from tests.helpers.strategies import plain_plants, plants
 
 METHODS = ("eigenvalues", "lyapunov", "routh")
 

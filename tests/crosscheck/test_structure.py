@@ -4,7 +4,12 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from comparing import (
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.linalg import expm, null_space, solve_continuous_lyapunov, solve_discrete_lyapunov
+
+from solver.derivation import Unsolved
+from tests.helpers.comparing import (
     answers_of,
     characteristic,
     close,
@@ -16,12 +21,7 @@ from comparing import (
     same,
     systems_tried,
 )
-from hypothesis import given
-from hypothesis import strategies as st
-from scipy.linalg import expm, null_space, solve_continuous_lyapunov, solve_discrete_lyapunov
-from strategies import plain_plants, plants
-
-from solver.derivation import Unsolved
+from tests.helpers.strategies import plain_plants, plants
 
 PAIRS = {
     "controllability": ("controllable", "controllability_matrix", "uncontrollable_modes"),

@@ -4,13 +4,14 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from comparing import answers_of, arrays, close, floats, numbers, systems_tried
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import expm, inv, sqrtm
-from strategies import plain_plants, plants
 
 from solver.derivation import Unsolved
+from tests.helpers.asking import system
+from tests.helpers.comparing import answers_of, arrays, close, floats, numbers, systems_tried
+from tests.helpers.strategies import plain_plants, plants
 
 t, k = sp.symbols("t k")
 TIMES = (0.2, 0.9, 1.7)
@@ -179,7 +180,5 @@ def test_functions_of_matrices_are_those_of_scipy(made, name, method):
 
 
 def test_a_refusal_is_the_modal_matrix_of_a_defective_one():
-    from asking import system  # noqa: PLC0415
-
     with pytest.raises(Unsolved):
         answers_of("state_transition_matrix", system([[0, 1], [0, 0]]), "modal")

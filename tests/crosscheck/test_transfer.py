@@ -3,7 +3,12 @@
 import control
 import numpy as np
 import sympy as sp
-from comparing import (
+from hypothesis import given
+from hypothesis import strategies as st
+
+from solver.derivation import Unsolved
+from solver.systems import TransferFunction
+from tests.helpers.comparing import (
     answers_of,
     arrays,
     as_matrix,
@@ -17,12 +22,7 @@ from comparing import (
     same,
     systems_tried,
 )
-from hypothesis import given
-from hypothesis import strategies as st
-from strategies import plain_plants, plants, unimodular
-
-from solver.derivation import Unsolved
-from solver.systems import TransferFunction
+from tests.helpers.strategies import plain_plants, plants, unimodular
 
 POINTS = (0.7 + 1.3j, 3.1 + 0.4j, -0.35 + 2.9j, 5.3)
 s = sp.Symbol("s")

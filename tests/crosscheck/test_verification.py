@@ -2,14 +2,14 @@
 
 import pytest
 import sympy as sp
-from asking import ask
-from comparing import systems_tried
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import plain_plants, plants, poles_of
 
 from solver.derivation import Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask
+from tests.helpers.comparing import systems_tried
+from tests.helpers.strategies import plain_plants, plants, poles_of
 
 t, k, s, A = sp.symbols("t k s A")
 SIGNALS = [sp.S.One, t, sp.exp(-t), sp.sin(2 * t), t * sp.exp(-2 * t), sp.cos(t)]

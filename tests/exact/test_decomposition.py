@@ -5,7 +5,6 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import eigenvalues, jordan_block, unimodular
 
 from solver.exact import (
     controllable_decomposition,
@@ -14,6 +13,7 @@ from solver.exact import (
     observable_decomposition,
     rank_conditions,
 )
+from tests.helpers.strategies import eigenvalues, jordan_block, unimodular
 
 a, b = sp.symbols("a b")
 M = sp.ImmutableMatrix

@@ -5,11 +5,23 @@ import pickle
 import mpmath
 import pytest
 import sympy as sp
-from exact_cases import DECIMAL, EXACT, NUMERIC, RATIONAL, companion, each, hidden, is_zero, jordan, theta, x
 from hypothesis import given, settings
-from strategies import systems
 
 from solver import exact
+from tests.helpers.exact_cases import (
+    DECIMAL,
+    EXACT,
+    NUMERIC,
+    RATIONAL,
+    companion,
+    each,
+    hidden,
+    is_zero,
+    jordan,
+    theta,
+    x,
+)
+from tests.helpers.strategies import systems
 
 c, m = sp.symbols("c m", positive=True)
 p, q = sp.symbols("p q", real=True)

@@ -2,9 +2,9 @@
 
 import pytest
 import sympy as sp
-from exact_cases import COMPLEX, EXACT, NUMERIC, RATIONAL, SURD, each, x
 
 from solver import exact
+from tests.helpers.exact_cases import COMPLEX, EXACT, NUMERIC, RATIONAL, SURD, each, x
 
 c, d, m = sp.symbols("c d m", positive=True)
 PARAMETERS = {

@@ -10,7 +10,7 @@ import pytest
 SCRIPT = """
 import sympy as sp
 from solver import exact
-from exact_cases import DECIMAL, EXACT
+from tests.helpers.exact_cases import DECIMAL, EXACT
 t, k, x = sp.symbols("t k x")
 for name, A in (EXACT | DECIMAL).items():
     structure = exact.eigenstructure(A)

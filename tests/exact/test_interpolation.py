@@ -2,11 +2,11 @@
 
 import pytest
 import sympy as sp
-from exact_cases import COMPLEX, DECIMAL, EXACT, NUMERIC, RATIONAL, each, is_zero, k, t
 from hypothesis import given, settings
-from strategies import systems
 
 from solver import exact
+from tests.helpers.exact_cases import COMPLEX, DECIMAL, EXACT, NUMERIC, RATIONAL, each, is_zero, k, t
+from tests.helpers.strategies import systems
 
 
 def combination(A, alpha):

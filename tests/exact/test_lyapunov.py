@@ -5,9 +5,9 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
-from strategies import systems
 
 from solver.exact import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
+from tests.helpers.strategies import systems
 
 
 def test_the_course_example():

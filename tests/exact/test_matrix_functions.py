@@ -3,7 +3,11 @@
 import numpy as np
 import pytest
 import sympy as sp
-from exact_cases import (
+from hypothesis import given, settings
+from scipy.linalg import expm
+
+from solver import exact
+from tests.helpers.exact_cases import (
     COMPLEX,
     DECIMAL,
     EXACT,
@@ -20,11 +24,7 @@ from exact_cases import (
     theta,
     x,
 )
-from hypothesis import given, settings
-from scipy.linalg import expm
-from strategies import systems
-
-from solver import exact
+from tests.helpers.strategies import systems
 
 e, cos, sin, sqrt = sp.exp, sp.cos, sp.sin, sp.sqrt
 c, m, stiffness = sp.symbols("c m stiffness", positive=True)

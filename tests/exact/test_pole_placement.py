@@ -2,11 +2,11 @@
 
 import pytest
 import sympy as sp
-from exact_cases import x
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver import exact
+from tests.helpers.exact_cases import x
 
 numbers = st.sampled_from([sp.Rational(p, q) for p in range(-4, 5) for q in (1, 2, 3)])
 c, m = sp.symbols("c m", positive=True)

@@ -3,13 +3,13 @@
 import mpmath
 import pytest
 import sympy as sp
-from exact_cases import COMPLEX, DECIMAL, NUMERIC, RATIONAL, SURD, companion, each, theta, x
 from hypothesis import given
 from hypothesis import strategies as st
 
 from solver import exact
 from solver.exact.linear_algebra.fields import in_powers
 from solver.exact.linear_algebra.spectrum import irreducible_factors
+from tests.helpers.exact_cases import COMPLEX, DECIMAL, NUMERIC, RATIONAL, SURD, companion, each, theta, x
 
 p, q = sp.symbols("p q", real=True)
 c, m, stiffness = sp.symbols("c m stiffness", positive=True)

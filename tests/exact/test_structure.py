@@ -8,10 +8,10 @@ import scipy.linalg
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import systems
 
 from solver import exact
 from solver.numeric import rank_falls_where
+from tests.helpers.strategies import systems
 
 M = sp.ImmutableMatrix
 a, b, c = sp.symbols("a b c", real=True)

@@ -2,10 +2,10 @@
 
 import pytest
 import sympy as sp
-from exact_cases import DECIMAL, EXACT, NUMERIC, RATIONAL, companion, each, x
 
 from solver import exact
 from solver.derivation.stated import Stated
+from tests.helpers.exact_cases import DECIMAL, EXACT, NUMERIC, RATIONAL, companion, each, x
 
 s, t, z, k = sp.symbols("s t z k")
 PLACES = [sp.Rational(7, 3), sp.Rational(11, 5), -sp.Rational(13, 2)]

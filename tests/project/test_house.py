@@ -8,8 +8,9 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from forbidden_calls import main as forbidden_calls
-from forbidden_calls import violations
+
+from tools.forbidden_calls import main as forbidden_calls
+from tools.forbidden_calls import violations
 
 ROOT = Path(__file__).parents[2]
 FILES = sorted((ROOT / "solver").rglob("*.py"))

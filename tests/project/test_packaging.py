@@ -10,7 +10,8 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from small_problems import GOOD
+
+from tests.helpers.small_problems import GOOD
 
 ROOT = Path(__file__).parents[2]
 NOT_COPIED = shutil.ignore_patterns(".*cache*", ".venv", ".git", "build", "dist", "__pycache__", ".hypothesis")

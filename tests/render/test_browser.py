@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sample_pages import SHORT, TALL, hostile, sample
 
 from solver import solve
 from solver.classroom import mark, read_submission
@@ -17,6 +16,7 @@ from solver.classroom.report import render_sheet
 from solver.problem.source import Source
 from solver.render.page import render_page
 from solver.resources import root
+from tests.helpers.sample_pages import SHORT, TALL, hostile, sample
 
 FLAGS = (
     "--no-sandbox",

@@ -6,11 +6,11 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from sample_pages import ATTACK, hostile, part, sample
 
 from solver.derivation import Status
 from solver.render.page import POLICY, drawn, render_page
 from solver.render.view import SolutionView
+from tests.helpers.sample_pages import ATTACK, hostile, part, sample
 
 VOID = {"meta", "img", "br", "hr", "wbr"}
 PROSE = "h1 h2 h3 h4 h5 p span div a code strong em ol ul li table caption thead tbody tr th td wbr"

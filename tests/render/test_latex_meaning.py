@@ -6,10 +6,10 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from reading_latex import value_of
 
 from solver.render.latex import tex
 from solver.render.numbers import NumberFormat
+from tests.helpers.reading_latex import value_of
 
 s, t, k, lamda, a, b, k_1 = sp.symbols("s t k lamda a b k_1")
 POINT = {s: 1.37, t: 0.61, k: 3.0, lamda: 2.21, a: 0.83, b: 1.9, k_1: 0.47}

@@ -2,11 +2,11 @@
 
 import pytest
 import sympy as sp
-from asking import EXAMPLE_OPTIONS, ask, system
 
 from solver.derivation import CheckStatus, Claim, Stated, Status
 from solver.numeric import check_claim
 from solver.tasks import catalogue
+from tests.helpers.asking import EXAMPLE_OPTIONS, ask, system
 
 
 def whole(rows, *, discrete=False):

@@ -5,13 +5,13 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import eigenvalues, jordan_block, unimodular
 
 from solver.derivation import Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import eigenvalues, jordan_block, unimodular
 
 NOTE = system([[-2, -2, -2], [1, 0, 0], [1, 1, -1]], B=[1, 0, 0], C=[[1, 1, 0]])  # lecture note, 2.6 example 2
 TWO_INPUTS = system([[0, 1, 0], [0, 0, 1], [-1, -2, -1]], B=[[1, 0], [0, 1], [0, 0]], C=[[1, 0, 0], [0, 1, 0]])

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.problem.systems import NOTHING
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected
 
 R = sp.Rational
 s = sp.Symbol("s")

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
-from strategies import systems
 
 from solver.derivation import Status
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 I = sp.I
 

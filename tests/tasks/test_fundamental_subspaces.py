@@ -3,12 +3,12 @@
 import numpy as np
 import scipy.linalg
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.systems import StateSpace
+from tests.helpers.asking import ask, rejected, system
 
 NAMES = ("null_space", "column_space", "row_space", "left_null_space")
 

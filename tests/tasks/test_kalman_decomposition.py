@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver import numeric
 from solver.derivation import Answers, CheckStatus, Given, Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
 
 TASK = "kalman_decomposition"
 COURSE = system([[-2, -2, -2], [1, 0, 0], [1, 1, -1]], B=[1, 0, 0], C=[[1, 1, 0]])

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from scipy.linalg import solve_continuous_are
 
 from solver import solve
 from solver.derivation import Status
 from solver.problem.source import InputError
+from tests.helpers.asking import ask, rejected, system
 
 METHODS = ("riccati", "hamiltonian")
 ONE = sp.ImmutableMatrix([[1]])

@@ -5,13 +5,13 @@ import json
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_are
 
 from solver import solve
 from solver.derivation import Status
+from tests.helpers.asking import ask, rejected, system
 
 METHODS = ("riccati", "hamiltonian")
 I2 = sp.ImmutableMatrix(sp.eye(2))

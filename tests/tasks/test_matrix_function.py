@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import systems
 
 from solver.derivation import Status
 from solver.problem.expressions import ExpressionError, Names, parse_expression
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 A, t, k = sp.symbols("A t k")
 IDENTITY = sp.Symbol("I")

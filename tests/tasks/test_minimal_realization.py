@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
-from fractions_of_polynomials import fraction, numbers, plant, s, values
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import systems
 
 from solver.derivation import Status
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.fractions_of_polynomials import fraction, numbers, plant, s, values
+from tests.helpers.strategies import systems
 
 M = sp.Matrix
 DIAGONAL = system(sp.diag(-1, -2, -3, -4), B=[[1], [1], [0], [0]], C=[[1, 0, 1, 0]])

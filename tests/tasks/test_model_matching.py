@@ -2,13 +2,13 @@
 
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.systems import TransferFunction
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
 
 s = sp.Symbol("s")
 

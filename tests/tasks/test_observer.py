@@ -4,14 +4,14 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.signal import place_poles
-from strategies import systems
 
 from solver.derivation import Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 R, I = sp.Rational, sp.I
 METHODS = ["coefficient_matching", "bass_gura", "canonical_form", "ackermann"]

@@ -4,15 +4,15 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
-from strategies import systems
 
 from solver.derivation import CheckStatus, Claim, Stated, Status
 from solver.numeric import check_claim
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 R, I = sp.Rational, sp.I
 s = sp.Symbol("s")

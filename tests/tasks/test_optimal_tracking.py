@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver import solve
 from solver.derivation import Status
 from solver.problem.source import InputError
+from tests.helpers.asking import ask, rejected, system
 
 ONE = sp.ImmutableMatrix([[1]])
 SINGULAR = system([[0, 1], [0, -2]], B=[[0], [1]], C=[[1, 0]])

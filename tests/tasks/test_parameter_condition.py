@@ -2,10 +2,10 @@
 
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 
 from solver.derivation import Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
 
 a, b = sp.symbols("alpha b", real=True)
 NOTE = system([[2, a - 1], [0, 2]], B=[1, a], C=[[1, a]])  # lecture note, 2.6 example 6

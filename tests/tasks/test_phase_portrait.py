@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
@@ -11,6 +10,7 @@ from scipy.linalg import expm
 import solver
 from solver.derivation import Status
 from solver.problem.source import InputError
+from tests.helpers.asking import ask, rejected, system
 
 p, d = sp.symbols("p d", positive=True)
 KINDS = {

@@ -4,15 +4,15 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from strategies import systems
 
 from solver.derivation import CheckStatus, Claim, Status
 from solver.exact import reachable_order
 from solver.numeric import check_claim
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 ONE_INPUT = ("coefficient_matching", "bass_gura", "canonical_form", "ackermann", "unity_rank")
 I = sp.I

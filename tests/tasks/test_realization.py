@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
-from fractions_of_polynomials import fraction, plant, s, values, z
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Given, Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.fractions_of_polynomials import fraction, plant, s, values, z
 
 FORMS = ("controllable", "observable", "diagonal", "jordan", "modal")
 COURSE = plant(2 * s**3 + 5 * s**2 + 3 * s + 1, 4 * s**4 + 2 * s**2 + 3 * s + 6)

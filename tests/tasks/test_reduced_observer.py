@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
-from strategies import systems
 
 import solver
 from solver.derivation import Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 I, R, M = sp.I, sp.Rational, sp.Matrix
 COMPANION = [[0, 1, 0], [0, 0, 1], [-4, -4, -1]]

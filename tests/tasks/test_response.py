@@ -5,14 +5,14 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
-from strategies import systems
 
 from solver.derivation import CheckStatus, Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 t, k = sp.symbols("t k")
 e, half = sp.exp, sp.Rational(1, 2)

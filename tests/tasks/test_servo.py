@@ -4,14 +4,14 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from strategies import systems
 
 from solver.derivation import CheckStatus, Status
 from solver.exact import reachable_order
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 METHODS = ("coefficient_matching", "bass_gura", "canonical_form", "ackermann", "unity_rank")
 PLANT = system([[0, 1], [-2, -3]], B=[0, 1], C=[[1, 0]])

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
-from strategies import systems, unimodular
 
 from solver.derivation import Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems, unimodular
 
 M = sp.Matrix
 PLANT = system([[0, 1], [-2, -3]], B=[[0], [1]], C=[[1, 0]])

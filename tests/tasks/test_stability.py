@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import systems
 
 import solver
 from solver.derivation import Status
 from solver.problem.source import InputError
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.strategies import systems
 
 STABLE, MARGINAL, UNSTABLE = "asymptotically stable", "marginally stable", "unstable"
 METHODS = ("eigenvalues", "lyapunov", "routh")

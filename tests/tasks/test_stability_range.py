@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Given, Status
 from solver.tasks import catalogue
+from tests.helpers.asking import ask, rejected, system
 
 k, a, b = sp.symbols("k a b", real=True)
 p, d, m = sp.symbols("p d m", positive=True)

@@ -2,9 +2,9 @@
 
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
 
 from solver.derivation import Status
+from tests.helpers.asking import ask, rejected, system
 
 NOTE = system([[1, 0, 0], [1, -1, 1], [0, 0, -2]], B=[1, 1, 0], C=[[1, 0, 0]])  # lecture note, 2.6 example 3
 

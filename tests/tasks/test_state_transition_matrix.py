@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, at, rejected, system
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
-from strategies import systems
 
 from solver.derivation import CheckStatus, Status
+from tests.helpers.asking import ask, at, rejected, system
+from tests.helpers.strategies import systems
 
 t, k = sp.symbols("t k")
 e = sp.exp

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from asking import ask, rejected, system
-from fractions_of_polynomials import plant, s, z
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import ss2tf
-from strategies import systems
 
 from solver.derivation import CheckStatus, Status
+from tests.helpers.asking import ask, rejected, system
+from tests.helpers.fractions_of_polynomials import plant, s, z
+from tests.helpers.strategies import systems
 
 METHODS = ("adjugate", "faddeev_leverrier")
 M = sp.Matrix
