@@ -6,7 +6,7 @@ to the task's verification, and the worst of the checks decides the status.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import Any
@@ -105,7 +105,7 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
         given = given_of(part, method, earlier, steps)
         answers = yield_into(steps, task.methods[method].derive(given))
         checks = (*numeric.check_steps(steps), *task.verify(given, answers))
-        status, reason = _verdict(checks)
+        status, reason = verdict(checks, answers)
     except (Unsolved, exact.NotExact) as refusal:
         status, reason = Status.UNSOLVED, str(refusal)
         checks = numeric.check_steps(steps)
@@ -174,12 +174,20 @@ def yield_into(steps: list[Step], derivation: Derivation[Any]) -> Any:
             return end.value
 
 
-def _verdict(checks: tuple[Check, ...]) -> tuple[Status, str]:
+def verdict(checks: Iterable[Check], answers: Iterable[str]) -> tuple[Status, str]:
+    """Return the status that the checks give to a part with these answers, and the reason if it is not verified.
+
+    A displayed equality may hold where an answer is wrong: every answer needs a check of its own that passed.
+    """
+    checks = tuple(checks)
     failed = [check for check in checks if check.status is CheckStatus.FAILED]
     if failed:
         return Status.FAILED, f"{len(failed)} of {len(checks)} checks failed"
-    if not any(check.status is CheckStatus.PASSED for check in checks):
-        return Status.UNSOLVED, "no check could be made of the answer"
+    confirmed = {name for check in checks if check.status is CheckStatus.PASSED for name in check.judges}
+    missing = [name for name in answers if name not in confirmed]
+    if missing or not confirmed:
+        of_them = f"the answer{'s' * (len(missing) > 1)} {', '.join(missing)}" if missing else "the answer"
+        return Status.UNSOLVED, f"no check could be made of {of_them}"
     return Status.VERIFIED, ""
 
 

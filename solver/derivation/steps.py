@@ -101,7 +101,8 @@ class CheckStatus(StrEnum):
 class Check:
     """One line of the table of checks: what was checked, by what, and with what result.
 
-    `judges` names the answers that the check judges; none for an equality displayed in a step.
+    `judges` names the answers that the check judges; none for an equality displayed in a step. `step` is the number
+    of the step, counted from 1 among those of the part, that displays the equality; 0 for a check of answers.
     """
 
     claim: str
@@ -111,6 +112,7 @@ class Check:
     status: CheckStatus
     reason: str = ""
     judges: tuple[str, ...] = ()
+    step: int = 0
 
     @staticmethod
     def within(claim: str, oracle: str, residual: float, tolerance: float, *, answer: str = "") -> Check:

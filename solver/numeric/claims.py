@@ -40,8 +40,11 @@ def check_steps(steps: Iterable[Step], *, integers: frozenset[str] = frozenset()
     """Return the checks of all claims of the steps and their substeps, in the order of reading."""
     environments = Environments()
     return tuple(
-        check_claim(claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments)
-        for first in steps
+        replace(
+            check_claim(claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments),
+            step=number,
+        )
+        for number, first in enumerate(steps, start=1)
         for step in first.walk()
         for key, claim in step.claims.items()
     )

@@ -46,12 +46,14 @@ def as_data(solution: Solution, view: SolutionView | None = None) -> Data:
 
 
 def _part(result: PartResult, shown: PartView, part: Part) -> Data:
-    """Return one part by one method; `marks` and `reason` stand only where there are any."""
+    """Return one part by one method; `marks`, `reason` and `unchecked` stand only where there are any."""
     data: Data = {"id": result.id, "task": result.task, "method": result.method, "status": str(result.status)}
     if part.marks is not None:
         data["marks"] = int(part.marks) if part.marks.is_Integer else float(part.marks)
     if result.reason:
         data["reason"] = result.reason
+    if shown.unchecked:
+        data["unchecked"] = shown.unchecked
     data["answers"] = {
         answer.name: {"value": sympy_text(answer.value), "latex": answer.tex, "symbol": answer.symbol}
         for answer in shown.answers

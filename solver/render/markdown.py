@@ -45,6 +45,8 @@ def _part(part: PartView) -> Iterator[str]:
             yield f"$$\n{answer.equation}\n$$"
     if part.checks:
         yield _table(part.checks)
+    if part.unchecked:
+        yield part.unchecked
 
 
 def _steps(steps: Iterable[WordedStep], level: str) -> Iterator[str]:

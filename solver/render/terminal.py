@@ -86,7 +86,7 @@ def verdict_of(part: PartView) -> str:
     passed = sum(row.status is CheckStatus.PASSED for row in part.checks)
     checks = f"{passed} of {len(part.checks)} checks passed" if part.checks else ""
     reason = inline_as_text(part.reason)
-    return f"{part.status}: {'; '.join(filter(None, [reason, checks]))}"
+    return f"{part.status}: {'; '.join(filter(None, [reason, checks, inline_as_text(part.unchecked)]))}"
 
 
 def answer_lines(answer: AnswerView, width: int = WIDTH) -> list[str]:

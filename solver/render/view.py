@@ -76,6 +76,12 @@ class PartView:
     reason: str
 
     @property
+    def unchecked(self) -> str:
+        """How many checks could not be made, and why (Markdown); empty where all were made."""
+        skipped = [check.reason for check in self.checks if check.status is CheckStatus.SKIPPED]
+        return f"{len(skipped)} could not be checked: {'; '.join(dict.fromkeys(skipped))}" if skipped else ""
+
+    @property
     def anchor(self) -> str:
         """A name for links to the part, unique on the page: letters, digits and hyphens."""
         words = f"part-{self.id}-{self.method}".replace("_", "-").lower()
@@ -150,17 +156,11 @@ def _answers(result: PartResult, wording: Wording) -> list[AnswerView]:
 
 
 def check_rows(result: PartResult) -> list[CheckRow]:
-    """Return the table of checks: one line for the equalities of each step, then one for each other check.
-
-    The engine lists the checks of claims first, one a claim, in the order of reading.
-    """
+    """Return the table of checks: one line for the equalities of each step, then one for each other check."""
     rows = []
-    checks = list(result.checks)
-    for number, step in enumerate(result.steps, start=1):
-        count = sum(len(each.claims) for each in step.walk())
-        of_step, checks = checks[:count], checks[count:]
-        rows.extend(_of_step(of_step, number))
-    return rows + [_row(check) for check in checks]
+    for number in range(1, len(result.steps) + 1):
+        rows.extend(_of_step([check for check in result.checks if check.step == number], number))
+    return rows + [_row(check) for check in result.checks if not check.step]
 
 
 def _of_step(checks: list[Check], number: int) -> list[CheckRow]:

@@ -3,6 +3,7 @@
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 
 import pytest
 import sympy as sp
@@ -224,20 +225,21 @@ def test_views_are_built_once_and_say_the_same_in_every_number_format(solution):
 def test_claims_are_one_row_a_step_and_failures_are_rows_of_their_own():
     claim = Claim(sp.Integer(1), sp.Integer(1), "one")
     steps = (Step("x", claims={"a": claim, "b": claim}), Step("y", claims={"c": claim}))
-    good = Check.within("one", "random points", 1e-16, 1e-9)
-    worse = Check.within("one", "random points", 1e-12, 1e-9)
-    bad = Check.within("one", "random points", 1.0, 1e-9)
+    good = replace(Check.within("one", "random points", 1e-16, 1e-9), step=1)
+    worse = replace(Check.within("one", "random points", 1e-12, 1e-9), step=1)
+    bad = replace(Check.within("one", "random points", 1.0, 1e-9), step=1)
+    second = replace(good, step=2)
     final = Check.that("property", "scipy", True)
 
     def rows(*checks):
         result = PartResult("a", "t", "m", Status.VERIFIED, checks=checks, steps=steps)
         return [(row.claim, row.residual, row.status.value) for row in check_rows(result)]
 
-    assert rows(good, worse, good, final) == [
+    assert rows(good, worse, second, final) == [
         ("2 equalities of step 1", "10^{-12}", "passed"),
         ("one (step 2)", "10^{-16}", "passed"),
         ("property", "", "passed"),
     ]
-    assert ("one", "1", "failed") in rows(good, bad, good, final)
+    assert ("one", "1", "failed") in rows(good, bad, second, final)
     assert check_rows(PartResult("a", "t", "m", Status.UNSOLVED, steps=())) == []
     assert CheckStatus.PASSED.value == "passed"
