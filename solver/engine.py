@@ -29,6 +29,7 @@ from solver.derivation.steps import Claim
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.problem.model import Display, Part, Problem, Reference
+from solver.problem.refusals import Refusal, refuse
 from solver.systems import StateSpace, System, TransferFunction
 from solver.tasks import catalogue
 
@@ -73,19 +74,29 @@ def _holds_decimals(value: Any) -> bool:
 
 
 def solve_problem(problem: Problem, runner: Runner | None = None) -> Solution:
-    """Solve all parts, here or by a runner that keeps limits. An unsolved part says why and stops no other."""
+    """Solve all parts, here or by a runner that keeps limits. An unsolved part says why and stops no other.
+
+    Raises InputError, with the places in the file, where a task finds a question wrong as it is asked.
+    """
     results = (runner or solve_parts)(problem)
     return Solution(problem, tuple(result for of_part in results for result in of_part))
 
 
 def solve_parts(problem: Problem, earlier: Earlier | None = None) -> Iterator[list[PartResult]]:
     """Solve the parts not yet among the earlier results, in order; parts may use the answers of earlier ones."""
+    refuse(problem, {part.id: refusals_of(part) for part in problem.parts})
     known = dict(earlier or {})
     for part in problem.parts:
         if part.id not in known:
             results = solve_part(part, known)
             known[part.id] = results[0]
             yield results
+
+
+def refusals_of(part: Part) -> list[Refusal]:
+    """Return what the task finds wrong with the question, without the options taken from earlier parts."""
+    known = {name: None if isinstance(value, Reference) else value for name, value in part.options.items()}
+    return list(catalogue()[part.task].refused(part.system, known))
 
 
 def solve_part(part: Part, earlier: Earlier) -> list[PartResult]:
@@ -127,7 +138,7 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
 
 
 def _refuse(task: Task, system: System, options: Mapping[str, Any]) -> None:
-    """Refuse options that the reader could not judge, since they were taken from an earlier part."""
+    """Refuse what could not be judged before, since it was taken from an earlier part."""
     for _, message in task.refused(system, options):
         raise Unsolved(message[:1].upper() + message[1:] + ".")
 
@@ -231,4 +242,14 @@ def _closed_loop(given: Given) -> Derivation[Given]:
     return replace(given, system=loop)
 
 
-__all__ = ["Earlier", "Runner", "Solution", "Task", "given_of", "solve_part", "solve_parts", "solve_problem"]
+__all__ = [
+    "Earlier",
+    "Runner",
+    "Solution",
+    "Task",
+    "given_of",
+    "refusals_of",
+    "solve_part",
+    "solve_parts",
+    "solve_problem",
+]

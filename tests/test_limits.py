@@ -8,7 +8,7 @@ from solver.derivation import Status
 from solver.engine import solve_problem
 from solver.limits import Limits, in_child
 from solver.problem.reader import read_problem
-from solver.problem.source import Source
+from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
 from tests.helpers.difficult_task import difficult, problem_text
 
@@ -54,6 +54,25 @@ def test_a_result_that_cannot_be_sent_is_unsolved(method):
     part, after = solved(method, "easy")
     assert part.status is Status.UNSOLVED
     assert part.reason.startswith(("internal error", "its result is too large"))
+    assert after.status is Status.VERIFIED
+
+
+def test_a_question_that_is_wrong_is_refused_at_its_place_before_anything_is_solved():
+    text = problem_text("endless") + "  b: {task: difficult, system: {matrix: [[-1]]}, prompt: Do it.}\n"
+    with pytest.raises(InputError) as caught:
+        solve_problem(read_problem(Source("file.yaml", text), catalogue()), in_child(LIMITS))
+    assert caught.value.render().startswith("file.yaml:5:13: error: it begins with -1\n")
+    assert "^^^^^^^^^" in caught.value.render()
+
+
+def test_judging_a_question_is_stopped_by_the_limit_and_costs_its_methods_only():
+    text = problem_text("easy").replace("method: easy", "method: [easy, endless], system: {matrix: [[-2]]}")
+    text += "  b: {task: difficult, method: easy, prompt: Do it.}\n"
+    first, second, after = solve_problem(
+        read_problem(Source("<test>", text), catalogue()), in_child(Limits(seconds=0.5))
+    ).parts
+    assert first.reason == second.reason == "time limit of 0.5 s"
+    assert [part.method for part in (first, second)] == ["easy", "endless"]
     assert after.status is Status.VERIFIED
 
 

@@ -175,8 +175,8 @@ class Task:
     def refusal(self, refuse: Refuse) -> Refuse:
         """Register what makes a question wrong as the file asks it: yields (option or "", message) for each fault.
 
-        It is called with the system and the options known so far: when the file is read with None for those taken from
-        an earlier part, and again when all are known.
+        It is called within limits before anything is solved, with None for options taken from an earlier part, and
+        again when these are known. The fault is told at the place of the option in the file.
         """
         self.refusals.append(refuse)
         return refuse

@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import PartResult
 from solver.limits.call import Exceeded, call_within
-from solver.limits.child import Child, Limits, Unit, unsolved
+from solver.limits.child import Child, Limits, Outcome, Unit, unsolved
+from solver.problem.refusals import Refusal, refuse
 
 if TYPE_CHECKING:
     from solver.engine import Runner
-    from solver.problem.model import Problem
+    from solver.problem.model import Part, Problem
 
 __all__ = ["Child", "Exceeded", "Limits", "Progress", "call_within", "in_child"]
 
@@ -53,8 +54,9 @@ def in_child(
     def run(problem: Problem) -> Iterator[list[PartResult]]:
         supervisor = _Supervisor(problem, limits or Limits(), notify, meanwhile, child)
         try:
+            refuse(problem, supervisor.refusals())
             for part in problem.parts:
-                yield [supervisor.next_result() for _ in part.methods]
+                yield [supervisor.result(part, method) for method in part.methods]
         finally:
             supervisor.stop()
 
@@ -75,15 +77,39 @@ class _Supervisor:
         self.limits = limits
         self.notify = notify
         self.meanwhile = meanwhile
-        self.units: list[Unit] = [(part, method) for part in problem.parts for method in part.methods]
+        self.parts = problem.parts
+        self.units = [Unit(part) for part in self.parts]
+        self.units += [Unit(part, method) for part in self.parts for method in part.methods]
         self.done = 0
+        self.given_up: dict[str, str] = {}
         self.known: dict[str, PartResult] = {}
         self.child = child
         if child is not None:
             child.send(self.units, self.known, limits)
 
-    def next_result(self) -> PartResult:
-        """Return what becomes of the next part and method."""
+    def refusals(self) -> dict[str, list[Refusal]]:
+        """Return what is wrong with the questions, by the part's id. One that takes too long to judge is given up."""
+        found: dict[str, list[Refusal]] = {}
+        for part in self.parts:
+            outcome = self._next()
+            if isinstance(outcome, PartResult):
+                self.stop()  # the next one has not to solve it
+                self.given_up[part.id] = outcome.reason
+                self.units = [unit for unit in self.units if unit.part is not part or not unit.method]
+            else:
+                found[part.id] = outcome
+        return found
+
+    def result(self, part: Part, method: str) -> PartResult:
+        """Return what becomes of a part by a method, the next one to be solved."""
+        given_up = self.given_up.get(part.id)
+        result = self._next() if given_up is None else unsolved(Unit(part, method), given_up)
+        assert isinstance(result, PartResult)  # noqa: S101 - the unit has a method
+        self.known.setdefault(part.id, result)
+        return result
+
+    def _next(self) -> Outcome:
+        """Return what becomes of the next unit."""
         unit = self.units[self.done]
         if self.child is None:
             self.child = Child()
@@ -100,18 +126,18 @@ class _Supervisor:
         elif self.child.exhausted:
             self.stop()
         self.done += 1
-        self.known.setdefault(result.id, result)
         return result
 
-    def _wait(self, start: float, child: Child) -> PartResult | str:
+    def _wait(self, start: float, child: Child) -> Outcome | str:
         """Return the child's next result, or the reason why there is none."""
         end = start + self.limits.seconds
         while not child.ready(min(TICK, max(0.0, end - monotonic()))):
             if monotonic() >= end:
                 return f"time limit of {self.limits.seconds:g} s"
             if self.notify is not None:
-                part, method = self.units[self.done]
-                self.notify(Progress(part.id, method, self.done, len(self.units)))
+                unit = self.units[self.done]
+                done, total = self.done - len(self.parts), len(self.units) - len(self.parts)
+                self.notify(Progress(unit.part.id, unit.method, max(0, done), total))
         return child.receive()
 
     def stop(self) -> None:

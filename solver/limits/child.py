@@ -31,11 +31,17 @@ if TYPE_CHECKING:
 
     from solver.engine import Earlier
     from solver.problem.model import Part
+    from solver.problem.refusals import Refusal
 
 FORKS = sys.platform.startswith("linux")  # fork is unsafe on macOS and unknown on Windows
 
-Unit = tuple["Part", str]
-"""What is solved under one limit: a part by one of its methods."""
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """What is done under one limit: a part solved by one of its methods or, without a method, its question judged."""
+
+    part: Part
+    method: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +50,10 @@ class Limits:
 
     seconds: float = 60.0
     megabytes: int = 2048
+
+
+Outcome = PartResult | list["Refusal"]
+"""What became of a unit: a result, or what is wrong with the question (a result too, where that took too much)."""
 
 
 class Child:
@@ -82,10 +92,10 @@ class Child:
         """Whether there is something to receive, a result or the child's death, within some seconds."""
         return self.channel.poll(seconds)
 
-    def receive(self) -> PartResult | str:
-        """Return a result, or how the child died."""
+    def receive(self) -> Outcome | str:
+        """Return what became of a unit, or how the child died."""
         try:
-            result: PartResult
+            result: Outcome
             result, self.exhausted = self.channel.recv()
         except (EOFError, OSError):
             self.process.join(1.0)
@@ -127,9 +137,10 @@ def _live(channel: Connection) -> None:
     restrict(limits, len(units))
     channel.send(True)
     for unit in units:
-        result, exhausted = _solve_guarded(unit, known, limits)
-        known.setdefault(result.id, result)
-        _send(result, exhausted, channel)
+        outcome, exhausted = _guarded(unit, known, limits)
+        if isinstance(outcome, PartResult):
+            known.setdefault(outcome.id, outcome)
+        _send(outcome, exhausted, channel)
         if exhausted:
             return
 
@@ -150,13 +161,14 @@ def load_all_algebra() -> None:
             getattr(package, name)
 
 
-def _solve_guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[PartResult, bool]:
-    """Return the result of one unit and whether the memory was exhausted."""
-    from solver.engine import solve_part  # noqa: PLC0415 - the parent does not need it
+def _guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[Outcome, bool]:
+    """Return what became of one unit and whether the memory was exhausted."""
+    from solver.engine import refusals_of, solve_part  # noqa: PLC0415 - the parent does not need it
 
-    part, method = unit
     try:
-        return solve_part(replace(part, methods=(method,)), known)[0], False
+        if not unit.method:
+            return refusals_of(unit.part), False
+        return solve_part(replace(unit.part, methods=(unit.method,)), known)[0], False
     except MemoryError:
         reason = f"memory limit of {limits.megabytes} MB"
     except RecursionError:
@@ -166,8 +178,11 @@ def _solve_guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[PartResu
     return unsolved(unit, reason), True
 
 
-def _send(result: PartResult, exhausted: bool, channel: Connection) -> None:
+def _send(result: Outcome, exhausted: bool, channel: Connection) -> None:
     """Send a result, or say that it can't be sent (too deeply nested, too large, or not picklable)."""
+    if not isinstance(result, PartResult):
+        channel.send((result, exhausted))
+        return
     try:
         channel.send((result, exhausted))
     except (RecursionError, MemoryError):
@@ -178,8 +193,7 @@ def _send(result: PartResult, exhausted: bool, channel: Connection) -> None:
 
 def unsolved(unit: Unit, reason: str, seconds: float = 0.0) -> PartResult:
     """Return the result of a unit that was not solved, with the reason."""
-    part, method = unit
-    return PartResult(part.id, part.task, method, Status.UNSOLVED, reason=reason, seconds=seconds)
+    return PartResult(unit.part.id, unit.part.task, unit.method, Status.UNSOLVED, reason=reason, seconds=seconds)
 
 
 def _without_answers(result: PartResult, reason: str) -> PartResult:

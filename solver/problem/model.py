@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import sympy as sp
 
+    from solver.problem.nodes import Place
+    from solver.problem.source import Source
     from solver.systems import System
 
 
@@ -37,6 +39,7 @@ class Part:
     """One question: a task by its methods, with validated options; `system` is the part's own or the problem's.
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
+    `places` tells where its task and its options stand in the file.
     """
 
     id: str
@@ -48,11 +51,12 @@ class Part:
     marks: sp.Rational | None = None
     own_system: bool = False
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
+    places: Mapping[str, Place] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A problem file as read. `system` is None where every part brings its own."""
+    """A problem file as read. `system` is None where every part brings its own; `file` is the text it was read from."""
 
     name: str
     title: str
@@ -63,3 +67,4 @@ class Problem:
     display: Display = Display()
     parameters: Mapping[str, Any] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    file: Source | None = None

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from solver.derivation import Choice, Flag, Option, Task
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number, scalar
-from solver.problem.model import Part, Reference
+from solver.problem.model import Part
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of
 from solver.problem.options import read_option
 from solver.problem.source import Fault, Report, did_you_mean
@@ -66,7 +66,6 @@ class PartReader:
             split = _split_marks(mapping, task, methods)
             marks = sum(split.values()) if split else _marks(mapping["marks"]) if "marks" in mapping else None
         report.conclude()
-        self._refuse(task, plant, options, mapping)
         return Part(
             id=name,
             task=task.name,
@@ -77,18 +76,8 @@ class PartReader:
             marks=marks,
             own_system="system" in mapping,
             answer_marks=split,
+            places={entry.key.text: entry.value.place for entry in mapping},
         )
-
-    def _refuse(self, task: Task, plant: PlantOf, options: Mapping[str, Any], part: MappingNode) -> None:
-        """Raise Fault with what the task finds wrong with the question, at the place of the option at fault."""
-        if not plant.known:
-            return
-        known = {name: None if isinstance(value, Reference) else value for name, value in options.items()}
-        report = Report()
-        for option, message in task.refused(plant.system or NOTHING, known):
-            with report:
-                raise (part.get(option) or part["task"]).fault(message)
-        report.conclude()
 
     def _task(self, node: Node) -> Task:
         word = scalar(node).text

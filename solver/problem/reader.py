@@ -77,6 +77,7 @@ class _ProblemReader:
             display=Display(display.mode, display.digits, self.lexicon.decimals),
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
+            file=self.source,
         )
 
     def spoilt(self, *path: str) -> bool:

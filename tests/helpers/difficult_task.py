@@ -105,6 +105,15 @@ def is_the_matrix(given, answers):
     yield Check.that("$F = A$", "comparison", answers["F"] == given.system.A or given.method in {"unpicklable", "deep"})
 
 
+@difficult.refusal
+def of_some_matrices(system, options):
+    """Refuse a question about −1; that about −2 is never judged."""
+    while system.A[0, 0] == -2:
+        pass
+    if system.A[0, 0] == -1:
+        yield "", "it begins with -1"
+
+
 def problem_text(*methods, matrix="[[1, 2], [3, 4]]"):
     """Return a problem that asks for each method in a part of its own."""
     parts = [f"  {chr(97 + i)}: {{task: difficult, method: {name}, prompt: Do it.}}" for i, name in enumerate(methods)]

@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 
 from solver.problem.model import Reference
+from solver.problem.refusals import refuse
 from solver.problem.source import InputError
 
 M = sp.ImmutableMatrix
@@ -210,9 +211,24 @@ def test_a_reference_to_a_part_that_is_wrong_itself_adds_no_complaint(complaints
     assert [line.split(":")[0] for line in found] == ["3", "4"]
 
 
-def test_what_the_task_refuses_is_reported_at_its_option(complaints):
-    (found,) = complaints(f"system: {{{TWO_BY_TWO}}}\nfind:\n  a: {{task: placement, poles: [-1, -2, -3]}}\n")
-    assert found == "3:31-43 there are 3 poles for 2 states"
+def test_reading_asks_no_task_what_it_refuses(read):
+    assert read(f"system: {{{TWO_BY_TWO}}}\nfind:\n  a: {{task: placement, poles: [-1, -2, -3]}}\n").parts
+
+
+def test_what_a_task_refuses_is_reported_at_its_option_and_at_the_task_where_there_is_none(read):
+    text = f"system: {{{TWO_BY_TWO}}}\nfind:\n  a: {{task: placement, poles: [-1, -2, -3]}}\n  b: stability\n"
+    with pytest.raises(InputError) as caught:
+        refuse(read(text), {"a": [("poles", "too many"), ("gain", "not given")], "b": [("", "a bad question")]})
+    assert [line.split(":", 1)[1] for line in caught.value.render().split("\n") if "error" in line] == [
+        "3:13: error: not given",
+        "3:31: error: too many",
+        "4:6: error: a bad question",
+    ]
+    assert "^" * len("[-1, -2, -3]") in caught.value.render()
+
+
+def test_a_problem_without_refusals_is_accepted(read):
+    assert refuse(read(f"system: {{{TWO_BY_TWO}}}\nfind: {{a: stability}}\n"), {"a": []}) is None
 
 
 def test_options_from_an_earlier_part_are_not_refused_yet(read):

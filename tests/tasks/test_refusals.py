@@ -97,10 +97,9 @@ def outcome(task, system, options):
     """What a problem file with this question ends with: "refused" or the status, and the words."""
     text = yaml.safe_dump({"system": system, "find": {"a": {"task": task, **options}}})
     try:
-        problem = read_problem(Source("question.yaml", text), catalogue())
+        part = solve_problem(read_problem(Source("question.yaml", text), catalogue())).parts[0]
     except InputError as refusal:
         return "refused", str(refusal)
-    part = solve_problem(problem).parts[0]
     return part.status, part.reason
 
 
