@@ -15,6 +15,7 @@ from importlib import import_module
 from multiprocessing.connection import Connection
 from pathlib import Path
 from pickle import PickleError
+from pkgutil import iter_modules
 from typing import TYPE_CHECKING
 
 try:
@@ -25,6 +26,7 @@ except ImportError:  # Windows
 from solver.derivation import PartResult, Status
 from solver.imports import postpone
 from solver.lazy import exact, numeric
+from solver.numeric import judges
 
 if TYPE_CHECKING:
     from multiprocessing.context import ForkContext, SpawnContext
@@ -149,14 +151,15 @@ def load_algebra() -> None:
     """Import what every problem needs, in this process and so in all that it starts from now on."""
     for name in ("testing", "f2py"):  # scipy.linalg takes every module of numpy; these two cost as much as itself
         postpone("numpy", name)
-    for name in ("solver.engine", "solver.numeric.claims", "scipy.linalg"):
+    for name in ("solver.engine", "solver.numeric.evaluation.claims", "scipy.linalg"):
         import_module(name)
 
 
 def load_all_algebra() -> None:
     """Import what any problem may need, once for several problems."""
     load_algebra()
-    for package in (exact, numeric):
+    topics = [import_module(f"{judges.__name__}.{each.name}") for each in iter_modules(judges.__path__)]
+    for package in (exact, numeric, *topics):
         for name in package.__all__:
             getattr(package, name)
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from solver.derivation import Given
 from solver.lazy import numeric
+from solver.numeric.judges import structure as judges
 
 
 def gain_is_free(given: Given) -> bool:
@@ -64,4 +65,4 @@ def a_root_is_asked_for(given: Given) -> bool:
 
 
 def _deficient(A: Any, B: Any) -> bool:
-    return bool(numeric.rank(numeric.krylov_matrix(A, B)) < A.rows)
+    return bool(numeric.rank(judges.krylov_matrix(A, B)) < A.rows)

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver import exact
-from solver.numeric import rank_falls_where
+from solver.numeric.judges.structure import rank_falls_where
 from tests.helpers.strategies import systems
 
 M = sp.ImmutableMatrix

@@ -3,7 +3,9 @@
 import ast
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
+from pkgutil import iter_modules
 
 import pytest
 
@@ -13,7 +15,7 @@ FOLDER = Path(solver.numeric.__file__).parent
 FORBIDDEN_NAMES = {"simplify", "nsimplify", "lambdify", "sympify", "parse_expr", "eval", "jordan_form", "eigenvects"}
 
 
-@pytest.mark.parametrize("path", sorted(FOLDER.glob("*.py")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted(FOLDER.rglob("*.py")), ids=lambda path: path.stem)
 def test_an_oracle_imports_nothing_of_what_it_checks(path):
     tree = ast.parse(path.read_text(encoding="utf-8"))
     imported = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
@@ -37,6 +39,8 @@ def test_scipy_is_imported_only_by_what_needs_it():
 
 
 def test_every_public_name_is_documented():
-    for name in solver.numeric.__all__:
-        value = getattr(solver.numeric, name)
-        assert callable(value) is False or value.__doc__, name
+    topics = [f"solver.numeric.judges.{each.name}" for each in iter_modules([str(FOLDER / "judges")])]
+    for package in (solver.numeric, *map(import_module, topics)):
+        for name in package.__all__:
+            value = getattr(package, name)
+            assert callable(value) is False or value.__doc__, name

@@ -9,7 +9,10 @@ from pkgutil import iter_modules
 
 import pytest
 
-LAZY = ["solver.exact", "solver.numeric"]
+from solver.numeric import judges
+
+JUDGES = [f"solver.numeric.judges.{each.name}" for each in iter_modules(judges.__path__)]
+LAZY = ["solver.exact", "solver.numeric", *JUDGES]
 
 
 @pytest.mark.parametrize("name", LAZY)

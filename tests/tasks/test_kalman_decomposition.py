@@ -6,8 +6,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solver import numeric
 from solver.derivation import Answers, CheckStatus, Given, Status
+from solver.numeric.judges import structure as judges
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 
@@ -260,12 +260,12 @@ def test_the_residual_of_a_rounded_answer_is_small_and_of_a_wrong_one_is_not():
     T = sp.Matrix([[1, -2, 0], [0, 1, -1], [0, 1, 1]])
     off = sp.zeros(3)
     off[2, 0] = sp.Rational(1, 1000)
-    assert 1e-4 < numeric.separation_residual("controllable", sp.ImmutableMatrix(T + off), *plant) < 2e-3
+    assert 1e-4 < judges.separation_residual("controllable", sp.ImmutableMatrix(T + off), *plant) < 2e-3
     A = sp.Matrix([[0, -4, -2], [1, -2, -1], [0, 0, -1]])
-    assert 1e-6 < numeric.coordinates_residual("controllable", plant, {"A": A + off}) < 2e-3
-    assert numeric.coordinates_residual("controllable", plant, {"A": A}) <= 1e-9
+    assert 1e-6 < judges.coordinates_residual("controllable", plant, {"A": A + off}) < 2e-3
+    assert judges.coordinates_residual("controllable", plant, {"A": A}) <= 1e-9
     assert (
-        numeric.visible_part_residual(
+        judges.visible_part_residual(
             "controllable", plant, {"A": A[:2, :2], "B": sp.Matrix([1, 0]), "C": sp.Matrix([[1, 5]])}
         )
         > 1e-2

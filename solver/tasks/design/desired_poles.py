@@ -22,6 +22,7 @@ from solver.derivation import (
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.frames import linear_factors
 
 if TYPE_CHECKING:
@@ -140,7 +141,7 @@ def meets_the_specifications(given: Given, answers: Answers) -> Iterable[Check]:
     specifications, c = specified(given.options), band(given.options)
 
     def residual(formula: Any, values: list[Any]) -> float:
-        return numeric.second_order_residual(specifications, c, formula, values)
+        return judges.second_order_residual(specifications, c, formula, values)
 
     for name, formula, values in _judged(answers):
         yield numeric.check_residual(

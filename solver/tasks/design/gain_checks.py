@@ -10,6 +10,7 @@ from solver.derivation import Answers, Check, Claim
 from solver.derivation.stated import difference, product
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.frames import characteristic, unknown_gains
 
 if TYPE_CHECKING:
@@ -36,27 +37,27 @@ def judge_gain(asked: Asked, answers: Answers, K_name: str = "K", loop_name: str
         yield numeric.check_residual(
             r"$\det(xI - A + BK) = \prod_i (x - p_i)$ at random $x$",
             "numpy.linalg.det",
-            lambda: numeric.placed_residual(A, B, K, poles, *shape),
+            lambda: judges.placed_residual(A, B, K, poles, *shape),
             answer=K_name,
         )
     if K is not None and asked.row is not None:
         yield numeric.check_residual(
             "$K$ has the shape asked for",
             "numpy.linalg.lstsq",
-            lambda: numeric.fit_residual(asked.row, asked.unknowns, K),
+            lambda: judges.fit_residual(asked.row, asked.unknowns, K),
             answer=K_name,
         )
     if loop is not None:
         yield numeric.check_residual(
             "the closed loop has the poles asked for",
             "numpy.linalg.det",
-            lambda: numeric.placed_matrix_residual(A, B, loop, poles, *shape),
+            lambda: judges.placed_matrix_residual(A, B, loop, poles, *shape),
             answer=loop_name,
         )
         yield numeric.check_residual(
             "$A$ less the closed loop is $B$ times a gain",
             "numpy.linalg.lstsq",
-            lambda: numeric.range_residual(A, B, loop),
+            lambda: judges.range_residual(A, B, loop),
             answer=loop_name,
         )
     if loop is not None and K is not None and K.shape == (B.cols, A.rows):
@@ -65,7 +66,7 @@ def judge_gain(asked: Asked, answers: Answers, K_name: str = "K", loop_name: str
         yield numeric.check_residual(
             "the polynomial has the roots asked for",
             "random points",
-            lambda: numeric.roots_residual(answers["polynomial"], asked.x, A, B, poles, *shape),
+            lambda: judges.roots_residual(answers["polynomial"], asked.x, A, B, poles, *shape),
             answer="polynomial",
         )
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task, lemma
 from solver.derivation.stated import difference, inverse, product
-from solver.lazy import exact, numeric
+from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.numeric.judges import optimal as judges
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -24,7 +25,7 @@ from solver.tasks.design.riccati_solutions import LISTED, listed_answers, soluti
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
-    from solver.numeric import Weights
+    from solver.numeric.judges.optimal import Weights
 
 kalman_filter = Task(
     "kalman_filter",
@@ -124,7 +125,7 @@ def _filter(problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
 def _problem(given: Given) -> Weights:
     """The dual regulator problem, for the judges."""
     A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
-    return numeric.Weights(A, C, *_intensities(given))
+    return judges.Weights(A, C, *_intensities(given))
 
 
 def _transposed(M: Any) -> Any:

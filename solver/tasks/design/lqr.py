@@ -22,6 +22,7 @@ from solver.derivation import (
 from solver.derivation.stated import difference, inverse, product
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import optimal as judges
 from solver.tasks.design.regulator import Regulator, faulty_weights
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -39,7 +40,7 @@ from solver.tasks.design.weights import cost_factor, faulty_state_weight, state_
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
-    from solver.numeric import Weights
+    from solver.numeric.judges.optimal import Weights
 
 lqr = Task(
     "lqr",
@@ -150,7 +151,7 @@ def _initial_state(given: Given) -> ImmutableMatrix | None:
 
 def _problem(given: Given) -> Weights:
     """The plant and the weights, for the judges."""
-    return numeric.Weights(given.system.A, given.system.B, state_weight(given), weights_as_stated(given)[1])
+    return judges.Weights(given.system.A, given.system.B, state_weight(given), weights_as_stated(given)[1])
 
 
 @lqr.verification("P")
@@ -172,7 +173,7 @@ def is_the_optimal_control(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_residual(
         "$u = -Kx$ at random states",
         "scipy.linalg.solve_continuous_are",
-        lambda: numeric.control_residual(_problem(given), answers["u"], states_of(given)),
+        lambda: judges.control_residual(_problem(given), answers["u"], states_of(given)),
         FLOATS,
     )
 
@@ -205,7 +206,7 @@ def is_the_least_cost(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_residual(
         "the cost of the optimal loop from $x(0)$",
         "scipy.linalg.solve_continuous_lyapunov",
-        lambda: numeric.cost_residual(_problem(given), answers["cost"], x0, cost_factor(given)),
+        lambda: judges.cost_residual(_problem(given), answers["cost"], x0, cost_factor(given)),
         FLOATS,
     )
 

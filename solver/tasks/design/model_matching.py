@@ -21,6 +21,7 @@ from solver.derivation import (
 from solver.derivation.stated import difference, inverse, product, quotient, total
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
@@ -205,11 +206,11 @@ def turns_the_plant_into_the_target(given: Given, answers: Answers) -> Iterable[
     if isinstance(system, systems.StateSpace):
         D = system.D if system.D is not None else sp.ImmutableMatrix([[0]])
         own = (system.A, system.B, system.C, D)
-        plant = numeric.fraction_of(own, x)
+        plant = judges.fraction_of(own, x)
     else:
         own, plant = None, (system.numerators[0][0], system.denominators[0][0])
     if "feasible" in answers:
-        holds = numeric.matching_possible(plant, G, x, discrete=system.discrete)
+        holds = judges.matching_possible(plant, G, x, discrete=system.discrete)
         yield Check.that(
             "the target's zeros are zeros of the plant, relative degrees agree, hidden poles are stable",
             "numpy.roots",
@@ -223,18 +224,18 @@ def turns_the_plant_into_the_target(given: Given, answers: Answers) -> Iterable[
     for name in "ABC":
         if name in answers and not given_realization:
             yield Check.skipped("realization", "random points", "it is judged with A, B and C together", answer=name)
-    matrices = own or numeric.first_row_form(plant, x)
+    matrices = own or judges.first_row_form(plant, x)
     if given_realization:
-        matrices = (answers["A"], answers["B"], answers["C"], numeric.direct_term(plant, x))
+        matrices = (answers["A"], answers["B"], answers["C"], judges.direct_term(plant, x))
         yield numeric.check_residual(
             r"$C(xI - A)^{-1}B + D$ is the plant at random points",
             "numpy.linalg.solve",
-            lambda: numeric.realization_residual(matrices, plant, x),
+            lambda: judges.realization_residual(matrices, plant, x),
         )
     if "K" in answers:
         yield numeric.check_residual(
             "the closed loop is the target up to a constant gain",
             "numpy.linalg.solve",
-            lambda: numeric.matched_residual(matrices, answers["K"], G, x),
+            lambda: judges.matched_residual(matrices, answers["K"], G, x),
             answer="K",
         )

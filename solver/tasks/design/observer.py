@@ -9,6 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import difference, product
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
 from solver.tasks.freedom import observer_gain_is_free
@@ -96,7 +97,7 @@ def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
         yield numeric.check_residual(
             "$A - L_c C$ has the poles asked for",
             "characteristic polynomial",
-            lambda: numeric.placed_residual(At, Ct, sp.ImmutableMatrix(answers["L"].T), poles),
+            lambda: judges.placed_residual(At, Ct, sp.ImmutableMatrix(answers["L"].T), poles),
             answer="L",
         )
     if "error_A" in answers:
@@ -106,7 +107,7 @@ def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
         yield numeric.check_residual(
             "the polynomial has the poles asked for",
             "characteristic polynomial of its companion matrix",
-            lambda: numeric.placed_matrix_residual(At, Ct, _companion(answers["polynomial"], x, A.rows), poles),
+            lambda: judges.placed_matrix_residual(At, Ct, _companion(answers["polynomial"], x, A.rows), poles),
             answer="polynomial",
         )
 
@@ -118,14 +119,14 @@ def _is_the_error_matrix(given: Given, answers: Answers) -> Iterator[Check]:
     yield numeric.check_residual(
         "the error has the poles asked for",
         "characteristic polynomial",
-        lambda: numeric.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.poles),
+        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.poles),
         answer="error_A",
     )
     if error.shape == A.shape:
         yield numeric.check_residual(
             "it is $A - L_c C$ for some $L_c$",
             "numpy.linalg.pinv",
-            lambda: numeric.row_space_residual(sp.ImmutableMatrix(A - error), C),
+            lambda: judges.row_space_residual(sp.ImmutableMatrix(A - error), C),
             answer="error_A",
         )
     if "L" in answers and C.rows > 1:

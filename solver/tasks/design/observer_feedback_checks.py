@@ -9,6 +9,7 @@ from solver.derivation import Answers, Check, Claim, Given
 from solver.derivation.stated import product
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.plants import Plant, measuring
 from solver.tasks.design.reduced_observer_checks import order_of_states
 
@@ -69,12 +70,12 @@ def _is_feedback(given: Given, At: Any, Bt: Any, loop: Any, T: Any) -> Iterator[
     yield numeric.check_residual(
         "the state feedback has the poles asked for",
         "characteristic polynomial",
-        lambda: numeric.placed_matrix_residual(A, B, loop, given.poles),
+        lambda: judges.placed_matrix_residual(A, B, loop, given.poles),
     )
     yield numeric.check_residual(
         "it is $A - B K$ for some $K$",
         "numpy.linalg.pinv",
-        lambda: numeric.row_space_residual(sp.ImmutableMatrix(At - loop.T), Bt),
+        lambda: judges.row_space_residual(sp.ImmutableMatrix(At - loop.T), Bt),
     )
 
 
@@ -87,12 +88,12 @@ def _is_observer(given: Given, A22: Any, A12: Any, error: Any) -> Iterator[Check
     yield numeric.check_residual(
         "the error has the poles asked for",
         "characteristic polynomial",
-        lambda: numeric.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.observer_poles),
+        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.observer_poles),
     )
     yield numeric.check_residual(
         "it is $A - L C$ for some $L$",
         "numpy.linalg.pinv",
-        lambda: numeric.row_space_residual(sp.ImmutableMatrix(A22 - error), A12),
+        lambda: judges.row_space_residual(sp.ImmutableMatrix(A22 - error), A12),
     )
 
 
@@ -131,7 +132,7 @@ def are_those_of_both(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_residual(
         "the eigenvalues are those of the feedback and of the observer",
         "characteristic polynomial",
-        lambda: numeric.joined_spectrum_residual(answers["eigenvalues"], groups),
+        lambda: judges.joined_spectrum_residual(answers["eigenvalues"], groups),
     )
 
 
@@ -147,7 +148,7 @@ def closes_the_loop(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_residual(
         "with it the loop has the poles of feedback and observer",
         "return difference at random points",
-        lambda: numeric.closing_residual((plant.A, plant.B, plant.C, plant.D), matrix, plant.variable, groups, order),
+        lambda: judges.closing_residual((plant.A, plant.B, plant.C, plant.D), matrix, plant.variable, groups, order),
         1e-6,
     )
 

@@ -21,6 +21,7 @@ from solver.derivation.figures import Diagram
 from solver.derivation.stated import inverse, product
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design, optimal
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import FLOATS, gain_check
@@ -109,7 +110,7 @@ def is_optimal_or_given(given: Given, answers: Answers) -> Iterable[Check]:
     if given.gain is not None:
         yield numeric.check_claim(Claim(given.gain, K), "the gain given", answer="K")
         return
-    weights = numeric.Weights(given.system.A, given.system.B, *_weights(given))
+    weights = optimal.Weights(given.system.A, given.system.B, *_weights(given))
     yield gain_check(weights, K, "K", "$K$ stabilizes, and $K = R^{-1}B^{T}P$ for the $P$ of its own cost")
 
 
@@ -119,12 +120,12 @@ def belong_to_a_set_point(given: Given, answers: Answers) -> Iterable[Check]:
     K = answers.get("K", given.gain)
     yield from set_point_checks(given.system, answers, K)
     if "K_o" in answers and K is None:
-        weights = numeric.Weights(given.system.A, given.system.B, *_weights(given))
+        weights = optimal.Weights(given.system.A, given.system.B, *_weights(given))
         M, p = equations_of_rest(given.system), given.system.C.rows
         yield numeric.check_residual(
             "$K_o = N + KF$ for a set point, with the optimal $K$",
             "scipy.linalg.solve_continuous_are",
-            lambda: numeric.reference_residual_at_optimum(weights, M, p, answers["K_o"]),
+            lambda: design.reference_residual_at_optimum(weights, M, p, answers["K_o"]),
             FLOATS,
             answer="K_o",
         )

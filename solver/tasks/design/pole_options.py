@@ -6,8 +6,9 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Derivation, Option, Poles
-from solver.lazy import exact, numeric, systems
+from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.desired_poles import NAMES, SPECIFICATIONS, band, faults, second_order_of, specified
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def numeric_poles(options: Mapping[str, Any]) -> list[Any]:
     """Return the poles asked for without the exact kernels, in decimals where specifications give them."""
     poles = list(options.get("poles") or ())
     if specified(options):
-        poles = [*numeric.second_order_poles(specified(options), band(options)), *poles]
+        poles = [*judges.second_order_poles(specified(options), band(options)), *poles]
     return poles
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import AnswerName, Answers, Check, Derivation, ExpressionList, Given, Option, Task
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
@@ -150,7 +151,7 @@ def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
         yield numeric.check_residual(
             "the fixed poles are those that two random gains leave in place",
             "mpmath.eig",
-            lambda: numeric.fixed_modes_residual(asked.A, asked.B, answers["fixed_poles"], row, unknowns),
+            lambda: judges.fixed_modes_residual(asked.A, asked.B, answers["fixed_poles"], row, unknowns),
             answer="fixed_poles",
         )
     if "conditions" in answers and row is not None:
@@ -158,6 +159,6 @@ def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
         yield numeric.check_residual(
             "the gains that meet the conditions are those that place the poles",
             "numpy.linalg.det",
-            lambda: numeric.shape_residual(asked.A, asked.B, row, unknowns, equations, asked.poles),
+            lambda: judges.shape_residual(asked.A, asked.B, row, unknowns, equations, asked.poles),
             answer="conditions",
         )

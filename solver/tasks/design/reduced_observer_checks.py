@@ -11,6 +11,7 @@ from solver.derivation import Answers, Check, Claim, Given
 from solver.derivation.stated import Stated, difference, inverse, product, total
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.plants import Plant, measuring
 
 if TYPE_CHECKING:
@@ -125,14 +126,14 @@ def _spectra(blocks: _Blocks, poles: Sequence[Expr], answers: Answers) -> Iterat
         yield numeric.check_residual(
             "the error has the poles asked for",
             "characteristic polynomial",
-            partial(numeric.placed_matrix_residual, At, Ct, sp.ImmutableMatrix(error.T), poles),
+            partial(judges.placed_matrix_residual, At, Ct, sp.ImmutableMatrix(error.T), poles),
             answer=name,
         )
         if name != "L" and error.shape == A22.shape:
             yield numeric.check_residual(
                 r"$J = A_{22} - L_c A_{12}$ for some $L_c$",
                 "numpy.linalg.pinv",
-                partial(numeric.row_space_residual, sp.ImmutableMatrix(A22 - error), A12),
+                partial(judges.row_space_residual, sp.ImmutableMatrix(A22 - error), A12),
                 answer=name,
             )
 
@@ -170,7 +171,7 @@ def _combined_states(blocks: _Blocks, answers: Answers) -> Iterator[Check]:
         yield numeric.check_residual(
             "the plant does not drive the error",
             "numpy.linalg.lstsq",
-            lambda: numeric.driven_error_residual(
+            lambda: judges.driven_error_residual(
                 plant.A, plant.C, blocks.E, sp.ImmutableMatrix(A[n:, n:]), sp.ImmutableMatrix(A[n:, :n])
             ),
             answer="A_combined",

@@ -21,6 +21,7 @@ from solver.derivation import (
 from solver.derivation.stated import determinant, difference, inverse, product, rank, total
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
@@ -195,21 +196,21 @@ def holds_the_output_at_the_reference(given: Given, answers: Answers) -> Iterabl
             yield numeric.check_residual(
                 f"${name}$ belongs to a steady state with $y = r$",
                 "numpy.linalg.lstsq",
-                lambda known=known: numeric.steady_residual(matrices, known, discrete=plant.discrete),  # type: ignore[misc]
+                lambda known=known: judges.steady_residual(matrices, known, discrete=plant.discrete),  # type: ignore[misc]
                 answer=name,
             )
     if "K" in answers:
         yield numeric.check_residual(
             r"$\det(xI - A + BK) = \prod_i (x - p_i)$ at random $x$",
             "numpy.linalg.det",
-            lambda: numeric.placed_residual(A, B, answers["K"], numeric_poles(given.options)),
+            lambda: judges.placed_residual(A, B, answers["K"], numeric_poles(given.options)),
             answer="K",
         )
     if "K_o" in answers:
         yield numeric.check_residual(
             "$K_o = N + K F$ for a steady state with $y = r$",
             "numpy.linalg.lstsq",
-            lambda: numeric.feedforward_residual(
+            lambda: judges.feedforward_residual(
                 matrices, answers["K_o"], K, numeric_poles(given.options) if K is None else (), discrete=plant.discrete
             ),
             answer="K_o",

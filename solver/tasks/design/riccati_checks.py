@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Check, CheckStatus
 from solver.lazy import numeric
+from solver.numeric.judges import optimal as judges
 
 if TYPE_CHECKING:
-    from solver.numeric import Weights
+    from solver.numeric.judges.optimal import Weights
 
 ARE = "scipy.linalg.solve_continuous_are"
 LYAPUNOV = "scipy.linalg.solve_continuous_lyapunov"
@@ -20,10 +21,10 @@ FLOATS = 1e-8
 def solution_checks(weights: Weights, P: Any, name: str = "$P$", answer: str = "P") -> Iterable[Check]:
     """P is real and symmetric and solves the Riccati equation."""
     yield numeric.check_residual(
-        f"{name} is real and symmetric", "numpy", lambda: numeric.symmetry_residual(weights, P), answer=answer
+        f"{name} is real and symmetric", "numpy", lambda: judges.symmetry_residual(weights, P), answer=answer
     )
     yield numeric.check_residual(
-        f"{name} solves the Riccati equation", "residual", lambda: numeric.riccati_residual(weights, P), answer=answer
+        f"{name} solves the Riccati equation", "residual", lambda: judges.riccati_residual(weights, P), answer=answer
     )
 
 
@@ -33,7 +34,7 @@ def stabilizing_checks(weights: Weights, P: Any, loop: str) -> Iterable[Check]:
     yield from checks
     if all(check.status is not CheckStatus.FAILED for check in checks):
         yield holds(f"${loop}$ has all eigenvalues in the open left half plane", "numpy.linalg.eigvals",
-                    lambda: numeric.stabilizes(weights, P), "P")  # fmt: skip
+                    lambda: judges.stabilizes(weights, P), "P")  # fmt: skip
 
 
 def holds(label: str, oracle: str, question: Any, answer: str) -> Check:
@@ -50,12 +51,12 @@ def holds(label: str, oracle: str, question: Any, answer: str) -> Check:
 
 def gain_check(weights: Weights, K: Any, answer: str, label: str) -> Check:
     """The gain is optimal: it stabilizes, and is R⁻¹BᵀP for the P of its own cost."""
-    return numeric.check_residual(label, LYAPUNOV, lambda: numeric.gain_residual(weights, K), FLOATS, answer=answer)
+    return numeric.check_residual(label, LYAPUNOV, lambda: judges.gain_residual(weights, K), FLOATS, answer=answer)
 
 
 def loop_check(weights: Weights, loop: Any, answer: str, label: str) -> Check:
     """The closed loop (given as that of the regulator's form) is the optimal one."""
-    return numeric.check_residual(label, ARE, lambda: numeric.loop_residual(weights, loop), FLOATS, answer=answer)
+    return numeric.check_residual(label, ARE, lambda: judges.loop_residual(weights, loop), FLOATS, answer=answer)
 
 
 def spectrum_check(weights: Weights, eigenvalues: Sequence[Any]) -> Check:
@@ -63,7 +64,7 @@ def spectrum_check(weights: Weights, eigenvalues: Sequence[Any]) -> Check:
     return numeric.check_residual(
         "the stable eigenvalues of the Hamiltonian matrix",
         "numpy.linalg.det",
-        lambda: numeric.hamiltonian_spectrum_residual(weights, eigenvalues),
+        lambda: judges.hamiltonian_spectrum_residual(weights, eigenvalues),
         FLOATS,
         answer="eigenvalues",
     )
@@ -74,7 +75,7 @@ def equations_check(weights: Weights, equations: Sequence[Any]) -> Check:
     return numeric.check_residual(
         "the entries of the Riccati equation at random $P$",
         "random points",
-        lambda: numeric.equations_residual(weights, equations),
+        lambda: judges.equations_residual(weights, equations),
     )
 
 
@@ -85,20 +86,20 @@ def listed_checks(weights: Weights, answers: Any) -> Iterable[Check]:
     if solutions is not None:
         for number, P in enumerate(solutions, 1):
             yield from solution_checks(weights, P, f"solution {number}", "solutions")
-        distinct = holds("no solution is listed twice", "numpy", lambda: numeric.all_distinct(weights, solutions),
+        distinct = holds("no solution is listed twice", "numpy", lambda: judges.all_distinct(weights, solutions),
                          "solutions")  # fmt: skip
         yield distinct
         if not any(M.free_symbols for M in weights):
             yield holds(
                 "no solution is missing",
                 "invariant subspaces in floats",
-                lambda: numeric.number_of_solutions(weights) == len(solutions),
+                lambda: judges.number_of_solutions(weights) == len(solutions),
                 "solutions",
             )
     if words is not None:
         yield holds(
             "definiteness of each solution",
             "numpy.linalg.eigvalsh",
-            lambda: numeric.definiteness_holds(weights, words, solutions),
+            lambda: judges.definiteness_holds(weights, words, solutions),
             "definiteness",
         )

@@ -9,6 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import determinant, difference, inverse, product, rank
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 from solver.tasks.design.gain_checks import Asked, judge_gain
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
@@ -181,7 +182,7 @@ def has_the_poles_and_no_error(given: Given, answers: Answers) -> Iterable[Check
         whole = sp.ImmutableMatrix(sp.Matrix.hstack(sp.Matrix(K), -sp.Matrix(k_I)))
         label = r"$\det(xI - \bar{A} + \bar{B}[K, -k_I]) = \prod_i (x - p_i)$ at random $x$"
         yield numeric.check_residual(
-            label, "numpy.linalg.det", lambda: numeric.placed_residual(big, inputs, whole, poles)
+            label, "numpy.linalg.det", lambda: judges.placed_residual(big, inputs, whole, poles)
         )
         if loop is not None:
             yield from judge_gain(asked, Answers(closed_loop_A=loop))
@@ -196,6 +197,6 @@ def has_the_poles_and_no_error(given: Given, answers: Answers) -> Iterable[Check
             yield numeric.check_residual(
                 f"${name}$ is part of a gain that places the poles",
                 "numpy.linalg.lstsq",
-                lambda known=known: numeric.completed_residual(big, inputs, known, poles),  # type: ignore[misc]
+                lambda known=known: judges.completed_residual(big, inputs, known, poles),  # type: ignore[misc]
                 answer=name,
             )

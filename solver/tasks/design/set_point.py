@@ -10,6 +10,7 @@ from solver.derivation import Answers, Check, Claim, Derivation, Step, Unsolved,
 from solver.derivation.stated import Stated, determinant, inverse, product, total, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -39,14 +40,14 @@ def set_point_checks(plant: Any, answers: Answers, K: ImmutableMatrix | None = N
         yield numeric.check_residual(
             labels.get(name, "$u = -Kx + K_or$ brings $y$ to $r$"),
             "numpy.linalg.lstsq",
-            partial(numeric.set_point_residual, M, p, [condition]),
+            partial(judges.set_point_residual, M, p, [condition]),
             answer=name,
         )
     if len(conditions) > 1:
         yield numeric.check_residual(
             f"${', '.join(conditions)}$ belong to the same set point",
             "numpy.linalg.lstsq",
-            lambda: numeric.set_point_residual(M, p, list(conditions.values())),
+            lambda: judges.set_point_residual(M, p, list(conditions.values())),
         )
 
 

@@ -9,6 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import Stated, determinant, difference, product, quotient, total, trace
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import linear_algebra as judges
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -155,5 +156,5 @@ def has_the_values_of_the_determinant(given: Given, answers: Answers) -> Iterabl
     yield numeric.check_residual(
         r"$\chi(\lambda) = \det(\lambda I - A)$ at random points",
         "numpy.linalg.det",
-        lambda: numeric.polynomial_residual(A, polynomial, lamda),
+        lambda: judges.polynomial_residual(A, polynomial, lamda),
     )

@@ -9,6 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import power, product, value_at
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import linear_algebra as judges
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 
 if TYPE_CHECKING:
@@ -182,7 +183,7 @@ def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_residual(
         r"$\det(xI - A) = \prod_i (x - \lambda_i)$",
         "numpy.linalg.det",
-        lambda: numeric.spectrum_residual(given.system.A, answers["eigenvalues"]),
+        lambda: judges.spectrum_residual(given.system.A, answers["eigenvalues"]),
     )
 
 
@@ -191,9 +192,9 @@ def are_right_chains(given: Given, answers: Answers) -> Iterable[Check]:
     """A V = V J with independent columns; without J, V⁻¹ A V is some Jordan form."""
     A, V, J = given.system.A, answers["right_eigenvectors"], answers.get("jordan_form")
     if J is not None:
-        yield numeric.check_residual(r"$A V = V J$", "numpy", lambda: numeric.chain_residual(A, V, J))
+        yield numeric.check_residual(r"$A V = V J$", "numpy", lambda: judges.chain_residual(A, V, J))
     yield numeric.check_residual(
-        r"$V^{-1} A V$ is in Jordan form", "mpmath.inverse", lambda: numeric.chains_residual(A, V)
+        r"$V^{-1} A V$ is in Jordan form", "mpmath.inverse", lambda: judges.chains_residual(A, V)
     )
     yield Check.that(r"the columns of $V$ are independent", "numpy.linalg.svd", numeric.independent(V))
 
@@ -203,9 +204,9 @@ def are_left_chains(given: Given, answers: Answers) -> Iterable[Check]:
     """M A = J M with independent rows; without J, M A M⁻¹ is some Jordan form."""
     A, M, J = given.system.A, answers["left_eigenvectors"], answers.get("jordan_form")
     if J is not None:
-        yield numeric.check_residual(r"$M A = J M$", "numpy", lambda: numeric.left_residual(A, M, J))
+        yield numeric.check_residual(r"$M A = J M$", "numpy", lambda: judges.left_residual(A, M, J))
     yield numeric.check_residual(
-        r"$M A M^{-1}$ is in Jordan form", "mpmath.inverse", lambda: numeric.chains_residual(A, M, rows=True)
+        r"$M A M^{-1}$ is in Jordan form", "mpmath.inverse", lambda: judges.chains_residual(A, M, rows=True)
     )
     yield Check.that(r"the rows of $M$ are independent", "numpy.linalg.svd", numeric.independent(M.T))
 
@@ -217,9 +218,9 @@ def has_the_same_blocks(given: Given, answers: Answers) -> Iterable[Check]:
     yield Check.that(
         r"$J$ is in Jordan form, with the eigenvalues in order",
         "inspection",
-        numeric.is_jordan_form(J, answers.get("eigenvalues")),
+        judges.is_jordan_form(J, answers.get("eigenvalues")),
     )
-    yield Check.that(r"$J$ has the blocks of $A$", r"ranks of $(A - \lambda I)^k$", numeric.same_jordan_structure(A, J))
+    yield Check.that(r"$J$ has the blocks of $A$", r"ranks of $(A - \lambda I)^k$", judges.same_jordan_structure(A, J))
 
 
 @eigenstructure.verification("diagonalizable")
@@ -228,5 +229,5 @@ def has_enough_eigenvectors(given: Given, answers: Answers) -> Iterable[Check]:
     yield Check.that(
         r"$A$ is diagonalizable as stated",
         r"ranks of $A - \lambda I$",
-        answers["diagonalizable"] == numeric.diagonalizable(given.system.A),
+        answers["diagonalizable"] == judges.diagonalizable(given.system.A),
     )

@@ -9,6 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import product, rank
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
+from solver.numeric.judges import representation as judges
 from solver.tasks.representation.plants import matrices_of, numbers_of, stated_matrix, variable_of
 from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
 from solver.tasks.representation.realization_lemmas import assembled, companion_form_of, direct_path_of
@@ -128,7 +129,7 @@ def _observability_matrix(A: Any, C: Any) -> Any:
 def has_least_order_and_the_transfer_function(given: Given, answers: Answers) -> Iterable[Check]:
     """The order is the McMillan degree, det(sI − A) that of the minimal part, and G is the same."""
     plant, (outputs, inputs) = numbers_of(given.system), shape_of(given.system)
-    n = numeric.order_of_minimal_part(plant)
+    n = judges.order_of_minimal_part(plant)
     wanted = {"A": (n, n), "B": (n, inputs), "C": (outputs, n), "D": (outputs, inputs)}
     fits = {name: answers[name].shape == shape for name, shape in wanted.items() if name in answers}
     for name, fit in fits.items():
@@ -142,7 +143,7 @@ def has_least_order_and_the_transfer_function(given: Given, answers: Answers) ->
         label = "the eigenvalues of $A$ are the poles"
         A = answers["A"]
         yield numeric.check_residual(
-            label, "orthogonal bases (50 digits)", lambda: numeric.characteristic_residual(plant, A), answer="A"
+            label, "orthogonal bases (50 digits)", lambda: judges.characteristic_residual(plant, A), answer="A"
         )
     if {"A", "B", "C"} <= answers.keys():
         yield _same_constant(given, answers) if n == 0 else same_transfer(given, answers)
@@ -166,5 +167,5 @@ def complete_the_characteristic_polynomial(given: Given, answers: Answers) -> It
     yield numeric.check_residual(
         r"poles and cancelled modes make up $\det(sI - A)$",
         "orthogonal bases (50 digits)",
-        lambda: numeric.cancelled_residual(plant, listed),
+        lambda: judges.cancelled_residual(plant, listed),
     )

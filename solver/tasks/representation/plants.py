@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Given
 from solver.derivation.stated import Stated, difference, inverse, product, total
-from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
+from solver.lazy import systems
+from solver.numeric.judges import representation as judges
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -61,7 +62,7 @@ def stated_transfer(plant: StateSpace, x: Symbol) -> Stated:
 def numbers_of(plant: System) -> Any:
     """The plant as matrices A, B, C, D for the oracles."""
     if isinstance(plant, systems.TransferFunction):
-        return numeric.realized(plant.numerators, plant.denominators, plant.variable)
+        return judges.realized(plant.numerators, plant.denominators, plant.variable)
     return matrices_of(plant)
 
 

@@ -9,6 +9,7 @@ from solver.derivation import Answers, Check, Claim, Given
 from solver.derivation.stated import determinant, difference, product, quotient, total
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
+from solver.numeric.judges import linear_algebra, representation
 from solver.tasks.representation.plants import stated_matrix, stated_transfer, variable_of
 
 
@@ -92,16 +93,16 @@ def _has_form(given: Given, answers: Answers) -> bool:
     A = answers["A"]
     form, first, above = given.form, given.convention == "first_row", given.convention == "superdiagonal"
     if form == "diagonal":
-        return bool(numeric.is_diagonal(A))
+        return bool(representation.is_diagonal(A))
     if form in ("jordan", "modal"):
-        return bool(numeric.is_chain_form(A, above=above, real=form == "modal"))
+        return bool(representation.is_chain_form(A, above=above, real=form == "modal"))
     if shape_of(given.system) != (1, 1):
         outputs, inputs = shape_of(given.system)
         if form == "observable":
             C = answers.get("C")
-            return bool(numeric.has_companion_blocks(A.T, C.T if C is not None else None, outputs))
-        return bool(numeric.has_companion_blocks(A, answers.get("B"), inputs))
-    return bool(numeric.is_companion(A, transposed=form == "observable", first=first))
+            return bool(representation.has_companion_blocks(A.T, C.T if C is not None else None, outputs))
+        return bool(representation.has_companion_blocks(A, answers.get("B"), inputs))
+    return bool(representation.is_companion(A, transposed=form == "observable", first=first))
 
 
 def _denominator(system: Any) -> Any:
@@ -132,7 +133,7 @@ def _single_channel(given: Given, answers: Answers) -> Iterator[Check]:
         yield numeric.check_residual(
             f"$\\det({x}I - A)$ is the denominator",
             "numpy.linalg.det",
-            lambda: numeric.polynomial_residual(A, _denominator(system), x),
+            lambda: linear_algebra.polynomial_residual(A, _denominator(system), x),
             answer="A",
         )
     form = given.form or "controllable"
@@ -143,7 +144,7 @@ def _single_channel(given: Given, answers: Answers) -> Iterator[Check]:
     if unit in answers:
         place = 0 if first else n - 1
         label = f"${unit}$ has a one at the {'first' if first else 'last'} place, else zeros"
-        yield Check.that(label, "inspection", numeric.is_unit_vector(answers[unit], place), answer=unit)
+        yield Check.that(label, "inspection", representation.is_unit_vector(answers[unit], place), answer=unit)
     if coefficients in answers:
         listed = list(answers[coefficients])
         rising = listed[::-1] if first else listed

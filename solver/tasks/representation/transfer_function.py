@@ -10,6 +10,7 @@ from solver.derivation import AnswerName, Answers, Channel, Check, Claim, Deriva
 from solver.derivation.stated import Stated, difference, power, product, quotient, total
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
+from solver.numeric.judges import representation as judges
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
 from solver.tasks.representation.plants import (
@@ -216,12 +217,12 @@ def has_the_values_of_the_formula(given: Given, answers: Answers) -> Iterable[Ch
 def are_those_of_the_minimal_part(given: Given, answers: Answers) -> Iterable[Check]:
     """The poles are the eigenvalues of the minimal part, zeros those of its system matrix, what is left cancelled."""
     plant = numbers_of(chosen_channel(given))
-    judges = {
-        "poles": (r"the poles are the eigenvalues of the minimal part", numeric.pole_residual),
-        "zeros": (r"the zeros are where the minimal part blocks", numeric.zero_residual),
-        "cancelled": (r"poles and cancelled modes make up $\det(sI - A)$", numeric.cancelled_residual),
+    residuals = {
+        "poles": (r"the poles are the eigenvalues of the minimal part", judges.pole_residual),
+        "zeros": (r"the zeros are where the minimal part blocks", judges.zero_residual),
+        "cancelled": (r"poles and cancelled modes make up $\det(sI - A)$", judges.cancelled_residual),
     }
-    for name, (label, residual) in judges.items():
+    for name, (label, residual) in residuals.items():
         if name in answers:
             check = partial(residual, plant, list(answers[name]))
             yield numeric.check_residual(label, "orthogonal bases (50 digits)", check, answer=name)

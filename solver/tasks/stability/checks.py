@@ -8,6 +8,7 @@ from dataclasses import replace
 from solver.derivation import Answers, Check, Claim, Given, Task
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import linear_algebra, stability
 from solver.tasks.stability.lyapunov_equation import left_side
 
 BY_EIGENVALUES = "numpy.linalg.eigvals; on the boundary ranks with 100 digits"
@@ -15,7 +16,7 @@ BY_EIGENVALUES = "numpy.linalg.eigvals; on the boundary ranks with 100 digits"
 
 def is_where_the_eigenvalues_are(given: Given, answers: Answers) -> Iterable[Check]:
     """Inside, on the boundary without chains, or else: at several values of the parameters."""
-    found = {each.verdict for each in numeric.locations(given.system.A, discrete=given.system.discrete)}
+    found = {each.verdict for each in stability.locations(given.system.A, discrete=given.system.discrete)}
     yield Check.that("the verdict is that of the eigenvalues", BY_EIGENVALUES, found == {str(answers["verdict"])})
 
 
@@ -24,8 +25,8 @@ def is_bounded_near_the_eigenvalues(given: Given, answers: Answers) -> Iterable[
     plant = given.system
     identity = sp.ImmutableMatrix(sp.eye(plant.order))
     B, C = (identity if M is None else M for M in (plant.B, plant.C))
-    points = numeric.spread_points([plant.A, B, C], 4)
-    found = {numeric.externally_stable(plant.A, B, C, point, discrete=plant.discrete) for point in points}
+    points = stability.spread_points([plant.A, B, C], 4)
+    found = {stability.externally_stable(plant.A, B, C, point, discrete=plant.discrete) for point in points}
     yield Check.that(
         r"$C(sI - A)^{-1}B$ near the eigenvalues that are not inside",
         "mpmath.inverse",
@@ -38,7 +39,7 @@ def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_residual(
         r"$\det(xI - A) = \prod_i (x - \lambda_i)$",
         "numpy.linalg.det",
-        lambda: numeric.spectrum_residual(given.system.A, answers["eigenvalues"]),
+        lambda: linear_algebra.spectrum_residual(given.system.A, answers["eigenvalues"]),
     )
 
 
@@ -52,13 +53,13 @@ def solves_the_equation(given: Given, answers: Answers) -> Iterable[Check]:
 
 def follows_row_by_row(given: Given, answers: Answers) -> Iterable[Check]:
     """The first rows from the coefficients, each further row from the two above it."""
-    fault = numeric.routh_fault(given.system.A, answers["array"], discrete=given.system.discrete)
+    fault = stability.routh_fault(given.system.A, answers["array"], discrete=given.system.discrete)
     yield replace(Check.that("each row follows from the two above it", "mpmath", not fault), reason=fault)
 
 
 def counts_the_eigenvalues_outside(given: Given, answers: Answers) -> Iterable[Check]:
     """The number of eigenvalues with positive real part (discrete: outside the unit circle)."""
-    found = {each.outside for each in numeric.locations(given.system.A, discrete=given.system.discrete)}
+    found = {each.outside for each in stability.locations(given.system.A, discrete=given.system.discrete)}
     holds = len(found) == 1 and answers["right_half_plane_roots"] == next(iter(found))
     yield Check.that("the number of eigenvalues outside", BY_EIGENVALUES, bool(holds))
 

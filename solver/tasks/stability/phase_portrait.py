@@ -9,6 +9,7 @@ from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Giv
 from solver.derivation.stated import determinant, difference, exponential, power, product, trace
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import linear_algebra, stability
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.stability.trajectories import portrait_of
 from solver.words import formula
@@ -129,7 +130,7 @@ def _equilibria(A: ImmutableMatrix) -> ImmutableMatrix | None:
 @phase_portrait.verification("kind")
 def is_the_kind_of_the_eigenvalues(given: Given, answers: Answers) -> Iterable[Check]:
     """Signs and imaginary parts of the eigenvalues, dim ker(A − λI) for a double one, with 100 digits."""
-    found = numeric.planar_kinds(given.system.A)
+    found = stability.planar_kinds(given.system.A)
     yield Check.that("the kind is that of the eigenvalues", "mpmath.eig", found == {str(answers["kind"])})
 
 
@@ -139,5 +140,5 @@ def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
     yield numeric.check_residual(
         r"$\det(xI - A) = \prod_i (x - \lambda_i)$",
         "numpy.linalg.det",
-        lambda: numeric.spectrum_residual(given.system.A, answers["eigenvalues"]),
+        lambda: linear_algebra.spectrum_residual(given.system.A, answers["eigenvalues"]),
     )

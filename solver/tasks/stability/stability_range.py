@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Names, Option, Step, Task, Unsolved
 from solver.derivation.stated import value_at
-from solver.lazy import exact, numeric
+from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.numeric.judges import stability as judges
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.stability.routh_array import routh_array_of
 from solver.words import formula
@@ -139,7 +140,7 @@ def _together(conditions: Sequence[Expr], wanted: Sequence[Symbol]) -> Derivatio
 @stability_range.verification("condition")
 def holds_where_the_eigenvalues_say(given: Given, answers: Answers) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if A is stable."""
-    fault = numeric.counterexample(given.system.A, answers["condition"], discrete=given.system.discrete)
+    fault = judges.counterexample(given.system.A, answers["condition"], discrete=given.system.discrete)
     check = Check.that(
         "the condition holds exactly where all eigenvalues are inside" + (f" ({fault})" if fault else ""),
         "numpy.linalg.eigvals, beside the edges mpmath.eig",

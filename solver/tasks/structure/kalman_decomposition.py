@@ -23,6 +23,7 @@ from solver.derivation import (
 from solver.derivation.stated import Stated, inverse, partitioned, product, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import structure as judges
 from solver.tasks.structure.pairs import controllability_pair, observability_pair
 from solver.tasks.structure.parts import parts_of
 from solver.tasks.structure.row_operations import rank_exceptions
@@ -181,21 +182,21 @@ def separates_what_is_hidden(given: Given, answers: Answers) -> Iterable[Check]:
         regular = _check("$T$ is invertible", "T", lambda: 0.0 if numeric.independent(T) else float("inf"))
         yield regular
         says = "the columns of $T$ separate the subspaces"
-        check = _check(says, "T", lambda: numeric.separation_residual(part, T, *plant))
+        check = _check(says, "T", lambda: judges.separation_residual(part, T, *plant))
         T = T if check.status is CheckStatus.PASSED else None
         if regular.status is CheckStatus.PASSED:
             yield check
     yield from _new_matrices(given, answers, T)
     yield from _first_part(given, answers, T)
     if "orders" in answers:
-        right = numeric.kalman_orders(part, *plant)
+        right = judges.kalman_orders(part, *plant)
         yield Check.that("dimensions by ranks", "numpy.linalg.svd", list(answers["orders"]) == right, answer="orders")
     if "hidden_modes" in answers:
         modes = answers["hidden_modes"]
         yield numeric.check_residual(
             r"$\det(xI - \bar{A}) = \prod_i (x - \lambda_i)$ for the hidden parts",
             "numpy.linalg.det",
-            lambda: numeric.hidden_polynomial_residual(part, plant, modes),
+            lambda: judges.hidden_polynomial_residual(part, plant, modes),
             1e-7,
             answer="hidden_modes",
         )
@@ -218,7 +219,7 @@ def _new_matrices(given: Given, answers: Answers, T: ImmutableMatrix | None) -> 
             found,
             {name: name for name in found},
             r"some $T$ leads to $\bar{{{}}}$",
-            lambda those: numeric.coordinates_residual(part, (A, B, C), those),
+            lambda those: judges.coordinates_residual(part, (A, B, C), those),
         )
         return
     for name, M in found.items():
@@ -231,13 +232,13 @@ def _first_part(given: Given, answers: Answers, T: ImmutableMatrix | None) -> It
     part, plant = given.part or "controllable", _matrices(given)
     names = {name: f"{name}_{SUFFIXES[part]}" for name in "ABC" if f"{name}_{SUFFIXES[part]}" in answers}
     found = {name: answers[whole] for name, whole in names.items()}
-    k = numeric.kalman_orders(part, *plant)[0] if found else 0
+    k = judges.kalman_orders(part, *plant)[0] if found else 0
     if T is None or k == 0:
         yield from _one_by_one(
             found,
             names,
             f"${{}}_{{{{{SUFFIXES[part]}}}}}$ is of that part, in some coordinates",
-            lambda those: numeric.visible_part_residual(part, plant, those),
+            lambda those: judges.visible_part_residual(part, plant, those),
         )
         return
     A, B, C = plant

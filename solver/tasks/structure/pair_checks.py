@@ -19,6 +19,7 @@ from solver.derivation.stated import (
 )
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import structure as judges
 from solver.tasks.structure.pairs import Pair
 
 
@@ -29,7 +30,7 @@ def checks_of(pair: Pair, given: Given, answers: Answers) -> Iterator[Check]:
     matrix_name, verdict, modes = (
         names if pair.dual else ("controllability_matrix", "controllable", "uncontrollable_modes")
     )
-    whole = pair.turned(numeric.krylov_matrix(pair.F, pair.G))
+    whole = pair.turned(judges.krylov_matrix(pair.F, pair.G))
     if matrix_name in answers:
         yield from _blocks(pair, answers[matrix_name], matrix_name)
     if "determinant" in answers:
@@ -60,7 +61,7 @@ def modes_check(pair: Pair, modes: Any, answer: str) -> Check:
     return numeric.check_residual(
         r"$\prod_i (x - \lambda_i)$ is the polynomial of the hidden part",
         "orthonormal basis (50 digits), numpy.linalg.det",
-        lambda: numeric.hidden_modes_residual(pair.F, pair.G, list(modes)),
+        lambda: judges.hidden_modes_residual(pair.F, pair.G, list(modes)),
         answer=answer,
     )
 
@@ -72,12 +73,12 @@ def condition_checks(matrix: Any, conditions: Iterable[Any], answer: str, along:
         yield that(
             "the rank is lower where a condition holds",
             answer,
-            lambda condition=condition: numeric.rank_falls_where(matrix, condition),  # type: ignore[misc]
+            lambda condition=condition: judges.rank_falls_where(matrix, condition),  # type: ignore[misc]
         )
     yield that(
         "the rank is lower nowhere else, on random lines of parameters",
         answer,
-        lambda: numeric.every_fall_is_named(matrix, listed, along),
+        lambda: judges.every_fall_is_named(matrix, listed, along),
     )
 
 

@@ -22,6 +22,7 @@ from solver.derivation import (
 from solver.derivation.stated import determinant, rank
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import structure as judges
 from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
@@ -160,7 +161,7 @@ def the_rank_falls_there_and_only_there(given: Given, answers: Answers) -> Itera
     """The rank at every value named, and at all real values on lines of this parameter."""
     pair, values = _pair(given), answers["values"]
     x = _parameter(given, pair)
-    matrix = pair.turned(numeric.krylov_matrix(pair.F, pair.G))
+    matrix = pair.turned(judges.krylov_matrix(pair.F, pair.G))
     if values == sp.S.Reals:
         yield that("the rank is too low for general values", "values", lambda: numeric.rank(matrix) < pair.n)
         return

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from solver.derivation import Answers, Check, Derivation, Step, Unsolved, lemma
-from solver.lazy import exact, numeric
+from solver.lazy import exact
+from solver.numeric.judges import structure as judges
 from solver.tasks.structure.hidden_part import hidden_modes_of
 from solver.tasks.structure.pair_checks import modes_check, that
 from solver.tasks.structure.pairs import Pair
@@ -58,7 +59,7 @@ def weak_checks(pair: Pair, answers: Answers) -> Iterator[Check]:
         yield that(
             "every hidden mode decays" if holds else "a hidden mode does not decay",
             verdict,
-            lambda: bool(holds) == numeric.hidden_modes_decay(pair.F, pair.G, discrete=pair.discrete),
+            lambda: bool(holds) == judges.hidden_modes_decay(pair.F, pair.G, discrete=pair.discrete),
             "orthonormal basis (50 digits), mpmath.eig",
         )
     if "hidden_modes" in answers:

@@ -20,6 +20,7 @@ from solver.derivation import (
 from solver.derivation.stated import inverse, power, product, total
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import time_response as judges
 from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.time_response.state_transition_matrix import require_diagonalizable
@@ -128,5 +129,5 @@ def is_the_function_of_the_matrix(given: Given, answers: Answers) -> Iterable[Ch
     """F against scipy's expm, sinm, sqrtm, logm, …, and products and inverses of numpy, at random values of symbols."""
     A, F, f = given.system.A, answers["F"], _asked(given)
     yield numeric.check_residual(
-        "$F = f(A)$", "scipy.linalg", lambda: numeric.matrix_function_residual(A, f, sp.Symbol("A"), F), answer="F"
+        "$F = f(A)$", "scipy.linalg", lambda: judges.matrix_function_residual(A, f, sp.Symbol("A"), F), answer="F"
     )

@@ -11,6 +11,7 @@ from solver.derivation import Check, Claim, Given
 from solver.derivation.stated import derivative, product, total, value_at
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import time_response as judges
 from solver.words import formula
 
 if TYPE_CHECKING:
@@ -63,12 +64,12 @@ def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Ch
     """The differential equation and the convolution formula on every interval without jumps."""
     t, system = truth.time, truth.system
     u = truth.inputs
-    spans = numeric.intervals(t, column, *([u] if u is not None else []))
-    scale = numeric.time_scale(system.A)
+    spans = judges.intervals(t, column, *([u] if u is not None else []))
+    scale = judges.time_scale(system.A)
     for number, span in enumerate(spans):
         here = span.smooth(column, t)
         u_here = span.smooth(u, t) if u is not None else None
-        convolution = numeric.convolution_formula(system.A, system.B, truth.x0, u, t, span, spans[:number])
+        convolution = judges.convolution_formula(system.A, system.B, truth.x0, u, t, span, spans[:number])
         wanted = convolution if answer == "x" else truth.output(convolution, u_here)
         after = f" after $t = {formula(span.start)}$" if number else ""
         for index, time in enumerate(span.times(t, scale)):
@@ -90,12 +91,12 @@ def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Ch
 
 
 def _impulses(truth: Truth) -> list[tuple[Any, Any]]:
-    return numeric.impulses(truth.inputs, truth.time) if truth.inputs is not None else []
+    return judges.impulses(truth.inputs, truth.time) if truth.inputs is not None else []
 
 
 def _impulses_in_y(truth: Truth, y: Any) -> Iterable[Check]:
     """The impulses of the input come through D into y, and no others."""
-    stated = dict(numeric.impulses(y, truth.time))
+    stated = dict(judges.impulses(y, truth.time))
     passing = dict(_impulses(truth)) if truth.system.D is not None else {}
     for at in {*stated, *passing}:
         zero = sp.ImmutableMatrix(sp.zeros(y.rows, 1))
@@ -107,14 +108,14 @@ def _impulses_in_y(truth: Truth, y: Any) -> Iterable[Check]:
 def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]:
     """The recursion from x(0), sample by sample."""
     k, system = truth.time, truth.system
-    value = numeric.sampled(column, k)
-    last = SAMPLES + max([int(at) for at in numeric.beginnings(truth.inputs, k)], default=0)
-    wanted = numeric.samples(system.A, system.B, truth.x0, truth.inputs, k, last)
+    value = judges.sampled(column, k)
+    last = SAMPLES + max([int(at) for at in judges.beginnings(truth.inputs, k)], default=0)
+    wanted = judges.samples(system.A, system.B, truth.x0, truth.inputs, k, last)
     pairs = [(value.xreplace({k: sp.Integer(i)}), x if answer == "x" else truth.output(x, u)) for i, x, u in wanted]
     yield numeric.check_residual(
         f"the recursion $x(k + 1) = A x(k) + B u(k)$ for $k = 0, \\ldots, {last - 1}$",
         "recursion",
-        lambda: numeric.residual_of_pairs(pairs),
+        lambda: judges.residual_of_pairs(pairs),
         answer=answer,
     )
 
@@ -124,9 +125,9 @@ def final_value_checks(given: Given, value: Any) -> Iterable[Check]:
     truth, column = Truth.of(given), _column(value)
 
     def residual() -> float:
-        found = numeric.simulations(truth.system, truth.x0, truth.inputs, truth.time, late=True)
+        found = judges.simulations(truth.system, truth.x0, truth.inputs, truth.time, late=True)
         return max(
-            numeric.difference(numeric.final_output(each, discrete=truth.system.discrete), column, point)
+            judges.difference(judges.final_output(each, discrete=truth.system.discrete), column, point)
             for point, each in found
         )
 
@@ -146,13 +147,13 @@ def peak_checks(given: Given, peak: Any, time: Any) -> Iterable[Check]:
 
 def _peak_residual(truth: Truth, submitted: Any, which: int) -> float:
     """How far the time (0) or the value (1) of the peak is off."""
-    peak_of = _peak_in_samples if truth.system.discrete else numeric.largest_output
-    found = numeric.simulations(truth.system, truth.x0, truth.inputs, truth.time)
-    return max(numeric.difference(peak_of(each)[which], _column(submitted), point) for point, each in found)
+    peak_of = _peak_in_samples if truth.system.discrete else judges.largest_output
+    found = judges.simulations(truth.system, truth.x0, truth.inputs, truth.time)
+    return max(judges.difference(peak_of(each)[which], _column(submitted), point) for point, each in found)
 
 
 def _peak_in_samples(simulation: Any) -> tuple[float, float]:
-    y = numeric.samples_of_output(simulation, 400)[:, 0]
+    y = judges.samples_of_output(simulation, 400)[:, 0]
     k = int(abs(y).argmax())
     k = next(i for i in range(len(y)) if abs(y[i]) >= abs(y[k]) * (1 - 1e-12))
     return float(k), float(y[k])

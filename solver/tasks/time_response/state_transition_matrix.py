@@ -32,6 +32,7 @@ from solver.derivation.stated import (
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import time_response as judges
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
 from solver.words import formula
@@ -246,13 +247,13 @@ def is_the_matrix_function(given: Given, answers: Answers) -> Iterable[Check]:
         yield numeric.check_residual(
             r"$\Phi(k) = A^k$ for $k = 0, 1, \ldots, 8$",
             "numpy.linalg.matrix_power",
-            lambda: numeric.power_residual(A, Phi, sp.Symbol("k")),
+            lambda: judges.power_residual(A, Phi, sp.Symbol("k")),
         )
         return
     yield numeric.check_residual(
         r"$\Phi(t) = e^{At}$ at several $t$, $\Phi(0) = I$",
         "scipy.linalg.expm",
-        lambda: numeric.exponential_residual(A, Phi, sp.Symbol("t")),
+        lambda: judges.exponential_residual(A, Phi, sp.Symbol("t")),
     )
 
 

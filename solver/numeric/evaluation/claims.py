@@ -1,0 +1,168 @@
+"""Claims checked: both sides of every displayed equality evaluated at random points."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from solver.derivation import Check, CheckStatus, Claim, Stated, Step
+from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic
+from solver.numeric.evaluation.compare import TOLERANCE, Point, worst_residual
+from solver.numeric.evaluation.contour import REACH
+from solver.numeric.evaluation.environment import Environment, Environments
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.points import PointSource, first_points, free_symbols, whole_symbols
+from solver.numeric.evaluation.poles import circle_around_poles
+from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined, Value
+
+POINTS = 3
+POINTS_OF_WHOLE_NUMBERS = 5
+REDRAWS = 10
+
+ORACLES = (
+    ("inverse_laplace", "contour integral"),
+    ("inverse_z", "contour integral"),
+    ("integral", "Gauss–Legendre quadrature"),
+    ("derivative", "Cauchy's integral formula"),
+    ("exponential", "scipy.linalg.expm"),
+    ("inverse", "numpy.linalg.inv"),
+    ("adjugate", "numpy.linalg.det"),
+    ("determinant", "numpy.linalg.det"),
+    ("rank", "numpy.linalg.svd"),
+)
+"""Names of the oracle by the operation claimed, the most telling first."""
+
+
+def check_steps(steps: Iterable[Step], *, integers: frozenset[str] = frozenset()) -> tuple[Check, ...]:
+    """Return the checks of all claims of the steps and their substeps, in the order of reading."""
+    environments = Environments()
+    return tuple(
+        replace(
+            check_claim(claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments),
+            step=number,
+        )
+        for number, first in enumerate(steps, start=1)
+        for step in first.walk()
+        for key, claim in step.claims.items()
+    )
+
+
+def check_claim(
+    claim: Claim,
+    label: str,
+    *,
+    integers: frozenset[str] = frozenset(),
+    answer: str = "",
+    environments: Environments | None = None,
+) -> Check:
+    """Return the check of one equality at random points; `integers` names symbols that take whole numbers.
+
+    Failed where the shapes differ; skipped, with the reason, where a side can't be evaluated soundly. `answer` is the
+    name of the answer that it judges; `environments` are shared with the other claims of a derivation.
+    """
+    judges = (answer,) if answer else ()
+    oracle = oracle_of(claim)
+    try:
+        residual, digits = claim_residual(claim.left, claim.right, integers, environments)
+    except ShapeMismatch as mismatch:
+        return Check(label, oracle, None, None, CheckStatus.FAILED, str(mismatch), judges)
+    except NotEvaluable as refusal:
+        return Check.skipped(label, oracle, str(refusal), answer=answer)
+    by = oracle if digits == DOUBLE.digits else f"{oracle} ({digits} digits)"
+    return Check.within(label, by, residual, TOLERANCE, answer=answer)
+
+
+def check_residual(
+    label: str, oracle: str, residual: Callable[[], float], tolerance: float = TOLERANCE, *, answer: str = ""
+) -> Check:
+    """Return the check of a residual function's result; skipped, with the reason, where it refuses.
+
+    Failed where shapes do not fit. `answer` is the name of the answer that it judges.
+    """
+    try:
+        return Check.within(label, oracle, residual(), tolerance, answer=answer)
+    except ShapeMismatch as mismatch:
+        return replace(Check.that(label, oracle, False, answer=answer), reason=str(mismatch))
+    except (ZeroDivisionError, np.linalg.LinAlgError):
+        reason = "a matrix that must have an inverse is singular"
+        return replace(Check.that(label, oracle, False, answer=answer), reason=reason)
+    except NotEvaluable as refusal:
+        return Check.skipped(label, oracle, str(refusal), answer=answer)
+
+
+def oracle_of(claim: Claim) -> str:
+    """Return the name of what evaluates the claim."""
+    stated = [node for side in (claim.left, claim.right) for node in nodes_of_stated(side)]
+    used = {formula.operation for formula in stated}
+    return next((name for operation, name in ORACLES if operation in used), "random points")
+
+
+def nodes_of_stated(formula: Any) -> Iterable[Stated]:
+    """Return the stated formulas within a formula, itself included."""
+    if isinstance(formula, Stated):
+        yield formula
+        for operand in formula.operands:
+            yield from nodes_of_stated(operand)
+
+
+def claim_residual(
+    left: Any, right: Any, integers: frozenset[str] = frozenset(), environments: Environments | None = None
+) -> tuple[float, int]:
+    """Return the worst residual of left = right over some points, and the digits that decided it.
+
+    Points at which a side has no value are replaced by others, up to ten. Raises NotEvaluable, ShapeMismatch.
+    """
+    symbols = free_symbols(left) | free_symbols(right)
+    whole = whole_symbols(left, right, names=integers, symbols=symbols) & symbols if symbols else symbols
+    wanted = (POINTS_OF_WHOLE_NUMBERS if whole else POINTS) if symbols else 1
+    stated = [formula for side in (left, right) for formula in nodes_of_stated(side)]
+    transforms = [formula for formula in stated if formula.operation == "inverse_laplace"]
+    known = environments or Environments()
+
+    def sides(points: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
+        environment = known.at(points, arithmetic)
+        return value_of(left, environment), value_of(right, environment)
+
+    points = _in_reach(first_points(symbols, whole, wanted), transforms)
+    try:
+        return worst_residual(sides, points)
+    except Undefined:
+        source = PointSource(symbols, whole)
+        source.several(wanted)
+        return _point_by_point(sides, source, transforms, points)
+
+
+def _point_by_point(
+    sides: Any, source: PointSource, transforms: list[Stated], points: list[Point]
+) -> tuple[float, int]:
+    """Return what worst_residual does, with other points for those at which a side has no value."""
+    results: list[tuple[float, int]] = []
+    candidates = [*points, *(None for _ in range(REDRAWS if source.symbols else 0))]
+    for candidate in candidates:
+        point = candidate if candidate is not None else _in_reach([source.draw()], transforms)[0]
+        try:
+            results.append(worst_residual(sides, [point]))
+        except Undefined as undefined:
+            reason = undefined
+        if len(results) == len(points):
+            break
+    if not results:
+        raise reason
+    return max(residual for residual, _ in results), max(digits for _, digits in results)
+
+
+def _in_reach(points: Sequence[Point], transforms: list[Stated]) -> list[Point]:
+    """Scale t so that the inversion integrals keep their digits: radius · t between 0.4 and REACH."""
+    if not transforms:
+        return list(points)
+    reach: dict[Any, Any] = {}
+    environment = Environment.at(points)
+    for image, s, t in (formula.operands for formula in transforms):
+        if t in points[0]:
+            radius = circle_around_poles(image, s, environment, centred=False).radius
+            reach[t] = np.minimum(reach.get(t, np.inf), REACH / radius)
+    scaled = [{t: point[t] / 1.5 * float(largest[p]) for t, largest in reach.items()} for p, point in enumerate(points)]
+    return [{**point, **times} for point, times in zip(points, scaled, strict=True)]

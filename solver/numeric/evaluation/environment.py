@@ -1,0 +1,79 @@
+"""Where formulas are evaluated: values of the symbols at P points, in one of the two arithmetics."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array
+from solver.numeric.evaluation.values import Value
+
+
+class Environment:
+    """Values of symbols at P points (arrays (P,), or numbers), and what was evaluated already."""
+
+    __slots__ = ("arithmetic", "memo", "points", "values")
+
+    def __init__(self, values: Mapping[Any, Any], points: int, arithmetic: Arithmetic = DOUBLE) -> None:
+        self.values = values
+        self.points = points
+        self.arithmetic = arithmetic
+        self.memo: dict[Any, Value] = {}
+
+    @classmethod
+    def at(cls, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic = DOUBLE) -> Environment:
+        """Return the environment of some points, each a value for every symbol; the values are taken as exact."""
+        symbols = list(points[0])
+        if arithmetic is not DOUBLE and len(points) == 1:  # numbers: arrays of one would only cost time
+            return cls({symbol: arithmetic.number(points[0][symbol]) for symbol in symbols}, 1, arithmetic)
+        values = {symbol: arithmetic.array([point[symbol] for point in points]) for symbol in symbols}
+        return cls(values, len(points), arithmetic)
+
+    def having(self, values: Mapping[Any, Any]) -> Environment:
+        """Return the environment in which some symbols (also) have these values."""
+        full = {symbol: self.full(value) for symbol, value in values.items()}
+        return Environment({**self.values, **full}, self.points, self.arithmetic)
+
+    def spread(self, symbol: Any, samples: Array) -> Environment:
+        """Return the environment in which each point p becomes N points with `symbol` = samples[p, :] (P×N)."""
+        count = samples.shape[1]
+        values = {each: np.repeat(self.full(value), count) for each, value in self.values.items() if each != symbol}
+        return Environment({**values, symbol: samples.reshape(-1)}, self.points * count, self.arithmetic)
+
+    def approximate(self) -> Environment:
+        """Return the same points in doubles."""
+        values = {symbol: self.full(value).astype(np.complex128) for symbol, value in self.values.items()}
+        return Environment(values, self.points)
+
+    def full(self, value: Any) -> Array:
+        """Return a scalar as an array (P,)."""
+        return np.broadcast_to(np.asarray(value, dtype=self.arithmetic.dtype), (self.points,))
+
+    def stack(self, entries: list[Value], shape: tuple[int, ...]) -> Value:
+        """Return the array (P, *shape) of scalars given in row-major order."""
+        value = np.empty((self.points, len(entries)), dtype=self.arithmetic.dtype)
+        magnitude = np.empty((self.points, len(entries)))
+        for i, entry in enumerate(entries):
+            value[:, i] = entry.value
+            magnitude[:, i] = entry.magnitude
+        full = (self.points, *shape)
+        return Value(value.reshape(full), magnitude.reshape(full))
+
+
+class Environments:
+    """The environments in which the claims of one derivation are tried.
+
+    Claims in the same symbols are tried at the same points, and hold the same matrices: each is evaluated once.
+    """
+
+    def __init__(self) -> None:
+        self._known: dict[Any, Environment] = {}
+
+    def at(self, points: Sequence[Mapping[Any, complex]], arithmetic: Arithmetic) -> Environment:
+        """Return the environment of these points."""
+        key = (arithmetic.digits, tuple(tuple(point.items()) for point in points))
+        if key not in self._known:
+            self._known[key] = Environment.at(points, arithmetic)
+        return self._known[key]

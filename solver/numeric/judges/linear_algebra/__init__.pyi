@@ -1,0 +1,27 @@
+"""Where the public names of this package are; `__init__.py` reads it."""
+
+from solver.numeric.judges.linear_algebra.eigen import (
+    chain_residual,
+    eigenpair_residual,
+    left_residual,
+    polynomial_residual,
+    spectrum_residual,
+)
+from solver.numeric.judges.linear_algebra.jordan import (
+    chains_residual,
+    diagonalizable,
+    is_jordan_form,
+    same_jordan_structure,
+)
+
+__all__ = [
+    "chain_residual",
+    "chains_residual",
+    "diagonalizable",
+    "eigenpair_residual",
+    "is_jordan_form",
+    "left_residual",
+    "polynomial_residual",
+    "same_jordan_structure",
+    "spectrum_residual",
+]

@@ -1,0 +1,33 @@
+"""Where the public names of this package are; `__init__.py` reads it."""
+
+from solver.numeric.judges.optimal.regulator import (
+    Weights,
+    control_residual,
+    cost_residual,
+    gain_residual,
+    loop_residual,
+)
+from solver.numeric.judges.optimal.riccati import (
+    equations_residual,
+    hamiltonian_spectrum_residual,
+    riccati_residual,
+    stabilizes,
+    symmetry_residual,
+)
+from solver.numeric.judges.optimal.riccati_solutions import all_distinct, definiteness_holds, number_of_solutions
+
+__all__ = [
+    "Weights",
+    "all_distinct",
+    "control_residual",
+    "cost_residual",
+    "definiteness_holds",
+    "equations_residual",
+    "gain_residual",
+    "hamiltonian_spectrum_residual",
+    "loop_residual",
+    "number_of_solutions",
+    "riccati_residual",
+    "stabilizes",
+    "symmetry_residual",
+]

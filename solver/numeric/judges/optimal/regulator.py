@@ -1,0 +1,190 @@
+"""The linear quadratic regulator judged by its defining properties, with scipy's own Riccati and Lyapunov solvers.
+
+Everything is about (A, B, Q, R) at random admissible values of the parameters: R > 0, Q ≥ 0, a stabilizing solution
+exists. An observer's problem is judged as the regulator's of (Aᵀ, Cᵀ).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import sympy as sp
+from numpy.linalg import LinAlgError
+
+from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.compare import Point, worst_of
+from solver.numeric.evaluation.expressions import evaluate
+from solver.numeric.evaluation.points import PointSource, free_symbols
+from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
+
+TRIES = 40
+
+
+class Weights(NamedTuple):
+    """The plant and the weights: A n×n, B n×m, Q n×n, R m×m."""
+
+    A: Any
+    B: Any
+    Q: Any
+    R: Any
+
+
+class Optimum(NamedTuple):
+    """Numbers at one point: the plant, the weights, the stabilizing solution P and the gain K."""
+
+    point: Point
+    A: Array
+    B: Array
+    Q: Array
+    R: Array
+    P: Array
+    K: Array
+
+    @property
+    def closed_loop(self) -> Array:
+        """A − BK."""
+        return np.asarray(self.A - self.B @ self.K)
+
+
+def optima(weights: Weights, others: Iterable[Any] = ()) -> list[Optimum]:
+    """Return the optimum at two admissible points (at the only one if there are no symbols).
+
+    `others` are formulas whose symbols take values too. Raises NotEvaluable if no admissible point is found.
+    """
+    symbols = frozenset().union(*map(free_symbols, weights), *map(free_symbols, others))
+    source = PointSource(symbols)
+    own = free_symbols(weights.Q) | free_symbols(weights.R)
+    found: list[Optimum] = []
+    for _ in range(TRIES if symbols else 1):
+        drawn = source.draw()
+        for point in ({s: abs(v) if s in own else v for s, v in drawn.items()}, {s: abs(v) for s, v in drawn.items()}):
+            optimum = _optimum(weights, point)
+            if optimum is not None:
+                found.append(optimum)
+                break
+        if len(found) == (2 if symbols else 1):
+            break
+    if not found:
+        raise NotEvaluable("no values of the parameters were found for which the problem has a solution")
+    return found
+
+
+def _optimum(weights: Weights, point: Mapping[Any, Any]) -> Optimum | None:
+    """Return scipy's solution at a point; None if the point is not admissible."""
+    from scipy.linalg import solve_continuous_are  # noqa: PLC0415
+
+    try:
+        A, B, Q, R = (_real(evaluate(M, point)) for M in weights)
+        if np.linalg.eigvalsh(R)[0] <= 0 or np.linalg.eigvalsh(Q)[0] < -1e-9 * (1 + np.abs(Q).max()):
+            return None
+        P = solve_continuous_are(A, B, Q, R)
+        K = np.linalg.solve(R, B.T @ P)
+    except (LinAlgError, ValueError, Undefined):
+        return None
+    return Optimum(dict(point), A, B, Q, R, P, K) if hurwitz(A - B @ K) else None
+
+
+def _real(matrix: Any) -> Array:
+    if np.abs(np.imag(matrix)).max(initial=0.0) > 1e-9 * (1 + np.abs(matrix).max(initial=0.0)):
+        raise Undefined("the matrix is not real here")
+    return np.real(matrix)
+
+
+def hurwitz(matrix: Array) -> bool:
+    """Whether all eigenvalues lie in the open left half plane."""
+    eigenvalues = np.linalg.eigvals(matrix)
+    return bool(np.all(eigenvalues.real < -1e-12 * (1 + np.abs(eigenvalues).max(initial=0.0))))
+
+
+def matrix_at(formula: Any, point: Point, shape: tuple[int, int]) -> Array:
+    """Return a real matrix at a point; raises ShapeMismatch for another shape, NotEvaluable for unknown symbols."""
+    if getattr(formula, "shape", (1, 1)) != shape:
+        raise ShapeMismatch(f"it must be {shape[0]}×{shape[1]}")
+    unknown = free_symbols(formula) - set(point)
+    if unknown:
+        raise ShapeMismatch(f"it holds {', '.join(sorted(map(str, unknown)))}, which the question does not")
+    value = evaluate(formula, point)
+    return np.reshape(_real(value), shape)
+
+
+def relative(difference_: Array, *scales: Array) -> float:
+    """Return the largest entry of a difference over the largest of what was compared."""
+    size = max((float(np.abs(scale).max(initial=0.0)) for scale in scales), default=0.0)
+    gap = float(np.abs(difference_).max(initial=0.0))
+    return gap / size if size > 0 else gap
+
+
+def worst(weights: Weights, judge: Callable[[Optimum], float], *others: Any) -> float:
+    """Return the largest of a residual over the admissible points; infinite where a value is not real or defined."""
+    try:
+        return worst_of(judge(optimum) for optimum in optima(weights, others))
+    except Undefined:
+        return float("inf")
+
+
+def gain_residual(weights: Weights, K: Any) -> float:
+    """Return how far K (m×n) is from R⁻¹BᵀP with the cost matrix P of u = −Kx itself; infinite if it is not stable.
+
+    A stabilizing K with that property is optimal (Kleinman): P then solves the Riccati equation.
+    """
+
+    def judge(optimum: Optimum) -> float:
+        value = matrix_at(K, optimum.point, (optimum.B.shape[1], optimum.A.shape[0]))
+        P = cost_matrix(optimum, value)
+        best = np.linalg.solve(optimum.R, optimum.B.T @ P) if P is not None else None
+        if best is None:
+            return float("inf")
+        return relative(value - best, value, best, optimum.K)
+
+    return worst(weights, judge, K)
+
+
+def cost_matrix(optimum: Optimum, K: Array) -> Array | None:
+    """Return X with x₀ᵀXx₀ = ∫ xᵀ(Q + KᵀRK)x dt under u = −Kx, by scipy; None if A − BK is not stable.
+
+    The states are first scaled so that rows and columns of A − BK are of about the same size.
+    """
+    from scipy.linalg import matrix_balance, solve_continuous_lyapunov  # noqa: PLC0415
+
+    loop = optimum.A - optimum.B @ K
+    if not hurwitz(loop):
+        return None
+    balanced, (scale, _) = matrix_balance(loop, permute=False, separate=True)
+    weight = (optimum.Q + K.T @ optimum.R @ K) * np.outer(scale, scale)
+    return np.asarray(solve_continuous_lyapunov(balanced.T, -weight) / np.outer(scale, scale))
+
+
+def loop_residual(weights: Weights, loop: Any) -> float:
+    """Return the relative difference of a matrix and A − BK with scipy's K."""
+
+    def judge(optimum: Optimum) -> float:
+        value = matrix_at(loop, optimum.point, optimum.A.shape)
+        return relative(value - optimum.closed_loop, value, optimum.closed_loop)
+
+    return worst(weights, judge, loop)
+
+
+def control_residual(weights: Weights, u: Any, states: Sequence[Any]) -> float:
+    """Return the relative difference of u (m×1, or an expression for m = 1) and −Kx at random states, K scipy's."""
+
+    def judge(optimum: Optimum) -> float:
+        value = matrix_at(u, optimum.point, (optimum.B.shape[1], 1))
+        x = np.array([[optimum.point[state]] for state in states])
+        return relative(value + optimum.K @ x, value, optimum.K)
+
+    return worst(weights, judge, u, sp.ImmutableMatrix([list(states)]))
+
+
+def cost_residual(weights: Weights, cost: Any, x0: Any, factor: Any) -> float:
+    """Return the relative difference of a cost and the factor times the optimal ∫ xᵀQx + uᵀRu dt from x(0) = x₀."""
+
+    def judge(optimum: Optimum) -> float:
+        value = matrix_at(cost, optimum.point, (1, 1))
+        X = cost_matrix(optimum, optimum.K)
+        start = matrix_at(x0, optimum.point, (optimum.A.shape[0], 1))
+        best = float(np.real(evaluate(factor, optimum.point))) * (start.T @ X @ start)
+        return relative(value - best, value, best)
+
+    return worst(weights, judge, cost, x0, factor)

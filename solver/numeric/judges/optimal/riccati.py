@@ -1,0 +1,136 @@
+"""The algebraic Riccati equation AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0: judges of a solution, its entries, its spectrum."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.derivation.stated import difference, inverse, product, total, transpose
+from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.equalities import equality_residual
+from solver.numeric.evaluation.expressions import evaluate
+from solver.numeric.evaluation.points import PointSource, free_symbols
+from solver.numeric.evaluation.values import ShapeMismatch
+from solver.numeric.judges.optimal.regulator import Optimum, Weights, hurwitz, matrix_at, optima, relative, worst
+
+
+def riccati_residual(weights: Weights, P: Any) -> float:
+    """Return the largest entrywise relative difference in AᵀP + PA + Q = P B R⁻¹ Bᵀ P, P exact or in decimals."""
+    A, B, Q, R = weights
+    if getattr(P, "shape", None) != Q.shape:
+        raise ShapeMismatch(f"P must be {Q.rows}×{Q.cols}")
+    linear = total(product(transpose(A), P), product(P, A), Q)
+    quadratic = product(P, B, inverse(R), transpose(B), P)
+    return equality_residual(linear, quadratic, [optimum.point for optimum in optima(weights, (P,))])
+
+
+def symmetry_residual(weights: Weights, P: Any) -> float:
+    """Return how far P is from being real and symmetric."""
+
+    def judge(optimum: Optimum) -> float:
+        value = matrix_at(P, optimum.point, optimum.A.shape)
+        return relative(value - value.T, value)
+
+    return worst(weights, judge, P)
+
+
+def stabilizes(weights: Weights, P: Any) -> bool:
+    """Whether A − B R⁻¹ Bᵀ P is Hurwitz."""
+
+    def holds(optimum: Optimum) -> bool:
+        value = matrix_at(P, optimum.point, optimum.A.shape)
+        return hurwitz(optimum.A - optimum.B @ np.linalg.solve(optimum.R, optimum.B.T @ value))
+
+    return all(holds(optimum) for optimum in optima(weights, (P,)))
+
+
+def hamiltonian_spectrum_residual(weights: Weights, eigenvalues: Sequence[Any]) -> float:
+    """Return the largest relative difference of Π(x − λᵢ)(−x − λᵢ)·(−1)ⁿ and det(xI − H) at some x.
+
+    Infinite unless there are n eigenvalues, all with negative real parts. So they are the stable ones of H.
+    """
+    n = weights.A.rows
+    if len(eigenvalues) != n:
+        return float("inf")
+    listed = sp.ImmutableMatrix([list(eigenvalues)])
+
+    def judge(optimum: Optimum) -> float:
+        unknown = free_symbols(listed) - set(optimum.point)
+        if unknown:
+            return float("inf")
+        values = evaluate(listed, optimum.point)[0]
+        if not np.all(values.real < 0):
+            return float("inf")
+        H = hamiltonian(optimum)
+        size = max(1e-3, float(np.abs(values).mean()))
+        gaps = []
+        for x in size * np.exp(1j * np.array([0.4, 1.3, 2.1])) * np.array([0.7, 1.0, 1.6]):
+            stated, found = np.linalg.det(x * np.eye(2 * n) - H), np.prod((x - values) * (x + values))
+            gaps.append(abs(stated - found) / max(abs(stated), abs(found)))
+        return float(max(gaps))
+
+    return worst(weights, judge, listed)
+
+
+def hamiltonian(optimum: Optimum) -> Array:
+    """H = [[A, −B R⁻¹ Bᵀ], [−Q, −Aᵀ]]."""
+    G = optimum.B @ np.linalg.solve(optimum.R, optimum.B.T)
+    return np.block([[optimum.A, -G], [-optimum.Q, -optimum.A.T]])
+
+
+def equations_residual(weights: Weights, equations: Sequence[Any]) -> float:
+    """Return how far n(n+1)/2 expressions in p11, p12, … are from the entries of AᵀP + PA − P B R⁻¹ Bᵀ P + Q.
+
+    Each may carry a constant factor, and their order is free. Infinite for another number of them.
+    """
+    n = weights.A.rows
+    P = unknown_matrix(n)
+    A, B, Q, R = weights
+    left = difference(total(product(transpose(A), P), product(P, A), Q), product(P, B, inverse(R), transpose(B), P))
+    pairs = [(i, j) for i in range(n) for j in range(i, n)]
+    if len(equations) != len(pairs):
+        return float("inf")
+    listed = sp.ImmutableMatrix([list(equations)]).xreplace(
+        {sp.Symbol(f"p{j + 1}{i + 1}"): P[i, j] for i, j in pairs if i != j}
+    )
+    source = PointSource(free_symbols(P) - free_symbols(weights.A))
+    samples = []
+    for optimum in optima(weights):
+        for _ in range(4):
+            point = {**optimum.point, **source.draw()}
+            if free_symbols(listed) - set(point):
+                return float("inf")
+            stated = evaluate(left, point)
+            samples.append(([stated[i, j] for i, j in pairs], list(evaluate(listed, point)[0])))
+    stated = np.array([row for row, _ in samples])
+    given = np.array([row for _, row in samples])
+    return _matched(stated.T, given.T)
+
+
+def _matched(stated: Array, given: Array) -> float:
+    """Return the worst gap when each row stated is paired with the nearest row given that is left, up to a factor."""
+    left = list(range(len(given)))
+    worst_gap = 0.0
+    for row in stated:
+        gaps = {k: _gap_up_to_factor(row, given[k]) for k in left}
+        best = min(gaps, key=lambda k: gaps[k])
+        worst_gap = worst_of((worst_gap, gaps[best]))
+        left.remove(best)
+    return worst_gap
+
+
+def _gap_up_to_factor(row: Array, other: Array) -> float:
+    size, factor = np.vdot(other, other), np.vdot(other, row)
+    if size == 0 or factor == 0:
+        return float("inf") if np.abs(row).max() > 0 else 0.0
+    return relative(row - factor / size * other, row)
+
+
+def unknown_matrix(n: int) -> sp.ImmutableMatrix:
+    """The symmetric matrix of p11, p12, …: indices from 1, from n = 10 on with an underscore."""
+    between = "" if n < 10 else "_"
+    return sp.ImmutableMatrix(n, n, lambda i, j: sp.Symbol(f"p{min(i, j) + 1}{between}{max(i, j) + 1}"))

@@ -1,0 +1,165 @@
+"""All real symmetric solutions of a Riccati equation judged: how many there are, that none is missing, what each is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.numeric.evaluation.arithmetic import Array, multiple
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.points import free_symbols
+from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.optimal.regulator import Optimum, Weights, matrix_at, optima, relative
+from solver.numeric.judges.optimal.riccati import hamiltonian
+
+ON_THE_AXIS = 1e-7
+MANY = multiple(50)
+WELL_KNOWN = 80
+"""Bits from which on an entry is known to more than rounding in doubles."""
+
+
+def all_distinct(weights: Weights, matrices: Sequence[Any]) -> bool:
+    """Whether no matrix is listed twice."""
+    listed = [P for P in matrices if getattr(P, "shape", None) == weights.A.shape]
+    for optimum in optima(weights, listed):
+        values = [matrix_at(P, optimum.point, optimum.A.shape) for P in listed]
+        for i, one in enumerate(values):
+            if any(relative(one - other, one, other) < 1e-8 for other in values[:i]):
+                return False
+    return True
+
+
+def number_of_solutions(weights: Weights) -> int:
+    """Return how many real symmetric solutions there are, counted by invariant subspaces in floats.
+
+    With A₊ = A − BK they correspond to the left-invariant subspaces of A₊ without an uncontrollable left eigenvector:
+    Π (m + 1) over its real eigenvalues and conjugate pairs that are controllable, m the multiplicity (Willems 1971).
+    Raises NotEvaluable where eigenvalues are too close to each other, or solutions form a continuum.
+    """
+    optimum = optima(weights)[0]
+    values, vectors = np.linalg.eig(optimum.closed_loop.T)
+    scale = float(1 + np.abs(values).max())
+    count = 1
+    for cluster in _clusters([value for value in values if value.imag > -ON_THE_AXIS * scale], 1e-4 * scale):
+        if len(cluster) == 1:
+            count *= 2 if _is_reached(optimum, vectors[:, list(values).index(cluster[0])]) else 1
+            continue
+        own, reached = _left_eigenvectors(optimum, sum(cluster) / len(cluster), 1e-6 * scale)
+        if own == 0:
+            raise NotEvaluable(
+                "eigenvalues of the closed loop lie too close to each other to count solutions in floats"
+            )
+        if own > 1 and reached:
+            raise NotEvaluable("the solutions form a continuum")
+        if reached:
+            count *= len(cluster) + 1
+    return count
+
+
+def _clusters(values: list[Any], distance: float) -> list[list[Any]]:
+    """The values, those near to each other together."""
+    if not values:
+        return []
+    near = [value for value in values if abs(value - values[0]) < distance]
+    return [near, *_clusters([value for value in values if abs(value - values[0]) >= distance], distance)]
+
+
+def _left_eigenvectors(optimum: Optimum, eigenvalue: complex, tolerance: float) -> tuple[int, int]:
+    """How many independent left eigenvectors of the closed loop an eigenvalue has, and how many of these B reaches."""
+    pencil = optimum.closed_loop - eigenvalue * np.eye(len(optimum.A))
+    own, hidden = (
+        int(np.sum(np.linalg.svd(M, compute_uv=False) < tolerance)) for M in (pencil, np.hstack([pencil, optimum.B]))
+    )
+    return own, own - hidden
+
+
+def _is_reached(optimum: Optimum, w: Array) -> bool:
+    """Whether B reaches the mode of a left eigenvector w, as far as its products with B are more than rounding."""
+    products = np.abs(w)[:, None] * np.abs(optimum.B)
+    counted = products.sum(axis=0) > 1e-12 * float(np.abs(optimum.B).max(initial=0.0))
+    return bool(np.any(counted & (np.abs(w @ optimum.B) > 1e-6 * products.sum(axis=0))))
+
+
+def signature_word(optimum: Optimum, P: Any) -> str:
+    """Return the definiteness of a symmetric matrix in words, by mpmath.eigsy; in floats, by numpy.linalg.eigvalsh.
+
+    Raises NotEvaluable where an eigenvalue is so small beside others that it may be what rounding left of zero.
+    """
+    value = matrix_at(P, optimum.point, optimum.A.shape)
+    digits = min((number._prec for number in sp.ImmutableMatrix(P).atoms(sp.Float)), default=WELL_KNOWN)
+    if digits < WELL_KNOWN:
+        eigenvalues, zero = list(np.linalg.eigvalsh((value + value.T) / 2)), 1e-9
+    else:
+        entries = value_of(P, Environment.at([dict(optimum.point)], MANY)).value[0]
+        eigenvalues = list(MANY.context.eigsy(MANY.context.matrix(entries + entries.T), eigvals_only=True))
+        zero = 1e-28
+    sizes = [float(abs(each)) for each in eigenvalues]
+    zero *= max(1e-300, *sizes)
+    if digits >= WELL_KNOWN and any(zero < size < 100 * zero for size in sizes):
+        raise NotEvaluable("an eigenvalue is too small beside the others to tell its sign")
+    positive, negative = (sum(1 for each in eigenvalues if sign * each > zero) for sign in (1, -1))
+    return definiteness_word(positive, negative, len(eigenvalues))
+
+
+def definiteness_word(positive: int, negative: int, n: int) -> str:
+    """Return the word for these numbers of eigenvalues of a sign; the zero matrix is positive semidefinite."""
+    if positive and negative:
+        return "indefinite"
+    if negative:
+        return "negative definite" if negative == n else "negative semidefinite"
+    return "positive definite" if positive == n else "positive semidefinite"
+
+
+def judged_definite(weights: Weights, words: Sequence[Any], matrices: Sequence[Any]) -> bool:
+    """Whether each word says of what definiteness the matrix at its place is, at every admissible point tried."""
+    return all(
+        _plain(word) == signature_word(optimum, P)
+        for optimum in optima(weights, matrices)
+        for word, P in zip(words, matrices, strict=True)
+    )
+
+
+def _plain(word: Any) -> str:
+    return str(word).strip().lower().replace("-", " ").replace("_", " ").replace("semi definite", "semidefinite")
+
+
+def definiteness_holds(weights: Weights, words: Sequence[Any], solutions: Sequence[Any] | None) -> bool:
+    """Whether the words fit the solutions in their order; without solutions, those found in floats in any order.
+
+    Raises NotEvaluable where there are no solutions to compare with.
+    """
+    if solutions is not None:
+        return len(words) == len(solutions) and judged_definite(weights, words, solutions)
+    if any(free_symbols(M) for M in weights):
+        raise NotEvaluable("definiteness alone, without the solutions, is not judged where there are parameters")
+    optimum = optima(weights)[0]
+    found = [signature_word(optimum, sp.ImmutableMatrix(P)) for P in solutions_in_floats(weights)]
+    return sorted(found) == sorted(map(_plain, words))
+
+
+def solutions_in_floats(weights: Weights) -> list[Array]:
+    """Return all real symmetric solutions where the eigenvalues of H are distinct: P = Y X⁻¹ by its eigenvectors.
+
+    Raises NotEvaluable where eigenvalues coincide.
+    """
+    H = hamiltonian(optima(weights)[0])
+    n = len(H) // 2
+    values, vectors = np.linalg.eig(H)
+    scale = float(np.abs(values).max())
+    if min(abs(a - b) for i, a in enumerate(values) for b in values[:i]) < 1e-5 * scale:
+        raise NotEvaluable("eigenvalues of the Hamiltonian matrix coincide")
+    upper = [i for i in range(2 * n) if values[i].real < 0 and values[i].imag > -ON_THE_AXIS * scale]
+    found = []
+    for signs in product((1, -1), repeat=len(upper)):
+        wanted = [sign * values[i] for sign, i in zip(signs, upper, strict=True)]
+        wanted += [np.conj(value) for value in wanted if abs(value.imag) > ON_THE_AXIS * scale]
+        chosen = [int(np.argmin(np.abs(values - value))) for value in wanted]
+        X, Y = vectors[:n, chosen], vectors[n:, chosen]
+        if np.linalg.svd(X, compute_uv=False)[-1] > 1e-9:
+            found.append(np.real(Y @ np.linalg.inv(X)))
+    return found

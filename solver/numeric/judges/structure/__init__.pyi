@@ -1,0 +1,29 @@
+"""Where the public names of this package are; `__init__.py` reads it."""
+
+from solver.numeric.judges.structure.controllability import (
+    every_fall_is_named,
+    hidden_modes_decay,
+    hidden_modes_residual,
+    krylov_matrix,
+    rank_falls_where,
+)
+from solver.numeric.judges.structure.decomposition import (
+    coordinates_residual,
+    hidden_polynomial_residual,
+    kalman_orders,
+    separation_residual,
+    visible_part_residual,
+)
+
+__all__ = [
+    "coordinates_residual",
+    "every_fall_is_named",
+    "hidden_modes_decay",
+    "hidden_modes_residual",
+    "hidden_polynomial_residual",
+    "kalman_orders",
+    "krylov_matrix",
+    "rank_falls_where",
+    "separation_residual",
+    "visible_part_residual",
+]
