@@ -3,8 +3,9 @@
 A macro is called with the step's values `v` and claims `c`; its first line, `### `, is the title. It can use
 
 - `brief`, `full`, `tutor`: the level of detail (`full` holds at the levels full and tutor, `brief` only at brief),
-- `value|tex`: a value as LaTeX, in the problem's number format; `operation|operation`: a row operation;
-  `text|plain`: words of a user, with Markdown's signs made harmless,
+- `value|tex`: a value as LaTeX, in the problem's number format; `value|latex`: the same as text to be compared or
+  changed, the value behind it forgotten; `operation|operation`: a row operation; `text|plain`: words of a user, with
+  Markdown's signs made harmless,
 - `eq(a, b, ...)`: the display a = b = ...; texts are LaTeX as they stand, anything else is printed by `tex`,
 - `claim(c.name, prefix)`: both sides of a claim as a display; `align([[a, b], [c, d]])`: equations under each other,
 - `sym.Phi`, `sym.xdot`, ...: the symbols of the notation.
@@ -26,6 +27,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import resources
 from solver.derivation import AnswerName, Claim, Step
+from solver.derivation.displayed import Displayed
 from solver.markup import math_problems
 from solver.problem.model import Part
 from solver.render.displays import READABLE, aligned, chain, display, entries
@@ -35,14 +37,9 @@ from solver.render.notation import COURSE, NOTATIONS, answer_symbol
 from solver.render.numbers import NumberFormat
 from solver.render.pieces import is_sum, joined, parenthesized, summed
 from solver.render.prose import plain
+from solver.render.recording import Recorder
 from solver.render.width import LINE, width
 from solver.systems import System
-
-SEAM = "\ue000"
-"""Marks the end of a printed value until it is known what follows; a character for private use."""
-
-SEAM_BEFORE_LETTER = re.compile(f"{SEAM}(?=[A-Za-z])")
-ENDS_IN_COMMAND = re.compile(r"\\[A-Za-z]+\Z")
 
 WORD = re.compile(r"\\text\{([^{}]*)\}")
 """An answer that has a word in place of a symbol: whether the system is stable equals nothing."""
@@ -56,12 +53,16 @@ class WordingError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class WordedStep:
-    """A step in words: title and body are Markdown with `$math$`; `step` is the data it was made from."""
+    """A step in words: title and body are Markdown with `$math$`; `step` is the data it was made from.
+
+    `displayed` are the formulas in them, in the order of reading.
+    """
 
     title: str
     markdown: str
     steps: tuple[WordedStep, ...]
     step: Step
+    displayed: tuple[Displayed, ...] = ()
 
     def walk(self) -> Iterator[WordedStep]:
         """This step and all its substeps, in the order of reading."""
@@ -89,14 +90,15 @@ class Wording:
 
     def word(self, step: Step) -> WordedStep:
         """Word a step. Raises WordingError if its macro is missing or wrong."""
-        text = self._macro(step.wording, step.kind, dict(step.values), dict(step.claims))
-        heading, _, body = text.strip().partition("\n")
+        marked = self._marked(step.wording, step.kind, dict(step.values), dict(step.claims))
+        displayed = tuple(self._macros.recorder.displayed(marked))
+        heading, _, body = self._macros.recorder.expanded(marked).strip().partition("\n")
         if not heading.startswith("### "):
             raise WordingError(f"{_place(step.wording, step.kind)} must begin with the title: ### ...")
         title, markdown = heading.removeprefix("### ").strip(), _tidy(body)
         for _, message in [*math_problems(title), *math_problems(markdown)]:
             raise WordingError(f"{_place(step.wording, step.kind)}: {message}")
-        return WordedStep(title, markdown, self.words(step.steps), step)
+        return WordedStep(title, markdown, self.words(step.steps), step, displayed)
 
     def question(self, part: Part, *, closed: bool = False) -> str:
         """Return the question of a part in Markdown: its own prompt, or the task's.
@@ -127,12 +129,17 @@ class Wording:
         return answer_symbol(answer.name, answer.symbol, self.notation)
 
     def _macro(self, wording: str, name: str, *arguments: Any) -> str:
+        return self._macros.recorder.expanded(self._marked(wording, name, *arguments))
+
+    def _marked(self, wording: str, name: str, *arguments: Any) -> str:
+        """Return what a macro writes, with marks for the values and displays in it (see `recording`)."""
         place = _place(wording, name)
+        self._macros.recorder.begin()
         try:
             macro = getattr(self._module(wording), name, None)
             if macro is None:
                 raise WordingError(f"{place} is missing")
-            return SEAM_BEFORE_LETTER.sub(" ", str(macro(*arguments))).replace(SEAM, "")
+            return str(macro(*arguments))
         except TemplateNotFound as error:
             raise WordingError(f"{place} is missing: there is no such file") from error
         except TemplateSyntaxError as error:
@@ -146,13 +153,14 @@ class Wording:
 
     def _module(self, wording: str) -> Any:
         """Return the macros of a file as attributes."""
-        if wording not in self._modules:
+        modules = self._macros.modules
+        if wording not in modules:
             template = _environment(self.templates).get_template(f"{wording}.md.jinja")
-            self._modules[wording] = template.make_module(self._names)
-        return self._modules[wording]
+            modules[wording] = template.make_module(self._names)
+        return modules[wording]
 
     @cached_property
-    def _modules(self) -> dict[str, Any]:
+    def _macros(self) -> _Macros:
         return _macros_of(self)
 
     @cached_property
@@ -162,13 +170,12 @@ class Wording:
         return {
             **{"brief": level == 0, "full": level >= 1, "tutor": level >= 2},
             **{"eq": self._eq, "claim": self._claim, "align": self._align, "sym": NOTATIONS[self.notation]},
-            **{"tex": self._filtered, "operation": self._operation},
+            **{"tex": self._filtered, "latex": self.tex, "operation": self._operation},
         }
 
     def _filtered(self, value: Any) -> str:
-        r"""Print for the filter `tex`; what the template writes after it must not run into a command (`\lambdaI`)."""
-        shown = self.tex(value)
-        return shown + SEAM if ENDS_IN_COMMAND.search(shown) else shown
+        """Print for the filter `tex`: the mark of the value."""
+        return self._macros.recorder.value(value, self.tex(value))
 
     def equation(self, symbol: str, value: Any, *, narrow: bool = False) -> str:
         """Return an answer as `symbol = value`, or `word: value`, laid out for a page; a matrix by entry if narrow."""
@@ -188,25 +195,36 @@ class Wording:
         narrow: bool = False,
     ) -> str:
         """Return `a = b = ...`, broken over lines where it is long; a very wide matrix at its end entry by entry."""
-        shown = [side if isinstance(side, str) else show(side) for side in sides]
+        expanded = self._macros.recorder.expanded
+        shown = [expanded(side) if isinstance(side, str) else show(side) for side in sides]
         matrix = sides[-1]
         listed = isinstance(matrix, sp.MatrixBase) and 0 not in matrix.shape
         too_wide = listed and (narrow or width(shown[-1]) > READABLE * LINE)
         if not (too_wide and shown[0] and isinstance(sides[0], str)):
-            return chain(shown, relation, note)
+            return chain(shown, relation, expanded(note))
         cells = [[show(entry) for entry in row] for row in matrix.tolist()]
         return entries(shown[0], shown[1:-1], cells)
 
     def _eq(self, *sides: Any, note: str = "", relation: str = "=") -> str:
-        return display(self._laid_out(sides, self.tex, relation, note))
+        shown = [side for side in sides if not isinstance(side, str) or side]
+        return self._displayed([(shown, relation)], self._laid_out(sides, self.tex, relation, note))
 
     def _claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:
         return self._eq(prefix, claim.left, claim.right, note=note)
 
     def _align(self, rows: Iterable[Iterable[Any]]) -> str:
-        return display(
-            aligned(" &= ".join(side if isinstance(side, str) else self.tex(side) for side in row) for row in rows)
-        )
+        chains = [list(row) for row in rows]
+        lines = [" &= ".join(side if isinstance(side, str) else self.tex(side) for side in row) for row in chains]
+        return self._displayed([(row, "=") for row in chains], aligned(lines))
+
+    def _displayed(self, chains: Iterable[tuple[list[Any], str]], latex: str) -> str:
+        """Note the chains of a display (each with its relation); return the mark of the display."""
+        recorder = self._macros.recorder
+        noted = [
+            Displayed(tuple(recorder.written(side) if isinstance(side, str) else side for side in sides), relation)
+            for sides, relation in chains
+        ]
+        return recorder.display(noted, display(recorder.expanded(latex)))
 
     def _operation(self, operation: Any) -> str:
         """Return a row operation (`exact.row_reduction`: Swap, Scale or Add) as LaTeX; rows are counted from 1."""
@@ -225,10 +243,18 @@ class Wording:
         return joined([shown if not is_sum(shown.removeprefix("-")) else parenthesized(shown), row])
 
 
+class _Macros:
+    """The macros that equal wordings have loaded, by file, and what notes their displays."""
+
+    def __init__(self) -> None:
+        self.modules: dict[str, Any] = {}
+        self.recorder = Recorder()
+
+
 @lru_cache(maxsize=8)
-def _macros_of(_wording: Wording) -> dict[str, Any]:
-    """Return the place where equal wordings keep the macros that they have loaded."""
-    return {}
+def _macros_of(_wording: Wording) -> _Macros:
+    """Return the macros that this wording shares with its equals."""
+    return _Macros()
 
 
 @lru_cache(maxsize=8)
@@ -243,7 +269,7 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters.update(tex=_named("tex"), operation=_named("operation"), plain=plain)
+    environment.filters.update(tex=_named("tex"), latex=_named("latex"), operation=_named("operation"), plain=plain)
     return environment
 
 

@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 
 from solver.derivation import AnswerName, Claim, Step
+from solver.derivation.displayed import FIRST_MARK, Displayed, Written
 from solver.derivation.stated import determinant
 from solver.markup import check_math
 from solver.problem.model import Part
@@ -31,7 +32,7 @@ def templates(tmp_path):
 {{ claim(c.value, "\\det A") }}
 {{ eq("x", v.x, note="\\text{ !}", relation="\\approx") }}
 {{ align([["a", v.x], ["b", "c"]]) }}
-{{ v.words|plain }} {{ sym.xdot }}
+{{ v.words|plain }} ${{ sym.xdot }}$
 {% endmacro %}
 {% macro untitled(v, c) %}
 no title
@@ -72,7 +73,7 @@ def test_a_macro_words_a_step(templates):
     assert "$$\n\\det A = \\det\\begin{bmatrix}0 & 1 \\\\ -2 & -3\\end{bmatrix} = 2\n$$" in worded.markdown
     assert r"x \approx \lambda\text{ !}" in worded.markdown
     assert "a &= \\lambda \\\\\nb &= c" in worded.markdown
-    assert r"\*\<b\>\* \dot{x}" in worded.markdown
+    assert r"\*\<b\>\* $\dot{x}$" in worded.markdown
     assert "\n\n\n" not in worded.markdown
 
 
@@ -169,3 +170,12 @@ def test_number_formats_reach_the_templates(templates):
     half = Step("levels", claims={"value": Claim(sp.S.Half, sp.S.Half)}, x=sp.S.Half, words="")
     half.wording = "demo/demo"
     assert "0.5" in Wording(NumberFormat("decimal"), templates=templates).word(half).markdown
+
+
+def test_what_a_macro_displays_is_known_as_values(templates):
+    worded = Wording(NumberFormat("decimal"), templates=templates).word(step("levels"))
+    title, claimed, approximate, first, second, _ = worded.displayed
+    assert title.sides == (Written(f"{chr(FIRST_MARK)}I - A", (lamda,)),)
+    assert claimed == Displayed((Written(r"\det A"), determinant(A), sp.Integer(2)))
+    assert approximate == Displayed((Written("x"), lamda), r"\approx")
+    assert (first, second) == (Displayed((Written("a"), lamda)), Displayed((Written("b"), Written("c"))))
