@@ -10,7 +10,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-from solver.markup.formulas import find_problem
+from solver.formula import find_problem
 
 MATH_TOKENS = {"math_inline": False, "math_inline_double": True, "math_block": True}
 """The parser's tokens for formulas, and whether they are displayed."""

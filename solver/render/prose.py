@@ -1,7 +1,7 @@
 """Markdown with `$math$` to HTML, to LaTeX and to plain text: one parser, three writers.
 
 CommonMark with tables; no raw HTML, no images, links to the web and to mail only. Formulas pass the white list of
-`solver.markup`; one that does not is shown as the text it is, never handed on.
+`solver.formula`; one that does not is shown as the text it is, never handed on.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from typing import Any
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from solver.markup import MATH_TOKENS, find_problem, parser, tokens
+from solver.formula import find_problem
+from solver.markup import MATH_TOKENS, parser, tokens
 from solver.render.prose_latex import latex_of
 from solver.render.prose_text import inline_text, text_of
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 
 from markdown_it.token import Token
 
-from solver.markup import GREEK_LETTERS, find_problem
+from solver.formula import GREEK_LETTERS, find_problem
 from solver.render.displays import aligned
 from solver.render.tex_text import escaped
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 
-from solver.markup import GREEK_LETTERS
+from solver.formula import GREEK_LETTERS
 
 SPECIAL = {
     "\\": r"\textbackslash{}",

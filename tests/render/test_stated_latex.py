@@ -28,7 +28,7 @@ from solver.derivation.stated import (
     transpose,
     value_at,
 )
-from solver.markup import MathProblem, check_math
+from solver.formula import MathProblem, read
 from solver.render.latex import tex
 from solver.render.stated_latex import NOTATION
 
@@ -101,7 +101,7 @@ TABLE = [
 @pytest.mark.parametrize(("formula", "printed"), TABLE, ids=lambda item: str(item)[:60])
 def test_formulas_are_printed_as_stated(formula, printed):
     assert tex(formula) == printed
-    check_math(printed)
+    read(printed)
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_formulas_are_printed_as_stated(formula, printed):
 )
 def test_a_line_stands_only_at_the_start_of_a_row_of_an_array(formula):
     with pytest.raises(MathProblem, match="hline"):
-        check_math(formula)
+        read(formula)
 
 
 def test_every_operation_has_a_notation_and_a_row_in_the_table():

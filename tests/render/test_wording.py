@@ -6,7 +6,7 @@ import sympy as sp
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import FIRST_MARK, Displayed, Written
 from solver.derivation.stated import determinant
-from solver.markup import check_math
+from solver.formula import read
 from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import tex
@@ -145,7 +145,7 @@ def test_a_long_chain_is_aligned_at_its_signs():
     assert laid_out.startswith("\\begin{aligned}\na&= b")
     assert laid_out.endswith("\\text{ end}\n\\end{aligned}")
     assert all(width(row) < 1.2 * LINE for row in laid_out.split("\\\\\n")[1:-1])
-    check_math(laid_out)
+    read(laid_out)
 
 
 def test_a_sum_is_broken_only_outside_of_brackets():
@@ -160,7 +160,7 @@ def test_a_matrix_too_wide_to_be_read_is_listed_by_entries():
     answer = Wording().equation(r"\Phi(t)", wide)
     assert answer.startswith("\\begin{aligned}\n\\Phi_{11}(t) &= ")
     assert answer.count("&= ") == 9
-    check_math(answer)
+    read(answer)
     assert "bmatrix" in Wording().equation(r"\Phi(t)", sp.eye(3))
     assert entry_name("J = V", "12") == r"\left[J = V\right]_{12}"
     assert "v_{2} &= b" in entries("v", [], [["a"], ["b"]])

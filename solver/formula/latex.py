@@ -1,0 +1,162 @@
+r"""Trees written as LaTeX: one spelling for each tree, with the blanks that a person would type."""
+
+from __future__ import annotations
+
+from solver.formula import vocabulary as v
+from solver.formula.nodes import (
+    Accent,
+    Fenced,
+    Fraction,
+    Function,
+    Node,
+    Number,
+    Operator,
+    Root,
+    Row,
+    Scripts,
+    Space,
+    Stacked,
+    Styled,
+    Symbol,
+    Table,
+    Text,
+    Visitor,
+)
+from solver.formula.signs import Signs
+
+
+class LatexWriter(Visitor[str]):
+    """Writes a tree; in an index no blank stands after a comma."""
+
+    def __init__(self, index: bool = False) -> None:
+        self.after_comma = "" if index else " "
+
+    def number(self, node: Number) -> str:
+        return node.digits
+
+    def symbol(self, node: Symbol) -> str:
+        return node.name
+
+    def operator(self, node: Operator) -> str:
+        return node.sign
+
+    def function(self, node: Function) -> str:
+        return rf"\operatorname{{{node.name}}}" if node.named else f"\\{node.name}"
+
+    def text(self, node: Text) -> str:
+        return f"{node.command}{{{node.words}}}"
+
+    def space(self, node: Space) -> str:
+        return node.command
+
+    def row(self, node: Row) -> str:
+        """Return what stands in the row, without braces."""
+        written = ""
+        before: Node | None = None
+        signs = Signs()
+        for item in node.items:
+            piece = self.argument(item)
+            if before == COMMA and not isinstance(item, Space):
+                written += self.after_comma
+            elif written and (_apart(before, item) or _runs_into(written, piece)):
+                written += " "
+            written += piece
+            before = _PREFIX if signs.is_prefix(item) else item
+        return written
+
+    def argument(self, node: Node) -> str:
+        """Return an argument or a script: a row in braces."""
+        return f"{{{node.accept(self)}}}" if isinstance(node, Row) else node.accept(self)
+
+    def fraction(self, node: Fraction) -> str:
+        return self._command(node.command, node.above, node.below)
+
+    def root(self, node: Root) -> str:
+        index = "" if node.index is None else f"[{node.index.accept(self)}]"
+        return self._command(rf"\sqrt{index}", node.radicand)
+
+    def scripts(self, node: Scripts) -> str:
+        below = "" if node.below is None else f"_{_IN_INDEX.argument(node.below)}"
+        above = "" if node.above is None else f"^{self.argument(node.above)}"
+        return self.argument(node.base) + "'" * node.primes + below + above
+
+    def fenced(self, node: Fenced) -> str:
+        body = node.body.accept(self)
+        left, right = (rf"\left{node.left}", rf"\right{node.right}") if node.tall else (node.left, node.right)
+        return _joined(_joined(left, body), right)
+
+    def table(self, node: Table) -> str:
+        aligned = node.environment == "aligned"
+        between = " &" if aligned else " & "
+        lines = [between.join(cell.accept(self) for cell in row).strip() for row in node.rows]
+        for index in node.rules:
+            lines[index : index + 1] = [_joined(r"\hline ", *lines[index : index + 1])]
+        columns = f"{{{node.columns}}}" if node.columns else ""
+        body = (" \\\\\n" if aligned else r" \\ ").join(lines)
+        body = f"\n{body}\n" if aligned else body
+        return rf"\begin{{{node.environment}}}{columns}{body}\end{{{node.environment}}}"
+
+    def accent(self, node: Accent) -> str:
+        return self._command(node.command, node.body)
+
+    def stacked(self, node: Stacked) -> str:
+        return self._command(node.command, node.mark, node.base)
+
+    def styled(self, node: Styled) -> str:
+        return self._command(node.command, node.body)
+
+    def _command(self, command: str, *arguments: Node) -> str:
+        written = command
+        for argument in arguments:
+            written = _joined(written, self.argument(argument))
+        return written
+
+
+_PREFIX = Operator("")
+COMMA, COLON = Operator(","), Operator(":")
+SPACED = (v.RELATIONS | v.BINARY) - {":"}
+NARROW = frozenset((r"\,", r"\!"))
+
+
+def _joined(*pieces: str) -> str:
+    written = pieces[0]
+    for piece in pieces[1:]:
+        written += f" {piece}" if _runs_into(written, piece) else piece
+    return written
+
+
+def _runs_into(written: str, piece: str) -> bool:
+    """Whether a letter would become part of the command before it."""
+    if not piece[:1].isalpha() or not written[-1:].isalpha():
+        return False
+    end = len(written) - 1
+    while end >= 0 and written[end].isascii() and written[end].isalpha():
+        end -= 1
+    return end >= 0 and written[end] == "\\"
+
+
+def _has_blanks(node: Node | None) -> bool:
+    return isinstance(node, Operator) and node.sign in SPACED
+
+
+def _apart(before: Node | None, item: Node) -> bool:
+    """Whether a blank stands between two items."""
+    if before is _PREFIX or isinstance(item, Space):
+        return False
+    if isinstance(before, Space):
+        return before.command not in NARROW
+    if item in (COLON, COMMA):
+        return False
+    if _has_blanks(before) or _has_blanks(item) or before == COLON:
+        return True
+    if isinstance(before, Function):
+        return not isinstance(item, Fenced | Table | Operator)
+    return isinstance(before, Text) or isinstance(item, Text)
+
+
+_WRITER, _IN_INDEX = LatexWriter(), LatexWriter(index=True)
+
+
+def latex(node: Node) -> str:
+    """Return a tree as LaTeX, without dollar signs."""
+    return node.accept(_WRITER)

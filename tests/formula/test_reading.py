@@ -1,0 +1,249 @@
+r"""Formulas read into trees: the dialect, what is refused and where, and trees written back as LaTeX."""
+
+from __future__ import annotations
+
+import inspect
+import string
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from solver.formula import MathProblem, find_problem, latex, nodes, read
+from solver.formula import vocabulary as v
+from solver.formula.nodes import (
+    Accent,
+    Fenced,
+    Fraction,
+    Function,
+    Node,
+    Number,
+    Operator,
+    Root,
+    Row,
+    Scripts,
+    Space,
+    Stacked,
+    Styled,
+    Symbol,
+    Table,
+    Text,
+)
+from solver.formula.reading import DEEPEST, LONGEST
+
+GOOD = [
+    r"\frac{1}{2}x^{2}",
+    r"\frac12",
+    "x''",
+    r"\left.x\right|_{t=0}",
+    r"\begin{bmatrix}1 & 2 \\ 3 & 4\end{bmatrix}^{-1}",
+    r"\begin{array}{c|c}a & b\end{array}",
+    r"\begin{cases}1 & \text{if } t > 0 \\ 0 & \text{else}\end{cases}",
+    r"\begin{aligned}a &= b \\ &\quad + c\end{aligned}",
+    r"\mathcal{L}^{-1}\left\{\frac{1}{s}\right\}",
+    r"\sqrt[3]{2} \le \infty",
+    r"\dot{\hat{x}} = A\hat{x} + Bu",
+    r"\int_{0}^{\infty} e^{-st}\,dt",
+    "λ + Φ",
+    r"\operatorname{adj}(sI - A)",
+]
+
+BAD = [
+    (r"\input{/etc/passwd}", 0),
+    ("x^^5cinput", 1),
+    (r"a\csname input\endcsname", 1),
+    (r"\write18{id}", 0),
+    (r"\def\x{\x\x}", 0),
+    (r"\loop\iftrue\repeat", 0),
+    (r"\href{javascript:alert(1)}{x}", 0),
+    (r"\begin{verbatim}x\end{verbatim}", 0),
+    ("50% of x", 2),
+    ("a#b", 1),
+    ("a~b", 1),
+    (r"\text{a $b$}", 5),
+    (r"\text{<svg/onload=alert(1)>}", 5),
+    ("{a", 0),
+    ("a}", 1),
+    (r"\left(a", 0),
+    (r"a\right)", 1),
+    ("a & b", 2),
+    (r"a \\ b", 2),
+    ("x^2^3", 3),
+    ("x^", 2),
+    (r"\frac{1}", 8),
+    (r"\sqrt", 5),
+    (r"\begin{bmatrix}1", 0),
+    (r"\begin{bmatrix}1 \\ [2pt] 3\end{bmatrix}", 20),
+    (r"\begin{cases}1 & 2 & 3\end{cases}", 19),
+    ("\\", 0),
+    ("é", 0),
+    ("", 0),
+    ("{" * 200 + "}" * 200, 40),
+    ("x" * 60_000, 0),
+    ("(" * 200 + ")" * 200, 40),
+    ("x_1_2", 3),
+    ("x^{2}'", 5),
+    (r"\frac\frac12 3", 5),
+    (r"\begin{matrix}a & {b & c}\end{matrix}", 21),
+]
+
+
+@pytest.mark.parametrize("formula", GOOD)
+def test_formulas_of_the_dialect_are_read_and_written_back(formula: str) -> None:
+    tree = read(formula)
+    assert read(latex(tree)) == tree
+
+
+@pytest.mark.parametrize(("formula", "offset"), BAD, ids=lambda item: repr(item)[:30])
+def test_other_formulas_are_refused_at_their_place(formula: str, offset: int) -> None:
+    with pytest.raises(MathProblem) as problem:
+        read(formula)
+    assert problem.value.offset == offset
+    assert problem.value.message
+
+
+X, Y, ONE, TWO = Symbol("x"), Symbol("y"), Number("1"), Number("2")
+
+
+@pytest.mark.parametrize(
+    ("formula", "items"),
+    [
+        ("2x", (TWO, X)),
+        ("λ", (Symbol(r"\lambda"),)),
+        ("x_1", (Scripts(X, ONE),)),
+        ("x_{1}^2", (Scripts(X, Row((ONE,)), TWO),)),
+        ("x^12", (Scripts(X, None, ONE), TWO)),
+        (r"\frac12.5", (Fraction(ONE, TWO), Operator("."), Number("5"))),
+        ("x_1''", (Scripts(X, ONE, None, 2),)),
+        ("(x)^2", (Scripts(Fenced("(", Row((X,)), ")"), None, TWO),)),
+        ("[0, 1)", (Operator("["), Number("0"), Operator(","), ONE, Operator(")"))),
+        (r"\left.x\right|", (Fenced(".", Row((X,)), "|", tall=True),)),
+        (r"\operatorname{adj} x", (Function("adj", named=True), X)),
+        (r"\sqrt[3]{x}\, y", (Root(Row((X,)), Row((Number("3"),))), Space(r"\,"), Y)),
+        ("{x}y", (Row((X,)), Y)),
+        (r"\begin{array}{c|c} \hline x & 1 \\ \hline \end{array}",
+         (Table("array", ((Row((X,)), Row((ONE,))),), "c|c", (0, 1)),)),
+    ],
+)  # fmt: skip
+def test_trees(formula: str, items: tuple[Node, ...]) -> None:
+    assert read(formula) == Row(items)
+    assert read(latex(Row(items))) == Row(items)
+
+
+@pytest.mark.parametrize(
+    ("typed", "written"),
+    [
+        (r"\lambda I-A", r"\lambda I - A"), ("a=-b", "a = -b"), ("x(1,2)", "x(1, 2)"), ("K_{1,2}", "K_{1,2}"),
+        (r"\sin(t)\cos t", r"\sin(t)\cos t"), (r"a\text{ or }b", r"a \text{ or } b"), ("z:1", "z: 1"),
+        (r"\left(\pi\right)x", r"\left(\pi\right)x"), (r"\sqrt x", r"\sqrt x"), (r"1,\;2", r"1,\; 2"),
+        (r"\begin{aligned}a&=b\\&=c\end{aligned}", "\\begin{aligned}\na &= b \\\\\n&= c\n\\end{aligned}"),
+    ],
+)  # fmt: skip
+def test_a_tree_is_written_with_the_blanks_of_a_person(typed: str, written: str) -> None:
+    assert latex(read(typed)) == written
+
+
+def _rows(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Row]:
+    """Rows whose digits do not run together."""
+    return st.lists(parts, max_size=4).map(_apart).map(Row)
+
+
+def _apart(items: list[Node]) -> tuple[Node, ...]:
+    kept: list[Node] = []
+    for item in items:
+        digits = (Number, Space) if kept and isinstance(kept[-1], Number) else ()
+        if not isinstance(item, digits) and not (isinstance(item, Scripts) and isinstance(item.base, digits)):
+            kept.append(item)
+    return tuple(kept)
+
+
+LEAVES = st.one_of(
+    st.builds(Number, st.sampled_from(["0", "36", "0.25"])),
+    st.builds(Symbol, st.sampled_from(sorted(v.SYMBOLS - v.GREEK_LETTERS.keys()))),
+    st.builds(Operator, st.sampled_from(sorted((v.OPERATORS - v.BRACKETS) - {"."}))),
+    st.builds(Function, st.sampled_from(sorted(name[1:] for name in v.FUNCTIONS))),
+    st.builds(Function, st.sampled_from(["adj", "rank"]), st.just(True)),
+    st.builds(Text, st.text(string.ascii_letters + " ,", max_size=5), st.sampled_from([r"\text", r"\textbf"])),
+    st.builds(Space, st.sampled_from(sorted(v.SPACES))),
+)
+
+
+def _structures(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
+    rows = _rows(parts)
+    bases = parts.filter(lambda node: not isinstance(node, Scripts | Space | Number))
+    lines = st.integers(1, 2).flatmap(lambda n: st.lists(st.tuples(*[rows] * n), min_size=1, max_size=2))
+    return st.one_of(
+        rows,
+        st.builds(Fraction, rows, rows, st.sampled_from(sorted(v.FRACTIONS))),
+        st.builds(Root, rows, st.none() | rows.filter(lambda row: "]" not in latex(row))),
+        st.builds(Scripts, bases, rows, st.none() | rows),
+        st.builds(Scripts, bases, st.none(), st.none(), st.integers(1, 3)),
+        st.builds(lambda body, tall: Fenced("(", body, ")", tall), rows, st.booleans()),
+        st.builds(lambda body: Fenced(r"\{", body, r"\rvert", tall=True), rows),
+        st.builds(Accent, st.sampled_from(sorted(v.ACCENTS)), rows),
+        st.builds(Stacked, st.sampled_from(sorted(v.STACKS)), rows, rows),
+        st.builds(Styled, st.sampled_from(sorted(v.ALPHABETS)), rows),
+        st.builds(Table, st.sampled_from(["bmatrix", "cases", "aligned"]), lines.map(tuple).filter(_last_is_kept)),
+        st.builds(Table, st.just("array"), lines.map(tuple).filter(_last_is_kept), st.just("c|c"), st.just((0, 1))),
+    )
+
+
+def _last_is_kept(rows: tuple[tuple[Row, ...], ...]) -> bool:
+    """Whether the last row is not one empty cell, which would end the table without it."""
+    return rows[-1] != (Row(),)
+
+
+TREES = _rows(st.recursive(LEAVES, _structures, max_leaves=12)).filter(lambda row: latex(row).strip() != "")
+
+
+@given(TREES)
+def test_what_is_written_is_read_again(tree: Row) -> None:
+    assert read(latex(tree)) == tree
+
+
+@given(st.text(max_size=30) | st.text(r"{}^_&\()[]'.0x ", max_size=40))
+def test_any_text_is_read_or_refused_at_a_place_in_it(formula: str) -> None:
+    problem = find_problem(formula)
+    if problem is None:
+        assert read(latex(read(formula))) == read(formula)
+    else:
+        assert 0 <= problem[0] <= len(formula)
+        assert problem[1]
+
+
+@pytest.mark.parametrize("opening", ["{", "(", r"\left(", r"\sqrt{", "x^{", r"\frac1{", r"\begin{matrix}", r"\hat{x_{"])
+def test_deep_nesting_is_refused(opening: str) -> None:
+    problem = find_problem(opening * (LONGEST // len(opening)))
+    assert problem is not None
+    assert problem[0] <= (DEEPEST + 1) * len(opening)
+
+
+@pytest.mark.parametrize("piece", ["x^12", "1.5", "''", "(", ")", "a & ", "{} ", "x_1^2'"])
+def test_a_huge_formula_is_read_in_one_pass(piece: str) -> None:
+    """Every token is looked at a bounded number of times, however long the formula is."""
+    formula = r"\begin{aligned}" + piece * (40_000 // len(piece))
+    assert find_problem(formula) is not None
+
+
+def test_every_kind_of_node_is_known_to_the_visitors() -> None:
+    """`Visitor` has a method for each kind of node, and each of our visitors has them all."""
+    kinds = {kind for _, kind in inspect.getmembers(nodes, inspect.isclass) if issubclass(kind, Node)} - {Node}
+    methods = {each.name for each in _visited()}
+    assert {kind.__name__.lower() for kind in kinds} == methods == set(nodes.Visitor.__abstractmethods__)
+
+
+class _Name:
+    """Answers any question with the name of the method that was asked."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __getattr__(self, name: str) -> object:
+        return lambda _node: _Name(name)
+
+
+def _visited() -> list[_Name]:
+    samples = [X, ONE, Operator("+"), Function("sin"), Text("a"), Space(r"\,"), Row(), Fraction(X, X), Root(X),
+               Scripts(X), Fenced("(", Row(), ")"), Table("matrix", ((Row(),),)), Accent(r"\dot", X),
+               Stacked(r"\overset", X, X), Styled(r"\mathrm", X)]  # fmt: skip
+    return [sample.accept(_Name("")) for sample in samples]  # type: ignore[arg-type]
