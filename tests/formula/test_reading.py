@@ -29,7 +29,8 @@ from solver.formula.nodes import (
     Table,
     Text,
 )
-from solver.formula.reading import DEEPEST, LONGEST
+from solver.formula.reader import DEEPEST
+from solver.formula.reading import LONGEST
 
 GOOD = [
     r"\frac{1}{2}x^{2}",
