@@ -24,12 +24,13 @@ from solver.derivation import (
     Unsolved,
     lemma,
 )
-from solver.derivation.stated import difference, inverse, product, total
 from solver.derivation.steps import Claim
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.problem.model import Display, Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import inverse
 from solver.systems import StateSpace, System, TransferFunction
 from solver.tasks import catalogue
 

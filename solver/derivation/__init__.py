@@ -16,7 +16,6 @@ from solver.derivation.options import (
     TransferFunctionOption,
 )
 from solver.derivation.registry import AnswerName, Derivation, Given, Method, Task, lemma
-from solver.derivation.stated import Stated
 from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResult, Status, Step, Unsolved
 
 __all__ = [
@@ -41,7 +40,6 @@ __all__ = [
     "OptionKind",
     "PartResult",
     "Poles",
-    "Stated",
     "Status",
     "Step",
     "Task",

@@ -31,8 +31,8 @@ class Unsolved(Exception):  # noqa: N818 - not an error of the program: the math
 class Claim:
     """An equality that a step displays. The engine evaluates both sides numerically at random points.
 
-    `left` is the formula as stated (see `stated`), `right` what it was found to be; each is an expression, a matrix
-    or a `Stated` formula. `says` names the equality in the table of checks (Markdown with $math$).
+    `left` is the formula as stated (see `solver.stated`), `right` what it was found to be; each is an expression, a
+    matrix or a `Stated` formula. `says` names the equality in the table of checks (Markdown with $math$).
     """
 
     left: Any

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from solver.derivation import Check, PartResult, Stated, Step
+from solver.derivation import Check, PartResult, Step
 from solver.render.plain import sympy_text
 from solver.render.view import PartView, SolutionView, view_of
 from solver.render.wording import WordedStep
+from solver.stated import Stated
 
 if TYPE_CHECKING:
     from solver.engine import Solution

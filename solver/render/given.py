@@ -7,9 +7,9 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation.stated import quotient
 from solver.render.displays import display
 from solver.render.width import LINE, width
+from solver.stated.algebra import quotient
 from solver.systems import StateSpace, System, TransferFunction
 
 GAP = r",\qquad "

@@ -13,13 +13,13 @@ from typing import Any
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
-from solver.derivation.stated import Stated
+from solver.formula.pieces import as_base, as_factor, joined, parenthesized, summed
 from solver.render.latex_objects import FUNCTIONS, ObjectPrinter
 from solver.render.numbers import NumberFormat
 from solver.render.order import ordered_terms
-from solver.render.pieces import as_base, as_factor, joined, parenthesized, summed
 from solver.render.symbols import name_tex
 from solver.render.terms import Term, common_fraction, evaluated, like_terms_added, split
+from solver.stated import Stated, operation_named
 
 REMEMBERED = 20_000
 """Expressions whose LaTeX a printer keeps."""
@@ -216,9 +216,7 @@ class Printer(ObjectPrinter):
         return self._print(evaluated(expr))
 
     def _print_Stated(self, expr: Stated) -> str:
-        from solver.render.stated_latex import stated_tex  # noqa: PLC0415 - it prints operands by this printer
-
-        return stated_tex(expr, self._print)
+        return operation_named(expr.operation).printer(self._print, *expr.operands)
 
 
 @lru_cache(maxsize=16)

@@ -11,9 +11,9 @@ from typing import Any
 import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
+from solver.formula.pieces import parenthesized, summed
 from solver.matrices import entries
 from solver.render.numbers import NumberFormat
-from solver.render.pieces import parenthesized, summed
 from solver.render.symbols import name_tex
 
 FUNCTIONS = {

@@ -9,10 +9,10 @@ from typing import Any
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
-from solver.derivation.stated import Stated
 from solver.render.latex import DEFAULT, tex
 from solver.render.numbers import NumberFormat
 from solver.render.unicode_math import drawn
+from solver.stated import Stated
 
 DIGITS = 15
 """Significant digits of decimals in data."""

@@ -28,6 +28,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 from solver import resources
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import Displayed
+from solver.formula.pieces import is_sum, joined, parenthesized, summed
 from solver.markup import math_problems
 from solver.problem.model import Part
 from solver.render.displays import READABLE, aligned, chain, display, entries
@@ -35,7 +36,6 @@ from solver.render.given import given_markdown
 from solver.render.latex import DEFAULT, tex, tex_answer
 from solver.render.notation import COURSE, NOTATIONS, answer_symbol
 from solver.render.numbers import NumberFormat
-from solver.render.pieces import is_sum, joined, parenthesized, summed
 from solver.render.prose import plain
 from solver.render.recording import Recorder
 from solver.render.width import LINE, width

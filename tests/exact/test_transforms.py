@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 
 from solver import exact
-from solver.derivation.stated import Stated
+from solver.stated import Stated
 from tests.helpers.exact_cases import DECIMAL, EXACT, NUMERIC, RATIONAL, companion, each, x
 
 s, t, z, k = sp.symbols("s t z k")

@@ -5,7 +5,6 @@ import sympy as sp
 
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import FIRST_MARK, Displayed, Written
-from solver.derivation.stated import determinant
 from solver.formula import read
 from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
@@ -14,6 +13,7 @@ from solver.render.notation import NOTATIONS
 from solver.render.numbers import NumberFormat
 from solver.render.width import LINE, broken, width
 from solver.render.wording import Wording, WordingError
+from solver.stated.matrices import determinant
 from solver.systems import StateSpace, TransferFunction
 
 A = sp.ImmutableMatrix([[0, 1], [-2, -3]])

@@ -3,8 +3,9 @@
 import pytest
 import sympy as sp
 
-from solver.derivation import CheckStatus, Claim, Stated, Status
+from solver.derivation import CheckStatus, Claim, Status
 from solver.numeric import check_claim
+from solver.stated import Stated
 from solver.tasks import catalogue
 from tests.helpers.asking import EXAMPLE_OPTIONS, ask, system
 

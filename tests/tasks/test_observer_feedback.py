@@ -8,8 +8,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from solver.derivation import CheckStatus, Claim, Stated, Status
+from solver.derivation import CheckStatus, Claim, Status
 from solver.numeric import check_claim
+from solver.stated import Stated
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems

@@ -15,7 +15,6 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from solver.derivation.stated import Stated, product, quotient
 from solver.exact.functions.closed_forms import MatrixFunction, closed_form
 from solver.exact.functions.residues import (
     FactorResidues,
@@ -39,6 +38,8 @@ from solver.exact.linear_algebra.fields import (
 )
 from solver.exact.linear_algebra.instances import value_at
 from solver.exact.linear_algebra.spectrum import Factor, Root, spectrum
+from solver.stated import Stated
+from solver.stated.algebra import product, quotient
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,6 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from solver.derivation.stated import Stated
 from solver.exact.functions.closed_forms import closed_form, polar
 from solver.exact.functions.rational import (
     RationalMatrix,
@@ -25,6 +24,7 @@ from solver.exact.functions.residues import residues_at
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import Modulus, collected
 from solver.exact.linear_algebra.spectrum import Factor, Root, irreducible_factors
+from solver.stated import Stated
 
 
 @lru_cache(maxsize=16)

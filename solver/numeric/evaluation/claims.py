@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from solver.derivation import Check, CheckStatus, Claim, Stated, Step
+from solver.derivation import Check, CheckStatus, Claim, Step
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic
 from solver.numeric.evaluation.compare import TOLERANCE, Point, worst_residual
 from solver.numeric.evaluation.contour import REACH
@@ -17,6 +17,7 @@ from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import PointSource, first_points, free_symbols, whole_symbols
 from solver.numeric.evaluation.poles import circle_around_poles
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined, Value
+from solver.stated import Stated
 
 POINTS = 3
 POINTS_OF_WHOLE_NUMBERS = 5

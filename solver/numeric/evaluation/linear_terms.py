@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from solver.derivation import Stated
 from solver.numeric.evaluation.points import free_symbols
+from solver.stated import Stated
 
 
 class Term(NamedTuple):

@@ -11,8 +11,8 @@ import sympy as sp
 from sympy.functions.special.tensor_functions import KroneckerDelta
 from sympy.matrices.matrixbase import MatrixBase
 
-from solver.derivation import Stated
 from solver.matrices import entries
+from solver.stated import Stated, operation_named
 
 SEED = 20_011  # any constant will do
 COMPLEX_NAMES = frozenset({"s", "z", "lamda", "lambda"})
@@ -22,19 +22,13 @@ NEVER_WHOLE = COMPLEX_NAMES | {"t"}
 """Symbols that by convention vary continuously."""
 
 WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
-BOUND = {"inverse_laplace": 1, "inverse_z": 1, "integral": 1, "value_at": 1, "summation": 1}
-"""Operations that bind a variable, and which operand it is; the image or function is operand 0."""
-
 BINDS_NOTHING = (sp.Add, sp.Mul, sp.Pow, sp.Tuple, sp.ImmutableDenseMatrix)
 
 
 def free_symbols(formula: Any) -> frozenset[Any]:
     """Return the symbols whose values the formula needs."""
     if isinstance(formula, Stated):
-        if formula.operation in BOUND:
-            body, variable, *others = formula.operands
-            return (free_symbols(body) - {variable}).union(*map(free_symbols, others))
-        return frozenset().union(*map(free_symbols, formula.operands))
+        return _symbols_of_stated(formula)
     if isinstance(formula, sp.Basic):
         return _symbols_in(formula)  # an immutable matrix too
     if isinstance(formula, MatrixBase):
@@ -42,6 +36,17 @@ def free_symbols(formula: Any) -> frozenset[Any]:
     if isinstance(formula, list | tuple):
         return frozenset().union(*map(free_symbols, formula))
     return frozenset()
+
+
+def _symbols_of_stated(formula: Stated) -> frozenset[Any]:
+    """Return the free symbols of the operands; what the operation binds is none where it binds it."""
+    binding, operands = operation_named(formula.operation).binding, formula.operands
+    if binding is None:
+        return frozenset().union(*map(free_symbols, operands))
+    bound = operands[binding.variable]
+    inside = frozenset().union(*(free_symbols(operands[i]) for i in binding.within))
+    others = (each for i, each in enumerate(operands) if i != binding.variable and i not in binding.within)
+    return (inside - {bound}).union(*map(free_symbols, others))
 
 
 @lru_cache(maxsize=8192)
@@ -71,8 +76,9 @@ def whole_symbols(*formulas: Any, names: Collection[str] = (), symbols: frozense
 
 def _whole_in(node: Any) -> set[Any]:
     if isinstance(node, Stated):
-        if node.operation in ("inverse_z", "summation"):
-            return set(free_symbols(list(node.operands[2:])))
+        whole = operation_named(node.operation).whole
+        if whole:
+            return set(free_symbols([node.operands[i] for i in whole]))
         if node.operation == "power" and isinstance(node.operands[0], MatrixBase):
             return set(free_symbols(node.operands[1]))
         return set()

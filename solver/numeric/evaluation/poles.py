@@ -15,13 +15,13 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.matrixbase import MatrixBase
 
-from solver.derivation import Stated
 from solver.matrices import entries
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.points import free_symbols
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Value
 from solver.numeric.evaluation.walk import walk
+from solver.stated import Stated
 
 EPS = 2.0**-52
 TRANSPARENT = ("adjugate", "determinant", "difference", "product", "total", "trace", "transpose")

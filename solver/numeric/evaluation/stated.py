@@ -1,4 +1,4 @@
-"""Evaluation of formulas as stated (`solver.derivation.stated`): the operations of matrix algebra.
+"""Evaluation of formulas as stated (`solver.stated`): the operations of matrix algebra.
 
 Each operation has an algorithm of its own here; magnitudes bound the rounding to first order.
 """
@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from solver.derivation import Stated
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined, Value, shape_of
 from solver.numeric.evaluation.walk import floored, general_power, rule, walk, whole_power
+from solver.stated import Stated
 
 Operation = Callable[..., Value]
 OPERATIONS: dict[str, Operation] = {}

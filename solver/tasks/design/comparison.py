@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim
-from solver.derivation.stated import product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product, total
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol

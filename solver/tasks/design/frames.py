@@ -7,8 +7,10 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Unsolved
-from solver.derivation.stated import Stated, determinant, difference, product
 from solver.lazy import sympy as sp
+from solver.stated import Stated
+from solver.stated.algebra import difference, product
+from solver.stated.matrices import determinant
 from solver.words import formula
 
 if TYPE_CHECKING:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.figures import Diagram
-from solver.derivation.stated import determinant, difference, product, transpose
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, product
+from solver.stated.matrices import determinant, transpose
 from solver.tasks.design.frames import Placement, characteristic
 from solver.tasks.design.observer_gain import number_fault, require_decay
 from solver.tasks.design.placement import place

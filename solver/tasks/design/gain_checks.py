@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Claim
-from solver.derivation.stated import difference, product
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated.algebra import difference, product
 from solver.tasks.design.frames import characteristic, unknown_gains
 
 if TYPE_CHECKING:

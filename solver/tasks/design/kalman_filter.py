@@ -6,10 +6,11 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task, lemma
-from solver.derivation.stated import difference, inverse, product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
+from solver.stated.algebra import difference, product
+from solver.stated.matrices import inverse
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (

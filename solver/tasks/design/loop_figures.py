@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.figures import Curve, Diagram, Plot
-from solver.derivation.stated import exponential, power, product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import exponential, power, product
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix

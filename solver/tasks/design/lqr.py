@@ -19,10 +19,11 @@ from solver.derivation import (
     Task,
     lemma,
 )
-from solver.derivation.stated import difference, inverse, product
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
+from solver.stated.algebra import difference, product
+from solver.stated.matrices import inverse
 from solver.tasks.design.regulator import Regulator, faulty_weights
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (

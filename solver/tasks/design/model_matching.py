@@ -18,10 +18,11 @@ from solver.derivation import (
     TransferFunctionOption,
     Unsolved,
 )
-from solver.derivation.stated import difference, inverse, product, quotient, total
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated.algebra import difference, product, quotient, total
+from solver.stated.matrices import inverse
 from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place

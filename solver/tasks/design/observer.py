@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Option, Poles, Task
-from solver.derivation.stated import difference, product
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated.algebra import difference, product
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
 from solver.tasks.freedom import observer_gain_is_free

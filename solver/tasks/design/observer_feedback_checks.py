@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Claim, Given
-from solver.derivation.stated import product
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated.algebra import product
 from solver.tasks.design.plants import Plant, measuring
 from solver.tasks.design.reduced_observer_checks import order_of_states
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import determinant, difference, power, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, power, product, total
+from solver.stated.matrices import determinant
 from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import unknown_gains
 from solver.words import formula

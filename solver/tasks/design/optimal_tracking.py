@@ -18,10 +18,11 @@ from solver.derivation import (
     Task,
 )
 from solver.derivation.figures import Diagram
-from solver.derivation.stated import inverse, product
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design, optimal
+from solver.stated.algebra import product
+from solver.stated.matrices import inverse
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import FLOATS, gain_check

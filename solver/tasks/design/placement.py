@@ -11,9 +11,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import determinant, difference, inverse, power, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, power, total
+from solver.stated.matrices import determinant, inverse
 from solver.tasks.design.frames import Frame, Pair, Placement, Wanted, characteristic, linear_factors, movable_poles
 from solver.tasks.design.placement_methods import METHODS, matched
 

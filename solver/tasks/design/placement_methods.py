@@ -6,9 +6,10 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import difference, inverse, power, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, power, product, total
+from solver.stated.matrices import inverse
 from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import Pair, Placement, characteristic, movable_poles
 

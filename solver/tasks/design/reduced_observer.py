@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Claim, Derivation, Given, Names, Option, Poles, Step, Task, Unsolved
-from solver.derivation.stated import partitioned, product, total
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product, total
+from solver.stated.matrices import partitioned
 from solver.tasks.design import reduced_observer_checks as checks
 from solver.tasks.design.plants import measuring
 from solver.tasks.design.reduced_order import (

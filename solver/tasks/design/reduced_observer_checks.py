@@ -8,10 +8,12 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Claim, Given
-from solver.derivation.stated import Stated, difference, inverse, product, total
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated import Stated
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import inverse
 from solver.tasks.design.plants import Plant, measuring
 
 if TYPE_CHECKING:

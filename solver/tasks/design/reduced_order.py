@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.figures import Diagram
-from solver.derivation.stated import Stated, determinant, difference, inverse, partitioned, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated import Stated
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import determinant, inverse, partitioned
 from solver.tasks.design.observer_gain import Gain, Pair, gain_of, number_fault
 from solver.tasks.design.plants import Plant
 

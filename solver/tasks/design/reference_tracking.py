@@ -18,10 +18,11 @@ from solver.derivation import (
     Task,
     Unsolved,
 )
-from solver.derivation.stated import determinant, difference, inverse, product, rank, total
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import determinant, inverse, rank
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable

@@ -6,9 +6,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation.stated import Stated, inverse, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated import Stated
+from solver.stated.algebra import product, total
+from solver.stated.matrices import inverse
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import determinant, difference, inverse, power, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, power, product, total
+from solver.stated.matrices import determinant, inverse
 from solver.tasks.design.regulator import Regulator
 from solver.words import formula
 

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import product, value_at
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product
+from solver.stated.calculus import value_at
 from solver.words import formula
 
 if TYPE_CHECKING:

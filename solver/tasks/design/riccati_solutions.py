@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Claim, Derivation, Step, lemma
-from solver.derivation.stated import determinant, difference
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference
+from solver.stated.matrices import determinant
 from solver.tasks.design.regulator import Regulator
 from solver.tasks.design.riccati import (
     hamiltonian_step,

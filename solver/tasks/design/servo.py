@@ -6,10 +6,11 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, Unsolved, lemma
-from solver.derivation.stated import determinant, difference, inverse, product, rank
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated.algebra import difference, product
+from solver.stated.matrices import determinant, inverse, rank
 from solver.tasks.design.gain_checks import Asked, judge_gain
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place

@@ -7,10 +7,12 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import Stated, determinant, inverse, product, total, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated import Stated
+from solver.stated.algebra import product, total
+from solver.stated.matrices import determinant, inverse, transpose
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix

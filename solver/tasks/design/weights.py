@@ -6,8 +6,10 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Given, Step, lemma
-from solver.derivation.stated import Stated, product, transpose
 from solver.lazy import sympy as sp
+from solver.stated import Stated
+from solver.stated.algebra import product
+from solver.stated.matrices import transpose
 from solver.tasks.design.regulator import faulty_weights, given_or_identity
 
 if TYPE_CHECKING:

@@ -6,10 +6,12 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
-from solver.derivation.stated import Stated, determinant, difference, product, quotient, total, trace
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra as judges
+from solver.stated import Stated
+from solver.stated.algebra import difference, product, quotient, total
+from solver.stated.matrices import determinant, trace
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
-from solver.derivation.stated import power, product, value_at
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra as judges
+from solver.stated.algebra import power, product
+from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 
 if TYPE_CHECKING:

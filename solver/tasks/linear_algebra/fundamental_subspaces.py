@@ -6,9 +6,10 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task
-from solver.derivation.stated import product, rank, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product
+from solver.stated.matrices import rank, transpose
 from solver.tasks.structure.row_operations import rank_exceptions, row_operations
 
 if TYPE_CHECKING:

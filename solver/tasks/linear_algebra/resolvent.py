@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import adjugate, inverse, inverse_laplace, inverse_z, power, quotient, total
 from solver.lazy import exact
+from solver.stated.algebra import power, quotient, total
+from solver.stated.matrices import adjugate, inverse
+from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 
 if TYPE_CHECKING:

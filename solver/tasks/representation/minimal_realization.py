@@ -6,10 +6,11 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task
-from solver.derivation.stated import product, rank
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import representation as judges
+from solver.stated.algebra import product
+from solver.stated.matrices import rank
 from solver.tasks.representation.plants import matrices_of, numbers_of, stated_matrix, variable_of
 from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
 from solver.tasks.representation.realization_lemmas import assembled, companion_form_of, direct_path_of

@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import Stated, derivative, difference, power, product, quotient, total, value_at
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated import Stated
+from solver.stated.algebra import difference, power, product, quotient, total
+from solver.stated.calculus import derivative, value_at
 from solver.tasks.representation.realization_lemmas import assembled, plain, proper_part
 from solver.words import formula
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import inverse, product
 from solver.lazy import exact
+from solver.stated.algebra import product
+from solver.stated.matrices import inverse
 from solver.tasks.representation.plants import matrices_of, variable_of
 from solver.tasks.representation.realization_lemmas import assembled
 

@@ -6,10 +6,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Given
-from solver.derivation.stated import Stated, difference, inverse, product, total
 from solver.lazy import sympy as sp
 from solver.lazy import systems
 from solver.numeric.judges import representation as judges
+from solver.stated import Stated
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import inverse
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from solver.derivation import Answers, Check, Claim, Given
-from solver.derivation.stated import determinant, difference, product, quotient, total
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra, representation
+from solver.stated.algebra import difference, product, quotient, total
+from solver.stated.matrices import determinant
 from solver.tasks.representation.plants import stated_matrix, stated_transfer, variable_of
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import difference, inverse, product, quotient, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, product, quotient, total
+from solver.stated.matrices import inverse
 
 
 @lemma("realization")

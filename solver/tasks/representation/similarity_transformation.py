@@ -7,9 +7,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task
-from solver.derivation.stated import adjugate, determinant, difference, inverse, product, quotient
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, product, quotient
+from solver.stated.matrices import adjugate, determinant, inverse
 from solver.tasks.representation.plants import matrices_of, stated_transfer, variable_of
 
 if TYPE_CHECKING:

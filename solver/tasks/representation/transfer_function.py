@@ -7,10 +7,11 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Channel, Check, Claim, Derivation, Given, Option, Step, Task, lemma
-from solver.derivation.stated import Stated, difference, power, product, quotient, total
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import representation as judges
+from solver.stated import Stated
+from solver.stated.algebra import difference, power, product, quotient, total
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
 from solver.tasks.representation.plants import (

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import Stated, difference, product, total, transpose
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated import Stated
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import transpose
 from solver.tasks.structure.row_operations import row_operations
 
 if TYPE_CHECKING:

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, Unsolved
-from solver.derivation.stated import determinant, difference, exponential, power, product, trace
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra, stability
+from solver.stated.algebra import difference, exponential, power, product
+from solver.stated.matrices import determinant, trace
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.stability.trajectories import portrait_of
 from solver.words import formula

@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import derivative, difference, partitioned, power, product, quotient, value_at
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, power, product, quotient
+from solver.stated.calculus import derivative, value_at
+from solver.stated.matrices import partitioned
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 
 if TYPE_CHECKING:

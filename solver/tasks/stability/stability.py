@@ -19,9 +19,10 @@ from solver.derivation import (
     Task,
     Unsolved,
 )
-from solver.derivation.stated import determinant, power, product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import power, product
+from solver.stated.matrices import determinant
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.stability import checks
 from solver.tasks.stability.lyapunov_equation import lyapunov_solution_of

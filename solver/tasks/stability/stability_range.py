@@ -7,10 +7,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Names, Option, Step, Task, Unsolved
-from solver.derivation.stated import value_at
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import stability as judges
+from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.stability.routh_array import routh_array_of
 from solver.words import formula

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import difference, inverse, power, product, quotient, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, power, product, quotient, total
+from solver.stated.matrices import inverse
 from solver.words import formula
 
 if TYPE_CHECKING:

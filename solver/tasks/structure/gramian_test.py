@@ -5,20 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
-from solver.derivation.stated import (
-    determinant,
-    difference,
-    exponential,
-    integral,
-    power,
-    product,
-    rank,
-    summation,
-    total,
-    transpose,
-)
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, exponential, power, product, total
+from solver.stated.calculus import integral, summation
+from solver.stated.matrices import determinant, rank, transpose
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.structure.pairs import Pair
 from solver.words import formula

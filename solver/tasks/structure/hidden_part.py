@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import determinant, power, product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import power, product
+from solver.stated.matrices import determinant
 from solver.tasks.structure.pairs import Pair
 
 

@@ -20,10 +20,12 @@ from solver.derivation import (
     Step,
     Task,
 )
-from solver.derivation.stated import Stated, inverse, partitioned, product, transpose
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import structure as judges
+from solver.stated import Stated
+from solver.stated.algebra import product
+from solver.stated.matrices import inverse, partitioned, transpose
 from solver.tasks.structure.pairs import controllability_pair, observability_pair
 from solver.tasks.structure.parts import parts_of
 from solver.tasks.structure.row_operations import rank_exceptions

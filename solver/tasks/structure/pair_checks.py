@@ -6,20 +6,12 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from solver.derivation import Answers, Check, Claim, Given
-from solver.derivation.stated import (
-    determinant,
-    difference,
-    exponential,
-    integral,
-    power,
-    product,
-    summation,
-    total,
-    transpose,
-)
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import structure as judges
+from solver.stated.algebra import difference, exponential, power, product, total
+from solver.stated.calculus import integral, summation
+from solver.stated.matrices import determinant, transpose
 from solver.tasks.structure.pairs import Pair
 
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim
-from solver.derivation.stated import product
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix

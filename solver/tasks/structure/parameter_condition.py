@@ -19,10 +19,10 @@ from solver.derivation import (
     Task,
     Unsolved,
 )
-from solver.derivation.stated import determinant, rank
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import structure as judges
+from solver.stated.matrices import determinant, rank
 from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair

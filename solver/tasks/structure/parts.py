@@ -7,9 +7,11 @@ from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import Stated, determinant, difference, inverse, partitioned, product, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated import Stated
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import determinant, inverse, partitioned
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix

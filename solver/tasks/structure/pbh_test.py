@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import product, rank
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product
+from solver.stated.matrices import rank
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.structure.pairs import Pair
 from solver.tasks.structure.row_operations import row_operations

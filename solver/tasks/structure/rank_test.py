@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import determinant, rank
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.matrices import determinant, rank
 from solver.tasks.linear_algebra.characteristic_polynomial import expansion_of, shape_of
 from solver.tasks.structure.pairs import Pair
 from solver.tasks.structure.row_operations import rank_exceptions, row_operations

@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import integral, inverse_laplace, inverse_z, product, summation, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product, total
+from solver.stated.calculus import integral, summation
+from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
 from solver.tasks.time_response.question import Question
 

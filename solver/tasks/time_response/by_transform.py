@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.derivation.stated import inverse, inverse_laplace, inverse_z, product, quotient, total
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product, quotient, total
+from solver.stated.matrices import inverse
+from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.resolvent import completed_squares_of
 from solver.tasks.time_response.question import Question, entry_or_column
 

@@ -17,10 +17,11 @@ from solver.derivation import (
     Step,
     Task,
 )
-from solver.derivation.stated import inverse, power, product, total
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
+from solver.stated.algebra import power, product, total
+from solver.stated.matrices import inverse
 from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.time_response.state_transition_matrix import require_diagonalizable

@@ -8,10 +8,11 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Check, Claim, Given
-from solver.derivation.stated import derivative, product, total, value_at
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
+from solver.stated.algebra import product, total
+from solver.stated.calculus import derivative, value_at
 from solver.words import formula
 
 if TYPE_CHECKING:

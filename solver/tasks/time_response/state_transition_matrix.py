@@ -19,20 +19,14 @@ from solver.derivation import (
     Task,
     Unsolved,
 )
-from solver.derivation.stated import (
-    Stated,
-    derivative,
-    inverse,
-    inverse_laplace,
-    inverse_z,
-    power,
-    product,
-    total,
-    value_at,
-)
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
+from solver.stated import Stated
+from solver.stated.algebra import power, product, total
+from solver.stated.calculus import derivative, value_at
+from solver.stated.matrices import inverse
+from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
 from solver.words import formula

@@ -6,9 +6,10 @@ from typing import Any
 
 from solver.derivation import Answers, Claim, Derivation, Step, lemma
 from solver.derivation.figures import Curve, Mark, Plot
-from solver.derivation.stated import derivative, product, total, value_at
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import product, total
+from solver.stated.calculus import derivative, value_at
 from solver.tasks.time_response.question import Question, entry_or_column
 
 

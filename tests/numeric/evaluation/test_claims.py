@@ -7,11 +7,13 @@ import pytest
 import sympy as sp
 
 from solver.derivation import CheckStatus, Claim, Step
-from solver.derivation.stated import determinant, exponential, inverse_laplace, inverse_z, power, product
 from solver.numeric import check_claim, check_residual, check_steps
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.points import PointSource, free_symbols, whole_symbols
 from solver.numeric.evaluation.values import NotEvaluable
+from solver.stated.algebra import exponential, power, product
+from solver.stated.matrices import determinant
+from solver.stated.transforms import inverse_laplace, inverse_z
 
 a, b, k, s, t, x = sp.symbols("a b k s t x")
 positive = sp.Symbol("m", positive=True)

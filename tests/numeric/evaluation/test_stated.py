@@ -1,6 +1,5 @@
 """Every stated operation: what is right passes, what is nearly right fails."""
 
-import inspect
 import itertools
 import subprocess
 import sys
@@ -8,34 +7,18 @@ import sys
 import pytest
 import sympy as sp
 
-from solver.derivation import CheckStatus, Claim, stated
-from solver.derivation.stated import (
-    adjugate,
-    derivative,
-    determinant,
-    difference,
-    exponential,
-    integral,
-    inverse,
-    inverse_laplace,
-    inverse_z,
-    partitioned,
-    power,
-    product,
-    quotient,
-    rank,
-    summation,
-    total,
-    trace,
-    transpose,
-    value_at,
-)
+from solver.derivation import CheckStatus, Claim
 from solver.numeric import NotEvaluable, check_claim
 from solver.numeric.evaluation.arithmetic import multiple
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.stated import OPERATIONS
 from solver.numeric.evaluation.values import SAFETY
+from solver.stated import Stated, every_operation
+from solver.stated.algebra import difference, exponential, power, product, quotient, total
+from solver.stated.calculus import derivative, integral, summation, value_at
+from solver.stated.matrices import adjugate, determinant, inverse, partitioned, rank, trace, transpose
+from solver.stated.transforms import inverse_laplace, inverse_z
 
 s, t, z, k, x, tau, w = sp.symbols("s t z k x tau omega", positive=None)
 a = sp.Symbol("a", real=True)
@@ -153,18 +136,15 @@ def test_a_nearly_right_statement_fails(left, right):
 
 
 def test_every_operation_that_can_be_stated_can_be_evaluated_and_is_in_the_table():
-    functions = inspect.getmembers(stated, inspect.isfunction)
-    names = {name for name, function in functions if function.__module__ == stated.__name__}
-    assert set(OPERATIONS) >= names
-    assert {left.operation for left, _ in RIGHT if isinstance(left, stated.Stated)} >= names
+    assert set(OPERATIONS) >= set(every_operation())
+    assert {left.operation for left, _ in RIGHT if isinstance(left, Stated)} >= set(every_operation())
 
 
 def test_every_operation_can_be_evaluated_whatever_was_imported_before():
     modules = "from solver.numeric import check_claim; from solver.numeric.evaluation.stated import OPERATIONS"
     code = f"{modules}; print(*OPERATIONS)"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    functions = inspect.getmembers(stated, inspect.isfunction)
-    assert set(found.stdout.split()) >= {name for name, each in functions if each.__module__ == stated.__name__}
+    assert set(found.stdout.split()) >= set(every_operation())
 
 
 @pytest.mark.parametrize(
@@ -238,6 +218,6 @@ def test_shapes_that_do_not_fit_fail_the_claim(claim):
     ],
 )
 def test_a_rank_is_decided_with_as_many_digits_as_it_takes(matrix, right):
-    formula = stated.rank(sp.ImmutableMatrix(matrix))
+    formula = rank(sp.ImmutableMatrix(matrix))
     assert check_claim(Claim(formula, sp.Integer(right)), "").status is CheckStatus.PASSED
     assert check_claim(Claim(formula, sp.Integer(right + 1)), "").status is CheckStatus.FAILED

@@ -10,11 +10,11 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from solver.derivation.stated import difference, product
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.points import SEED, admissible, free_symbols
 from solver.numeric.judges.linear_algebra.eigen import spectrum_residual
+from solver.stated.algebra import difference, product
 
 DIGITS = 60
 NEAR = 1e-9

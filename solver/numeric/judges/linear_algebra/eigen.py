@@ -13,12 +13,13 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from solver.derivation.stated import determinant, difference, product
 from solver.numeric.evaluation.compare import Point
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import SEED, admissible, free_symbols
+from solver.stated.algebra import difference, product
+from solver.stated.matrices import determinant
 
 SAME_SIZE = 4.0
 """Eigenvalues whose sizes differ by less than this factor share a point of comparison."""

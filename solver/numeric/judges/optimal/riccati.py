@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from solver.derivation.stated import difference, inverse, product, total, transpose
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.equalities import equality_residual
@@ -16,6 +15,8 @@ from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import ShapeMismatch
 from solver.numeric.judges.optimal.regulator import Optimum, Weights, hurwitz, matrix_at, optima, relative, worst
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import inverse, transpose
 
 
 def riccati_residual(weights: Weights, P: Any) -> float:

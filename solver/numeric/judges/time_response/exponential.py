@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from solver.derivation.stated import exponential, power, product
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import Point
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import admissible, free_symbols
+from solver.stated.algebra import exponential, power, product
 
 TIMES = (0.0, 0.61, 2.3)
 """Times in units of 1/ρ(A), the spectral radius (of a nilpotent A: of one over its norm)."""

@@ -13,13 +13,15 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from solver.derivation.stated import Stated, exponential, integral, product, total
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import admissible, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
+from solver.stated import Stated
+from solver.stated.algebra import exponential, product, total
+from solver.stated.calculus import integral
 
 JUMPS = (sp.Heaviside, sp.DiracDelta)
 

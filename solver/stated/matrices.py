@@ -1,0 +1,88 @@
+"""Operations on a matrix: its determinant, inverse, rank and what else has a name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from solver.formula.pieces import as_base, parenthesized
+from solver.stated.declaration import Printer, Show, Stated, operation
+
+
+def determinant(matrix: Any) -> Stated:
+    """det M of a square matrix."""
+    return Stated("determinant", (matrix,))
+
+
+def adjugate(matrix: Any) -> Stated:
+    """adj M, the transposed matrix of cofactors."""
+    return Stated("adjugate", (matrix,))
+
+
+def partitioned(matrix: Any, rows: Sequence[int], columns: Sequence[int]) -> Stated:
+    """M itself, drawn with lines after some rows and columns (counted from 1, e.g. (2,) and (2,))."""
+    return Stated("partitioned", (matrix, tuple(rows), tuple(columns)))
+
+
+def rank(matrix: Any) -> Stated:
+    """rank M; with parameters the generic one."""
+    return Stated("rank", (matrix,))
+
+
+def trace(matrix: Any) -> Stated:
+    """tr M."""
+    return Stated("trace", (matrix,))
+
+
+def inverse(matrix: Any) -> Stated:
+    """M⁻¹."""
+    return Stated("inverse", (matrix,))
+
+
+def transpose(matrix: Any) -> Stated:
+    """Mᵀ."""
+    return Stated("transpose", (matrix,))
+
+
+def _named(operator: str) -> Printer:
+    """An operator before a matrix: `det [..]`, `adj(..)`."""
+
+    def write(show: Show, matrix: Any) -> str:
+        tex = show(matrix)
+        return f"{operator}{tex if _is_matrix(tex) else parenthesized(tex)}"
+
+    return write
+
+
+def _is_matrix(tex: str) -> bool:
+    return as_base(tex) == tex and tex.startswith(r"\begin")
+
+
+operation(determinant)(_named(r"\det"))
+operation(adjugate)(_named(r"\operatorname{adj}"))
+operation(rank)(_named(r"\operatorname{rank}"))
+operation(trace)(_named(r"\operatorname{tr}"))
+
+
+@operation(partitioned)
+def _partitioned(show: Show, matrix: Any, rows: Any, columns: Any) -> str:
+    """Return the matrix with lines; those at its edges are left out, and brackets alone need no array."""
+    whole = show(matrix)
+    body = whole.removeprefix(r"\begin{bmatrix}").removesuffix(r"\end{bmatrix}")
+    across = {i for i in rows if 0 < i < matrix.rows}
+    letters = "".join("c|" if 0 < j < matrix.cols and j in columns else "c" for j in range(1, matrix.cols + 1))
+    if body == whole or not (across or "|" in letters):
+        return whole
+    lines = body.split(r" \\ ")
+    ruled = r" \\ ".join(rf"\hline {line}" if i in across else line for i, line in enumerate(lines))
+    return rf"\left[\begin{{array}}{{{letters}}}{ruled}\end{{array}}\right]"
+
+
+@operation(inverse)
+def _inverse(show: Show, matrix: Any) -> str:
+    return f"{as_base(show(matrix))}^{{-1}}"
+
+
+@operation(transpose)
+def _transpose(show: Show, matrix: Any) -> str:
+    return f"{as_base(show(matrix))}^{{T}}"

@@ -1,0 +1,28 @@
+"""The Laplace and the z-transform and their inverses."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from solver.stated.declaration import Binding, Printer, Show, Stated, operation
+
+
+def inverse_laplace(image: Any, s: Any, t: Any) -> Stated:
+    """ℒ⁻¹{F(s)}(t), t ≥ 0, of a rational F (a scalar or a matrix)."""
+    return Stated("inverse_laplace", (image, s, t))
+
+
+def inverse_z(image: Any, z: Any, k: Any) -> Stated:
+    """𝒵⁻¹{F(z)}(k), k = 0, 1, …, of a rational F (a scalar or a matrix)."""
+    return Stated("inverse_z", (image, z, k))
+
+
+def _transform(letter: str) -> Printer:
+    def write(show: Show, image: Any, *_variables: Any) -> str:
+        return rf"{letter}\left\{{{show(image)}\right\}}"
+
+    return write
+
+
+operation(inverse_laplace, binding=Binding(1))(_transform(r"\mathcal{L}^{-1}"))
+operation(inverse_z, binding=Binding(1), whole=(2,))(_transform(r"\mathcal{Z}^{-1}"))
