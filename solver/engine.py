@@ -33,6 +33,7 @@ from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
 from solver.systems import StateSpace, System, TransferFunction
 from solver.tasks import catalogue
+from solver.words import Reason
 
 Earlier = Mapping[str, PartResult]
 """Results of earlier parts by the part's id, each by the part's first method."""
@@ -111,7 +112,7 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     task = catalogue()[part.task]
     steps: list[Step] = []
     answers = Answers()
-    reason = ""
+    reason: Reason | None = None
     checks: tuple[Check, ...] = ()
     try:
         given = given_of(part, method, earlier, steps)
@@ -119,7 +120,7 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
         checks = (*numeric.check_steps(steps), *task.verify(given, answers))
         status, reason = verdict(checks, answers)
     except (Unsolved, exact.NotExact) as refusal:
-        status, reason = Status.UNSOLVED, str(refusal)
+        status, reason = Status.UNSOLVED, refusal.reason
         checks = numeric.check_steps(steps)
         answers = Answers()
     seconds = perf_counter() - start
@@ -141,7 +142,7 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
 def _refuse(task: Task, system: System, options: Mapping[str, Any]) -> None:
     """Refuse what could not be judged before, since it was taken from an earlier part."""
     for _, message in task.refused(system, options):
-        raise Unsolved(message[:1].upper() + message[1:] + ".")
+        raise Unsolved("engine/refused", message=message)
 
 
 def _plant(task: Task, given: Given) -> Derivation[Given]:
@@ -160,7 +161,7 @@ def _realized(given: Given) -> Derivation[Given]:
     form = exact.controllable_realization(exact.transfer_matrix_of_fractions(G.numerators, G.denominators, G.variable))
     A, B, C, D = form.A, form.B, form.C, form.D
     if A.rows == 0:
-        raise Unsolved("The transfer function is a constant: the system has no state to ask about.")
+        raise Unsolved("engine/constant_plant")
     resolvent = inverse(difference(product(G.variable, sp.ImmutableMatrix(sp.eye(A.rows))), A))
     terms = [product(C, resolvent, B), *([] if D.is_zero_matrix else [D])]
     yield Step(
@@ -186,7 +187,7 @@ def yield_into(steps: list[Step], derivation: Derivation[Any]) -> Any:
             return end.value
 
 
-def verdict(checks: Iterable[Check], answers: Iterable[str]) -> tuple[Status, str]:
+def verdict(checks: Iterable[Check], answers: Iterable[str]) -> tuple[Status, Reason | None]:
     """Return the status that the checks give to a part with these answers, and the reason if it is not verified.
 
     A displayed equality may hold where an answer is wrong: every answer needs a check of its own that passed.
@@ -194,13 +195,12 @@ def verdict(checks: Iterable[Check], answers: Iterable[str]) -> tuple[Status, st
     checks = tuple(checks)
     failed = [check for check in checks if check.status is CheckStatus.FAILED]
     if failed:
-        return Status.FAILED, f"{len(failed)} of {len(checks)} checks failed"
+        return Status.FAILED, Reason("engine/failed_checks", {"failed": len(failed), "checks": len(checks)})
     confirmed = {name for check in checks if check.status is CheckStatus.PASSED for name in check.judges}
     missing = [name for name in answers if name not in confirmed]
     if missing or not confirmed:
-        of_them = f"the answer{'s' * (len(missing) > 1)} {', '.join(missing)}" if missing else "the answer"
-        return Status.UNSOLVED, f"no check could be made of {of_them}"
-    return Status.VERIFIED, ""
+        return Status.UNSOLVED, Reason("engine/unchecked", {"answers": missing})
+    return Status.VERIFIED, None
 
 
 def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
@@ -209,7 +209,7 @@ def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
         return value
     source = earlier.get(value.part)
     if source is None or value.answer not in source.answers:
-        raise Unsolved(f"it needs the answer {value.answer} of part {value.part} (for {option}), which was not found")
+        raise Unsolved("engine/missing_answer", answer=value.answer, part=value.part, option=option)
     found = source.answers[value.answer]
     return _as_printed(found) if isinstance(found, sp.MatrixBase) else found
 
@@ -227,9 +227,7 @@ def _closed_loop(given: Given) -> Derivation[Given]:
     if K is None:
         return given
     if plant.B is None or K.shape != (plant.B.cols, plant.order):
-        raise Unsolved(
-            "The gain $K$ does not fit the plant: it must have one row for each input and one column for each state."
-        )
+        raise Unsolved("engine/gain_does_not_fit")
     loop = plant.closed_loop(K)
     yield Step(
         "closed_loop",

@@ -1,11 +1,13 @@
-r"""Values within words: messages say `$\lambda = {formula(mode)}$`.
+"""What is to be said, as data: a reason by its kind and values, an exception that carries one.
 
-Pages print values with `solver.render`, in the display their problem asks for. A message is a text from the start, so
-its values are printed here, by sympy, in the spelling of the pages: j for the imaginary unit, decimals of five digits.
+Kernels and derivations hold no prose. A reason is worded by the macro of its kind in `templates/wording/reasons/`, in
+the language that is asked for (`solver.messages`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 DIGITS = 5
@@ -17,3 +19,30 @@ def formula(value: Any) -> str:
 
     rounded = {number: sp.Float(number, DIGITS) for number in value.atoms(sp.Float)}
     return str(sp.latex(value.xreplace(rounded), imaginary_unit="j", ln_notation=True, mat_str="bmatrix", mat_delim=""))
+
+
+@dataclass(frozen=True, slots=True)
+class Reason:
+    """Why something has no answer or is refused: `kind` is "file/macro" within `templates/wording/reasons/`.
+
+    As a text it is worded in English (Markdown with $math$).
+    """
+
+    kind: str
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        from solver.messages import Messages  # noqa: PLC0415 - templates are loaded where something is said
+
+        return Messages().reason(self)
+
+
+class Told(Exception):  # noqa: N818 - not an error of the program
+    """Something has no answer; `reason` says why. Raised with a reason, or with its kind and values."""
+
+    def __init__(self, reason: Reason | str, /, **values: Any) -> None:
+        super().__init__(reason)
+        self.reason = reason if isinstance(reason, Reason) else Reason(reason, values)
+
+    def __str__(self) -> str:
+        return str(self.reason)

@@ -8,6 +8,7 @@ from enum import StrEnum
 from typing import Any
 
 from solver.derivation.figures import Figure
+from solver.words import Reason, Told
 
 
 class Status(StrEnum):
@@ -23,8 +24,8 @@ class Status(StrEnum):
         return max(statuses, key=list(Status).index, default=Status.VERIFIED)
 
 
-class Unsolved(Exception):  # noqa: N818 - not an error of the program: the mathematics has no answer
-    """The question has no answer, or not by this method. The message says why, in words (Markdown with $math$)."""
+class Unsolved(Told):
+    """The question has no answer, or not by this method; the reason says why. No error of the program."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,5 +149,5 @@ class PartResult:
     answers: Answers = field(default_factory=Answers)
     checks: tuple[Check, ...] = ()
     steps: tuple[Step, ...] = ()
-    reason: str = ""
+    reason: Reason | None = None
     seconds: float = 0.0

@@ -8,7 +8,7 @@ at: that one becomes `unsolved` with the reason, and a new child goes on with th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from time import monotonic
 from typing import TYPE_CHECKING
 
@@ -81,7 +81,7 @@ class _Supervisor:
         self.units = [Unit(part) for part in self.parts]
         self.units += [Unit(part, method) for part in self.parts for method in part.methods]
         self.done = 0
-        self.given_up: dict[str, str] = {}
+        self.given_up: dict[str, PartResult] = {}
         self.known: dict[str, PartResult] = {}
         self.child = child
         if child is not None:
@@ -94,7 +94,7 @@ class _Supervisor:
             outcome = self._next()
             if isinstance(outcome, PartResult):
                 self.stop()  # the next one has not to solve it
-                self.given_up[part.id] = outcome.reason
+                self.given_up[part.id] = outcome
                 self.units = [unit for unit in self.units if unit.part is not part or not unit.method]
             else:
                 found[part.id] = outcome
@@ -103,7 +103,7 @@ class _Supervisor:
     def result(self, part: Part, method: str) -> PartResult:
         """Return what becomes of a part by a method, the next one to be solved."""
         given_up = self.given_up.get(part.id)
-        result = self._next() if given_up is None else unsolved(Unit(part, method), given_up)
+        result = self._next() if given_up is None else replace(given_up, method=method)
         assert isinstance(result, PartResult)  # noqa: S101 - the unit has a method
         self.known.setdefault(part.id, result)
         return result

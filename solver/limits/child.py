@@ -27,6 +27,7 @@ from solver.derivation import PartResult, Status
 from solver.imports import postpone
 from solver.lazy import exact, numeric
 from solver.numeric import judges
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from multiprocessing.context import ForkContext, SpawnContext
@@ -189,18 +190,19 @@ def _send(result: Outcome, exhausted: bool, channel: Connection) -> None:
     try:
         channel.send((result, exhausted))
     except (RecursionError, MemoryError):
-        channel.send((_without_answers(result, "its result is too large"), exhausted))
+        channel.send((_without_answers(result, "its result is too large", result.seconds), exhausted))
     except (PickleError, TypeError, AttributeError, ValueError, RuntimeError) as bug:  # sympy raises the last
-        channel.send((_without_answers(result, as_bug(bug)), exhausted))
+        channel.send((_without_answers(result, as_bug(bug), result.seconds), exhausted))
 
 
 def unsolved(unit: Unit, reason: str, seconds: float = 0.0) -> PartResult:
     """Return the result of a unit that was not solved, with the reason."""
-    return PartResult(unit.part.id, unit.part.task, unit.method, Status.UNSOLVED, reason=reason, seconds=seconds)
+    return _without_answers(PartResult(unit.part.id, unit.part.task, unit.method, Status.UNSOLVED), reason, seconds)
 
 
-def _without_answers(result: PartResult, reason: str) -> PartResult:
-    return PartResult(result.id, result.task, result.method, Status.UNSOLVED, reason=reason, seconds=result.seconds)
+def _without_answers(result: PartResult, reason: str, seconds: float) -> PartResult:
+    ended = Reason("limits/ended", {"words": reason})
+    return PartResult(result.id, result.task, result.method, Status.UNSOLVED, reason=ended, seconds=seconds)
 
 
 def as_bug(bug: Exception) -> str:

@@ -51,8 +51,8 @@ def _part(result: PartResult, shown: PartView, part: Part) -> Data:
     data: Data = {"id": result.id, "task": result.task, "method": result.method, "status": str(result.status)}
     if part.marks is not None:
         data["marks"] = int(part.marks) if part.marks.is_Integer else float(part.marks)
-    if result.reason:
-        data["reason"] = result.reason
+    if shown.reason:
+        data["reason"] = shown.reason
     if shown.unchecked:
         data["unchecked"] = shown.unchecked
     data["answers"] = {

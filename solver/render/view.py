@@ -141,7 +141,7 @@ def _part(result: PartResult, part: Part, again: bool, wording: Wording) -> Part
         answers=tuple(_answers(result, wording)),
         checks=tuple(check_rows(result)),
         status=result.status,
-        reason=result.reason,
+        reason=wording.reason(result.reason),
     )
 
 

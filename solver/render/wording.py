@@ -30,6 +30,7 @@ from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import Displayed
 from solver.formula.pieces import is_sum, joined, parenthesized, summed
 from solver.markup import math_problems
+from solver.messages import Messages
 from solver.problem.model import Part
 from solver.render.displays import READABLE, aligned, chain, display, entries
 from solver.render.given import given_markdown
@@ -40,6 +41,7 @@ from solver.render.prose import plain
 from solver.render.recording import Recorder
 from solver.render.width import LINE, width
 from solver.systems import System
+from solver.words import Reason
 
 WORD = re.compile(r"\\text\{([^{}]*)\}")
 """An answer that has a word in place of a symbol: whether the system is stable equals nothing."""
@@ -127,6 +129,10 @@ class Wording:
     def symbol(self, answer: AnswerName) -> str:
         """Return the LaTeX symbol of an answer."""
         return answer_symbol(answer.name, answer.symbol, self.notation)
+
+    def reason(self, reason: Reason | None) -> str:
+        """Return a reason in words, empty for none."""
+        return "" if reason is None else Messages(self.templates).reason(reason)
 
     def _macro(self, wording: str, name: str, *arguments: Any) -> str:
         return self._macros.recorder.expanded(self._marked(wording, name, *arguments))

@@ -206,7 +206,7 @@ def test_a_failed_check_is_shown_with_its_table(solve, difficult_file):
 def test_parts_that_are_not_verified_are_told_on_standard_error_beside_a_document(solve, difficult_file):
     done = solve(difficult_file("easy", "unsolvable"), "-f", "json", "-o", "-")
     assert done.code == 1
-    assert done.err == "part b (unsolvable): unsolved: it has no answer\n"
+    assert done.err == "part b (unsolvable): unsolved: The plant is a constant: it has no pole to move.\n"
 
 
 ENDLESS = """

@@ -79,7 +79,7 @@ def buggy(given):
 
 @method("unsolvable")
 def unsolvable(given):
-    raise Unsolved("it has no answer")
+    raise Unsolved("model_matching/constant_plant")
 
 
 @method("unpicklable")

@@ -60,7 +60,7 @@ def test_more_inputs_than_outputs_take_the_least_set_point():
 def test_references_that_cannot_be_held(plant, words):
     result = ask("optimal_tracking", plant, gain=sp.ImmutableMatrix([[1, 1]]))
     assert result.status is Status.UNSOLVED
-    assert words in result.reason
+    assert words in str(result.reason)
 
 
 def test_discrete_time_with_a_gain():

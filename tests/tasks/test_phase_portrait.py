@@ -96,7 +96,7 @@ def test_without_numbers_there_is_no_figure():
 def test_a_kind_that_parameters_decide_is_not_guessed():
     result = ask("phase_portrait", system([[0, 1], [-p, -d]]))
     assert result.status is Status.UNSOLVED
-    assert "discriminant" in result.reason
+    assert "discriminant" in str(result.reason)
 
 
 @pytest.mark.parametrize(

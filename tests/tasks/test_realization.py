@@ -98,14 +98,14 @@ def test_a_biproper_plant_is_divided():
 def test_a_pole_with_a_chain_has_no_diagonal_form():
     result = realized(plant(1, (s + 1) ** 2), "diagonal")
     assert result.status is Status.UNSOLVED
-    assert "repeated" in result.reason
+    assert "repeated" in str(result.reason)
     assert result.steps
 
 
 def test_a_constant_has_no_state():
     result = realized(plant(3, sp.Integer(2)))
     assert result.status is Status.UNSOLVED
-    assert "constant" in result.reason
+    assert "constant" in str(result.reason)
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -202,7 +202,7 @@ def test_every_form_of_every_fraction(G, form, other):
     options = {"convention": "first_row" if companion else "superdiagonal"} if other and form != "diagonal" else {}
     result = realized(G, form, **options)
     if result.status is Status.UNSOLVED and form == "diagonal":
-        assert "repeated" in result.reason
+        assert "repeated" in str(result.reason)
         return
     assert result.status is Status.VERIFIED, result.reason
     assert {check.status for check in result.checks} == {CheckStatus.PASSED}

@@ -100,7 +100,7 @@ def outcome(task, system, options):
         part = solve_problem(read_problem(Source("question.yaml", text), catalogue())).parts[0]
     except InputError as refusal:
         return "refused", str(refusal)
-    return part.status, part.reason
+    return part.status, str(part.reason)
 
 
 def named(row):

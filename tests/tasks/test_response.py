@@ -274,7 +274,7 @@ def test_the_peak_in_discrete_time_is_a_sample():
 def test_inputs_without_a_rational_transform_are_refused_by_name(u, says):
     result = respond(LAG, u=u)
     assert result.status is Status.UNSOLVED
-    assert says in result.reason
+    assert says in str(result.reason)
 
 
 @pytest.mark.parametrize(

@@ -58,7 +58,7 @@ def test_the_coefficients_of_cayley_hamilton_are_those_of_the_course():
 def test_the_modal_method_names_the_condition_that_fails():
     result = ask("state_transition_matrix", system([[-1, 1], [0, -1]]), "modal")
     assert result.status is Status.UNSOLVED
-    assert "multiplicity 2 but only 1 independent eigenvector" in result.reason
+    assert "multiplicity 2 but only 1 independent eigenvector" in str(result.reason)
     assert result.steps, "the steps up to the refusal stay on the page"
 
 

@@ -13,6 +13,8 @@ from typing import Any
 import mpmath
 import sympy as sp
 
+from solver.words import Told
+
 DIGITS = 30
 
 SPECIFICATIONS = (
@@ -26,8 +28,8 @@ SPECIFICATIONS = (
 ABOUT_DAMPING = ("damping_ratio", "overshoot")
 
 
-class Inconsistent(ValueError):  # noqa: N818 - the specifications are wrong, not the program
-    """The specifications contradict each other, or do not fix the poles; the message says why, in words."""
+class Inconsistent(Told):
+    """The specifications contradict each other, or do not fix the poles; the reason says why."""
 
 
 @dataclass(frozen=True)
@@ -85,25 +87,18 @@ def second_order(given: Mapping[str, Any], band: sp.Expr | int = 4) -> SecondOrd
     for name in set(known) - set(pair):
         value, asked = sp.N(specified(name, found.zeta, found.omega_n, band)), sp.N(known[name])
         if not (value.is_number and asked.is_number) or abs(value / asked - 1) > sp.Rational(1, 100):
-            raise Inconsistent(f"{_and(pair)} give the {_words(name)} {sp.N(value, 4)}, not {sp.N(asked, 4)}")
+            shown = {"value": sp.N(value, 4), "asked": sp.N(asked, 4)}
+            raise Inconsistent("second_order/contradiction", pair=pair, name=name, **shown)
     return found
-
-
-def _words(name: str) -> str:
-    return name.replace("_", " ")
-
-
-def _and(pair: tuple[str, str]) -> str:
-    return " and ".join(_words(name) for name in pair)
 
 
 def _check_ranges(known: Mapping[str, sp.Expr]) -> None:
     for name, value in known.items():
         if value.is_number and not value.is_positive:
-            raise Inconsistent(f"the {_words(name)} must be positive")
+            raise Inconsistent("second_order/not_positive", name=name)
     overshoot = known.get("overshoot")
     if overshoot is not None and overshoot.is_number and overshoot >= 1:
-        raise Inconsistent("the overshoot must be less than 1 (100%); write 14% or 0.14")
+        raise Inconsistent("second_order/large_overshoot")
 
 
 def _determining(known: Mapping[str, sp.Expr]) -> tuple[str, str]:
@@ -111,10 +106,9 @@ def _determining(known: Mapping[str, sp.Expr]) -> tuple[str, str]:
     order = ("damping_ratio", "natural_frequency", "settling_time", "peak_time", "overshoot", "rise_time")
     names = [name for name in order if name in known]
     if len(names) < 2:
-        missing = "none is given" if not names else f"only the {_words(names[0])} is given"
-        raise Inconsistent(f"two specifications fix a pair of poles; {missing}")
+        raise Inconsistent("second_order/too_few", name=names[0] if names else "")
     if set(names) <= set(ABOUT_DAMPING):
-        raise Inconsistent("damping ratio and overshoot both speak of the damping only; the speed is not fixed")
+        raise Inconsistent("second_order/only_damping")
     first = names[0]
     second = next(name for name in names[1:] if not {first, name} <= set(ABOUT_DAMPING))
     return first, second
@@ -133,7 +127,7 @@ def _solve(pair: tuple[str, str], known: Mapping[str, sp.Expr], band: sp.Expr) -
     if names & set(ABOUT_DAMPING):
         zeta = known["damping_ratio"] if "damping_ratio" in names else damping_of_overshoot(known["overshoot"])
         if zeta.is_number and zeta >= 1 and names & {"peak_time", "rise_time"}:
-            raise Inconsistent("with a damping ratio of 1 or more the response has no peak and never crosses 1")
+            raise Inconsistent("second_order/no_peak")
         other = next(name for name in pair if name not in ABOUT_DAMPING)
         decay = tidied(band / known[other]) if other == "settling_time" else None
         return SecondOrder(zeta, _frequency(other, known[other], zeta, band), pair, decay=decay)
@@ -168,11 +162,11 @@ def _with_frequency(pair: tuple[str, str], known: Mapping[str, sp.Expr], band: s
     if other == "peak_time":
         square = tidied(1 - (sp.pi / (omega_n * value)) ** 2)
         if square.is_number and not square.is_positive:
-            raise Inconsistent("the peak time must be longer than π over the natural frequency")
+            raise Inconsistent("second_order/early_peak")
         return SecondOrder(tidied(sp.sqrt(square)), omega_n, pair)
     a = _decimals(omega_n * value)
     if a <= mpmath.pi / 2:
-        raise Inconsistent("the rise time must be longer than π/2 over the natural frequency")
+        raise Inconsistent("second_order/early_rise")
     angle = _angle(lambda phi: mpmath.pi - phi - a * mpmath.sin(phi))
     return SecondOrder(tidied(sp.cos(angle)), omega_n, pair, angle)
 
@@ -180,7 +174,7 @@ def _with_frequency(pair: tuple[str, str], known: Mapping[str, sp.Expr], band: s
 def _decimals(value: sp.Expr) -> Any:
     """Return a number of mpmath with more digits than are kept."""
     if not value.is_number:
-        raise Inconsistent("these two specifications lead to an equation that has no formula: give them numbers")
+        raise Inconsistent("second_order/no_formula")
     with mpmath.workdps(DIGITS + 10):
         return mpmath.mpmathify(sp.N(value, DIGITS + 10))
 
@@ -218,9 +212,9 @@ def _check_damping(found: SecondOrder, known: Mapping[str, sp.Expr]) -> None:
     if not zeta.is_number:
         return
     if zeta <= 0:
-        raise Inconsistent(f"{_and(found.used)} leave no positive damping")
+        raise Inconsistent("second_order/no_damping", pair=found.used)
     if zeta >= 1 and set(known) & {"peak_time", "rise_time", "overshoot"}:
-        raise Inconsistent(f"{_and(found.used)} need a damping ratio of 1 or more, without a peak")
+        raise Inconsistent("second_order/overdamped", pair=found.used)
 
 
 def tidied(value: sp.Expr) -> sp.Expr:

@@ -153,10 +153,7 @@ def _root_of(factor: Factor) -> Algebraic:
 def polar(root: Root) -> tuple[sp.Expr, sp.Expr]:
     """Radius and angle (0 < θ < π for ω > 0) of a root σ + jω of a pair; raises NotExact if it may be real."""
     if root.kind == "symbolic":
-        raise NotExact(
-            "Whether the quadratic factor has real or complex roots depends on the parameters, and with it the form of "
-            "$A^{k}$. Say more about the parameters under `assume`."
-        )
+        raise NotExact("functions/form_of_the_power")
     square = collected(root.sigma**2 + root.shift**2)
     r = sp.sqrt(square if square.free_symbols else in_sines(square))  # not square_root: ω of either sign has radius |ω|
     if root.kind == "decimal":

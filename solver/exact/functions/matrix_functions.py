@@ -24,7 +24,6 @@ from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import NotExact, collected, domain_matrix, expression, matrix_of
 from solver.exact.linear_algebra.spectrum import Factor, spectrum
 from solver.matrices import entries
-from solver.words import formula
 
 
 @dataclass(frozen=True)
@@ -171,12 +170,7 @@ def _reduced(A: sp.ImmutableMatrix, f: ScalarFunction, conditions: tuple[Conditi
     p, q = (sp.Poly([K.from_sympy(c) for c in each.all_coeffs()], x, domain=K) for each in own)
     common = q.gcd(chi)
     if common.degree() > 0:
-        value = (
-            "\\lambda = 0" if common.as_expr() == x else f"{formula(common.as_expr().subs(x, sp.Symbol('lamda')))} = 0"
-        )
-        raise NotExact(
-            f"The function divides by zero at an eigenvalue of the matrix (${value}$), so it does not exist."
-        )
+        raise NotExact("functions/division_by_zero", factor=common.as_expr().subs(x, sp.Symbol("lamda")))
     alpha = (p * q.rem(chi).invert(chi)).rem(chi) if q.degree() > 0 else (p.quo_ground(q.LC())).rem(chi)
     low = alpha.rep.to_list()[::-1]
     low += [K.zero] * (A.rows - len(low))

@@ -12,7 +12,6 @@ import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact
 from solver.exact.linear_algebra.spectrum import DIGITS, Root
-from solver.words import formula
 
 CUT = (sp.log, sp.atan, sp.asin, sp.acos)
 
@@ -43,8 +42,7 @@ class ScalarFunction:
         self._check_cut(value, order)
         found: sp.Expr = self.derivative(order).subs(self.variable, value)
         if found.has(sp.zoo, sp.nan, sp.oo):
-            what = "is not defined" if order == 0 else f"has no derivative of order {order}"
-            raise NotExact(f"The function {what} at the eigenvalue $\\lambda = {formula(value)}$.")
+            raise NotExact("functions/undefined", order=order, value=value)
         if value.has(sp.Float):
             found = found.evalf(DIGITS)
         return found
@@ -63,16 +61,10 @@ class ScalarFunction:
             self._refuse("root" if root else "logarithm", value, inner)
 
     def _refuse(self, what: str, value: sp.Expr, inner: sp.Expr) -> None:
-        leads = f"The eigenvalue $\\lambda = {formula(value)}$ leads to the {what} of ${formula(inner)}$"
         if inner.is_zero:
-            raise NotExact(
-                f"{leads}, where the function is not differentiable. This function of the matrix does not exist."
-            )
+            raise NotExact("functions/not_differentiable", function=what, value=value, argument=inner)
         if inner.is_nonpositive:
-            raise NotExact(
-                f"{leads}, on the negative real axis, where there is no principal value. The principal {what} "
-                "of a matrix needs all eigenvalues off the negative real axis."
-            )
+            raise NotExact("functions/on_the_cut", function=what, value=value, argument=inner)
 
 
 def at_root(f: ScalarFunction, root: Root, order: int) -> tuple[sp.Expr, sp.Expr | None]:

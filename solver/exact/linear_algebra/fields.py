@@ -15,13 +15,14 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.assembly import linear_combination
+from solver.words import Told
 
 Element = Any
 """An element of a field: of K (a sympy domain element) or of L (an `Algebraic`)."""
 
 
-class NotExact(Exception):  # noqa: N818 - like Unsolved: the algebra ends here, nothing went wrong
-    """The algebra has no exact form for this; the message says why, in words (Markdown with $math$)."""
+class NotExact(Told):
+    """The algebra has no exact form for this; the reason says why. Like Unsolved: nothing went wrong."""
 
 
 def domain_matrix(M: sp.MatrixBase) -> DomainMatrix:
@@ -30,13 +31,13 @@ def domain_matrix(M: sp.MatrixBase) -> DomainMatrix:
     Sines and cosines of an angle θ are written as rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K.
     """
     if M.has(sp.I):
-        raise NotExact("The entries are not real; systems with complex coefficients are not solved here.")
+        raise NotExact("linear_algebra/not_real")
     written = _half_angles(M)
     matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
     if matrix.domain.is_EXRAW or matrix.domain.is_EX:
         matrix = _over_surds_and_parameters(written)
     if not matrix.domain.is_Exact:
-        raise NotExact("the entries are not exact numbers")
+        raise NotExact("linear_algebra/not_numbers")
     return matrix
 
 
@@ -50,9 +51,7 @@ def _over_surds_and_parameters(M: sp.MatrixBase) -> DomainMatrix:
         K = sp.QQ.algebraic_field(*surds).frac_field(*parameters)
         rows = [[K.from_sympy(sp.expand(M[i, j])) for j in range(M.cols)] for i in range(M.rows)]
     except (sp.CoercionFailed, ValueError, NotImplementedError) as failure:
-        raise NotExact(
-            "The entries mix functions and parameters in a way that has no exact arithmetic here."
-        ) from failure
+        raise NotExact("linear_algebra/mixed") from failure
     return DomainMatrix(rows, M.shape, K)
 
 

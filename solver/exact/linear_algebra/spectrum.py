@@ -202,10 +202,7 @@ def _pair(b: sp.Expr, c: sp.Expr, multiplicity: int) -> tuple[Root, ...]:
 def _decimal_roots(p: sp.Poly, multiplicity: int) -> tuple[Root, ...]:
     """Roots of an irreducible p of degree ≥ 3 to 30 digits: real ones ascending, then pairs, the upper root first."""
     if p.domain.is_Composite:
-        raise NotExact(
-            f"The characteristic polynomial has an irreducible factor of degree {p.degree()} with parameters in it, "
-            "whose roots have no usable form. Give the parameters values."
-        )
+        raise NotExact("linear_algebra/roots_of_parameters", degree=p.degree())
     with mpmath.workdps(2 * DIGITS):
         coefficients = [mpmath.mpmathify(sp.N(c, 2 * DIGITS)) for c in p.all_coeffs()]
         found = mpmath.polyroots(coefficients, maxsteps=500, extraprec=400)

@@ -29,7 +29,6 @@ from solver.exact.optimal.spectral_factor import Group, combinations, decimal_po
 from solver.exact.optimal.tower_matrices import polynomial_at, shown, solved
 from solver.exact.structure.controllability import controllability_matrix
 from solver.exact.structure.ranks import HiddenPart, hidden_part
-from solver.words import formula
 
 MOST_ENTRIES = 1024
 """Solutions are listed as long as they have no more entries together (n = 5: 40 solutions, n = 8: 16)."""
@@ -103,7 +102,7 @@ class Riccati:
     def solutions(self) -> tuple[RiccatiSolution, ...]:
         """All real symmetric solutions, the stabilizing one first; raises NotExact if they are endless or too many."""
         if not self.listable:
-            raise NotExact("There are too many solutions to list.")
+            raise NotExact("optimal/too_many_solutions")
         found = (self._solution(choices) for choices in combinations(self.groups, self.fixed))
         return (self.stabilizing, *list(found)[1:])
 
@@ -177,7 +176,7 @@ class Riccati:
                 p = tuple(shown(tower, c) for c in coefficients)
                 return RiccatiSolution(sp.ImmutableMatrix(P), p, flips, True, choices, radicand)
         if self.H.free_symbols:
-            raise NotExact("The solution has no usable form with parameters. Give them values.")
+            raise NotExact("optimal/parameters")
         return RiccatiSolution(*self._in_decimals(choices), flips, False, choices)
 
     def _in_decimals(self, choices: tuple[Choice, ...]) -> tuple[sp.ImmutableMatrix, tuple[sp.Expr, ...]]:
@@ -238,10 +237,7 @@ def _stable(root: sp.Expr) -> bool:
         return bool(sp.N(sp.re(root), DIGITS) < 0)
     if root.is_negative or root.is_nonnegative:
         return bool(root.is_negative)
-    raise NotExact(
-        f"The input does not reach the mode $\\lambda = {formula(root)}$. The plant is stabilizable only if that is "
-        "stable; say under `assume` whether the parameters are positive or negative."
-    )
+    raise NotExact("optimal/unreached_mode", mode=root)
 
 
 def _shared(group: Group, H: DomainMatrix, hidden: HiddenPart | None) -> tuple[int, int]:

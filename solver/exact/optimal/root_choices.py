@@ -17,7 +17,6 @@ import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact, expression
 from solver.exact.optimal.square_roots import Nested, RootTower, without_sign
-from solver.words import formula
 
 DIGITS = 30
 """Digits of decimals in results."""
@@ -69,10 +68,7 @@ def coefficients_of(q: sp.Poly) -> list[Any]:
 def require_numbers(q: sp.Poly) -> None:
     """Raise NotExact for a factor with parameters."""
     if q.domain.is_Composite:
-        raise NotExact(
-            "The characteristic polynomial of the Hamiltonian matrix has a factor of degree "
-            f"{q.degree()} with parameters in it, whose roots have no usable form. Give the parameters values."
-        )
+        raise NotExact("optimal/factor_with_parameters", degree=q.degree())
 
 
 def roots_in_decimals(q: sp.Poly) -> list[Any]:
@@ -96,10 +92,7 @@ def sign(K: Any, c: Any) -> int:
             return 1 if form.is_positive else -1
         if form.is_nonnegative or form.is_nonpositive:
             return 1 if form.is_nonnegative else -1
-    raise NotExact(
-        f"The solution depends on the sign of ${formula(without_sign(sp.factor(value)))}$. "
-        "Say under `assume` whether the parameters are positive or negative."
-    )
+    raise NotExact("optimal/sign_in_the_solution", value=without_sign(sp.factor(value)))
 
 
 def known_negative(K: Any, c: Any) -> bool:

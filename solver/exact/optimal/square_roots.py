@@ -13,7 +13,6 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact, expression
-from solver.words import formula
 
 Nested = tuple[Any, ...]
 """An element of the tower."""
@@ -120,10 +119,7 @@ class RootTower:
             opposite = self.is_positive(self.negative(a))
             if opposite:
                 return self.negative(a)
-            raise NotExact(
-                f"The result depends on the sign of ${formula(without_sign(sp.factor(self.expression(a))))}$. "
-                "Say under `assume` whether the parameters are positive or negative."
-            )
+            raise NotExact("optimal/sign_in_the_result", value=without_sign(sp.factor(self.expression(a))))
         return a if positive else self.negative(a)
 
     def _root(self, a: Nested) -> Nested | None:

@@ -14,9 +14,7 @@ def _field_matrix(M: sp.MatrixBase) -> DomainMatrix:
         return domain_matrix(M)
     matrix = DomainMatrix.from_Matrix(M, extension=True).to_field().to_dense()
     if matrix.domain.is_EX or matrix.domain.is_EXRAW or not matrix.domain.is_Exact:
-        raise NotExact(
-            "The entries mix complex numbers, functions and parameters in a way that has no exact form here."
-        )
+        raise NotExact("representation/mixed")
     return matrix
 
 

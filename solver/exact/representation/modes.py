@@ -247,7 +247,7 @@ def real_and_imaginary(value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 def _undecided_block(G: TransferMatrix, mode: Mode) -> list[Block]:
     """The block [[σ, 1], [δ², σ]] of roots σ ± δ, real whether δ² is positive or not; once for the pair."""
     if G.shape != (1, 1) or mode.multiplicity > 1:
-        raise NotExact("Whether the poles are real or a conjugate pair depends on the parameters; give them values.")
+        raise NotExact("representation/real_or_conjugate")
     if mode.root != mode.factor.roots[0]:
         return []
     K, sigma, square = mode.factor.modulus.domain, mode.root.sigma, sp.expand(mode.root.shift**2)

@@ -24,7 +24,7 @@ def all_positive(conditions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol] = ()
     `wanted` are the parameters asked for: a condition linear in one of them alone is solved for it.
     """
     if any(x.has(sp.I) for x in conditions):
-        raise NotExact("The conditions are not real for these parameters.")
+        raise NotExact("stability/not_real")
     generator = generator_of(conditions)
     if generator is not None:
         return relational(positive_intervals(conditions, generator), generator)

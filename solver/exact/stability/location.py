@@ -108,7 +108,7 @@ def _near_boundary(excess: sp.Expr, symmetric: bool, root: Root) -> int:
         return 1 if excess > 0 else -1
     if symmetric:
         return 0
-    raise NotExact("An eigenvalue is too close to the boundary of stability to tell the side in thirty digits.")
+    raise NotExact("stability/too_close_to_the_boundary")
 
 
 def _in_disc(factor: Factor) -> list[int | None]:

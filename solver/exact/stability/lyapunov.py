@@ -17,8 +17,7 @@ class SingularEquation(ArithmeticError):  # noqa: N818 - the equation is singula
     """The Lyapunov equation has no solution, or more than one; `solvable` tells which."""
 
     def __init__(self, solvable: bool) -> None:
-        words = "more than one solution" if solvable else "no solution"
-        super().__init__(f"the Lyapunov equation has {words}")
+        super().__init__(solvable)
         self.solvable = solvable
 
 

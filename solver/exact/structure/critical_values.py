@@ -44,7 +44,7 @@ def critical_values(M: sp.ImmutableMatrix, parameter: sp.Symbol) -> CriticalValu
         return CriticalValues(sp.Integer(1), (), (), ())
     K: Any = D.domain
     if not K.is_FractionField or parameter not in K.symbols:
-        raise NotExact(f"The matrix is not a rational function of ${parameter.name}$.")
+        raise NotExact("structure/not_rational", parameter=parameter.name)
     divisor, others = _divisor_in(D, parameter)
     roots: list[Root] = []
     for p, multiplicity in divisor.factor_list()[1]:

@@ -94,7 +94,7 @@ def minors_of(rows: PolyRows, r: int) -> Iterator[Any]:
     """All r×r minors; raises NotExact if they are too many."""
     height, width = len(rows), len(rows[0])
     if comb(height, r) * comb(width, r) > MOST_MINORS:
-        raise NotExact("There are too many minors to say for which values of the parameters the rank drops.")
+        raise NotExact("structure/too_many_minors")
     R = rows[0][0].ring
     for chosen in combinations(range(height), r):
         for columns in combinations(range(width), r):

@@ -77,7 +77,7 @@ def _from_the_start(signal: Signal, k: sp.Symbol) -> Signal:
     """Return f(k) step(k − m) as f(k) less its first m values."""
     latest = max([*signal.delays, sp.S.Zero])
     if latest > LATEST_SAMPLE:
-        raise NotExact(f"Steps and impulses later than sample {LATEST_SAMPLE} are not taken.")
+        raise NotExact("signals/late_sample", latest=LATEST_SAMPLE)
     terms: dict[tuple[sp.Expr, Term], sp.Expr] = {}
     pulses = dict(signal.impulses)
     for (delay, term), c in signal.terms.items():

@@ -14,7 +14,6 @@ from typing import Any, TypeVar
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact
-from solver.words import formula
 
 Term = tuple[int, sp.Expr, sp.Expr, bool]
 """Power n, growth (σ, in discrete time r), angle ω ≥ 0 where its sign is known, and whether it is a sine."""
@@ -78,7 +77,7 @@ class _Reader:
 
     def constant(self, c: sp.Expr) -> Signal:
         if c.has(sp.I):
-            raise NotExact("The input must be real.")
+            raise NotExact("signals/not_real")
         return Signal({(sp.S.Zero, (0, self.still, sp.S.Zero, False)): c}) if c != 0 else Signal()
 
     def power(self, e: Any) -> Signal:
@@ -98,7 +97,7 @@ class _Reader:
 
     def grown(self, growth: sp.Expr, factor: sp.Expr) -> Signal:
         if growth.has(sp.I) or factor.has(sp.I):
-            raise NotExact("The input must be real.")
+            raise NotExact("signals/not_real")
         return Signal({(sp.S.Zero, (0, growth, sp.S.Zero, False)): factor})
 
     def function(self, e: Any) -> Signal:
@@ -136,15 +135,12 @@ class _Reader:
     def jump(self, kind: Any, slope: sp.Expr, offset: sp.Expr) -> Signal:
         """A step or an impulse with the argument slope·x + offset."""
         if slope.is_positive is None and slope.is_negative is None:
-            raise NotExact("The direction of time in a step or impulse depends on a parameter.")
+            raise NotExact("signals/direction_of_time")
         delay = sp.cancel(-offset / slope)
         if not (delay.is_nonnegative or delay.is_negative):
-            raise NotExact(
-                f"Whether the time ${formula(delay)}$ of a step or impulse comes after the start depends on a "
-                "parameter. Say more about it under `assume`."
-            )
+            raise NotExact("signals/before_or_after_the_start", delay=delay)
         if self.discrete and not delay.is_Integer:
-            raise NotExact(f"A step or impulse at ${formula(delay)}$ is not at a whole number of samples.")
+            raise NotExact("signals/between_samples", delay=delay)
         if kind is sp.DiracDelta:
             weight = sp.S.One if self.discrete else 1 / sp.Abs(slope)
             return Signal() if delay.is_negative else Signal({}, {delay: weight})
@@ -171,7 +167,7 @@ class _Reader:
             for (d2, b), c2 in right.terms.items():
                 result = _sum(result, self.times(_later(d1, d2), a, b, c1 * c2))
         if left.impulses and right.impulses:
-            raise NotExact("A product of impulses has no meaning.")
+            raise NotExact("signals/product_of_impulses")
         for impulses, other in ((left.impulses, right), (right.impulses, left)):
             for delay, weight in impulses.items():
                 result = _sum(result, Signal({}, {delay: weight * self.value(other, delay)}))
@@ -181,7 +177,7 @@ class _Reader:
         """The product of two terms, by the formulas for products of sines and cosines."""
         n, growth = a[0] + b[0], (a[1] * b[1] if self.discrete else a[1] + b[1])
         if n > MAX_POWER:
-            raise NotExact(f"Powers of time above {MAX_POWER} are not taken.")
+            raise NotExact("signals/high_power", most=MAX_POWER)
         if a[2] == 0 or b[2] == 0:
             waves = self.wave(c, a[2] + b[2], sine=a[3] or b[3])
         else:
@@ -208,18 +204,15 @@ class _Reader:
         for (delay, term), c in signal.terms.items():
             begun = sp.S.Zero if delay == 0 else at - delay
             if delay != 0 and begun == 0 and not self.discrete:
-                raise NotExact("An impulse at the time of a step has no meaning.")
+                raise NotExact("signals/impulse_at_a_step")
             if begun.is_nonnegative is None:
-                raise NotExact("Which of a step and an impulse comes first depends on a parameter.")
+                raise NotExact("signals/step_or_impulse_first")
             if begun.is_nonnegative:
                 total += c * written(term, self.x, discrete=self.discrete).subs(self.x, at)
         return total
 
     def unknown(self, e: sp.Expr) -> NotExact:
-        return NotExact(
-            f"The input contains ${formula(e)}$, whose transform is not rational. Inputs are sums and products of "
-            "constants, powers of time, exponentials, sines and cosines, steps and impulses."
-        )
+        return NotExact("signals/no_rational_transform", part=e)
 
 
 def _later(a: sp.Expr, b: sp.Expr) -> sp.Expr:
@@ -229,7 +222,7 @@ def _later(a: sp.Expr, b: sp.Expr) -> sp.Expr:
         return b
     if (a - b).is_positive:
         return a
-    raise NotExact("Which of two steps comes later depends on a parameter.")
+    raise NotExact("signals/later_of_two_steps")
 
 
 def _sum(left: Signal, right: Signal) -> Signal:

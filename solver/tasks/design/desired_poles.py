@@ -75,8 +75,8 @@ def faults(options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
         return  # some come from an earlier part
     try:
         exact.second_order(given, band(options))
-    except exact.Inconsistent as reason:
-        yield next(iter(given), ""), str(reason)
+    except exact.Inconsistent as finding:
+        yield next(iter(given), ""), str(finding)
 
 
 @lemma("second_order")
@@ -85,8 +85,8 @@ def second_order_of(options: Mapping[str, Any]) -> Derivation[exact.SecondOrder]
     given, c, s = specified(options), band(options), sp.Symbol("s")
     try:
         found = exact.second_order(given, c)
-    except exact.Inconsistent as reason:
-        raise Unsolved(f"The specifications cannot be met: {reason}.") from reason
+    except exact.Inconsistent as finding:
+        raise Unsolved("second_order/cannot_be_met", why=finding.reason) from finding
     claims = {
         name: Claim(exact.specified(name, found.zeta, found.omega_n, c), given[name], name.replace("_", " "))
         for name in given

@@ -11,7 +11,6 @@ from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -130,11 +129,7 @@ def movable_poles(poles: Sequence[Expr], fixed: Sequence[Expr], n: int, *, dual:
     for mode in fixed:
         found = next((pole for pole in left if same_number(pole, mode)), None)
         if found is None:
-            hidden, part = ("unobservable", "observable") if dual else ("uncontrollable", "controllable")
-            raise Unsolved(
-                f"The mode ${formula(mode)}$ is {hidden}: no gain moves it, so it must be among the poles asked for "
-                f"(as often as it is {hidden}), or only the poles of the {part} part are to be given."
-            )
+            raise Unsolved("placement/fixed_mode", mode=mode, dual=dual)
         left.remove(found)
     return left
 

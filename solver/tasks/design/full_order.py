@@ -34,7 +34,7 @@ def observer_pole_faults(system: StateSpace, poles: Sequence[Expr], option: str 
 def require_detectable(A: ImmutableMatrix, C: ImmutableMatrix, *, discrete: bool) -> None:
     """Raise Unsolved where a part of the error that no gain reaches does not decay."""
     modes = exact.observable_decomposition(A, None, C).hidden_modes
-    require_decay(modes, "The plant is not detectable: its", discrete=discrete)
+    require_decay(modes, (), discrete=discrete)
 
 
 @lemma("observer")
@@ -44,9 +44,9 @@ def observer_gain_of(
     """L from the dual of a pole placement; entries that move nothing are set to zero."""
     A, C, x = system.A, system.C, sp.Symbol("z" if system.discrete else "s")
     if C is None:
-        raise Unsolved("an observer needs C")
+        raise Unsolved("observers/no_output")
     for _, fault in observer_pole_faults(system, poles):
-        raise Unsolved(fault)
+        raise Unsolved("engine/refused", message=fault)
     yield Step("error", unclaimed="the definition of the observer and of its error", discrete=system.discrete)
     require_detectable(A, C, discrete=system.discrete)
     found = yield from place(A, C, poles, method, x=x, dual=True)

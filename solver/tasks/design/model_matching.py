@@ -27,7 +27,6 @@ from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import variable
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -90,10 +89,10 @@ def by_moving_the_poles(given: Given) -> Derivation[Answers]:
     top, bottom = _fraction(given.system, x)
     yield _plant_shown(given.system, top, bottom, x)
     if not top.free_symbols and top == 0:
-        raise Unsolved("The plant's transfer function is zero: the output does not depend on the input.")
+        raise Unsolved("model_matching/zero_plant")
     found = exact.matching(top, bottom, G, x)
     if found.order == 0:
-        raise Unsolved("The plant is a constant: it has no pole to move.")
+        raise Unsolved("model_matching/constant_plant")
     yield from block_diagram("model_matching", "State feedback that turns $H$ into $G$")
     H = quotient(found.numerator, found.denominator)
     yield Step(
@@ -145,9 +144,7 @@ def _all_stable(zeros: Iterable[Expr], *, discrete: bool) -> bool:
     for zero in zeros:
         size = 1 - sp.Abs(zero) if discrete else -sp.re(zero)
         if not size.is_number and size.is_positive is None:
-            raise Unsolved(
-                f"Whether the zero ${formula(zero)}$, which becomes a hidden pole, is stable depends on parameters."
-            )
+            raise Unsolved("model_matching/hidden_pole", zero=zero)
         if not size.is_positive:
             return False
     return True
@@ -158,7 +155,7 @@ def _designed(given: Given, found: exact.Matching, answers: Answers, x: Symbol) 
     matrices = yield from _realized(given, found, x)
     A, B, C, D = matrices
     if exact.reachable_order(A, B) < A.rows:
-        raise Unsolved("The realization given is not completely controllable, so its poles cannot all be moved.")
+        raise Unsolved("model_matching/not_controllable")
     placed = yield from place(A, B, (), "coefficient_matching", x=x, wanted=Wanted(coefficients=found.desired or ()))
     seen = exact.added(C, -D * placed.K)
     loop = transfer_of((placed.loop, B, seen, D), x)

@@ -126,7 +126,7 @@ def by_separation(given: Given) -> Derivation[Answers]:
     """K for A − BK and L for A − LC are found apart; the poles of the whole are those of both."""
     plant = measuring(given.system)
     for _, fault in what_the_file_shows(given.system, {k: v for k, v in given.options.items() if v is not None}):
-        raise Unsolved(fault)
+        raise Unsolved("engine/refused", message=fault)
     yield Step("plan", unclaimed="what is going to be done", reduced=bool(given.reduced))
     control = yield from feedback_of(plant, given.poles, given.gain)
     if given.reduced:

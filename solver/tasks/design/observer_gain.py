@@ -13,7 +13,6 @@ from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import determinant
 from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import unknown_gains
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -124,19 +123,15 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
         modes=modes,
         undecided=any(decays(mode, discrete=pair.discrete) is None for mode in modes),
     )
-    require_decay(modes, f"The pair $({pair.A_name}, {pair.C_name})$ is not detectable: the", discrete=pair.discrete)
+    require_decay(modes, (pair.A_name, pair.C_name), discrete=pair.discrete)
     return list(modes)
 
 
-def require_decay(modes: Sequence[Expr], whose: str, *, discrete: bool) -> None:
-    """Raise Unsolved where an unobservable mode does not decay; `whose` begins the sentence about its eigenvalue."""
+def require_decay(modes: Sequence[Expr], pair: tuple[str, ...], *, discrete: bool) -> None:
+    """Raise Unsolved where an unobservable mode does not decay; `pair` names its matrices, () is the plant's own."""
     growing = next((mode for mode in modes if decays(mode, discrete=discrete) is False), None)
     if growing is not None:
-        inside = r"$|\lambda| < 1$" if discrete else r"$\operatorname{Re}\lambda < 0$"
-        raise Unsolved(
-            f"{whose} eigenvalue $\\lambda = {formula(growing)}$ is unobservable, so no gain moves it, and it does not "
-            f"have {inside}. The estimation error would not decay."
-        )
+        raise Unsolved("observers/error_grows", pair=pair, mode=growing, discrete=discrete)
 
 
 def number_fault(poles: Sequence[Expr], order: str, own: int, seen: int) -> str:
@@ -196,7 +191,7 @@ def _by_coefficients(
     )
     found = compared(unknown, sp.Poly(desired, x).all_coeffs()[1:], unknowns)
     if found.solution.residue:
-        raise Unsolved(_not_reached(pair, hidden))
+        raise Unsolved("observers/not_shown", modes=hidden, matrix=pair.A_name)
     values = [exact.tidy(value.subs(dict.fromkeys(unknowns, 0))) for value in found.solution.values]
     yield Step(
         "compare",
@@ -207,15 +202,6 @@ def _by_coefficients(
         pair=pair,
     )
     return sp.ImmutableMatrix(values)
-
-
-def _not_reached(pair: Pair, hidden: Sequence[Expr]) -> str:
-    modes = ", ".join(f"${formula(mode)}$" for mode in hidden)
-    return (
-        f"The eigenvalue{'s' if len(hidden) > 1 else ''} {modes} of ${pair.A_name}$ cannot be moved by any gain, since "
-        f"the output does not show {'them' if len(hidden) > 1 else 'it'}. The poles asked for must contain "
-        f"{'them' if len(hidden) > 1 else 'it'}, or be given for the observable part alone."
-    )
 
 
 def _by_choice(pair: Pair, poles: Sequence[Expr]) -> Derivation[ImmutableMatrix]:
@@ -241,7 +227,7 @@ def _by_one_combination(pair: Pair, desired: Expr, hidden: Sequence[Expr]) -> De
     """L = L₀ + l q: one combination q y of the outputs sees as much as all of them, for A − L₀ C."""
     found = exact.direction(pair.A.T, pair.C.T)
     if found is None:
-        raise Unsolved("No combination of the outputs was found that sees all of the observable part.")
+        raise Unsolved("observers/no_single_output")
     q = sp.ImmutableMatrix(found.g.T)
     L0 = None if found.preliminary is None else sp.ImmutableMatrix(found.preliminary.T)
     A0 = pair.A if L0 is None else sp.ImmutableMatrix(pair.A - L0 * pair.C)

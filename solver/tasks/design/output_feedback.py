@@ -201,10 +201,7 @@ def reduced_compensator(
     if not plant.plain:
         W = sp.ImmutableMatrix(sp.eye(K.rows) - E * D)
         if exact.determinant(W) == 0:
-            raise Unsolved(
-                "The loop is not well posed: $I - K(S_1 + S_2L)D$ is singular, so $u$ and $y$ do not determine each "
-                "other at an instant."
-            )
+            raise Unsolved("observers/not_well_posed")
         back = exact.inverse(W)
         claims["solved"] = Claim(inverse(difference(sp.eye(K.rows), product(E, D))), back, "solved for $u$")
         H, E = tidied(back * H), tidied(back * E)

@@ -88,7 +88,7 @@ def _one_input(frame: Frame, A: ImmutableMatrix, B: ImmutableMatrix) -> Derivati
         return exact.Direction(sp.ImmutableMatrix([[1]]), None)
     found = exact.direction(A, B)
     if found is None:
-        raise Unsolved("No combination of the inputs was found that reaches all that the inputs reach together.")
+        raise Unsolved("placement/no_single_input")
     claims = {"input": Claim(frame.times(frame.shown(B), frame.shown(found.g)), frame.shown(B * found.g), "one input")}
     if found.preliminary is not None:
         K0 = found.preliminary
@@ -122,9 +122,7 @@ def _controllability(pair: Pair) -> Derivation[int]:
     order = exact.reachable_order(A, b)
     yield Step("controllability", claims=claims, C_o=frame.shown(C_o), det=det, order=order, n=n, **pair.flags)
     if order == 0:
-        raise Unsolved(
-            "The output shows nothing of the state." if frame.dual else "The input does not act on the state at all."
-        )
+        raise Unsolved("placement/nothing_reached", dual=frame.dual)
     return order
 
 

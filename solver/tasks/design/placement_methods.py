@@ -223,7 +223,7 @@ def _equated(
         **pair.flags,
     )
     if solution.residue:
-        raise Unsolved("The equations for the unknowns contradict each other: no such gain places these poles.")
+        raise Unsolved("placement/contradiction")
     yield Step(
         "solution",
         claims={"equations": found.claim(solution.values)},

@@ -58,7 +58,7 @@ def measuring(system: StateSpace, measured: Sequence[str] | None = None) -> Plan
         rows = [_number_of(word, names) for word in measured]
         C, D = sp.ImmutableMatrix(len(rows), n, lambda i, j: int(j == rows[i])), None
     if B is None or C is None:
-        raise Unsolved("it is not said what is measured: give C, or the measured states by 'measured'")
+        raise Unsolved("observers/nothing_measured")
     return Plant(A, B, C, D if D is not None else sp.ImmutableMatrix.zeros(C.rows, B.cols), system.discrete, names)
 
 
@@ -67,5 +67,5 @@ def _number_of(word: str, names: Sequence[str]) -> int:
     if word in names:
         return names.index(word)
     if not (word.isdigit() and 1 <= int(word) <= len(names)):
-        raise Unsolved(f"there is no state '{word}'; the states are {', '.join(names)}")
+        raise Unsolved("observers/unknown_state", word=word, states=names)
     return int(word) - 1

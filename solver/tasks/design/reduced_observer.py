@@ -94,7 +94,7 @@ def by_partition(given: Given) -> Derivation[Answers]:
     """Split off what is measured; A22 − L A12 gets the poles; J, N, M follow from the error equation."""
     plant = measuring(given.system, given.measured)
     for fault in filter(None, (measurement_fault(plant), *(words for _, words in pole_faults(plant, given.poles)))):
-        raise Unsolved(fault)
+        raise Unsolved("engine/refused", message=fault)
     parts = yield from partition_of(plant)
     design = yield from reduced_gain_of(parts, given.poles, discrete=plant.discrete)
     J, N, M = yield from observer_matrices_of(parts, design.L, plant)

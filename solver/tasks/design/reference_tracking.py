@@ -91,7 +91,7 @@ def steady_state_of(
         claims["determinant"] = Claim(determinant(M), det, "determinant of the matrix of the steady state")
     yield Step("steady_state", claims=claims, M=M, discrete=discrete, inputs=m, outputs=p, states=n, order=order)
     if order < n + p:
-        raise Unsolved(_no_steady_state(m, p, discrete=discrete))
+        raise Unsolved("tracking/no_steady_state", m=m, p=p, discrete=discrete)
     steady = exact.set_point(A, B, C, D, discrete=discrete)
     if not steady.unique:
         solution = least_solution(steady)
@@ -108,20 +108,6 @@ def steady_state_of(
         unique=steady.unique,
     )
     return steady.F, steady.N
-
-
-def _no_steady_state(m: int, p: int, *, discrete: bool) -> str:
-    """Say why no input holds every output at its reference."""
-    if m < p:
-        return (
-            f"The plant is under-actuated: {m} input{'s' if m > 1 else ''} cannot hold {p} outputs at independent "
-            f"references, since there are more equations than unknowns. Give as many outputs as inputs."
-        )
-    point = "$z = 1$" if discrete else "the origin"
-    return (
-        "The matrix of the steady state has dependent rows, so there is no steady state for every reference: the plant "
-        f"has a transmission zero at {point} (or an eigenvalue there that the inputs do not reach)."
-    )
 
 
 def _through_the_inverse(
@@ -163,7 +149,7 @@ def _feedforward(
     loop = exact.added(A, -B * K)
     rest = exact.at_rest(loop, discrete=plant.discrete)
     if exact.is_singular(rest):
-        raise Unsolved("The closed loop has an eigenvalue at the point of rest, so it does not settle.")
+        raise Unsolved("tracking/does_not_settle")
     seen = exact.added(C, -D * K)
     terms = [product(-1, seen, inverse(rest), B, K_o)]
     terms = terms if D.is_zero_matrix else [*terms, product(D, K_o)]

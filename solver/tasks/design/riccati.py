@@ -10,7 +10,6 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import determinant, inverse
 from solver.tasks.design.regulator import Regulator
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -21,31 +20,11 @@ def riccati_of(problem: Regulator) -> exact.Riccati:
     try:
         return exact.riccati(problem.A, problem.B, problem.Q, problem.R)
     except exact.NotStabilizable as finding:
-        modes = ", ".join(f"$\\lambda = {formula(mode)}$" for mode in finding.modes)
-        raise Unsolved(_not_stabilizable(problem.dual, modes, len(finding.modes) > 1)) from finding
+        raise Unsolved("regulators/not_stabilizable", dual=problem.dual, modes=finding.modes) from finding
     except exact.OnTheAxis as finding:
-        raise Unsolved(_on_the_axis(problem.dual, finding.factor.as_expr(sp.Symbol("s")))) from finding
-
-
-def _not_stabilizable(dual: bool, modes: str, several: bool) -> str:
-    s, are = ("s", "are") if several else ("", "is")
-    if dual:
-        return (
-            f"The pair $(A, C)$ is not detectable: the mode{s} {modes} {are} not asymptotically stable, and the output "
-            f"does not show {'them' if several else 'it'}. No observer gain makes $A - LC$ stable."
-        )
-    return (
-        f"The pair $(A, B)$ is not stabilizable: the mode{s} {modes} {are} not asymptotically stable, and the input "
-        f"does not reach {'them' if several else 'it'}. No state feedback makes it stable, and the cost is infinite."
-    )
-
-
-def _on_the_axis(dual: bool, factor: Expr) -> str:
-    noise = "not excited by the noise" if dual else "not seen by the weight $Q$"
-    return (
-        "The Hamiltonian matrix has eigenvalues on the imaginary axis: its characteristic polynomial has the factor "
-        f"${formula(factor)}$. A mode there is {noise}, so the Riccati equation has no stabilizing solution."
-    )
+        raise Unsolved(
+            "regulators/on_the_axis", dual=problem.dual, factor=finding.factor.as_expr(sp.Symbol("s"))
+        ) from finding
 
 
 def hamiltonian_step(problem: Regulator, equation: exact.Riccati) -> Step:

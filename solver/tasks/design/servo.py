@@ -99,15 +99,8 @@ def _integrators_reached(plant: Any, D: ImmutableMatrix) -> Derivation[None]:
     if order == n + p:
         return
     if m < p:
-        raise Unsolved(
-            f"There are fewer inputs ({m}) than outputs ({p}): the errors of all outputs cannot be integrated to zero "
-            "by independent integrators. Give as many outputs as inputs."
-        )
-    where = "$z = 1$" if plant.discrete else "the origin"
-    raise Unsolved(
-        f"The plant has a zero at {where} (or an eigenvalue there that the inputs do not reach), which cancels the "
-        "pole of an integrator: the augmented system is not controllable, and its pole there cannot be moved."
-    )
+        raise Unsolved("tracking/fewer_inputs", m=m, p=p)
+    raise Unsolved("tracking/zero_at_rest", discrete=plant.discrete)
 
 
 def _steady_state(plant: Any, loop: ImmutableMatrix, K: ImmutableMatrix, k_I: ImmutableMatrix) -> Derivation[None]:
@@ -116,7 +109,7 @@ def _steady_state(plant: Any, loop: ImmutableMatrix, K: ImmutableMatrix, k_I: Im
     rest = exact.at_rest(loop, discrete=plant.discrete)
     reference = sp.ImmutableMatrix(sp.Matrix.vstack(sp.zeros(n, p), sp.eye(p)))
     if exact.is_singular(rest):
-        raise Unsolved("A closed-loop pole lies at the point of rest, so the loop does not settle at the reference.")
+        raise Unsolved("tracking/pole_at_rest")
     seen = sp.ImmutableMatrix(sp.Matrix.hstack(sp.Matrix(exact.added(plant.C, -D * K)), sp.Matrix(D * k_I)))
     gain = product(-1, seen, inverse(rest), reference)
     yield Step(

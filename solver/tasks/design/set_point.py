@@ -61,7 +61,7 @@ def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
     try:
         found = exact.set_point(A, B, C, D, discrete=plant.discrete)
     except exact.NoSetPoint as finding:
-        raise Unsolved(_no_set_point(finding.rank, n, m, p, discrete=plant.discrete)) from finding
+        raise Unsolved("tracking/no_set_point", rank=finding.rank, n=n, m=m, p=p, discrete=plant.discrete) from finding
     M, right = found.matrix, found.right
     square = m == p and found.unique
     claims = {"solution": Claim(product(M, found.stacked), right, "the set point")}
@@ -92,20 +92,6 @@ def least_solution(found: exact.SetPoint) -> Stated:
     """Mᵀ(MMᵀ)⁻¹ [0; I] as stated, for a matrix M of independent rows."""
     M = found.matrix
     return product(transpose(M), inverse(product(M, transpose(M))), found.right)
-
-
-def _no_set_point(rank: int, n: int, m: int, p: int, *, discrete: bool) -> str:
-    point = "z = 1" if discrete else "s = 0"
-    if m < p:
-        return (
-            f"There are fewer inputs ({m}) than outputs ({p}): the {n + p} equations for the {n + m} entries of a set "
-            "point have no solution for every reference, so the outputs cannot all be brought to arbitrary values."
-        )
-    return (
-        "The plant cannot hold its output at every reference: the matrix of the equations for the set point has the "
-        f"rank {rank}, less than $n + p = {n + p}$. The plant has a zero at ${point}$, or a part at rest that no input "
-        "moves."
-    )
 
 
 @lemma("set_point")

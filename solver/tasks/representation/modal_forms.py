@@ -12,7 +12,6 @@ from solver.stated import Stated
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.calculus import derivative, value_at
 from solver.tasks.representation.realization_lemmas import assembled, plain, proper_part
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -67,9 +66,7 @@ def _refuse_chains(modes: Sequence[exact.Mode], x: Symbol) -> None:
     for mode in modes:
         if not mode.simple:
             raise Unsolved(
-                f"The pole at ${x} = {formula(mode.root.value)}$ is repeated: ${x} - p$ stands in the denominator "
-                f"with the power {mode.multiplicity}, and a diagonal matrix gives only the first power. The Jordan "
-                "form (`form: jordan`) has a chain of states for such a pole."
+                "realization/repeated_pole", variable=x, pole=mode.root.value, multiplicity=mode.multiplicity
             )
 
 

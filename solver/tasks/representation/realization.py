@@ -71,7 +71,7 @@ def by_inspection(given: Given) -> Derivation[Answers]:
                 return Answers(A=moved.A, B=moved.B, C=moved.C, D=moved.D)
         G = yield from transfer_function_of(given.system)
     if G.common_denominator.degree() == 0:
-        raise Unsolved("The transfer function is a constant: there is no state to write equations for.")
+        raise Unsolved("realization/constant")
     yield from direct_path_of(G)
     if form in COMPANION:
         found = yield from companion_form_of(G, form, first=first, discrete=discrete)

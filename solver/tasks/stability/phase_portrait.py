@@ -13,7 +13,6 @@ from solver.stated.algebra import difference, exponential, power, product
 from solver.stated.matrices import determinant, trace
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.stability.trajectories import portrait_of
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -47,7 +46,7 @@ def by_eigenvalues(given: Given) -> Derivation[Answers]:
     """Trace, determinant and discriminant tell the eigenvalues apart; these tell the kind."""
     A = given.system.A
     if A.rows != 2:
-        raise Unsolved(f"A phase portrait needs two states; this system has {A.rows}.")
+        raise Unsolved("phase_portrait/another_order", n=A.rows)
     yield from eigenvalues_of(A)
     tr, det = sp.expand(A[0, 0] + A[1, 1]), sp.expand(A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0])
     discriminant = sp.expand(tr**2 - 4 * det)
@@ -83,10 +82,7 @@ def _sign(x: Expr, name: str) -> int:
     """The sign of an invariant; refuses where parameters decide it."""
     sign = exact.sign_of(x)
     if sign is None:
-        raise Unsolved(
-            f"The kind depends on the parameters: the {name} ${formula(sp.factor(x))}$ is positive for some values "
-            "and not for others. Give the parameters values, or say by `assume` what is known of them."
-        )
+        raise Unsolved("phase_portrait/depends_on_parameters", invariant=name, value=sp.factor(x))
     return sign
 
 

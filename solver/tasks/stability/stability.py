@@ -137,10 +137,10 @@ def by_lyapunov(given: Given) -> Derivation[Answers]:
 def _right_side(A: ImmutableMatrix, Q: ImmutableMatrix, *, dual: bool) -> Derivation[bool]:
     """Whether the sign of P decides: Q is positive definite, or sees (dual: reaches) every mode."""
     if Q.shape != A.shape:
-        raise Unsolved(f"$Q$ must be ${A.rows} \\times {A.rows}$, like $A$.")
+        raise Unsolved("stability/size_of_the_weight", n=A.rows)
     kind = exact.definiteness(Q)
     if kind is None:
-        raise Unsolved("Whether $Q$ is positive definite depends on the parameters in it.")
+        raise Unsolved("stability/definiteness_of_the_weight")
     if kind == "positive definite":
         return True
     F = sp.ImmutableMatrix(A if dual else A.T)

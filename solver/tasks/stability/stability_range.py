@@ -13,7 +13,6 @@ from solver.numeric.judges import stability as judges
 from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.stability.routh_array import routh_array_of
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -115,7 +114,7 @@ def _wanted(given: Given) -> list[Symbol]:
     inside = sorted(plant.A.free_symbols, key=str)
     for symbol in inside:
         if symbol.is_real is False or (symbol.is_complex and symbol.is_real is None):
-            raise Unsolved(f"The parameter ${formula(symbol)}$ is complex; conditions are found for real ones.")
+            raise Unsolved("stability/complex_parameter", parameter=symbol)
     names = given.parameters or ()
     return [symbol for name in names for symbol in inside if symbol.name == name]
 

@@ -9,7 +9,6 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.matrices import inverse
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -98,10 +97,7 @@ def depends_on_parameters(A: ImmutableMatrix, *, discrete: bool) -> Derivation[N
     """The verdict is not the same for all values of the parameters: say when it is asymptotic stability."""
     condition = exact.stable_where(A, discrete=discrete)
     if condition is sp.true:
-        raise Unsolved(
-            "The signs that this method needs were not found for all values of the parameters. Routh's criterion shows "
-            "the system to be asymptotically stable for all of them; ask for that method, or for `stability_range`."
-        )
+        raise Unsolved("stability/signs_not_found")
     yield Step(
         "depends",
         unclaimed="the condition is derived and checked by the task `stability_range`",
@@ -109,16 +105,9 @@ def depends_on_parameters(A: ImmutableMatrix, *, discrete: bool) -> Derivation[N
         never=condition is sp.false,
     )
     if condition is sp.false:
-        raise Unsolved(
-            "The system is not asymptotically stable for any values of the parameters; the signs needed to say more "
-            "depend on them. Give the parameters values, or say by `assume` what is known of them."
-        )
+        raise Unsolved("stability/never_stable")
     parts = condition.args if isinstance(condition, sp.And) else (condition,)
-    words = " and ".join(f"${formula(part)}$" for part in parts)
-    raise Unsolved(
-        f"The verdict depends on the parameters: the system is asymptotically stable exactly for {words}. Give the "
-        "parameters values, or say by `assume` what is known of them."
-    )
+    raise Unsolved("stability/depends_on_parameters", conditions=parts)
 
 
 @lemma("external_stability")

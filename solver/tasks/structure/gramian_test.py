@@ -12,7 +12,6 @@ from solver.stated.calculus import integral, summation
 from solver.stated.matrices import determinant, rank, transpose
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.structure.pairs import Pair
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -40,7 +39,7 @@ def infinite_gramian_of(pair: Pair) -> Derivation[ImmutableMatrix]:
         discrete=pair.discrete,
     )
     if outside:
-        raise Unsolved(_refusal(pair, outside))
+        raise Unsolved("gramian/grows_without_bound", outside=outside, discrete=pair.discrete)
     Q = exact.multiply(pair.G, pair.G.T)
     W = exact.lyapunov(pair.F, Q, dual=True, discrete=pair.discrete)
     yield _equation(pair, Q)
@@ -56,17 +55,6 @@ def infinite_gramian_of(pair: Pair) -> Derivation[ImmutableMatrix]:
     )
     yield _definite(pair, W)
     return W
-
-
-def _refusal(pair: Pair, outside: list[Any]) -> str:
-    place = r"inside the unit circle" if pair.discrete else "in the open left half plane"
-    values = ", ".join(f"${formula(value)}$" for value in outside)
-    what = "the sum over all times" if pair.discrete else "the integral up to infinity"
-    return (
-        "The Gramian over an infinite time exists only if all eigenvalues of $A$ lie "
-        f"{place}; here {values} {'does' if len(outside) == 1 else 'do'} not, so {what} grows without bound. "
-        "Give a finite `horizon`, or use the method `rank` or `pbh`."
-    )
 
 
 def _equation(pair: Pair, Q: ImmutableMatrix) -> Step:

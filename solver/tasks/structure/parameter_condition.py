@@ -149,11 +149,7 @@ def _parameter(given: Given, pair: Pair) -> Any:
         return known[names[0]]
     if not names and len(known) == 1:
         return next(iter(known.values()))
-    raise Unsolved(
-        "The matrices that decide it contain no parameter."
-        if not known
-        else "Which parameter is asked for is not said."
-    )
+    raise Unsolved("parameter_condition/which_parameter" if known else "parameter_condition/no_parameter")
 
 
 @parameter_condition.verification("values")

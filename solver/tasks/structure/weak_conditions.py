@@ -20,7 +20,7 @@ def decay_of_hidden_modes(pair: Pair) -> Derivation[Answers]:
     found = yield from rank_of(pair)
     modes = yield from hidden_modes_of(pair, found.matrix)
     if modes is None:
-        raise Unsolved("The hidden modes have no usable form with parameters in them. Give the parameters values.")
+        raise Unsolved("hidden_modes/parameters")
     hidden = exact.hidden_part(pair.F, pair.G)
     placed = exact.location(hidden.H, discrete=pair.discrete).placed if hidden else ()
     positions = [each.position for each in placed]
@@ -36,10 +36,7 @@ def decay_of_hidden_modes(pair: Pair) -> Derivation[Answers]:
         discrete=pair.discrete,
     )
     if holds is None:
-        raise Unsolved(
-            f"Whether the system is {'detectable' if pair.dual else 'stabilizable'} depends on the parameters: "
-            "it is so exactly where all hidden modes are stable. Say more about the parameters under `assume`."
-        )
+        raise Unsolved("hidden_modes/depends_on_parameters", dual=pair.dual)
     return Answers(**{"detectable" if pair.dual else "stabilizable": holds, "hidden_modes": modes})
 
 

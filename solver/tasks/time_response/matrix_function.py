@@ -112,7 +112,7 @@ def by_modal_matrix(given: Given) -> Derivation[Answers]:
     A, f = given.system.A, _asked(given)
     yield from eigenvalues_of(A)
     structure = yield from right_eigenvectors_of(A)
-    require_diagonalizable(structure, "Use the Cayley–Hamilton theorem.")
+    require_diagonalizable(structure, transform=False)
     scalar = exact.ScalarFunction(f, sp.Symbol("A"))
     found = exact.matrix_function(A, scalar)
     V, inverted = structure.right, structure.right_inverse

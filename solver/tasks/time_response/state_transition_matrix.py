@@ -29,7 +29,6 @@ from solver.stated.matrices import inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
-from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -219,17 +218,19 @@ def by_modal_matrix(given: Given) -> Derivation[Answers]:
     return Answers(Phi=Phi)
 
 
-def require_diagonalizable(
-    structure: exact.Eigenstructure, instead: str = "Use the Laplace transform or the Cayley–Hamilton theorem."
-) -> None:
-    """The modal matrix must be invertible, i.e. every eigenvalue needs as many eigenvectors as its multiplicity."""
+def require_diagonalizable(structure: exact.Eigenstructure, *, transform: bool = True) -> None:
+    """The modal matrix must be invertible, i.e. every eigenvalue needs as many eigenvectors as its multiplicity.
+
+    `transform` tells that the Laplace transform is another way.
+    """
     for space in structure.eigenspaces:
         if space.geometric < space.algebraic:
             raise Unsolved(
-                "The modal matrix needs as many independent eigenvectors as there are states. The eigenvalue "
-                f"$\\lambda = {formula(space.root.value)}$ has multiplicity {space.algebraic} but only "
-                f"{space.geometric} independent eigenvector{'s' if space.geometric > 1 else ''}, so the modal matrix "
-                f"would be singular. {instead}"
+                "modal_matrix/singular",
+                value=space.root.value,
+                algebraic=space.algebraic,
+                geometric=space.geometric,
+                transform=transform,
             )
 
 
