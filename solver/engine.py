@@ -127,7 +127,7 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     return PartResult(part.id, part.task, method, status, answers, checks, tuple(steps), reason, seconds)
 
 
-def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None = None) -> Given:
+def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None = None) -> Given[Any, Any]:
     """Return what a method works on: options resolved, the system realized and its loop closed where that is asked.
 
     The steps of that are appended to `steps`. Raises Unsolved, NotExact.
@@ -135,27 +135,28 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     task = catalogue()[part.task]
     options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
     _refuse(task, part.system, options)
-    given: Given = yield_into([] if steps is None else steps, _plant(task, Given(part.system, options, method)))
+    plant = _plant(task, task.given(part.system, options, method))
+    given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
     return given
 
 
-def _refuse(task: Task, system: System, options: Mapping[str, Any]) -> None:
+def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) -> None:
     """Refuse what could not be judged before, since it was taken from an earlier part."""
     for _, message in task.refused(system, options):
         raise Unsolved("engine/refused", message=message)
 
 
-def _plant(task: Task, given: Given) -> Derivation[Given]:
+def _plant(task: Task[Any, Any], given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
     """Bring the system to what the task works on: realized if it needs a state space, with the loop closed."""
     if isinstance(given.system, TransferFunction) and (
-        "transfer_function" not in task.needs or given.options.get("gain") is not None
+        "transfer_function" not in task.needs or _gain(given) is not None
     ):
         given = yield from _realized(given)
     return (yield from _closed_loop(given)) if task.closes_the_loop else given
 
 
 @lemma("realized")
-def _realized(given: Given) -> Derivation[Given]:
+def _realized(given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
     """A transfer function is realized in controllable canonical form for questions about its states."""
     G = given.system
     form = exact.controllable_realization(exact.transfer_matrix_of_fractions(G.numerators, G.denominators, G.variable))
@@ -220,10 +221,15 @@ def _as_printed(matrix: Any) -> Any:
     return matrix.xreplace(exactly) if exactly else matrix
 
 
+def _gain(given: Given[Any, Any]) -> Any:
+    """The gain that closes the loop before the question is asked, None without one."""
+    return getattr(given.options, "gain", None)
+
+
 @lemma("closed_loop")
-def _closed_loop(given: Given) -> Derivation[Given]:
+def _closed_loop(given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
     """With the option `gain`, the question is about x' = (A − BK) x."""
-    K, plant = given.options.get("gain"), given.system
+    K, plant = _gain(given), given.system
     if K is None:
         return given
     if plant.B is None or K.shape != (plant.B.cols, plant.order):

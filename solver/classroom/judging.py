@@ -24,8 +24,8 @@ MOST_VECTORS = 5
 class Question:
     """A part as it is judged: the task, what is given, and our own verified answers (kind and shape of values)."""
 
-    task: Task
-    given: Given
+    task: Task[Any, Any]
+    given: Given[Any, Any]
     ours: Mapping[str, Any]
 
 
@@ -117,7 +117,7 @@ def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) ->
 
 def _strangers(each: Submitted, question: Question) -> list[str]:
     """Symbols that stand neither in the question nor in our answers."""
-    known = _symbols([*question.ours.values(), *question.given.options.values(), *_matrices_of(question.given.system)])
+    known = _symbols([*question.ours.values(), *question.given.options.values, *_matrices_of(question.given.system)])
     return sorted(str(symbol) for symbol in _symbols([each.value]) - known)
 
 

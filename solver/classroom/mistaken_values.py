@@ -114,7 +114,7 @@ def _other_solution(case: Case) -> Values:
 
 def _gain_of_other_solution(case: Case) -> Values:
     """K = R⁻¹ Bᵀ P, L = P Cᵀ R⁻¹ of a P that is not the stabilising one."""
-    plant, R = case.question.given.system, case.question.given.options.get("R")
+    plant, R = case.question.given.system, getattr(case.question.given.options, "R", None)
     for P in case.question.ours.get("solutions", ()):
         if case.name == "K":
             weight: Any = R or case.question.ours["R"]
@@ -150,7 +150,7 @@ def _entry_by_entry(case: Case) -> Values:
     if case.part.task == "state_transition_matrix" and not case.question.given.system.discrete:
         yield sp.ImmutableMatrix(A.applyfunc(lambda entry: sp.exp(entry * sp.Symbol("t"))))
     elif case.part.task == "matrix_function":
-        function = case.question.given.function
+        function = case.question.given.options.function
         yield sp.ImmutableMatrix(A.applyfunc(lambda entry: function.xreplace({sp.Symbol("A"): entry})))
 
 

@@ -6,25 +6,9 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from textwrap import wrap
+from typing import Any
 
-from solver.derivation import (
-    AnswerName,
-    Channel,
-    Choice,
-    Expression,
-    ExpressionList,
-    Flag,
-    Integer,
-    MatrixOf,
-    Method,
-    Names,
-    Number,
-    Option,
-    OptionKind,
-    Poles,
-    Task,
-    TransferFunctionOption,
-)
+from solver.derivation import AnswerName, Method, Option, Task
 from solver.render.unicode_math import flat
 from solver.tasks import Declaration, catalogue
 
@@ -50,7 +34,7 @@ def _summary(declared: Declaration) -> str:
     return f"{declared.title} ({', '.join(methods)})" if methods else declared.title
 
 
-def one(task: Task) -> str:
+def one(task: Task[Any, Any]) -> str:
     """Return all about a task."""
     needs = ", ".join(task.needs) if task.needs else "nothing"
     lines = [task.name, f"  {task.title}.", *_wrapped(task.doc, "  "), f"  Needs {needs} of the system.", ""]
@@ -60,7 +44,7 @@ def one(task: Task) -> str:
     return "\n".join(lines)
 
 
-def _method_rows(task: Task) -> Iterator[tuple[str, str]]:
+def _method_rows(task: Task[Any, Any]) -> Iterator[tuple[str, str]]:
     for method in task.methods.values():
         yield method.name, "; ".join(filter(None, [method.title, _when(method), method.source]))
 
@@ -70,7 +54,7 @@ def _when(method: Method) -> str:
 
 
 def _option_row(option: Option) -> tuple[str, str]:
-    facts = [described(option.kind)]
+    facts = [option.kind.words]
     if option.required:
         facts.append("required")
     if option.default is not None:
@@ -85,44 +69,6 @@ def _answer_row(answer: AnswerName) -> tuple[str, str]:
 
 def _only(methods: tuple[str, ...]) -> str:
     return f" (only {', '.join(methods)})" if methods else ""
-
-
-def described(kind: OptionKind) -> str:  # noqa: PLR0911 - one line a kind
-    """Return in words what an option of the kind takes."""
-    match kind:
-        case Integer(minimum, maximum):
-            return " ".join(["a whole number", *_bounds(minimum, maximum)])
-        case Choice(words):
-            return "one of " + ", ".join(words)
-        case Flag():
-            return "true or false"
-        case Number(percent):
-            return 'a number, or a percentage such as "14%"' if percent else "a number"
-        case Expression(variables):
-            return "an expression" + (f" in {', '.join(variables)}" if variables else "")
-        case ExpressionList(variables):
-            return "an expression or a list of them" + (f", in {', '.join(variables)}" if variables else "")
-        case Poles():
-            return 'a list of poles, "-3 ± 2j" for a pair'
-        case MatrixOf(rows, columns, flat):
-            size = "" if rows is None and columns is None else f" {_size(rows)}×{_size(columns)}"
-            return f"a matrix{size}; a flat list is a {flat}"
-        case Channel(of):
-            return f"an {of} by number from 1 or by name" if of != "state" else "a state by number from 1 or by name"
-        case Names():
-            return "a list of names"
-        case TransferFunctionOption():
-            return "a transfer function"
-
-
-def _size(size: int | str | None) -> str:
-    return "any" if size is None else str(size)
-
-
-def _bounds(minimum: int | None, maximum: int | None) -> list[str]:
-    if minimum is not None and maximum is not None:
-        return [f"from {minimum} to {maximum}"]
-    return [f"from {minimum}"] if minimum is not None else [f"up to {maximum}"] if maximum is not None else []
 
 
 def _table(rows: Iterable[tuple[str, str]]) -> Iterator[str]:

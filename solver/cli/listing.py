@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -51,7 +51,7 @@ def schema() -> None:
     click.echo(json.dumps(json_schema(catalogue()), indent=2, ensure_ascii=False))
 
 
-def _found(name: str) -> Task:
+def _found(name: str) -> Task[Any, Any]:
     """Return the task of that name; raises click.UsageError with the nearest name."""
     from solver.problem.source import did_you_mean
     from solver.tasks import catalogue

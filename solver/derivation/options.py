@@ -1,99 +1,126 @@
-"""The kinds of option a task can take. They say what is allowed; `solver.problem` reads them from a file."""
+"""The options of a task: a frozen dataclass whose fields say what a file may write and what it means.
+
+A task declares `poles: tuple[Expr, ...] | None = option(Poles(), "poles of the closed loop")` and reads
+`given.options.poles`. The kinds of option stand in `solver/options`, one file each; nothing here knows them.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Literal, Self, TypeVar, overload
+
+if TYPE_CHECKING:
+    from solver.problem.context import Context
+    from solver.problem.nodes import Node
+
+T = TypeVar("T")
+Schema = dict[str, Any]
+VALUE: Schema = {"type": ["number", "string"]}
+VALUES: Schema = {"$ref": "#/$defs/Values"}
+"""One value, and one or several, as the schema of problem files writes them."""
+Typed = str | int | bool | list[Any]
+"""A value as it is typed in a file."""
 
 
-@dataclass(frozen=True, slots=True)
-class Integer:
-    """A whole number within bounds."""
+class OptionKind(ABC, Generic[T]):
+    """A kind of option: reads a node of the file as a value of type T, and says how it is written."""
 
-    minimum: int | None = None
-    maximum: int | None = None
+    referable: ClassVar[bool] = False
+    """Whether the value can be the answer of an earlier part, `{from: part}`."""
 
+    @property
+    def implied(self) -> Typed | None:
+        """What is meant where nothing is said, as it is typed."""
+        return None
 
-@dataclass(frozen=True, slots=True)
-class Choice:
-    """One of some words; the first is the default unless the option says otherwise."""
+    @property
+    @abstractmethod
+    def words(self) -> str:
+        """What is written, in words."""
 
-    words: tuple[str, ...]
+    @property
+    @abstractmethod
+    def schema(self) -> Schema:
+        """The JSON Schema of what is written."""
 
+    @property
+    @abstractmethod
+    def example(self) -> str:
+        """A value as it is written in a file, which suits a plant of two states, one input and one output."""
 
-@dataclass(frozen=True, slots=True)
-class Flag:
-    """`true` or `false`."""
-
-
-@dataclass(frozen=True, slots=True)
-class Number:
-    """An exact number or an expression in parameters; `percent` also allows "14%"."""
-
-    percent: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Expression:
-    """An expression; `variables` are the names with a meaning of their own in it (`t`, `k`, `s`, `A`)."""
-
-    variables: tuple[str, ...] = ()
+    @abstractmethod
+    def read(self, node: Node, name: str, context: Context) -> T:
+        """Return the value of the option `name`; raises Fault at the node."""
 
 
-@dataclass(frozen=True, slots=True)
-class ExpressionList:
-    """An expression, or a list of them (one an input, say)."""
-
-    variables: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Poles:
-    """A list of complex numbers closed under conjugation; "-3 ± 2j" stands for two."""
-
-
-@dataclass(frozen=True, slots=True)
-class MatrixOf:
-    """A matrix. `rows` and `columns` are numbers or the system's "n", "m" (inputs), "p" (outputs); None is any.
-
-    `flat` says what a flat list stands for: "row" or "column".
-    """
-
-    rows: int | str | None = None
-    columns: int | str | None = None
-    flat: str = "row"
-
-
-@dataclass(frozen=True, slots=True)
-class Channel:
-    """An input or output by number (from 1) or by name; `of` is "input", "output" or "state"."""
-
-    of: str
-
-
-@dataclass(frozen=True, slots=True)
-class Names:
-    """A list of words (parameters, states)."""
-
-
-@dataclass(frozen=True, slots=True)
-class TransferFunctionOption:
-    """A transfer function in any of the spellings of a system."""
-
-
-OptionKind = (
-    Integer | Choice | Flag | Number | Expression | ExpressionList | Poles | MatrixOf | Channel | Names
-    | TransferFunctionOption
-)  # fmt: skip
+class ImpliedKind(OptionKind[T]):
+    """A kind with a value of its own where nothing is said."""
 
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """An option of a task: its name, what it takes, what it means; `methods` it belongs to (empty: all)."""
+    """An option of a task: its name, what it takes, what it means; `methods` it belongs to (empty: all).
+
+    `default` is as it is typed in a file. `answer` is the answer that `{from: part}` takes (empty: the one of the
+    option's own name). One that `closes_the_loop` changes the system before the task sees it.
+    """
 
     name: str
-    kind: OptionKind
+    kind: OptionKind[Any]
     doc: str
-    default: Any = None
+    default: Typed | None = None
     required: bool = False
     methods: tuple[str, ...] = ()
+    answer: str = ""
+    closes_the_loop: bool = False
+
+
+@overload
+def option(kind: OptionKind[T], doc: str, *, required: Literal[True], methods: tuple[str, ...] = ()) -> T: ...
+@overload
+def option(kind: OptionKind[T], doc: str, *, default: Typed, methods: tuple[str, ...] = ()) -> T: ...
+@overload
+def option(kind: ImpliedKind[T], doc: str, *, methods: tuple[str, ...] = ()) -> T: ...
+@overload
+def option(
+    kind: OptionKind[T], doc: str, *, methods: tuple[str, ...] = (), answer: str = "", closes_the_loop: bool = False
+) -> T | None: ...
+def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **facts: Any) -> Any:
+    """Return the field of an option. Without a default, and not required, its value is None where it is not given."""
+    default = kind.implied if default is None else default
+    declared = Option("", kind, doc, default, **facts)
+    return field(default=None if isinstance(default, list) else default, metadata={"option": declared})
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """The options of a task, read. `later` are those taken from an earlier part, as long as their value is unknown."""
+
+    later: frozenset[str] = frozenset()
+
+    @classmethod
+    def declared(cls) -> dict[str, Option]:
+        """Return the options by name: the class's own before those it inherits."""
+        known = {each.name: each.metadata["option"] for each in fields(cls) if "option" in each.metadata}
+        names = dict.fromkeys(name for base in cls.__mro__ for name in vars(base).get("__annotations__", {}))
+        return {name: replace(known[name], name=name) for name in names if name in known}
+
+    @classmethod
+    def of(cls, values: Mapping[str, Any]) -> Self:
+        """Return the options with these values; None stands for one that is not known yet."""
+        later = frozenset(name for name, value in values.items() if value is None)
+        return cls(later=later, **values)
+
+    def has(self, name: str) -> bool:
+        """Whether an option without a default is given, known or not."""
+        return name in self.later or getattr(self, name) is not None
+
+    @property
+    def values(self) -> list[Any]:
+        """The values that are given."""
+        return [value for name in self.declared() if (value := getattr(self, name)) is not None]
+
+
+__all__ = ["VALUE", "VALUES", "ImpliedKind", "Option", "OptionKind", "Options", "Schema", "Typed", "option"]

@@ -7,12 +7,12 @@ verification. Nothing here computes, so that reading the catalogue needs no alge
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import wraps
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar
 
-from solver.derivation.options import MatrixOf, Option
+from solver.derivation.options import Option, Options
 from solver.derivation.steps import Answers, Check, Step
 
 if TYPE_CHECKING:
@@ -20,34 +20,27 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 R = TypeVar("R")
+S = TypeVar("S")
+O = TypeVar("O", bound=Options)
+S_co = TypeVar("S_co", covariant=True)
+O_co = TypeVar("O_co", bound=Options, covariant=True)
 Derivation = Generator[Step, None, R]
 Refusal = tuple[str, str]
 """The option at fault ("" for the question as a whole) and what is wrong with it, in words."""
 
-GAIN = Option("gain", MatrixOf("m", "n", flat="row"), "state feedback u = −K x; the question is then about A − BK")
-"""Every task about a plant takes it."""
-
 
 @dataclass(frozen=True, slots=True)
-class Given:
-    """What a method works on: the exact system and the options, read and validated.
+class Given(Generic[S_co, O_co]):
+    """What a method works on: the exact system and the task's options, read and validated."""
 
-    The system is a `StateSpace`; for a task that needs a "transfer_function" it is whatever the problem gives.
-    """
-
-    system: Any
-    options: Mapping[str, Any] = field(default_factory=dict)
+    system: S_co
+    options: O_co
     method: str = ""
 
-    def __getattr__(self, name: str) -> Any:
-        """Return the option of that name."""
-        if name.startswith("__"):
-            raise AttributeError(name)
-        return self.options.get(name)
 
-
-Judge = Callable[[Given, Answers], Iterable[Check]]
-Refuse = Callable[["System", Mapping[str, Any]], Iterable[Refusal]]
+Derive = Callable[[Given[S, O]], Derivation[Answers]]
+Judge = Callable[[Given[S, O], Answers], Iterable[Check]]
+Refuse = Callable[["System", O], Iterable[Refusal]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,11 +58,11 @@ class AnswerName:
     doc: str
     methods: tuple[str, ...] = ()
     optional: bool = False
-    free: bool | Callable[[Given], bool] = False
+    free: bool | Callable[[Given[Any, Any]], bool] = False
     ordered: bool = False
     vectors: str = ""
 
-    def is_free(self, given: Given) -> bool:
+    def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""
         return self.free(given) if callable(self.free) else self.free
 
@@ -82,7 +75,7 @@ class Method:
     title: str
     source: str
     time: str
-    derive: Callable[[Given], Derivation[Answers]]
+    derive: Callable[[Given[Any, Any]], Derivation[Answers]]
 
     def serves(self, discrete: bool) -> bool:
         """Whether the method is for systems in discrete (continuous) time."""
@@ -94,9 +87,9 @@ class Verification:
     """The judge of some answers by their defining property; works on any of them alone."""
 
     answers: tuple[str, ...]
-    judge: Callable[[Given, Answers], Iterable[Check]]
+    judge: Callable[[Given[Any, Any], Answers], Iterable[Check]]
 
-    def checks(self, given: Given, answers: Answers) -> Iterable[Check]:
+    def checks(self, given: Given[Any, Any], answers: Answers) -> Iterable[Check]:
         """Return the checks; one that names no answer judges all of these that are present."""
         present = tuple(name for name in self.answers if name in answers)
         if present:
@@ -104,12 +97,13 @@ class Verification:
                 yield check if check.judges else replace(check, judges=present)
 
 
-class Task:
+class Task(Generic[S, O]):
     """A question that can be asked: a name in the field's terms, what it needs, options, answers and methods.
 
-    `needs` lists the matrices of the system the question is about, e.g. ("A",) or ("A", "B"); what is needed with some
-    options only is for a refusal. `example` are matrices and options that the file of `solve new` gives, as they are
-    typed, where the needed and the required ones as usual would not do.
+    S is the system that its methods get, O the dataclass of its options. `needs` lists the matrices of the system the
+    question is about, e.g. ("A",) or ("A", "B"); what is needed with some options only is for a refusal. `example` are
+    matrices and options that the file of `solve new` gives, as they are typed, where the needed and the required ones
+    as usual would not do.
     A task with one way of solving it has a method of the task's own name, which is not spelled in problem files.
     """
 
@@ -122,7 +116,7 @@ class Task:
         doc: str,
         needs: tuple[str, ...],
         answers: Iterable[AnswerName],
-        options: Iterable[Option] = (),
+        options: type[O],
         example: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         self.name = name
@@ -132,26 +126,31 @@ class Task:
         self.needs = needs
         self.example = example
         self.answers = {answer.name: answer for answer in answers}
-        self.options = {option.name: option for option in options}
-        self.closes_the_loop = self.options.setdefault("gain", GAIN) is GAIN  # a task may mean another thing by it
+        self.options_class = options
+        self.options = options.declared()
+        self.closes_the_loop = any(option.closes_the_loop for option in self.options.values())
         self.methods: dict[str, Method] = {}
         self.verifications: list[Verification] = []
-        self.refusals: list[Callable[[System, Mapping[str, Any]], Iterable[Refusal]]] = []
+        self.refusals: list[Callable[[System, O], Iterable[Refusal]]] = []
+
+    def given(self, system: S, values: Mapping[str, Any], method: str = "") -> Given[S, O]:
+        """Return what a method works on, from the values of options by name."""
+        return Given(system, self.options_class.of(values), method)
 
     def method(
         self, name: str = "", *, title: str = "", source: str = "", time: str = "both"
-    ) -> Callable[[Callable[[Given], Derivation[Answers]]], Callable[[Given], Derivation[Answers]]]:
+    ) -> Callable[[Derive[S, O]], Derive[S, O]]:
         """Register a derivation. Its steps are worded by `templates/wording/<task>/<method>.md.jinja`."""
         name = name or self.name
 
-        def register(derive: Callable[[Given], Derivation[Answers]]) -> Callable[[Given], Derivation[Answers]]:
+        def register(derive: Derive[S, O]) -> Derive[S, O]:
             worded = worded_by(f"{self.name}/{name}")(derive)
             self.methods[name] = Method(name, title or self.title, source, time, worded)
             return worded
 
         return register
 
-    def verification(self, *answers: str) -> Callable[[Judge], Judge]:
+    def verification(self, *answers: str) -> Callable[[Judge[S, O]], Judge[S, O]]:
         """Register the judge of some answers, called when at least one of them is present.
 
         It yields checks of the defining property, by other means than the derivation's: it accepts every right answer
@@ -161,28 +160,30 @@ class Task:
         if unknown or not answers:
             raise ValueError(f"{self.name}: a verification needs names of its answers, not {sorted(unknown)}")
 
-        def register(judge: Judge) -> Judge:
+        def register(judge: Judge[S, O]) -> Judge[S, O]:
             self.verifications.append(Verification(answers, judge))
             return judge
 
         return register
 
-    def verify(self, given: Given, answers: Answers) -> Iterable[Check]:
+    def verify(self, given: Given[S, O], answers: Answers) -> Iterable[Check]:
         """Return the checks of all the answers present."""
         for verification in self.verifications:
             yield from verification.checks(given, answers)
 
-    def refusal(self, refuse: Refuse) -> Refuse:
+    def refusal(self, refuse: Refuse[O]) -> Refuse[O]:
         """Register what makes a question wrong as the file asks it: yields (option or "", message) for each fault.
 
-        It is called within limits before anything is solved, with None for options taken from an earlier part, and
-        again when these are known. The fault is told at the place of the option in the file.
+        It is called within limits before anything is solved, without the values of options taken from an
+        earlier part (`options.later`), and again when these are known. The fault is told at the place of the
+        option in the file.
         """
         self.refusals.append(refuse)
         return refuse
 
-    def refused(self, system: System, options: Mapping[str, Any]) -> Iterable[Refusal]:
-        """Return what makes the question wrong."""
+    def refused(self, system: System, values: Mapping[str, Any]) -> Iterable[Refusal]:
+        """Return what makes the question wrong; None stands for the value of an option that is not known yet."""
+        options = self.options_class.of(values)
         for refuse in self.refusals:
             yield from refuse(system, options)
 

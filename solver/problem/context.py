@@ -4,9 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
 
 from solver.derivation import Task
 from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon
+from solver.problem.matrices import expect_shape, is_flat, read_matrix
+from solver.problem.nodes import Node
+from solver.problem.poles import read_conjugate_list
+from solver.problem.transfer_functions import read_transfer_function
 from solver.systems import StateSpace, System, TransferFunction
 
 OTHER_TIME = {True: {"t": "k", "s": "z"}, False: {"k": "t", "z": "s"}}
@@ -24,7 +31,7 @@ class Context:
     lexicon: Lexicon
     system: System | None
     discrete: bool = False
-    earlier: Mapping[str, tuple[Task, str] | None] = field(default_factory=dict)
+    earlier: Mapping[str, tuple[Task[Any, Any], str] | None] = field(default_factory=dict)
 
     def size(self, of: int | str | None) -> int | None:
         """Return a number of rows or columns: itself, or that of "n" states, "m" inputs, "p" outputs if known."""
@@ -45,12 +52,50 @@ class Context:
         named = {"input": self.system.input_names, "output": self.system.output_names, "state": self.system.state_names}
         return named[of]
 
-    def variables(self, declared: Collection[str]) -> tuple[str, ...]:
+    def _variables(self, declared: Collection[str]) -> tuple[str, ...]:
         """Return the variables of an expression without those of the other kind of time."""
         other = OTHER_TIME[self.discrete]
         return tuple(name for name in declared if other.get(name) not in declared)
 
+    def names_in_the_system(self) -> tuple[list[str] | None, list[str]]:
+        """Return the names of parameters, states, inputs and outputs (None: not known), and the numbers of states."""
+        if not isinstance(self.system, StateSpace):
+            return None, []
+        known = [str(symbol.name) for symbol in self.system.parameters]
+        known += [name for of in ("state", "input", "output") for name in self.names(of)]
+        numbers = [str(number + 1) for number in range(self.system.order)]
+        known += [] if self.names("state") else [f"x{number}" for number in numbers]  # states go by these names
+        return known, numbers
+
+    def expression(self, node: Node, declared: Collection[str] = ()) -> sp.Expr:
+        """Return a value as an expression in parameters and in the variables declared; raises Fault."""
+        return self.lexicon.expression(node, self._variables(declared), self._barred)
+
+    def conjugate_list(self, node: Node) -> tuple[sp.Expr, ...]:
+        """Return complex numbers closed under conjugation; raises Fault."""
+        return read_conjugate_list(node, self.lexicon)
+
+    def transfer_function(self, node: Node) -> sp.Expr:
+        """Return a rational function of one channel in lowest terms; raises Fault."""
+        return read_transfer_function(node, self.lexicon, self.discrete).cancelled()
+
+    def matrix(
+        self, node: Node, name: str, shape: tuple[int | str | None, int | str | None], flat: str
+    ) -> sp.ImmutableMatrix:
+        """Return a matrix of a shape, where a size is a number or that `of` the system; raises Fault.
+
+        A flat list that can only be a column, or a row, is that; any other is what `flat` says.
+        """
+        rows, columns = map(self.size, shape)
+        if is_flat(node) and (columns == 1) != (rows == 1):
+            flat = "column" if columns == 1 else "row"
+        matrix = read_matrix(node, name, self.lexicon, flat, self._barred)
+        owners = {"n": " for the states", "m": " for the inputs", "p": " for the outputs"}
+        expect_shape(matrix, (rows, None), node, name, owners.get(str(shape[0]), ""))
+        expect_shape(matrix, (None, columns), node, name, owners.get(str(shape[1]), ""))
+        return matrix
+
     @property
-    def barred(self) -> Mapping[str, str]:
+    def _barred(self) -> Mapping[str, str]:
         """Names that can't stand in a value, but for the variables it is declared to have."""
         return MEANINGS | SAMPLES if self.discrete else MEANINGS

@@ -18,7 +18,7 @@ from solver.problem.expressions import (
     uses_decimal,
 )
 from solver.problem.expressions.tokens import Kind, tokenize
-from solver.problem.nodes import MappingNode, Node, ScalarNode
+from solver.problem.nodes import MappingNode, Node, ScalarNode, scalar
 from solver.problem.source import Report, did_you_mean
 
 R = TypeVar("R")
@@ -105,13 +105,6 @@ class Lexicon:
             for symbol in getattr(value, "free_symbols", ()):
                 if symbol.name not in variables:
                     self.found[symbol.name] = symbol
-
-
-def scalar(node: Node) -> ScalarNode:
-    """Return the node if it holds a text or number; raises Fault otherwise."""
-    if not isinstance(node, ScalarNode) or node.is_null or node.truth is not None:
-        raise node.fault(f"a number or an expression is expected here, not {node.what}")
-    return node
 
 
 def exact_number(node: Node) -> sp.Rational:

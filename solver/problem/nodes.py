@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -155,3 +156,31 @@ def node_of(value: Any, place: Place) -> Node:
     if isinstance(value, bool):
         return ScalarNode(place, str(value).lower())
     return ScalarNode(place, str(value), "quoted" if isinstance(value, str) else "plain")
+
+
+def scalar(node: Node) -> ScalarNode:
+    """Return the node if it holds a text or number; raises Fault otherwise."""
+    if not isinstance(node, ScalarNode) or node.is_null or node.truth is not None:
+        raise node.fault(f"a number or an expression is expected here, not {node.what}")
+    return node
+
+
+def shown(node: Node) -> str:
+    """Return how a message speaks of a value."""
+    return f"'{node.text[:40]}'" if isinstance(node, ScalarNode) and not node.is_null else node.what
+
+
+def whole_number(node: Node, name: str, minimum: int | None, maximum: int | None) -> int:
+    """Return a whole number within bounds (None: none); raises Fault."""
+    text = scalar(node).text
+    bounds = [
+        f"at least {minimum}" if minimum is not None else "",
+        f"at most {maximum}" if maximum is not None else "",
+    ]
+    expected = " and ".join(["a whole number", *filter(None, bounds)]).replace(" and ", " of ", 1)
+    if not re.fullmatch(r"[+-]?[0-9]{1,9}", text):
+        raise node.fault(f"{name} must be {expected}, not {shown(node)}")
+    value = int(text)
+    if (minimum is not None and value < minimum) or (maximum is not None and value > maximum):
+        raise node.fault(f"{name} must be {expected}")
+    return value

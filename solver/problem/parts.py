@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from solver.derivation import Choice, Flag, Option, Task
+from solver.derivation import Option, Task
 from solver.problem.context import Context
-from solver.problem.lexicon import Lexicon, exact_number, scalar
+from solver.problem.lexicon import Lexicon, exact_number
 from solver.problem.model import Part
-from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of
-from solver.problem.options import read_option
+from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of, scalar
+from solver.problem.references import read_option
 from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.systems import NOTHING, described, provided
 from solver.systems import StateSpace, System
@@ -34,10 +34,10 @@ class PlantOf(NamedTuple):
 class PartReader:
     """Reads the parts one after the other; knows the earlier ones, to which later ones may refer."""
 
-    def __init__(self, catalogue: Mapping[str, Task], lexicon: Lexicon) -> None:
+    def __init__(self, catalogue: Mapping[str, Task[Any, Any]], lexicon: Lexicon) -> None:
         self.catalogue = catalogue
         self.lexicon = lexicon
-        self.earlier: dict[str, tuple[Task, str] | None] = {}
+        self.earlier: dict[str, tuple[Task[Any, Any], str] | None] = {}
 
     def skip(self, name: str) -> Part:
         """Remember a part that can't be read, and raise a fault without words: it is reported already."""
@@ -79,7 +79,7 @@ class PartReader:
             places={entry.key.text: entry.value.place for entry in mapping},
         )
 
-    def _task(self, node: Node) -> Task:
+    def _task(self, node: Node) -> Task[Any, Any]:
         word = scalar(node).text
         if word not in self.catalogue:
             note = "`solve tasks` lists what can be asked"
@@ -97,7 +97,7 @@ def _marks(node: Node) -> Any:
     return marks
 
 
-def _split_marks(part: MappingNode, task: Task, methods: tuple[str, ...]) -> dict[str, Any]:
+def _split_marks(part: MappingNode, task: Task[Any, Any], methods: tuple[str, ...]) -> dict[str, Any]:
     """Return the marks of each answer, {K: 2, polynomial: 1}; nothing where the part carries a number, or none."""
     node = part.get("marks")
     if not isinstance(node, MappingNode):
@@ -118,7 +118,7 @@ def _split_marks(part: MappingNode, task: Task, methods: tuple[str, ...]) -> dic
     return found
 
 
-def _methods(part: MappingNode, task: Task, plant: PlantOf) -> tuple[str, ...]:
+def _methods(part: MappingNode, task: Task[Any, Any], plant: PlantOf) -> tuple[str, ...]:
     """Return the methods asked for, in their order; without any the first for the system's kind of time."""
     known = plant.known
     fitting = task.methods_for(plant.discrete) if known else list(task.methods)
@@ -154,7 +154,7 @@ def _methods(part: MappingNode, task: Task, plant: PlantOf) -> tuple[str, ...]:
 class _OptionsReader:
     """Reads the options of one part; `given` are the names of those in the file."""
 
-    def __init__(self, task: Task, methods: tuple[str, ...], part: MappingNode, context: Context) -> None:
+    def __init__(self, task: Task[Any, Any], methods: tuple[str, ...], part: MappingNode, context: Context) -> None:
         self.task = task
         self.methods = methods
         self.part = part
@@ -199,10 +199,6 @@ class _OptionsReader:
         if option.required:
             message = f"{self.task.name} needs the option '{option.name}': {option.doc}"
             raise self.part["task"].fault(message)
-        if value is None and isinstance(option.kind, Choice):
-            value = option.kind.words[0]
-        if value is None and isinstance(option.kind, Flag):
-            value = False
         if value is None:
             return {}
         return {option.name: read_option(option, node_of(value, self.part["task"].place), self.context)}
@@ -214,7 +210,7 @@ class _OptionsReader:
             raise self.part.entries["gain"].key.fault(f"a gain needs A and B; {described(system)}")
 
 
-def _check_needs(task: Task, plant: PlantOf, given: set[str], node: Node) -> None:
+def _check_needs(task: Task[Any, Any], plant: PlantOf, given: set[str], node: Node) -> None:
     """Raise Fault if the question is about a matrix that neither the system nor an option gives."""
     if not plant.known:
         return

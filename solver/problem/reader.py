@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import PurePath
+from typing import Any
 
-from solver.derivation import Integer, Task
+from solver.derivation import Task
 from solver.problem.files import load
-from solver.problem.lexicon import check_used, read_lexicon, scalar
+from solver.problem.lexicon import check_used, read_lexicon
 from solver.problem.model import Display, Part, Problem
-from solver.problem.nodes import MappingNode, Node, ScalarNode
-from solver.problem.options import read_integer
+from solver.problem.nodes import MappingNode, Node, ScalarNode, scalar, whole_number
 from solver.problem.parts import PartReader, PlantOf
 from solver.problem.shape_check import check_shape
 from solver.problem.source import InputError, Report, Source
@@ -23,7 +23,7 @@ MAX_DECIMALS = 30
 MODES = {"exact": "exact", "both": "both", "decimals": "decimal"}
 
 
-def read_problem(source: Source, catalogue: Mapping[str, Task]) -> Problem:
+def read_problem(source: Source, catalogue: Mapping[str, Task[Any, Any]]) -> Problem:
     """Return the problem of a source; raises InputError with all that is wrong with it, in the order of the file."""
     root = parse_yaml(source)
     if not isinstance(root, MappingNode):
@@ -39,7 +39,7 @@ def _what(node: Node) -> str:
 class _ProblemReader:
     """Reads one file. Sections whose shape is wrong are reported and left out; the others are still read."""
 
-    def __init__(self, source: Source, root: MappingNode, catalogue: Mapping[str, Task]) -> None:
+    def __init__(self, source: Source, root: MappingNode, catalogue: Mapping[str, Task[Any, Any]]) -> None:
         self.source = source
         self.root = root
         self.catalogue = catalogue
@@ -122,9 +122,7 @@ class _ProblemReader:
         with self.report:
             if isinstance(node, MappingNode):
                 mode = MODES[scalar(node["mode"]).text] if "mode" in node else "decimal"
-                digits = (
-                    read_integer(Integer(1, MAX_DECIMALS), node["decimals"], "decimals") if "decimals" in node else 5
-                )
+                digits = whole_number(node["decimals"], "decimals", 1, MAX_DECIMALS) if "decimals" in node else 5
                 display = Display(mode, digits)
         return display
 

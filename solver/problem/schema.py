@@ -10,27 +10,10 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from solver.derivation import (
-    Channel,
-    Choice,
-    Expression,
-    ExpressionList,
-    Flag,
-    Integer,
-    MatrixOf,
-    Names,
-    Number,
-    Option,
-    OptionKind,
-    Poles,
-    Task,
-    TransferFunctionOption,
-)
+from solver.derivation import Option, Task
+from solver.derivation.options import Schema
 from solver.problem.shape import MAX_PARTS, PART_ID, Matrix, ProblemShape, Values
 
-Schema = dict[str, Any]
-
-VALUE: Schema = {"type": ["number", "string"]}
 MATRIX: Schema = TypeAdapter(Matrix).json_schema()
 VALUES: Schema = TypeAdapter(Values).json_schema()
 REFERENCE: Schema = {
@@ -45,13 +28,14 @@ REFERENCE: Schema = {
 }
 
 
-def json_schema(catalogue: Mapping[str, Task]) -> Schema:
+def json_schema(catalogue: Mapping[str, Task[Any, Any]]) -> Schema:
     """Return the schema of problem files for the tasks of the catalogue."""
     schema = _tidy(ProblemShape.model_json_schema(ref_template="#/$defs/{model}"))
     definitions = schema["$defs"]
     common = definitions.pop("PartShape")["properties"]
     definitions["Reference"] = REFERENCE
     definitions["Matrix"] = MATRIX
+    definitions["Values"] = VALUES
     names = sorted(catalogue)
     definitions |= {f"task_{name}": _part(task, common) for name, task in catalogue.items()}
     definitions["Part"] = {
@@ -72,7 +56,7 @@ def json_schema(catalogue: Mapping[str, Task]) -> Schema:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
-def _named(tasks: Iterable[Task]) -> Schema:
+def _named(tasks: Iterable[Task[Any, Any]]) -> Schema:
     """A task by its name alone: those that need no option."""
     plain = [task for task in tasks if not any(option.required for option in task.options.values())]
     return {"oneOf": [{"const": task.name, "description": task.doc} for task in plain]} if plain else {"const": None}
@@ -84,7 +68,7 @@ def _choice(name: str) -> Schema:
     return {"if": condition, "then": {"$ref": f"#/$defs/task_{name}"}}
 
 
-def _part(task: Task, common: Schema) -> Schema:
+def _part(task: Task[Any, Any], common: Schema) -> Schema:
     """Return the schema of a part that asks for this task; `common` has the keys of every part."""
     properties = {key: value for key, value in common.items() if key != "method"}
     properties["task"] = {"const": task.name, "description": task.doc}
@@ -102,7 +86,7 @@ def _part(task: Task, common: Schema) -> Schema:
     }
 
 
-def _methods(task: Task) -> Schema:
+def _methods(task: Task[Any, Any]) -> Schema:
     """One method, or several in a list."""
     one = {"oneOf": [{"const": method.name, "description": method.title} for method in task.methods.values()]}
     several = {"type": "array", "items": one, "minItems": 1, "uniqueItems": True}
@@ -111,38 +95,13 @@ def _methods(task: Task) -> Schema:
 
 def _option(option: Option) -> Schema:
     """Return the schema of an option with its meaning and default."""
-    schema = dict(_kind(option.kind))
-    if isinstance(option.kind, (MatrixOf, Poles, Expression, ExpressionList, Number, TransferFunctionOption)):
+    schema = dict(option.kind.schema)
+    if option.kind.referable:
         schema = {"anyOf": [schema, {"$ref": "#/$defs/Reference"}]}
     of = f" (method {', '.join(option.methods)})" if option.methods else ""
     schema["description"] = option.doc + of
-    default = option.kind.words[0] if isinstance(option.kind, Choice) and option.default is None else option.default
-    if isinstance(default, (str, int, bool)):
-        schema["default"] = default
-    return schema
-
-
-def _kind(kind: OptionKind) -> Schema:
-    """Return what a kind of option may hold."""
-    schema = VALUES
-    match kind:
-        case Integer():
-            bounds = {"minimum": kind.minimum, "maximum": kind.maximum}
-            schema = {"type": "integer", **{key: value for key, value in bounds.items() if value is not None}}
-        case Choice():
-            schema = {"enum": [*kind.words, *(int(word) for word in kind.words if word.isdigit())]}
-        case Flag():
-            schema = {"type": "boolean"}
-        case Number() | Expression():
-            schema = VALUE
-        case MatrixOf():
-            schema = {"$ref": "#/$defs/Matrix"}
-        case Channel():
-            schema = {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]}
-        case TransferFunctionOption():
-            schema = {"anyOf": [VALUE, {"$ref": "#/$defs/ZerosPolesGain"}, {"$ref": "#/$defs/Fraction"}]}
-        case ExpressionList() | Poles() | Names():
-            pass
+    if isinstance(option.default, (str, int, bool)):
+        schema["default"] = option.default
     return schema
 
 

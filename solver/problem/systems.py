@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, name_of, scalar
+from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, name_of
 from solver.problem.matrices import counted, expect_shape, is_flat, read_matrix
-from solver.problem.nodes import MappingNode, Node, SequenceNode
+from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
 from solver.problem.rational_functions import Rational
 from solver.problem.source import Report
 from solver.problem.transfer_functions import read_transfer_function

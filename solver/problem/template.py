@@ -3,22 +3,9 @@
 from __future__ import annotations
 
 from textwrap import wrap
+from typing import Any
 
-from solver.derivation import (
-    Channel,
-    Choice,
-    Expression,
-    ExpressionList,
-    Flag,
-    Integer,
-    MatrixOf,
-    Names,
-    Number,
-    Option,
-    Poles,
-    Task,
-    TransferFunctionOption,
-)
+from solver.derivation import Option, Task
 
 PLANT = {
     "A": ("[[0, 1], [-2, -3]]", "a matrix, row by row; entries are exact: 0.75, 3/4, sqrt(2), k/m"),
@@ -29,12 +16,10 @@ PLANT = {
 """An example of order two: controllable, observable, eigenvalues −1 and −2."""
 
 WIDTH = 110
-INPUTS, OUTPUTS, STATES = 1, 1, 2
-POLES = '["-3 ± 2j"]'
 OTHER_NAMES = {"x0": "initial_state"}
 
 
-def new_problem(task: Task) -> str:
+def new_problem(task: Task[Any, Any]) -> str:
     """Return a problem file that asks for the task: it can be read and solved as it stands."""
     lines = [*_comment(f"{task.title}. {task.doc}", ""), f"title: {_quoted(task.title)}", *_system(task)]
     lines += ["find:", "  a:", f"    task: {task.name}", *_methods(task), *_options(task)]
@@ -52,7 +37,7 @@ def _quoted(text: str) -> str:
     return text if plain else "'" + text.replace("'", "''") + "'"
 
 
-def _system(task: Task) -> list[str]:
+def _system(task: Task[Any, Any]) -> list[str]:
     """Lines that give the example system with what the task needs; what it does not need as comments."""
     needs = {OTHER_NAMES.get(need, need) for need in task.needs}
     continuous = bool(task.methods_for(discrete=False))
@@ -74,7 +59,7 @@ def _system(task: Task) -> list[str]:
     return ["system:", time, *(f"  {text:{width}}  # {meaning}" for text, meaning in given)]
 
 
-def _methods(task: Task) -> list[str]:
+def _methods(task: Task[Any, Any]) -> list[str]:
     """The line with the method, and the others as a comment; nothing where there is one only."""
     if list(task.methods) == [task.name]:
         return []
@@ -85,7 +70,7 @@ def _methods(task: Task) -> list[str]:
     return [*_comment(text, "    "), f"    method: {fitting[0]}"]
 
 
-def _options(task: Task) -> list[str]:
+def _options(task: Task[Any, Any]) -> list[str]:
     """Each option under its meaning; those that the method or the example needs are given, the others are comments."""
     taken = task.options_for((task.methods_for(discrete=False) or task.methods_for(discrete=True))[0])
     lines: list[str] = []
@@ -100,37 +85,7 @@ def _options(task: Task) -> list[str]:
 
 def example(option: Option) -> str:
     """Return a value for an option, as it is written in a file: its default if it has one."""
-    kind, default = option.kind, option.default
-    if default is not None and not isinstance(default, (list, tuple)):
-        return str(default).lower() if isinstance(default, bool) else str(default)
-    text = POLES
-    match kind:
-        case Integer():
-            text = str(kind.minimum if kind.minimum is not None else 1)
-        case Choice():
-            text = kind.words[0]
-        case Flag():
-            text = "true"
-        case Number():
-            text = "14%" if kind.percent else "1/2"
-        case Expression() | ExpressionList():
-            text = f"exp(-{kind.variables[0]})" if kind.variables else "1"
-        case Poles():
-            text = POLES
-        case MatrixOf():
-            text = _matrix(kind)
-        case Channel():
-            text = "1"
-        case Names():
-            text = "[k]"
-        case TransferFunctionOption():
-            text = "1/(s + 1)"
-    return text
-
-
-def _matrix(kind: MatrixOf) -> str:
-    """Return a matrix of the shape asked for: of the identity, so that it suits as a weight and as a transformation."""
-    sizes = {"n": STATES, "m": INPUTS, "p": OUTPUTS}
-    rows, columns = (sizes[of] if isinstance(of, str) else of or STATES for of in (kind.rows, kind.columns))
-    entries = [[str(int(i == j)) for j in range(columns)] for i in range(rows)]
-    return "[" + ", ".join(f"[{', '.join(row)}]" for row in entries) + "]"
+    default = option.default
+    if default is None or isinstance(default, list):
+        return option.kind.example
+    return str(default).lower() if isinstance(default, bool) else str(default)

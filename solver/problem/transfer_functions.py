@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, scalar
+from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon
 from solver.problem.matrices import MAX_SIZE
-from solver.problem.nodes import MappingNode, Node, SequenceNode
+from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
 from solver.problem.poles import read_conjugate_list
 from solver.problem.rational_functions import Rational, expanded_size, field_degree
 from solver.problem.source import Report, did_you_mean

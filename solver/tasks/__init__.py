@@ -1,6 +1,6 @@
 """The catalogue: every task under this package, found by its declaration. One file a task; nothing is listed by hand.
 
-A file declares its task as `name = Task("name", group="...", title="...", ...)` and, below, each method as
+A file declares its task as `name: Task[...] = Task("name", group="...", title="...", ...)` and, below, each method as
 `@name.method("method", ...)`. Declarations are found by reading the files, and a file is imported when its task is
 wanted: a problem that asks for one task does not pay for the others, nor does the list of all.
 """
@@ -12,14 +12,15 @@ from collections.abc import Iterator, MutableMapping
 from functools import cache
 from importlib import import_module
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from solver.derivation import Task
 
 GROUPS = ("Representation and analysis", "Design")
 
 DECLARATION = re.compile(
-    r'^(?P<name>\w+) = Task\(\s*"(?P=name)",\s*group="(?P<group>[^"]+)",\s*title="(?P<title>[^"]+)"', re.MULTILINE
+    r'^(?P<name>\w+): Task\[.*\] = Task\(\s*"(?P=name)",\s*group="(?P<group>[^"]+)",\s*title="(?P<title>[^"]+)"',
+    re.MULTILINE,
 )
 METHOD = re.compile(r'^@(?P<task>\w+)\.method\(\s*(?:"(?P<name>\w+)")?', re.MULTILINE)
 
@@ -34,23 +35,23 @@ class Declaration(NamedTuple):
     module: str
 
 
-class Catalogue(MutableMapping[str, Task]):
+class Catalogue(MutableMapping[str, Task[Any, Any]]):
     """Tasks by name, group by group, in alphabetical order within a group; each is imported when it is first wanted."""
 
     def __init__(self, declarations: list[Declaration]) -> None:
         self._declarations = {each.name: each for each in declarations}
-        self._tasks: dict[str, Task] = {}
+        self._tasks: dict[str, Task[Any, Any]] = {}
 
     def declarations(self) -> list[Declaration]:
         """Return what is declared of each task; imports none."""
         return list(self._declarations.values())
 
-    def __getitem__(self, name: str) -> Task:
+    def __getitem__(self, name: str) -> Task[Any, Any]:
         if name not in self._tasks:
             self._tasks[name] = getattr(import_module(self._declarations[name].module), name)
         return self._tasks[name]
 
-    def __setitem__(self, name: str, task: Task) -> None:
+    def __setitem__(self, name: str, task: Task[Any, Any]) -> None:
         self._declarations[name] = Declaration(name, task.group, task.title, tuple(task.methods), "")
         self._tasks[name] = task
 

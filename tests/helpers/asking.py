@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from solver.derivation import Answers, CheckStatus, Given, PartResult
+from solver.derivation import Answers, CheckStatus, PartResult
 from solver.engine import solve_part
 from solver.problem.model import Part
 from solver.systems import StateSpace
@@ -52,7 +52,8 @@ def ask(task: str, plant: StateSpace, method: str = "", **options: Any) -> PartR
 
 def rejected(task: str, plant: StateSpace, answers: dict[str, Any], **options: Any) -> bool:
     """Whether the task's verification finds the answers wrong."""
-    checks = list(catalogue()[task].verify(Given(plant, options), Answers(**answers)))
+    declared = catalogue()[task]
+    checks = list(declared.verify(declared.given(plant, options), Answers(**answers)))
     return any(check.status is CheckStatus.FAILED for check in checks)
 
 

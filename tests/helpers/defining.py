@@ -89,7 +89,7 @@ def _follows(plant, F, ours, given):
 
 def _similar_block_triangular(plant, M, ours, given):
     """The eigenvalues of each diagonal block of ours, and its zeros."""
-    part = given.options.get("part", "controllable")
+    part = given.options.part
     if part == "full":
         return None
     n, r = len(M), _visible(plant, part)
@@ -107,7 +107,7 @@ def _visible(plant, part):
 
 
 def _coordinates(plant, T, ours, given):
-    part = given.options.get("part", "controllable")
+    part = given.options.part
     if np.linalg.matrix_rank(T, tol=CLOSE) < len(T):
         return False
     if part == "full":

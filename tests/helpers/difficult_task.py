@@ -7,6 +7,7 @@ import signal
 import sympy as sp
 
 from solver.derivation import AnswerName, Answers, Check, Task, Unsolved
+from solver.tasks.plant_options import PlantOptions
 
 difficult = Task(
     "difficult",
@@ -14,6 +15,7 @@ difficult = Task(
     title="A difficult question",
     doc="Never asked by a user.",
     needs=("A",),
+    options=PlantOptions,
     answers=[AnswerName("F", "F", "the matrix itself")],
 )
 

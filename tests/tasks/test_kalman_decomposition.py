@@ -6,7 +6,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solver.derivation import Answers, CheckStatus, Given, Status
+from solver.derivation import Answers, CheckStatus, Status
 from solver.numeric.judges import structure as judges
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
@@ -31,7 +31,8 @@ def steps(result):
 
 def accepted(plant, answers, part):
     """Whether every check passes, and there is one for each answer."""
-    checks = list(catalogue()[TASK].verify(Given(plant, {"part": part}), Answers(**answers)))
+    task = catalogue()[TASK]
+    checks = list(task.verify(task.given(plant, {"part": part}), Answers(**answers)))
     judged = {name for check in checks for name in check.judges}
     return judged == set(answers) and all(check.status is CheckStatus.PASSED for check in checks)
 
@@ -238,7 +239,8 @@ def test_the_transposed_transformation_of_the_course_is_wrong():
 def test_one_wrong_matrix_spoils_no_other():
     answers = dict(found(COURSE, "controllable").answers)
     answers = {**{name: answers[name] for name in ("A", "C")}, "B": 2 * answers["B"]}
-    checks = catalogue()[TASK].verify(Given(COURSE, {"part": "controllable"}), Answers(**answers))
+    task = catalogue()[TASK]
+    checks = task.verify(task.given(COURSE, {"part": "controllable"}), Answers(**answers))
     verdicts = {check.judges: check.status for check in checks}
     assert verdicts[("A",)] is CheckStatus.PASSED
     assert CheckStatus.FAILED in (verdicts[("B",)], verdicts[("C",)])

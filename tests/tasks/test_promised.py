@@ -119,7 +119,7 @@ def test_the_first_method_is_the_default(name, discrete, method):
     ],
 )
 def test_choices_are_as_documented(name, option, words):
-    assert catalogue()[name].options[option].kind.words == words
+    assert catalogue()[name].options[option].kind.choices == words
 
 
 def test_nothing_is_left_out():

@@ -6,7 +6,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solver.derivation import CheckStatus, Given, Status
+from solver.derivation import CheckStatus, Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.fractions_of_polynomials import fraction, plant, s, values, z
@@ -279,5 +279,6 @@ def test_a_convention_of_another_form_is_refused(form, convention):
 
 def test_what_cannot_be_judged_alone_is_not_judged():
     answers = realized(PLAIN, "diagonal").answers
-    checks = list(catalogue()["realization"].verify(Given(PLAIN, {"form": "diagonal"}), {"C": answers["C"]}))
+    task = catalogue()["realization"]
+    checks = list(task.verify(task.given(PLAIN, {"form": "diagonal"}), {"C": answers["C"]}))
     assert [check.status for check in checks] == [CheckStatus.SKIPPED]

@@ -2,52 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
     Answers,
     Check,
-    Choice,
     Claim,
     Derivation,
     Given,
-    Number,
-    Option,
+    Refusal,
     Step,
     Task,
     Unsolved,
     lemma,
+    option,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.options.choice import Choice
+from solver.options.number import Number
 from solver.tasks.design.frames import linear_factors
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import Expr
 
-SPECIFICATIONS = (
-    Option("overshoot", Number(percent=True), "largest overshoot of the step response, a fraction or 14%"),
-    Option("settling_time", Number(), "time after which the step response stays in the settling band"),
-    Option("peak_time", Number(), "time of the first peak of the step response"),
-    Option("rise_time", Number(), "time from 0 to 100 % of the final value"),
-    Option("damping_ratio", Number(), "damping ratio ζ"),
-    Option("natural_frequency", Number(), "natural frequency ω_n"),
-    Option("settling_band", Choice(("2%", "5%")), "settling time is 4/(ζω_n) for 2%, 3/(ζω_n) for 5%"),
-)
-"""Options that fix a pair of poles, any two of the first six."""
+    from solver.systems import System
 
-NAMES = tuple(option.name for option in SPECIFICATIONS[:-1])
 
-desired_poles = Task(
+@dataclass(frozen=True, kw_only=True)
+class StepSpecifications(PlantOptions):
+    """What is asked of a step response: any two of the first six fix a pair of poles."""
+
+    overshoot: Expr | None = option(Number(percent=True), "largest overshoot of the step response, a fraction or 14%")
+    settling_time: Expr | None = option(Number(), "time after which the step response stays in the settling band")
+    peak_time: Expr | None = option(Number(), "time of the first peak of the step response")
+    rise_time: Expr | None = option(Number(), "time from 0 to 100 % of the final value")
+    damping_ratio: Expr | None = option(Number(), "damping ratio ζ")
+    natural_frequency: Expr | None = option(Number(), "natural frequency ω_n")
+    settling_band: str = option(Choice(("2%", "5%")), "settling time is 4/(ζω_n) for 2%, 3/(ζω_n) for 5%")
+
+
+NAMES = ("overshoot", "settling_time", "peak_time", "rise_time", "damping_ratio", "natural_frequency")
+
+desired_poles: Task[System, StepSpecifications] = Task(
     "desired_poles",
     group="Design",
     title="Desired poles from time-domain specifications",
     doc="Damping ratio, natural frequency and poles of s² + 2ζω_n s + ω_n² from two specifications of its response.",
     needs=(),
-    options=SPECIFICATIONS,
+    options=StepSpecifications,
     answers=[
         AnswerName("damping_ratio", r"\xi", "the damping ratio"),
         AnswerName("natural_frequency", r"\omega_n", "the natural frequency"),
@@ -58,20 +66,20 @@ desired_poles = Task(
 )
 
 
-def specified(options: Mapping[str, Any]) -> dict[str, Any]:
+def specified(options: StepSpecifications) -> dict[str, Any]:
     """Return the specifications that are given."""
-    return {name: options[name] for name in NAMES if options.get(name) is not None}
+    return {name: value for name in NAMES if (value := getattr(options, name)) is not None}
 
 
-def band(options: Mapping[str, Any]) -> int:
+def band(options: StepSpecifications) -> int:
     """Return ζω_n times the settling time."""
-    return 3 if options.get("settling_band") == "5%" else 4
+    return 3 if options.settling_band == "5%" else 4
 
 
-def faults(options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def faults(options: StepSpecifications) -> Iterable[Refusal]:
     """Return what is wrong with specifications that are all known."""
     given = specified(options)
-    if any(name in options and options[name] is None for name in NAMES):
+    if options.later & set(NAMES):
         return  # some come from an earlier part
     try:
         exact.second_order(given, band(options))
@@ -80,7 +88,7 @@ def faults(options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
 
 
 @lemma("second_order")
-def second_order_of(options: Mapping[str, Any]) -> Derivation[exact.SecondOrder]:
+def second_order_of(options: StepSpecifications) -> Derivation[exact.SecondOrder]:
     """ζ and ω_n from two specifications, then the poles −ζω_n ± jω_d."""
     given, c, s = specified(options), band(options), sp.Symbol("s")
     try:
@@ -122,13 +130,13 @@ def second_order_of(options: Mapping[str, Any]) -> Derivation[exact.SecondOrder]
 
 
 @desired_poles.refusal
-def two_consistent_specifications(_system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def two_consistent_specifications(_system: Any, options: StepSpecifications) -> Iterable[Refusal]:
     """Two specifications, not both about the damping, that a second-order system can meet."""
     yield from faults(options)
 
 
 @desired_poles.method(source="Lecture note, section 3.4")
-def by_formulas(given: Given) -> Derivation[Answers]:
+def by_formulas(given: Given[System, StepSpecifications]) -> Derivation[Answers]:
     """Solve the formulas of the second-order step response for ζ and ω_n; the poles are −ζω_n ± jω_d."""
     found = yield from second_order_of(given.options)
     polynomial = exact.polynomial_in(sp.Symbol("s"), found.coefficients)
@@ -136,7 +144,7 @@ def by_formulas(given: Given) -> Derivation[Answers]:
 
 
 @desired_poles.verification("damping_ratio", "natural_frequency", "poles", "polynomial")
-def meets_the_specifications(given: Given, answers: Answers) -> Iterable[Check]:
+def meets_the_specifications(given: Given[System, StepSpecifications], answers: Answers) -> Iterable[Check]:
     """Compare with the ζ and ω_n that bisection finds for the specifications (mpmath)."""
     specifications, c = specified(given.options), band(given.options)
 

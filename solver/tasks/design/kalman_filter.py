@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task, lemma
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, lemma, option
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
+from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
@@ -22,22 +24,34 @@ from solver.tasks.design.riccati_checks import (
     stabilizing_checks,
 )
 from solver.tasks.design.riccati_solutions import LISTED, listed_answers, solutions_by_equations
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
     from solver.numeric.judges.optimal import Weights
+    from solver.tasks.needed import WithOutput
 
-kalman_filter = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class KalmanFilterOptions(PlantOptions):
+    """The intensities of the noise."""
+
+    Q: ImmutableMatrix | None = option(
+        MatrixOf("n", "n"), "intensity of the noise on x', n×n, positive semidefinite (default I)"
+    )
+    R: ImmutableMatrix | None = option(
+        MatrixOf("p", "p"), "intensity of the noise on y, p×p, positive definite (default I)"
+    )
+
+
+kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
     "kalman_filter",
     group="Design",
     title="Kalman filter",
     doc="The gain L of the steady-state Kalman filter x̂' = A x̂ + B u + L (y − C x̂), by the algebraic Riccati equation.",
     needs=("A", "C"),
-    options=[
-        Option("Q", MatrixOf("n", "n"), "intensity of the noise on x', n×n, positive semidefinite (default I)"),
-        Option("R", MatrixOf("p", "p"), "intensity of the noise on y, p×p, positive definite (default I)"),
-    ],
+    options=KalmanFilterOptions,
     answers=[
         AnswerName(
             "P", "P", "the covariance of the estimation error: the stabilizing solution of the Riccati equation"
@@ -52,20 +66,22 @@ kalman_filter = Task(
 
 
 @kalman_filter.refusal
-def wrong_intensities(_system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def wrong_intensities(_system: Any, options: KalmanFilterOptions) -> Iterable[Refusal]:
     """Intensities that are not symmetric and definite as they must be."""
-    if "Q" not in options and "R" not in options:
+    if not options.has("Q") and not options.has("R"):
         yield "", "say how strong the noise is: give Q (on x') and R (on y)"
-    yield from faulty_weights(options)
+    yield from faulty_weights(options.Q, options.R)
 
 
-def _intensities(given: Given) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+def _intensities(given: Given[WithOutput, KalmanFilterOptions]) -> tuple[ImmutableMatrix, ImmutableMatrix]:
     """Q and R, identity matrices where they are not given."""
-    return given_or_identity(given.Q, given.system.order), given_or_identity(given.R, given.system.C.rows)
+    return given_or_identity(given.options.Q, given.system.order), given_or_identity(
+        given.options.R, given.system.C.rows
+    )
 
 
 @lemma("kalman_gain")
-def _duality(given: Given) -> Derivation[Regulator]:
+def _duality(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Regulator]:
     """Show the intensities, and the regulator problem that is solved in place of the filter's."""
     Q, R = _intensities(given)
     A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
@@ -76,7 +92,7 @@ def _duality(given: Given) -> Derivation[Regulator]:
         R=R,
         At=A,
         Ct=C,
-        chosen=given.Q is None or given.R is None,
+        chosen=given.options.Q is None or given.options.R is None,
     )
     return Regulator.of(A, C, Q, R, dual=True)
 
@@ -84,7 +100,7 @@ def _duality(given: Given) -> Derivation[Regulator]:
 @kalman_filter.method(
     "riccati", title="Riccati equation", source="Lecture note, sections 4.3 and 5.5", time="continuous"
 )
-def by_the_riccati_equation(given: Given) -> Derivation[Answers]:
+def by_the_riccati_equation(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Answers]:
     """Solve AP + PAᵀ − P Cᵀ R⁻¹ C P + Q = 0 entry by entry and choose the stabilizing solution."""
     problem = yield from _duality(given)
     equation, listed = yield from solutions_by_equations(problem)
@@ -99,7 +115,7 @@ def by_the_riccati_equation(given: Given) -> Derivation[Answers]:
     source="Lancaster and Rodman, Algebraic Riccati Equations",
     time="continuous",
 )
-def by_the_hamiltonian_matrix(given: Given) -> Derivation[Answers]:
+def by_the_hamiltonian_matrix(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Answers]:
     """Take the stable half of the spectrum of the Hamiltonian matrix of (Aᵀ, Cᵀ); its invariant subspace gives P."""
     problem = yield from _duality(given)
     equation = yield from solution_by_hamiltonian(problem)
@@ -123,7 +139,7 @@ def _filter(problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
     return Answers(**{name: problem.restored(value) for name, value in answers.items()})
 
 
-def _problem(given: Given) -> Weights:
+def _problem(given: Given[WithOutput, KalmanFilterOptions]) -> Weights:
     """The dual regulator problem, for the judges."""
     A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
     return judges.Weights(A, C, *_intensities(given))
@@ -134,37 +150,37 @@ def _transposed(M: Any) -> Any:
 
 
 @kalman_filter.verification("P")
-def is_the_stabilizing_solution(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_stabilizing_solution(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
     """P is symmetric, solves the Riccati equation, and A − PCᵀR⁻¹C is Hurwitz; there is only one such P."""
     yield from stabilizing_checks(_problem(given), answers["P"], "A - PC^{T}R^{-1}C")
 
 
 @kalman_filter.verification("L")
-def is_optimal(given: Given, answers: Answers) -> Iterable[Check]:
+def is_optimal(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
     """L stabilizes the error and is PCᵀR⁻¹ for the covariance P that it leads to."""
     label = "$A - LC$ is stable, and $L = PC^{T}R^{-1}$ for the covariance $P$ that $L$ leads to"
     yield gain_check(_problem(given), _transposed(answers["L"]), "L", label)
 
 
 @kalman_filter.verification("error_A")
-def is_the_optimal_error_matrix(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_optimal_error_matrix(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
     """A − LC with scipy's L."""
     yield loop_check(_problem(given), _transposed(answers["error_A"]), "error_A", "$A - LC$ with the optimal $L$")
 
 
 @kalman_filter.verification("eigenvalues")
-def are_the_stable_eigenvalues(given: Given, answers: Answers) -> Iterable[Check]:
+def are_the_stable_eigenvalues(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
     """The stable half of the spectrum of the Hamiltonian matrix."""
     yield spectrum_check(_problem(given), answers["eigenvalues"])
 
 
 @kalman_filter.verification("equations")
-def are_the_entries_of_the_equation(given: Given, answers: Answers) -> Iterable[Check]:
+def are_the_entries_of_the_equation(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
     """The entries of AP + PAᵀ − P Cᵀ R⁻¹ C P + Q, in any order and scale."""
     yield equations_check(_problem(given), answers["equations"])
 
 
 @kalman_filter.verification("solutions", "definiteness")
-def are_all_solutions(given: Given, answers: Answers) -> Iterable[Check]:
+def are_all_solutions(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
     """Every one solves the equation, none is missing or listed twice, and the words fit."""
     yield from listed_checks(_problem(given), answers)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -12,16 +13,16 @@ from solver.derivation import (
     Claim,
     Derivation,
     Given,
-    MatrixOf,
-    Number,
-    Option,
+    Refusal,
     Step,
     Task,
     lemma,
+    option,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
+from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
 from solver.tasks.design.regulator import Regulator, faulty_weights
@@ -36,27 +37,38 @@ from solver.tasks.design.riccati_checks import (
     stabilizing_checks,
 )
 from solver.tasks.design.riccati_solutions import LISTED, listed_answers, solutions_by_equations
-from solver.tasks.design.weights import cost_factor, faulty_state_weight, state_weight, weights_as_stated, weights_of
+from solver.tasks.design.weights import (
+    WeightOptions,
+    cost_factor,
+    faulty_state_weight,
+    state_weight,
+    weights_as_stated,
+    weights_of,
+)
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
     from solver.numeric.judges.optimal import Weights
+    from solver.tasks.needed import WithInput
 
-lqr = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class LqrOptions(WeightOptions):
+    """The weights, and where the motion starts."""
+
+    initial_state: ImmutableMatrix | None = option(
+        MatrixOf("n", 1, flat="column"), "x(0), for the least cost (numbers or symbols)"
+    )
+
+
+lqr: Task[WithInput, LqrOptions] = Task(
     "lqr",
     group="Design",
     title="Linear quadratic regulator",
     doc="The feedback u = −K x that minimizes ∫ xᵀQx + uᵀRu dt, by the algebraic Riccati equation.",
     needs=("A", "B"),
-    options=[
-        Option("Q", MatrixOf("n", "n"), "weight of the state, n×n, symmetric and positive semidefinite (default I)"),
-        Option("R", MatrixOf("m", "m"), "weight of the input, m×m, symmetric and positive definite (default I)"),
-        Option("output_weight", MatrixOf(), "w for Q = w CᵀC, or a matrix W (p×p) for Q = CᵀWC"),
-        Option("tolerances", MatrixOf("n", 1, flat="column"), "tolerable deviations x̃ of the states: Q = diag(1/x̃²)"),
-        Option("initial_state", MatrixOf("n", 1, flat="column"), "x(0), for the least cost (numbers or symbols)"),
-        Option("cost_factor", Number(), "factor before the integral of the cost, 1/2 (the default) or 1"),
-    ],
+    options=LqrOptions,
     answers=[
         AnswerName("P", "P", "the stabilizing solution of the Riccati equation"),
         AnswerName("K", "K_f", "the gain of the feedback"),
@@ -73,17 +85,17 @@ lqr = Task(
 
 
 @lqr.refusal
-def wrong_weights(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def wrong_weights(system: Any, options: LqrOptions) -> Iterable[Refusal]:
     """Weights given twice, of the wrong size, or not definite as they must be."""
-    yield from faulty_weights(options)
+    yield from faulty_weights(options.Q, options.R)
     yield from faulty_state_weight(system, options)
-    factor = options.get("cost_factor")
+    factor = options.cost_factor
     if factor is not None and factor.is_positive is False:
         yield "cost_factor", "cost_factor must be positive"
 
 
 @lqr.method("riccati", title="Riccati equation", source="Lecture note, section 5.3", time="continuous")
-def by_the_riccati_equation(given: Given) -> Derivation[Answers]:
+def by_the_riccati_equation(given: Given[WithInput, LqrOptions]) -> Derivation[Answers]:
     """Solve AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 entry by entry and choose the stabilizing solution."""
     Q, R = yield from weights_of(given)
     problem = Regulator.of(given.system.A, given.system.B, Q, R)
@@ -99,7 +111,7 @@ def by_the_riccati_equation(given: Given) -> Derivation[Answers]:
     source="Lancaster and Rodman, Algebraic Riccati Equations",
     time="continuous",
 )
-def by_the_hamiltonian_matrix(given: Given) -> Derivation[Answers]:
+def by_the_hamiltonian_matrix(given: Given[WithInput, LqrOptions]) -> Derivation[Answers]:
     """Take the stable half of the spectrum of the Hamiltonian matrix; its invariant subspace gives P."""
     Q, R = yield from weights_of(given)
     problem = Regulator.of(given.system.A, given.system.B, Q, R)
@@ -108,7 +120,7 @@ def by_the_hamiltonian_matrix(given: Given) -> Derivation[Answers]:
 
 
 @lemma("regulator")
-def _control(given: Given, problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
+def _control(given: Given[WithInput, LqrOptions], problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
     """Find K = R⁻¹BᵀP, u = −K x, the closed loop and the cost."""
     P, n = equation.stabilizing.P, problem.A.rows
     K = equation.gain(problem.B, problem.R)
@@ -132,44 +144,46 @@ def _control(given: Given, problem: Regulator, equation: exact.Riccati) -> Deriv
     x0 = _initial_state(given)
     if x0 is not None:
         start = x0.xreplace({plain: positive for positive, plain in problem.plain.items()})
-        stated = product(cost_factor(given), sp.ImmutableMatrix(start.T), P, start)
-        cost = sp.expand((start.T * P * start)[0, 0] * cost_factor(given))
-        yield Step("cost", claims={"J": Claim(stated, cost, "the least cost")}, factor=cost_factor(given))
+        stated = product(cost_factor(given.options), sp.ImmutableMatrix(start.T), P, start)
+        cost = sp.expand((start.T * P * start)[0, 0] * cost_factor(given.options))
+        yield Step("cost", claims={"J": Claim(stated, cost, "the least cost")}, factor=cost_factor(given.options))
         answers["cost"] = cost
     return Answers(**{name: problem.restored(value) for name, value in answers.items()})
 
 
-def states_of(given: Given) -> list[Symbol]:
+def states_of(given: Given[WithInput, LqrOptions]) -> list[Symbol]:
     """The symbols of the states: their names, or x1, x2, …."""
     names = given.system.state_names or tuple(f"x{i + 1}" for i in range(given.system.order))
     return [sp.Symbol(name) for name in names]
 
 
-def _initial_state(given: Given) -> ImmutableMatrix | None:
-    x0: ImmutableMatrix | None = given.initial_state if given.initial_state is not None else given.system.x0
+def _initial_state(given: Given[WithInput, LqrOptions]) -> ImmutableMatrix | None:
+    x0: ImmutableMatrix | None = (
+        given.options.initial_state if given.options.initial_state is not None else given.system.x0
+    )
     return x0
 
 
-def _problem(given: Given) -> Weights:
+def _problem(given: Given[WithInput, LqrOptions]) -> Weights:
     """The plant and the weights, for the judges."""
     return judges.Weights(given.system.A, given.system.B, state_weight(given), weights_as_stated(given)[1])
 
 
 @lqr.verification("P")
-def is_the_stabilizing_solution(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_stabilizing_solution(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """P is symmetric, solves the Riccati equation, and A − BR⁻¹BᵀP is Hurwitz; there is only one such P."""
     yield from stabilizing_checks(_problem(given), answers["P"], "A - BR^{-1}B^{T}P")
 
 
 @lqr.verification("K")
-def is_optimal(given: Given, answers: Answers) -> Iterable[Check]:
+def is_optimal(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """K stabilizes and is R⁻¹BᵀP for the matrix P of its own cost."""
     label = "$K$ stabilizes, and $K = R^{-1}B^{T}P$ for the $P$ of its own cost"
     yield gain_check(_problem(given), answers["K"], "K", label)
 
 
 @lqr.verification("u")
-def is_the_optimal_control(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_optimal_control(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """u = −K x at random states, K from scipy."""
     yield numeric.check_residual(
         "$u = -Kx$ at random states",
@@ -180,7 +194,7 @@ def is_the_optimal_control(given: Given, answers: Answers) -> Iterable[Check]:
 
 
 @lqr.verification("Q", "R")
-def are_the_weights_asked_for(given: Given, answers: Answers) -> Iterable[Check]:
+def are_the_weights_asked_for(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """Q and R as the question says."""
     Q, R = weights_as_stated(given)
     for name, stated in (("Q", Q), ("R", R)):
@@ -189,36 +203,36 @@ def are_the_weights_asked_for(given: Given, answers: Answers) -> Iterable[Check]
 
 
 @lqr.verification("closed_loop_A")
-def is_the_optimal_loop(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_optimal_loop(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """A − BK with scipy's K."""
     yield loop_check(_problem(given), answers["closed_loop_A"], "closed_loop_A", "$A - BK$ with the optimal $K$")
 
 
 @lqr.verification("eigenvalues")
-def are_the_stable_eigenvalues(given: Given, answers: Answers) -> Iterable[Check]:
+def are_the_stable_eigenvalues(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """The stable half of the spectrum of the Hamiltonian matrix."""
     yield spectrum_check(_problem(given), answers["eigenvalues"])
 
 
 @lqr.verification("cost")
-def is_the_least_cost(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_least_cost(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """The cost of the optimal loop by its Lyapunov equation."""
     x0 = _initial_state(given)
     yield numeric.check_residual(
         "the cost of the optimal loop from $x(0)$",
         "scipy.linalg.solve_continuous_lyapunov",
-        lambda: judges.cost_residual(_problem(given), answers["cost"], x0, cost_factor(given)),
+        lambda: judges.cost_residual(_problem(given), answers["cost"], x0, cost_factor(given.options)),
         FLOATS,
     )
 
 
 @lqr.verification("equations")
-def are_the_entries_of_the_equation(given: Given, answers: Answers) -> Iterable[Check]:
+def are_the_entries_of_the_equation(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """The entries of AᵀP + PA − P B R⁻¹ Bᵀ P + Q, in any order and scale."""
     yield equations_check(_problem(given), answers["equations"])
 
 
 @lqr.verification("solutions", "definiteness")
-def are_all_solutions(given: Given, answers: Answers) -> Iterable[Check]:
+def are_all_solutions(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """Every one solves the equation, none is missing or listed twice, and the words fit."""
     yield from listed_checks(_problem(given), answers)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -12,34 +13,46 @@ from solver.derivation import (
     Claim,
     Derivation,
     Given,
-    Option,
+    Refusal,
     Step,
     Task,
-    TransferFunctionOption,
     Unsolved,
+    option,
 )
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.options.transfer_function import TransferFunctionOption
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import inverse
 from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import variable
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
+    from solver.tasks.needed import InputOutput
+
     Matrices = tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]
 
-model_matching = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class ModelMatchingOptions(PlantOptions):
+    """What the plant is to become."""
+
+    target: Expr = option(TransferFunctionOption(), "the transfer function wanted, proper", required=True)
+
+
+model_matching: Task[InputOutput, ModelMatchingOptions] = Task(
     "model_matching",
     group="Design",
     title="Model matching by state feedback",
     doc="Whether state feedback (and a gain of the reference) can turn the plant's transfer function into a target.",
     needs=("transfer_function",),
-    options=[Option("target", TransferFunctionOption(), "the transfer function wanted, proper", required=True)],
+    options=ModelMatchingOptions,
     answers=[
         AnswerName("feasible", r"\text{feasible}", "whether state feedback alone turns the plant into the target"),
         AnswerName("compensator", "G/H", "the series compensator that would do the same: target over plant"),
@@ -52,9 +65,9 @@ model_matching = Task(
 
 
 @model_matching.refusal
-def one_input_and_output(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def one_input_and_output(system: Any, options: ModelMatchingOptions) -> Iterable[Refusal]:
     """The plant has one input and one output, the target the plant's variable."""
-    target, other = options.get("target"), sp.Symbol("s" if system.discrete else "z")
+    target, other = options.target, sp.Symbol("s" if system.discrete else "z")
     if target is not None and target.has(other):
         yield "target", f"the target is a function of {variable(system)}, as the plant is, not of {other}"
     if isinstance(system, systems.TransferFunction):
@@ -83,9 +96,9 @@ def transfer_of(matrices: Matrices, x: Symbol) -> Any:
 
 
 @model_matching.method(source="Lecture note, section 3.5")
-def by_moving_the_poles(given: Given) -> Derivation[Answers]:
+def by_moving_the_poles(given: Given[InputOutput, ModelMatchingOptions]) -> Derivation[Answers]:
     """State feedback keeps the zeros of the plant and moves its poles; so the target's zeros must be among them."""
-    x, G = variable(given.system), given.target
+    x, G = variable(given.system), given.options.target
     top, bottom = _fraction(given.system, x)
     yield _plant_shown(given.system, top, bottom, x)
     if not top.free_symbols and top == 0:
@@ -150,7 +163,9 @@ def _all_stable(zeros: Iterable[Expr], *, discrete: bool) -> bool:
     return True
 
 
-def _designed(given: Given, found: exact.Matching, answers: Answers, x: Symbol) -> Derivation[None]:
+def _designed(
+    given: Given[InputOutput, ModelMatchingOptions], found: exact.Matching, answers: Answers, x: Symbol
+) -> Derivation[None]:
     """Realize the plant, place the poles, and compare the closed loop with the target."""
     matrices = yield from _realized(given, found, x)
     A, B, C, D = matrices
@@ -161,7 +176,9 @@ def _designed(given: Given, found: exact.Matching, answers: Answers, x: Symbol) 
     loop = transfer_of((placed.loop, B, seen, D), x)
     yield Step(
         "matched",
-        claims={"transfer": Claim(product(found.gain, loop), sp.ImmutableMatrix([[given.target]]), "closed loop")},
+        claims={
+            "transfer": Claim(product(found.gain, loop), sp.ImmutableMatrix([[given.options.target]]), "closed loop")
+        },
         loop=placed.loop,
         B=B,
         C=seen,
@@ -173,12 +190,14 @@ def _designed(given: Given, found: exact.Matching, answers: Answers, x: Symbol) 
     answers.update(A=A, B=B, C=C, K=placed.K)
 
 
-def _realized(given: Given, found: exact.Matching, x: Symbol) -> Derivation[Matrices]:
+def _realized(
+    given: Given[InputOutput, ModelMatchingOptions], found: exact.Matching, x: Symbol
+) -> Derivation[Matrices]:
     """The plant in state space: as given, or in controllable canonical form with the states in descending order."""
-    own = isinstance(given.system, systems.StateSpace)
-    if own:
-        D = given.system.D if given.system.D is not None else sp.ImmutableMatrix([[0]])
-        matrices = (given.system.A, given.system.B, given.system.C, D)
+    plant = given.system
+    if isinstance(plant, systems.StateSpace):
+        D = plant.D if plant.D is not None else sp.ImmutableMatrix([[0]])
+        matrices = (plant.A, plant.B, plant.C, D)
     else:
         matrices = exact.descending_form(*_fraction(given.system, x), x)
     H = sp.ImmutableMatrix([[found.numerator / found.denominator]])
@@ -186,7 +205,7 @@ def _realized(given: Given, found: exact.Matching, x: Symbol) -> Derivation[Matr
     yield Step(
         "realization",
         claims={"transfer": Claim(transfer_of(matrices, x), H, "the realization has the transfer function")},
-        own=own,
+        own=isinstance(plant, systems.StateSpace),
         A=A,
         B=B,
         C=C,
@@ -197,9 +216,11 @@ def _realized(given: Given, found: exact.Matching, x: Symbol) -> Derivation[Matr
 
 
 @model_matching.verification("feasible", "compensator", "A", "B", "C", "K")
-def turns_the_plant_into_the_target(given: Given, answers: Answers) -> Iterable[Check]:
+def turns_the_plant_into_the_target(
+    given: Given[InputOutput, ModelMatchingOptions], answers: Answers
+) -> Iterable[Check]:
     """Zeros and degrees compared in numbers; compensator, realization and closed loop at random points."""
-    x, G = variable(given.system), given.target
+    x, G = variable(given.system), given.options.target
     system = given.system
     if isinstance(system, systems.StateSpace):
         D = system.D if system.D is not None else sp.ImmutableMatrix([[0]])

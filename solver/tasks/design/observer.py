@@ -2,30 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Option, Poles, Task
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Task, option
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.options.poles import Poles
 from solver.stated.algebra import difference, product
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
 from solver.tasks.freedom import observer_gain_is_free
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
     from solver.systems import System
+    from solver.tasks.needed import WithOutput
 
-observer = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class ObserverOptions(PlantOptions):
+    """Where the estimation error has its poles."""
+
+    poles: tuple[Expr, ...] = option(
+        Poles(), "the n eigenvalues of A − LC (or those of the observable part)", required=True
+    )
+
+
+observer: Task[WithOutput, ObserverOptions] = Task(
     "observer",
     group="Design",
     title="Observer",
     doc="x̂' = A x̂ + B u + L (y − C x̂) with a gain L that gives the error x − x̂ the poles asked for.",
     needs=("A", "C"),
-    options=[Option("poles", Poles(), "the n eigenvalues of A − LC (or those of the observable part)", required=True)],
+    options=ObserverOptions,
     answers=[
         AnswerName("L", "L_c", "the gain of the observer", free=observer_gain_is_free),
         AnswerName("error_A", "A - L_c C", "the matrix of the estimation error", free=observer_gain_is_free),
@@ -42,15 +56,15 @@ observer = Task(
 
 
 @observer.refusal
-def has_another_number_of_poles(system: System, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def has_another_number_of_poles(system: System, options: ObserverOptions) -> Iterator[Refusal]:
     """Neither n poles, nor as many as the observable part has."""
-    if isinstance(system, systems.StateSpace) and options.get("poles") is not None:
-        yield from observer_pole_faults(system, options["poles"])
+    if isinstance(system, systems.StateSpace) and options.poles is not None:
+        yield from observer_pole_faults(system, options.poles)
 
 
-def _designed(given: Given) -> Derivation[Answers]:
+def _designed(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answers]:
     """The gain by the method of the same name for the dual pair (Aᵀ, Cᵀ), written for (A, C)."""
-    found = yield from observer_gain_of(given.system, given.poles, given.method)
+    found = yield from observer_gain_of(given.system, given.options.poles, given.method)
     yield from observer_equation_of(given.system, found)
     answers = Answers(L=found.K, error_A=found.loop, polynomial=found.polynomial)
     if given.method == "coefficient_matching" and found.gain_polynomial is not None:
@@ -59,39 +73,39 @@ def _designed(given: Given) -> Derivation[Answers]:
 
 
 @observer.method("coefficient_matching", title="Comparison of coefficients", source="Lecture note, section 4.1")
-def by_coefficient_matching(given: Given) -> Derivation[Answers]:
+def by_coefficient_matching(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answers]:
     """The coefficients of det(sI − A + LC), with L unknown, are those of the polynomial asked for."""
     return (yield from _designed(given))
 
 
 @observer.method("bass_gura", title="Formula of Bass and Gura", source="Lecture note, section 4.1, by duality")
-def by_bass_gura(given: Given) -> Derivation[Answers]:
+def by_bass_gura(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answers]:
     """L = (Wᵀ 𝒪)⁻¹ (â − a)."""
     return (yield from _designed(given))
 
 
 @observer.method("canonical_form", title="Observable canonical form", source="Lecture note, section 4.1, by duality")
-def by_canonical_form(given: Given) -> Derivation[Answers]:
+def by_canonical_form(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answers]:
     """In observable canonical form the gain is read off and transformed back."""
     return (yield from _designed(given))
 
 
 @observer.method("ackermann", title="Ackermann's formula", source="J. Ackermann (1972), by duality")
-def by_ackermann(given: Given) -> Derivation[Answers]:
+def by_ackermann(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answers]:
     """L = p̂(A) 𝒪⁻¹ (0, …, 0, 1)ᵀ."""
     return (yield from _designed(given))
 
 
 @observer.method("unity_rank", title="Gain of rank one", source="C.-T. Chen, Linear System Theory and Design, 8.6")
-def by_unity_rank(given: Given) -> Derivation[Answers]:
+def by_unity_rank(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answers]:
     """Several outputs combined to one, L = l g."""
     return (yield from _designed(given))
 
 
 @observer.verification("L", "error_A", "polynomial")
-def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_poles(given: Given[WithOutput, ObserverOptions], answers: Answers) -> Iterable[Check]:
     """A − LC has the eigenvalues asked for, beside those that no gain moves."""
-    A, C, poles = given.system.A, given.system.C, given.poles
+    A, C, poles = given.system.A, given.system.C, given.options.poles
     At, Ct = sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)
     if "L" in answers:
         yield numeric.check_residual(
@@ -112,14 +126,14 @@ def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
         )
 
 
-def _is_the_error_matrix(given: Given, answers: Answers) -> Iterator[Check]:
+def _is_the_error_matrix(given: Given[WithOutput, ObserverOptions], answers: Answers) -> Iterator[Check]:
     """A matrix A − LC for some L, with the poles asked for; for the submitted L, if there is one."""
     A, C, error = given.system.A, given.system.C, answers["error_A"]
     At, Ct = sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)
     yield numeric.check_residual(
         "the error has the poles asked for",
         "characteristic polynomial",
-        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.poles),
+        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.options.poles),
         answer="error_A",
     )
     if error.shape == A.shape:
@@ -144,11 +158,11 @@ def _companion(polynomial: Expr, x: Any, n: int) -> ImmutableMatrix:
 
 
 @observer.verification("gain_polynomial")
-def is_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_determinant(given: Given[WithOutput, ObserverOptions], answers: Answers) -> Iterable[Check]:
     """det(sI − A + LC) at random values of s and of the entries of L."""
     A, C = given.system.A, given.system.C
     x = sp.Symbol("z" if given.system.discrete else "s")
-    unknowns = unknown_gains((A.T, C.T), given.poles, dual=True)
+    unknowns = unknown_gains((A.T, C.T), given.options.poles, dual=True)
     L = sp.ImmutableMatrix(list(unknowns))
     claim = Claim(characteristic(sp.ImmutableMatrix(A - L * C), x), answers["gain_polynomial"])
     yield numeric.check_claim(claim, r"$\det(sI - A + LC)$ with unknown gain")

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
     Answers,
     Derivation,
-    Flag,
     Given,
-    MatrixOf,
-    Option,
-    Poles,
+    Refusal,
     Step,
     Task,
     Unsolved,
+    option,
 )
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
+from solver.options.flag import Flag
+from solver.options.matrix import MatrixOf
+from solver.options.poles import Poles
 from solver.tasks.design import observer_feedback_checks as checks
 from solver.tasks.design.full_order import observer_gain_of, observer_pole_faults
 from solver.tasks.design.output_feedback import (
@@ -42,23 +44,37 @@ from solver.tasks.design.reduced_order import (
     reduced_gain_of,
 )
 from solver.tasks.freedom import one_of_the_gains_is_free
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
-    from solver.systems import System
+    from sympy import Expr, ImmutableMatrix
 
-observer_feedback = Task(
+    from solver.systems import System
+    from solver.tasks.needed import WithBoth
+
+
+@dataclass(frozen=True, kw_only=True)
+class ObserverFeedbackOptions(PlantOptions):
+    """The gains, given or by their poles."""
+
+    poles: tuple[Expr, ...] | None = option(Poles(), "the poles of A − BK, where K is to be found")
+    gain: ImmutableMatrix | None = option(
+        MatrixOf("m", "n", flat="row"), "the state feedback K, where it is given", answer="K"
+    )
+    observer_poles: tuple[Expr, ...] | None = option(Poles(), "the poles of the observer, where L is to be found")
+    observer_gain: ImmutableMatrix | None = option(
+        MatrixOf(None, "p", flat="column"), "the observer gain L, where it is given", answer="L"
+    )
+    reduced: bool = option(Flag(), "an observer of reduced order, for the states that are not measured")
+
+
+observer_feedback: Task[WithBoth, ObserverFeedbackOptions] = Task(
     "observer_feedback",
     group="Design",
     title="Feedback of estimated states",
     doc="u = −K x̂ with the estimate of an observer: closed loop, separation principle, compensator from y to u.",
     needs=("A", "B", "C"),
-    options=[
-        Option("poles", Poles(), "the poles of A − BK, where K is to be found"),
-        Option("gain", MatrixOf("m", "n", flat="row"), "the state feedback K, where it is given"),
-        Option("observer_poles", Poles(), "the poles of the observer, where L is to be found"),
-        Option("observer_gain", MatrixOf(None, "p", flat="column"), "the observer gain L, where it is given"),
-        Option("reduced", Flag(), "an observer of reduced order, for the states that are not measured"),
-    ],
+    options=ObserverFeedbackOptions,
     answers=[
         AnswerName(
             "closed_loop_A",
@@ -87,26 +103,26 @@ observer_feedback = Task(
 
 
 @observer_feedback.refusal
-def what_the_file_shows(system: System, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def what_the_file_shows(system: System, options: ObserverFeedbackOptions) -> Iterator[Refusal]:
     """Both or neither of poles and gain, for the feedback and for the observer; wrong numbers or shapes."""
     for poles, gain in (("poles", "gain"), ("observer_poles", "observer_gain")):
-        if poles in options and gain in options:
+        if options.has(poles) and options.has(gain):
             yield gain, f"give '{poles}' or '{gain}', not both"
-        elif poles not in options and gain not in options:
+        elif not options.has(poles) and not options.has(gain):
             yield "", f"it needs '{poles}' or '{gain}'"
     if isinstance(system, systems.StateSpace) and system.B is not None and system.C is not None:
         yield from _faults_of_numbers(system, options)
 
 
-def _faults_of_numbers(system: Any, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def _faults_of_numbers(system: Any, options: ObserverFeedbackOptions) -> Iterator[Refusal]:
     plant, n = measuring(system), system.order
-    poles, L = options.get("observer_poles"), options.get("observer_gain")
-    if options.get("poles") is not None:
+    poles, L = options.observer_poles, options.observer_gain
+    if options.poles is not None:
         reached = exact.reachable_order(plant.A, plant.B)
-        if len(options["poles"]) not in (n, reached):
+        if len(options.poles) not in (n, reached):
             part = "" if reached == n else f" (or the {reached} of the controllable part)"
-            yield "poles", f"{len(options['poles'])} poles are given; the state feedback needs n = {n}{part}"
-    reduced = bool(options.get("reduced"))
+            yield "poles", f"{len(options.poles)} poles are given; the state feedback needs n = {n}{part}"
+    reduced = options.reduced
     rows = n - plant.p if reduced else n
     if L is not None and L.shape != (rows, plant.p):
         yield "observer_gain", f"it must be {rows}×{plant.p}, not {L.rows}×{L.cols}"
@@ -122,21 +138,23 @@ def _faults_of_numbers(system: Any, options: Mapping[str, Any]) -> Iterator[tupl
 
 
 @observer_feedback.method(source="Lecture note, sections 4.4 and 4.5")
-def by_separation(given: Given) -> Derivation[Answers]:
+def by_separation(given: Given[WithBoth, ObserverFeedbackOptions]) -> Derivation[Answers]:
     """K for A − BK and L for A − LC are found apart; the poles of the whole are those of both."""
-    plant = measuring(given.system)
-    for _, fault in what_the_file_shows(given.system, {k: v for k, v in given.options.items() if v is not None}):
+    plant, poles = measuring(given.system), given.options.observer_poles or ()
+    for _, fault in what_the_file_shows(given.system, given.options):
         raise Unsolved("engine/refused", message=fault)
-    yield Step("plan", unclaimed="what is going to be done", reduced=bool(given.reduced))
-    control = yield from feedback_of(plant, given.poles, given.gain)
-    if given.reduced:
+    yield Step("plan", unclaimed="what is going to be done", reduced=given.options.reduced)
+    control = yield from feedback_of(plant, given.options.poles, given.options.gain)
+    if given.options.reduced:
         return (yield from _with_reduced_observer(given, plant, control))
-    if given.observer_gain is None:
-        placed = yield from observer_gain_of(given.system, given.observer_poles)
-        listed = [*given.observer_poles, *(placed.fixed if len(given.observer_poles) < plant.n else ())]
+    if given.options.observer_gain is None:
+        placed = yield from observer_gain_of(given.system, poles)
+        listed = [*poles, *(placed.fixed if len(poles) < plant.n else ())]
         observer = Design(placed.K, placed.polynomial, listed)
     else:
-        observer = yield from given_observer_of(plant.A, plant.C, given.observer_gain, plant.variable, reduced=False)
+        observer = yield from given_observer_of(
+            plant.A, plant.C, given.options.observer_gain, plant.variable, reduced=False
+        )
     whole = yield from full_loop_of(plant, control, observer)
     yield from separation_of(whole, plant, control, observer)
     found, claims = full_compensator(plant, control.gain, observer.gain)
@@ -144,17 +162,19 @@ def by_separation(given: Given) -> Derivation[Answers]:
     return _answers(whole, control, observer, G)
 
 
-def _with_reduced_observer(given: Given, plant: Plant, control: Design) -> Derivation[Answers]:
+def _with_reduced_observer(
+    given: Given[WithBoth, ObserverFeedbackOptions], plant: Plant, control: Design
+) -> Derivation[Answers]:
     """The same with the measured states in place of their estimates."""
     parts = yield from partition_of(plant)
-    blocks = parts.blocks
-    if given.observer_gain is None:
-        design = yield from reduced_gain_of(parts, given.observer_poles, discrete=plant.discrete)
-        fixed = design.fixed if len(given.observer_poles) < blocks["A22"].rows else ()
-        observer = Design(design.L, design.polynomial, [*given.observer_poles, *fixed])
+    blocks, poles = parts.blocks, given.options.observer_poles or ()
+    if given.options.observer_gain is None:
+        design = yield from reduced_gain_of(parts, poles, discrete=plant.discrete)
+        fixed = design.fixed if len(poles) < blocks["A22"].rows else ()
+        observer = Design(design.L, design.polynomial, [*poles, *fixed])
     else:
         A22, A12 = blocks["A22"], blocks["A12"]
-        observer = yield from given_observer_of(A22, A12, given.observer_gain, plant.variable, reduced=True)
+        observer = yield from given_observer_of(A22, A12, given.options.observer_gain, plant.variable, reduced=True)
     J, N, M = yield from observer_matrices_of(parts, observer.gain, plant)
     whole = yield from reduced_loop_of(plant, parts, control, observer)
     yield from separation_of(whole, plant, control, observer)

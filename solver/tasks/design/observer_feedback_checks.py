@@ -16,10 +16,13 @@ from solver.tasks.design.reduced_observer_checks import order_of_states
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
+    from solver.tasks.design.observer_feedback import ObserverFeedbackOptions
+    from solver.tasks.needed import WithBoth
 
-def _coordinates(given: Given, answers: Answers, plant: Plant) -> Any:
+
+def _coordinates(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers, plant: Plant) -> Any:
     """T of x = T η: the identity for an observer of full order; None where neither convention nor answers tell."""
-    if not given.reduced:
+    if not given.options.reduced:
         return sp.ImmutableMatrix(sp.eye(plant.n))
     T = order_of_states(plant)
     if T is None and "S1" in answers and "S2" in answers and answers["S1"].rows == answers["S2"].rows:
@@ -28,15 +31,17 @@ def _coordinates(given: Given, answers: Answers, plant: Plant) -> Any:
     return T if fits else None
 
 
-def _observed(given: Given, plant: Plant, T: ImmutableMatrix) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+def _observed(
+    given: Given[WithBoth, ObserverFeedbackOptions], plant: Plant, T: ImmutableMatrix
+) -> tuple[ImmutableMatrix, ImmutableMatrix]:
     """The pair of the error equation: (A, C), or (A22, A12) in the coordinates T."""
-    if not given.reduced:
+    if not given.options.reduced:
         return plant.A, plant.C
     A = sp.Matrix(T).inv() * plant.A * T
     return sp.ImmutableMatrix(A[plant.p :, plant.p :]), sp.ImmutableMatrix(A[: plant.p, plant.p :])
 
 
-def has_both_spectra(given: Given, answers: Answers) -> Iterable[Check]:
+def has_both_spectra(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers) -> Iterable[Check]:
     """[[A − BK, BK S₂], [0, A − LC]] for some gains, with the poles asked for (or for the gains given)."""
     plant, whole = measuring(given.system), answers["closed_loop_A"]
     T = _coordinates(given, answers, plant)
@@ -54,23 +59,25 @@ def has_both_spectra(given: Given, answers: Answers) -> Iterable[Check]:
     lower, error = sp.ImmutableMatrix(whole[n:, :n]), sp.ImmutableMatrix(whole[n:, n:])
     zero = sp.ImmutableMatrix(sp.zeros(*lower.shape))
     yield numeric.check_claim(Claim(lower, zero), "nothing drives the error")
-    first = plant.p if given.reduced else 0
+    first = plant.p if given.options.reduced else 0
     feedback = sp.ImmutableMatrix((A - loop)[:, first:])
     yield numeric.check_claim(Claim(coupling, feedback), "the error enters as the state does")
     yield from _is_feedback(given, sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(B.T), loop, T)
     yield from _is_observer(given, A22, A12, error)
 
 
-def _is_feedback(given: Given, At: Any, Bt: Any, loop: Any, T: Any) -> Iterator[Check]:
+def _is_feedback(
+    given: Given[WithBoth, ObserverFeedbackOptions], At: Any, Bt: Any, loop: Any, T: Any
+) -> Iterator[Check]:
     A, B = sp.ImmutableMatrix(At.T), sp.ImmutableMatrix(Bt.T)
-    if given.gain is not None:
-        claim = Claim(loop, sp.ImmutableMatrix(A - B * given.gain * T))
+    if given.options.gain is not None:
+        claim = Claim(loop, sp.ImmutableMatrix(A - B * given.options.gain * T))
         yield numeric.check_claim(claim, "$A - B K$ with the gain given")
         return
     yield numeric.check_residual(
         "the state feedback has the poles asked for",
         "characteristic polynomial",
-        lambda: judges.placed_matrix_residual(A, B, loop, given.poles),
+        lambda: judges.placed_matrix_residual(A, B, loop, given.options.poles or ()),
     )
     yield numeric.check_residual(
         "it is $A - B K$ for some $K$",
@@ -79,16 +86,16 @@ def _is_feedback(given: Given, At: Any, Bt: Any, loop: Any, T: Any) -> Iterator[
     )
 
 
-def _is_observer(given: Given, A22: Any, A12: Any, error: Any) -> Iterator[Check]:
-    if given.observer_gain is not None:
-        claim = Claim(error, sp.ImmutableMatrix(A22 - given.observer_gain * A12))
+def _is_observer(given: Given[WithBoth, ObserverFeedbackOptions], A22: Any, A12: Any, error: Any) -> Iterator[Check]:
+    if given.options.observer_gain is not None:
+        claim = Claim(error, sp.ImmutableMatrix(A22 - given.options.observer_gain * A12))
         yield numeric.check_claim(claim, "the error with the gain given")
         return
     At, Ct = sp.ImmutableMatrix(A22.T), sp.ImmutableMatrix(A12.T)
     yield numeric.check_residual(
         "the error has the poles asked for",
         "characteristic polynomial",
-        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.observer_poles),
+        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.options.observer_poles or ()),
     )
     yield numeric.check_residual(
         "it is $A - L C$ for some $L$",
@@ -97,18 +104,18 @@ def _is_observer(given: Given, A22: Any, A12: Any, error: Any) -> Iterator[Check
     )
 
 
-def _groups(given: Given, answers: Answers) -> list[Any] | None:
+def _groups(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers) -> list[Any] | None:
     """For the feedback and for the observer: (A, B, poles) or, of a gain that is given, the closed matrix."""
     plant = measuring(given.system)
     T = _coordinates(given, answers, plant)
     if T is None:
         T = _some_coordinates(plant)
     A22, A12 = _observed(given, plant, T)
-    K, L = given.gain, given.observer_gain
-    control = (plant.A, plant.B, given.poles) if K is None else sp.ImmutableMatrix(plant.A - plant.B * K)
+    K, L = given.options.gain, given.options.observer_gain
+    control = (plant.A, plant.B, given.options.poles) if K is None else sp.ImmutableMatrix(plant.A - plant.B * K)
     if L is None:
-        error: Any = (sp.ImmutableMatrix(A22.T), sp.ImmutableMatrix(A12.T), given.observer_poles)
-    elif given.reduced and order_of_states(plant) is None and "S2" not in answers:
+        error: Any = (sp.ImmutableMatrix(A22.T), sp.ImmutableMatrix(A12.T), given.options.observer_poles)
+    elif given.options.reduced and order_of_states(plant) is None and "S2" not in answers:
         return None  # what a gain does depends on the coordinates
     else:
         error = sp.ImmutableMatrix(A22 - L * A12)
@@ -122,7 +129,7 @@ def _some_coordinates(plant: Plant) -> ImmutableMatrix:
     return sp.ImmutableMatrix(sp.Matrix.hstack(right, *C.nullspace()))
 
 
-def are_those_of_both(given: Given, answers: Answers) -> Iterable[Check]:
+def are_those_of_both(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers) -> Iterable[Check]:
     """The eigenvalues of the feedback and those of the observer, each as often as it occurs."""
     groups = _groups(given, answers)
     if groups is None:
@@ -136,7 +143,7 @@ def are_those_of_both(given: Given, answers: Answers) -> Iterable[Check]:
     )
 
 
-def closes_the_loop(given: Given, answers: Answers) -> Iterable[Check]:
+def closes_the_loop(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers) -> Iterable[Check]:
     """The plant with u = G y in its loop has the characteristic polynomial that was designed."""
     plant, G, groups = measuring(given.system), answers["compensator"], _groups(given, answers)
     if groups is None:
@@ -144,7 +151,7 @@ def closes_the_loop(given: Given, answers: Answers) -> Iterable[Check]:
         yield Check.skipped("compensator", "none", reason)
         return
     matrix = G if isinstance(G, sp.MatrixBase) else sp.ImmutableMatrix([[G]])
-    order = plant.n - plant.p if given.reduced else plant.n
+    order = plant.n - plant.p if given.options.reduced else plant.n
     yield numeric.check_residual(
         "with it the loop has the poles of feedback and observer",
         "return difference at random points",
@@ -153,7 +160,7 @@ def closes_the_loop(given: Given, answers: Answers) -> Iterable[Check]:
     )
 
 
-def split_the_state(given: Given, answers: Answers) -> Iterable[Check]:
+def split_the_state(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers) -> Iterable[Check]:
     """C S₁ = I and C S₂ = 0 with independent columns; where the outputs are states, the others keep their order."""
     plant = measuring(given.system)
     p, q = plant.p, plant.n - plant.p

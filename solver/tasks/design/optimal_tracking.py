@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -12,15 +13,16 @@ from solver.derivation import (
     Claim,
     Derivation,
     Given,
-    MatrixOf,
-    Option,
+    Refusal,
     Step,
     Task,
+    option,
 )
 from solver.derivation.figures import Diagram
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design, optimal
+from solver.options.matrix import MatrixOf
 from solver.stated.algebra import product
 from solver.stated.matrices import inverse
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
@@ -28,21 +30,34 @@ from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import FLOATS, gain_check
 from solver.tasks.design.set_point import equations_of_rest, reference_gain, set_point_checks, set_point_of
 from solver.tasks.freedom import more_inputs_than_outputs
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
-optimal_tracking = Task(
+    from solver.tasks.needed import WithBoth
+
+
+@dataclass(frozen=True, kw_only=True)
+class OptimalTrackingOptions(PlantOptions):
+    """The weights, or the gain."""
+
+    Q: ImmutableMatrix | None = option(
+        MatrixOf("n", "n"), "weight of x − x_d, n×n, symmetric and positive semidefinite (default I)"
+    )
+    R: ImmutableMatrix | None = option(
+        MatrixOf("m", "m"), "weight of u − u_d, m×m, symmetric and positive definite (default I)"
+    )
+    gain: ImmutableMatrix | None = option(MatrixOf("m", "n", flat="row"), "K itself, instead of weights", answer="K")
+
+
+optimal_tracking: Task[WithBoth, OptimalTrackingOptions] = Task(
     "optimal_tracking",
     group="Design",
     title="Optimal tracking",
     doc="The control u = −K x + K_o r that brings the output to a constant r, optimal around the set point.",
     needs=("A", "B", "C"),
-    options=[
-        Option("Q", MatrixOf("n", "n"), "weight of x − x_d, n×n, symmetric and positive semidefinite (default I)"),
-        Option("R", MatrixOf("m", "m"), "weight of u − u_d, m×m, symmetric and positive definite (default I)"),
-        Option("gain", MatrixOf("m", "n", flat="row"), "K itself, instead of weights"),
-    ],
+    options=OptimalTrackingOptions,
     answers=[
         AnswerName("K", "K_f", "the gain of the feedback"),
         AnswerName("F", "F", "the state of the set point, $x_{d} = Fr$", free=more_inputs_than_outputs),
@@ -54,27 +69,29 @@ optimal_tracking = Task(
 
 
 @optimal_tracking.refusal
-def wrong_weights(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def wrong_weights(system: Any, options: OptimalTrackingOptions) -> Iterable[Refusal]:
     """Weights and gain together, neither, or weights that are not definite or not for this kind of time."""
-    weights = [name for name in ("Q", "R") if name in options]
-    if "gain" in options and weights:
+    weights = [name for name in ("Q", "R") if options.has(name)]
+    if options.has("gain") and weights:
         yield "gain", f"the gain is given twice: by itself, and by the weight {weights[0]}"
-    if "gain" not in options and not weights:
+    if not options.has("gain") and not weights:
         yield "", "say how K is found: give the weights Q and R, or the gain"
-    if "gain" not in options and weights and system.discrete:
+    if not options.has("gain") and weights and system.discrete:
         yield weights[0], "the optimal gain is found in continuous time only; in discrete time give the gain"
-    yield from faulty_weights(options)
+    yield from faulty_weights(options.Q, options.R)
 
 
-def _weights(given: Given) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+def _weights(given: Given[WithBoth, OptimalTrackingOptions]) -> tuple[ImmutableMatrix, ImmutableMatrix]:
     """Q and R, identity matrices where they are not given."""
-    return given_or_identity(given.Q, given.system.order), given_or_identity(given.R, given.system.B.cols)
+    return given_or_identity(given.options.Q, given.system.order), given_or_identity(
+        given.options.R, given.system.B.cols
+    )
 
 
 @optimal_tracking.method(source="Lecture note, section 5.4")
-def around_a_set_point(given: Given) -> Derivation[Answers]:
+def around_a_set_point(given: Given[WithBoth, OptimalTrackingOptions]) -> Derivation[Answers]:
     """Solve for the set point (x_d, u_d) and feed back the deviations from it."""
-    plant, K = given.system, given.gain
+    plant, K = given.system, given.options.gain
     found = yield from set_point_of(plant)
     if K is None:
         K = yield from _optimal_gain(given)
@@ -83,17 +100,23 @@ def around_a_set_point(given: Given) -> Derivation[Answers]:
         unclaimed="a definition: the coordinates are moved to the set point",
         figures=(Diagram("The loop with a reference.", "state_feedback_reference", {"K": "K_f", "N": "K_o"}),),
         K=K,
-        given=given.gain is not None,
+        given=given.options.gain is not None,
         discrete=plant.discrete,
     )
     K_o = yield from reference_gain(K, found)
     return Answers(K=K, F=found.F, N=found.N, K_o=K_o)
 
 
-def _optimal_gain(given: Given) -> Derivation[ImmutableMatrix]:
+def _optimal_gain(given: Given[WithBoth, OptimalTrackingOptions]) -> Derivation[ImmutableMatrix]:
     """Find K of the regulator of the deviations."""
     Q, R = _weights(given)
-    yield Step("weights", unclaimed="the weights are given", Q=Q, R=R, chosen=given.Q is None or given.R is None)
+    yield Step(
+        "weights",
+        unclaimed="the weights are given",
+        Q=Q,
+        R=R,
+        chosen=given.options.Q is None or given.options.R is None,
+    )
     problem = Regulator.of(given.system.A, given.system.B, Q, R)
     equation = yield from solution_by_hamiltonian(problem)
     P = equation.stabilizing.P
@@ -105,20 +128,20 @@ def _optimal_gain(given: Given) -> Derivation[ImmutableMatrix]:
 
 
 @optimal_tracking.verification("K")
-def is_optimal_or_given(given: Given, answers: Answers) -> Iterable[Check]:
+def is_optimal_or_given(given: Given[WithBoth, OptimalTrackingOptions], answers: Answers) -> Iterable[Check]:
     """The gain given; else K stabilizes and is R⁻¹BᵀP for the P of its own cost."""
     K = answers["K"]
-    if given.gain is not None:
-        yield numeric.check_claim(Claim(given.gain, K), "the gain given", answer="K")
+    if given.options.gain is not None:
+        yield numeric.check_claim(Claim(given.options.gain, K), "the gain given", answer="K")
         return
     weights = optimal.Weights(given.system.A, given.system.B, *_weights(given))
     yield gain_check(weights, K, "K", "$K$ stabilizes, and $K = R^{-1}B^{T}P$ for the $P$ of its own cost")
 
 
 @optimal_tracking.verification("F", "N", "K_o")
-def belong_to_a_set_point(given: Given, answers: Answers) -> Iterable[Check]:
+def belong_to_a_set_point(given: Given[WithBoth, OptimalTrackingOptions], answers: Answers) -> Iterable[Check]:
     """A F + B N = 0, C F + D N = I and K_o = N + K F; alone, each must go with some set point."""
-    K = answers.get("K", given.gain)
+    K = answers.get("K", given.options.gain)
     yield from set_point_checks(given.system, answers, K)
     if "K_o" in answers and K is None:
         weights = optimal.Weights(given.system.A, given.system.B, *_weights(given))

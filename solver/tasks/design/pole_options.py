@@ -2,45 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Derivation, Option, Poles
+from solver.derivation import Derivation, Refusal, option
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
-from solver.tasks.design.desired_poles import NAMES, SPECIFICATIONS, band, faults, second_order_of, specified
+from solver.options.poles import Poles
+from solver.tasks.design.desired_poles import NAMES, StepSpecifications, band, faults, second_order_of, specified
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
-POLES = Option("poles", Poles(), "poles of the closed loop: all n, or only those of the controllable part")
-POLE_OPTIONS = (POLES, *SPECIFICATIONS)
+
+@dataclass(frozen=True, kw_only=True)
+class PoleOptions(StepSpecifications):
+    """The poles of the closed loop, or what is asked of its step response."""
+
+    poles: tuple[Expr, ...] | None = option(
+        Poles(), "poles of the closed loop: all n, or only those of the controllable part"
+    )
 
 
-def variable(system: systems.StateSpace) -> Symbol:
+def variable(system: systems.System) -> Symbol:
     """The variable of polynomials: s, or z in discrete time."""
     return sp.Symbol("z" if system.discrete else "s")
 
 
-def asked_poles(options: Mapping[str, Any]) -> Derivation[list[Expr]]:
+def asked_poles(options: PoleOptions) -> Derivation[list[Expr]]:
     """Return the poles asked for; two from the specifications, where these are given, are worked out."""
-    poles = list(options.get("poles") or ())
+    poles = list(options.poles or ())
     if not specified(options):
         return poles
     found = yield from second_order_of(options)
     return [*found.poles, *poles]
 
 
-def numeric_poles(options: Mapping[str, Any]) -> list[Any]:
+def numeric_poles(options: PoleOptions) -> list[Any]:
     """Return the poles asked for without the exact kernels, in decimals where specifications give them."""
-    poles = list(options.get("poles") or ())
+    poles = list(options.poles or ())
     if specified(options):
         poles = [*judges.second_order_poles(specified(options), band(options)), *poles]
     return poles
 
 
-def pole_faults(system: Any, options: Mapping[str, Any], extra: int = 0) -> Iterable[tuple[str, str]]:
+def pole_faults(system: Any, options: PoleOptions, extra: int = 0) -> Iterable[Refusal]:
     """Return what is wrong with the poles asked for; `extra` states (integrators) come to those of the plant."""
     if specified(options):
         if getattr(system, "discrete", False):
@@ -50,25 +58,25 @@ def pole_faults(system: Any, options: Mapping[str, Any], extra: int = 0) -> Iter
             )
             return
         yield from faults(options)
-    elif not any(name in options for name in ("poles", *NAMES)):
+    elif not any(options.has(name) for name in ("poles", *NAMES)):
         yield "", "say where the poles are to be: 'poles', or two specifications of the step response"
-    unknown = any(name in options and options[name] is None for name in ("poles", *NAMES))
-    count = len(options.get("poles") or ()) + 2 * bool(specified(options))
+    unknown = options.later & {"poles", *NAMES}
+    count = len(options.poles or ()) + 2 * bool(specified(options))
     if unknown or not count or not isinstance(system, systems.StateSpace) or system.B is None:
         return
     allowed = _numbers_of_poles(system, options) if not extra else {system.order + extra}
     if count not in allowed:
-        where = "poles" if options.get("poles") else next(iter(specified(options)), "")
+        where = "poles" if options.poles else next(iter(specified(options)), "")
         wanted = " or ".join(str(number) for number in sorted(allowed, reverse=True))
         note = " (all, or those that can be moved)" if len(allowed) > 1 else ""
         yield where, f"the closed loop has {system.order + extra} poles; give {wanted}{note}, not {count}"
 
 
-def _numbers_of_poles(system: systems.StateSpace, options: Mapping[str, Any]) -> set[int]:
+def _numbers_of_poles(system: systems.StateSpace, options: PoleOptions) -> set[int]:
     """Return n, and the number of poles that the gain can move."""
     n, B = system.order, system.B
     assert B is not None  # noqa: S101 - the caller has seen to it
-    structure = options.get("structure")
+    structure = getattr(options, "structure", None)
     try:
         if structure and len(structure) == n and B.cols == 1:
             row = sp.ImmutableMatrix([list(structure)])

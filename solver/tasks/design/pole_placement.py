@@ -2,40 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, ExpressionList, Given, Option, Task
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task, option
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.options.expression_list import ExpressionList
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
 from solver.tasks.design.placement import place
-from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.freedom import gain_is_free
 
 if TYPE_CHECKING:
-    from sympy import ImmutableMatrix, Symbol
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+    from solver.tasks.needed import WithInput
 
 MATCHING = ("coefficient_matching",)
 
-pole_placement = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class PolePlacementOptions(PoleOptions):
+    """The poles, and what is known of the gain."""
+
+    structure: tuple[Expr, ...] | None = option(
+        ExpressionList(),
+        "shape of the row K: symbols to find and entries that are fixed, e.g. [alpha, 0, beta]",
+        methods=MATCHING,
+    )
+
+
+pole_placement: Task[WithInput, PolePlacementOptions] = Task(
     "pole_placement",
     group="Design",
     title="Pole placement by state feedback",
     doc="The gain K of u = −K x for which A − BK has the poles asked for.",
     needs=("A", "B"),
-    options=[
-        *POLE_OPTIONS,
-        Option(
-            "structure",
-            ExpressionList(),
-            "shape of the row K: symbols to find and entries that are fixed, e.g. [alpha, 0, beta]",
-            methods=MATCHING,
-        ),
-    ],
+    options=PolePlacementOptions,
     answers=[
         AnswerName(
             "K", "K_f", "the gain of the feedback (entries that may have any value stay letters)", free=gain_is_free
@@ -58,19 +66,19 @@ pole_placement = Task(
 )
 
 
-def shape_of(given: Given) -> tuple[ImmutableMatrix | None, list[Symbol]]:
+def shape_of(given: Given[WithInput, PolePlacementOptions]) -> tuple[ImmutableMatrix | None, list[Symbol]]:
     """Return the row K of the option `structure` (None without it) and the symbols in it that are to be found."""
-    if not given.structure:
+    if not given.options.structure:
         return None, []
-    row = sp.ImmutableMatrix([list(given.structure)])
+    row = sp.ImmutableMatrix([list(given.options.structure)])
     return row, sorted(row.free_symbols - set(given.system.parameters), key=str)
 
 
 @pole_placement.refusal
-def options_fit_the_plant(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def options_fit_the_plant(system: Any, options: PolePlacementOptions) -> Iterable[Refusal]:
     """Poles are given, as many as the plant has states (or movable ones); the structure is a row of n entries."""
     yield from pole_faults(system, options)
-    structure = options.get("structure")
+    structure = options.structure
     if not structure or not isinstance(system, systems.StateSpace) or system.B is None:
         return
     n = system.order
@@ -86,7 +94,7 @@ def options_fit_the_plant(system: Any, options: Mapping[str, Any]) -> Iterable[t
             yield "structure", "each entry of the structure must be linear in the symbols to find"
 
 
-def _placed(given: Given, method: str) -> Derivation[Answers]:
+def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Derivation[Answers]:
     """Find K by one of the methods, and show what the loop does."""
     plant, x = given.system, variable(given.system)
     yield from block_diagram("state_feedback", "State feedback $u = -K_f x$")
@@ -110,37 +118,37 @@ def _answers(found: Placement, *, structured: bool) -> Answers:
 
 
 @pole_placement.method("coefficient_matching", title="Comparison of coefficients", source="Lecture note, section 3.5")
-def by_coefficient_matching(given: Given) -> Derivation[Answers]:
+def by_coefficient_matching(given: Given[WithInput, PolePlacementOptions]) -> Derivation[Answers]:
     """det(sI − A + BK) with unknown entries of K is compared with the desired polynomial, power by power."""
     return (yield from _placed(given, "coefficient_matching"))
 
 
 @pole_placement.method("bass_gura", title="Formula of Bass and Gura", source="Lecture note, equation (3.1.3)")
-def by_bass_gura(given: Given) -> Derivation[Answers]:
+def by_bass_gura(given: Given[WithInput, PolePlacementOptions]) -> Derivation[Answers]:
     """K = (â − a)ᵀ (𝒞 W)⁻¹, W triangular with the coefficients of the open-loop polynomial."""
     return (yield from _placed(given, "bass_gura"))
 
 
 @pole_placement.method("canonical_form", title="Canonical form", source="Lecture note, equation (3.1.4)")
-def by_canonical_form(given: Given) -> Derivation[Answers]:
+def by_canonical_form(given: Given[WithInput, PolePlacementOptions]) -> Derivation[Answers]:
     """In controllable canonical form the gain is â − a; it is brought back to the original coordinates."""
     return (yield from _placed(given, "canonical_form"))
 
 
 @pole_placement.method("ackermann", title="Ackermann's formula", source="Lecture note, equation (3.1.5)")
-def by_ackermann(given: Given) -> Derivation[Answers]:
+def by_ackermann(given: Given[WithInput, PolePlacementOptions]) -> Derivation[Answers]:
     """K = (0, …, 0, 1) 𝒞⁻¹ p̂(A)."""
     return (yield from _placed(given, "ackermann"))
 
 
 @pole_placement.method("unity_rank", title="Gain of unity rank", source="Kailath, Linear Systems, section 7.1")
-def by_unity_rank(given: Given) -> Derivation[Answers]:
+def by_unity_rank(given: Given[WithInput, PolePlacementOptions]) -> Derivation[Answers]:
     """K = g k: the inputs act together as one, b = Bg, and k is found for (A, b)."""
     return (yield from _placed(given, "unity_rank"))
 
 
 @pole_placement.verification("K", "closed_loop_A", "polynomial", "gain_polynomial", "fixed_poles", "conditions")
-def has_the_poles(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_poles(given: Given[WithInput, PolePlacementOptions], answers: Answers) -> Iterable[Check]:
     """The spectrum of A − BK is the one asked for; modes that no gain moves are found by two random gains."""
     row, unknowns = shape_of(given)
     asked = Asked(given.system.A, given.system.B, numeric_poles(given.options), variable(given.system), row, unknowns)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Claim, Derivation, Given, Names, Option, Poles, Step, Task, Unsolved
+from solver.derivation import AnswerName, Answers, Claim, Derivation, Given, Refusal, Step, Task, Unsolved, option
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
+from solver.options.names import Names
+from solver.options.poles import Poles
 from solver.stated.algebra import product, total
 from solver.stated.matrices import partitioned
 from solver.tasks.design import reduced_observer_checks as checks
@@ -21,20 +24,32 @@ from solver.tasks.design.reduced_order import (
     reduced_gain_of,
 )
 from solver.tasks.freedom import measured_by_combinations, reduced_gain_is_free
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
-    from solver.systems import System
+    from sympy import Expr
 
-reduced_observer = Task(
+    from solver.systems import System
+    from solver.tasks.needed import WithInput
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReducedObserverOptions(PlantOptions):
+    """Where the estimation error has its poles, and what is measured."""
+
+    poles: tuple[Expr, ...] = option(
+        Poles(), "the n − p eigenvalues of J (or those of the observable part)", required=True
+    )
+    measured: tuple[str, ...] | None = option(Names(), "the measured states (names or numbers), where C does not say")
+
+
+reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
     "reduced_observer",
     group="Design",
     title="Observer of reduced order",
     doc="ω' = Jω + Ny + Mu estimates the n − p unmeasured states, η̂₂ = ω + Ly, with errors of the given eigenvalues.",
     needs=("A", "B"),
-    options=[
-        Option("poles", Poles(), "the n − p eigenvalues of J (or those of the observable part)", required=True),
-        Option("measured", Names(), "the measured states (names or numbers), where C does not say"),
-    ],
+    options=ReducedObserverOptions,
     answers=[
         AnswerName(
             "L", "L_c", r"the gain of the observer, $\hat{\eta}_{2} = \omega + L_{c}y$", free=reduced_gain_is_free
@@ -72,11 +87,11 @@ reduced_observer = Task(
 
 
 @reduced_observer.refusal
-def what_the_file_shows(system: System, options: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def what_the_file_shows(system: System, options: ReducedObserverOptions) -> Iterator[Refusal]:
     """Nothing measured, or all, or one quantity twice; another number of poles than of unmeasured states."""
     if not isinstance(system, systems.StateSpace):
         return
-    measured = options.get("measured")
+    measured = options.measured
     try:
         plant = measuring(system, measured)
     except Unsolved as fault:
@@ -85,18 +100,20 @@ def what_the_file_shows(system: System, options: Mapping[str, Any]) -> Iterator[
     wrong = measurement_fault(plant)
     if wrong:
         yield "measured" if measured else "", wrong
-    elif options.get("poles") is not None:
-        yield from pole_faults(plant, options["poles"])
+    elif options.poles is not None:
+        yield from pole_faults(plant, options.poles)
 
 
 @reduced_observer.method(source="Lecture note, section 4.2")
-def by_partition(given: Given) -> Derivation[Answers]:
+def by_partition(given: Given[WithInput, ReducedObserverOptions]) -> Derivation[Answers]:
     """Split off what is measured; A22 − L A12 gets the poles; J, N, M follow from the error equation."""
-    plant = measuring(given.system, given.measured)
-    for fault in filter(None, (measurement_fault(plant), *(words for _, words in pole_faults(plant, given.poles)))):
+    plant = measuring(given.system, given.options.measured)
+    for fault in filter(
+        None, (measurement_fault(plant), *(words for _, words in pole_faults(plant, given.options.poles)))
+    ):
         raise Unsolved("engine/refused", message=fault)
     parts = yield from partition_of(plant)
-    design = yield from reduced_gain_of(parts, given.poles, discrete=plant.discrete)
+    design = yield from reduced_gain_of(parts, given.options.poles, discrete=plant.discrete)
     J, N, M = yield from observer_matrices_of(parts, design.L, plant)
     n, q, C = plant.n, J.rows, plant.C
     yield from estimate_of(parts, design, J, plant)

@@ -19,12 +19,15 @@ from solver.tasks.design.plants import Plant, measuring
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
+    from solver.tasks.design.reduced_observer import ReducedObserverOptions
+    from solver.tasks.needed import WithInput
+
 BLOCKS = ("A11", "A12", "A21", "A22", "B1", "B2")
 
 
-def puts_the_measured_first(given: Given, answers: Answers) -> Iterable[Check]:
+def puts_the_measured_first(given: Given[WithInput, ReducedObserverOptions], answers: Answers) -> Iterable[Check]:
     """C T = [I, 0] and T invertible; where the outputs are states, the others follow in their order."""
-    plant, T = measuring(given.system, given.measured), answers["T"]
+    plant, T = measuring(given.system, given.options.measured), answers["T"]
     p, q = plant.p, plant.n - plant.p
     selected = sp.ImmutableMatrix(sp.Matrix.hstack(sp.eye(p), sp.zeros(p, q)))
     yield numeric.check_claim(Claim(product(plant.C, T), selected), "$C T = [I, 0]$")
@@ -92,9 +95,11 @@ class _Blocks:
         return product(*factors, inverse(O), last)
 
 
-def estimates_what_is_not_measured(given: Given, answers: Answers) -> Iterable[Check]:
+def estimates_what_is_not_measured(
+    given: Given[WithInput, ReducedObserverOptions], answers: Answers
+) -> Iterable[Check]:
     """The blocks are those of T⁻¹AT; the error has the poles asked for and is driven by neither plant nor input."""
-    plant = measuring(given.system, given.measured)
+    plant = measuring(given.system, given.options.measured)
     blocks = _Blocks.of(plant, answers)
     if blocks is None:
         reason = "the coordinates are free here: it is judged together with T"
@@ -106,8 +111,8 @@ def estimates_what_is_not_measured(given: Given, answers: Answers) -> Iterable[C
             yield numeric.check_claim(
                 claim, f"${name[0]}_{{{name[1:]}}}$ is the block of the plant in $(\\eta_1, \\eta_2)$", answer=name
             )
-    yield from _spectra(blocks, given.poles, answers)
-    gain = blocks.only_gain(given.poles)
+    yield from _spectra(blocks, given.options.poles, answers)
+    gain = blocks.only_gain(given.options.poles)
     yield from _drives(blocks, gain if gain is not None else answers.get("L"), answers)
     yield from _combined_states(blocks, answers)
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -12,33 +13,46 @@ from solver.derivation import (
     Claim,
     Derivation,
     Given,
-    MatrixOf,
-    Option,
+    Refusal,
     Step,
     Task,
     Unsolved,
+    option,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, rank
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
-from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import feedthrough, least_solution
 from solver.tasks.freedom import gain_is_free, more_inputs_than_outputs, reference_gain_is_free
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
-reference_tracking = Task(
+    from solver.tasks.needed import WithBoth
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReferenceTrackingOptions(PoleOptions):
+    """The poles, and what is known of the gain."""
+
+    gain: ImmutableMatrix | None = option(
+        MatrixOf("m", "n", flat="row"), "the feedback K of u = −K x + K_o r", answer="K"
+    )
+
+
+reference_tracking: Task[WithBoth, ReferenceTrackingOptions] = Task(
     "reference_tracking",
     group="Design",
     title="Tracking of a constant reference",
     doc="The steady state x_d = F r, u_d = N r in which the output is r, and K_o = N + K F of u = −K x + K_o r.",
     needs=("A", "B", "C"),
-    options=[Option("gain", MatrixOf("m", "n", flat="row"), "the feedback K of u = −K x + K_o r"), *POLE_OPTIONS],
+    options=ReferenceTrackingOptions,
     answers=[
         AnswerName("F", "F", "the desired state for the reference, $x_{d} = Fr$", free=more_inputs_than_outputs),
         AnswerName("N", "N", "the desired input for the reference, $u_{d} = Nr$", free=more_inputs_than_outputs),
@@ -50,23 +64,23 @@ reference_tracking = Task(
 
 
 @reference_tracking.refusal
-def a_gain_or_poles(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def a_gain_or_poles(system: Any, options: ReferenceTrackingOptions) -> Iterable[Refusal]:
     """Either the gain is given, or poles for it."""
-    if "gain" not in options:
+    if not options.has("gain"):
         yield from pole_faults(system, options)
-    elif options.get("poles"):
+    elif options.poles:
         yield "poles", "the gain is given, so the poles are; leave out one of the two"
 
 
 @reference_tracking.method(source="Lecture note, sections 3.2 and 5.4")
-def by_the_steady_state(given: Given) -> Derivation[Answers]:
+def by_the_steady_state(given: Given[WithBoth, ReferenceTrackingOptions]) -> Derivation[Answers]:
     """In the steady state A F + B N = 0 and C F + D N = I; u = u_d − K (x − x_d) gives K_o = N + K F."""
     plant, discrete = given.system, given.system.discrete
     A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
     yield from block_diagram("state_feedback_reference", "State feedback with a reference, $u = -K_f x + K_o r$")
     F, N = yield from steady_state_of(A, B, C, D, discrete=discrete)
-    K, placed = given.gain, given.gain is None
-    if placed:
+    K, placed = given.options.gain, given.options.gain is None
+    if K is None:
         poles = yield from asked_poles(given.options)
         method = "coefficient_matching" if B.cols == 1 and A.rows <= 3 else "ackermann"
         found = yield from place(A, B, poles, method, x=variable(plant))
@@ -139,7 +153,7 @@ def _through_the_inverse(
 
 
 def _feedforward(
-    given: Given, K: ImmutableMatrix, F: ImmutableMatrix, N: ImmutableMatrix
+    given: Given[WithBoth, ReferenceTrackingOptions], K: ImmutableMatrix, F: ImmutableMatrix, N: ImmutableMatrix
 ) -> Derivation[ImmutableMatrix]:
     """K_o = N + K F, and the steady-state gain of the closed loop, which is the identity."""
     plant = given.system
@@ -165,12 +179,14 @@ def _feedforward(
 
 
 @reference_tracking.verification("F", "N", "K_o", "K")
-def holds_the_output_at_the_reference(given: Given, answers: Answers) -> Iterable[Check]:
+def holds_the_output_at_the_reference(
+    given: Given[WithBoth, ReferenceTrackingOptions], answers: Answers
+) -> Iterable[Check]:
     """A F + B N = 0 and C F + D N = I; where one of the two is missing, some other completes it (numpy)."""
     plant = given.system
     A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
     rest = difference(A, sp.ImmutableMatrix(sp.eye(A.rows))) if plant.discrete else A
-    F, N, K = answers.get("F"), answers.get("N"), answers.get("K", given.gain)
+    F, N, K = answers.get("F"), answers.get("N"), answers.get("K", given.options.gain)
     matrices = (A, B, C, D)
     if F is not None and N is not None:
         zero, identity = sp.ImmutableMatrix(sp.zeros(A.rows, C.rows)), sp.ImmutableMatrix(sp.eye(C.rows))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.derivation import Refusal
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated import Stated
@@ -86,9 +87,8 @@ def given_or_identity(weight: ImmutableMatrix | None, size: int) -> ImmutableMat
     return weight if weight is not None else sp.ImmutableMatrix(sp.eye(size))
 
 
-def faulty_weights(options: Mapping[str, Any], own: str = "Q") -> Iterable[tuple[str, str]]:
-    """Yield what is wrong with the weights Q and R as the file gives them."""
-    Q, R = options.get(own), options.get("R")
+def faulty_weights(Q: ImmutableMatrix | None, R: ImmutableMatrix | None, own: str = "Q") -> Iterable[Refusal]:
+    """Yield what is wrong with the weights Q (by the name `own`) and R as the file gives them."""
     if Q is not None and Q.rows == Q.cols:
         if Q != Q.T:
             yield own, f"{own} must be symmetric"

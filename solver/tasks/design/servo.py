@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, Unsolved, lemma
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, Unsolved, lemma
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
@@ -14,20 +14,23 @@ from solver.stated.matrices import determinant, inverse, rank
 from solver.tasks.design.gain_checks import Asked, judge_gain
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
-from solver.tasks.design.pole_options import POLE_OPTIONS, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import feedthrough
 from solver.tasks.freedom import several_inputs
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
-servo = Task(
+    from solver.tasks.needed import WithBoth
+
+
+servo: Task[WithBoth, PoleOptions] = Task(
     "servo",
     group="Design",
     title="Servo with integral action",
     doc="K and k_I of u = −K x + k_I ξ, ξ' = r − y (discrete: ξ(k+1) = ξ(k) + r − y), for the poles asked for.",
     needs=("A", "B", "C"),
-    options=POLE_OPTIONS,
+    options=PoleOptions,
     answers=[
         AnswerName("K", "K_f", "the gain of the states", free=several_inputs),
         AnswerName("k_I", "k_I", "the gain of the integrated error", free=several_inputs),
@@ -49,7 +52,7 @@ def augmented(plant: Any) -> tuple[ImmutableMatrix, ImmutableMatrix]:
 
 
 @servo.refusal
-def a_pole_for_each_state_and_integrator(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def a_pole_for_each_state_and_integrator(system: Any, options: PoleOptions) -> Iterable[Refusal]:
     """There are n + p poles."""
     outputs = getattr(system, "C", None)
     if outputs is not None:
@@ -57,7 +60,7 @@ def a_pole_for_each_state_and_integrator(system: Any, options: Mapping[str, Any]
 
 
 @lemma("integrators")
-def _designed(given: Given, method: str) -> Derivation[Answers]:
+def _designed(given: Given[WithBoth, PoleOptions], method: str) -> Derivation[Answers]:
     """Augment the plant by integrators, look whether the inputs move them, and place all poles."""
     plant, x = given.system, variable(given.system)
     n, p, D = plant.order, plant.C.rows, feedthrough(plant)
@@ -124,37 +127,37 @@ def _steady_state(plant: Any, loop: ImmutableMatrix, K: ImmutableMatrix, k_I: Im
 
 
 @servo.method("coefficient_matching", title="Comparison of coefficients", source="Lecture note, section 3.3")
-def by_coefficient_matching(given: Given) -> Derivation[Answers]:
+def by_coefficient_matching(given: Given[WithBoth, PoleOptions]) -> Derivation[Answers]:
     """det(sI − Ā + B̄K̄) with unknown entries of K̄ = [K, −k_I] is compared with the desired polynomial."""
     return (yield from _designed(given, "coefficient_matching"))
 
 
 @servo.method("bass_gura", title="Formula of Bass and Gura", source="Lecture note, sections 3.1 and 3.3")
-def by_bass_gura(given: Given) -> Derivation[Answers]:
+def by_bass_gura(given: Given[WithBoth, PoleOptions]) -> Derivation[Answers]:
     """K̄ = (â − a)ᵀ (𝒞 W)⁻¹ for the augmented plant."""
     return (yield from _designed(given, "bass_gura"))
 
 
 @servo.method("canonical_form", title="Canonical form", source="Lecture note, sections 3.1 and 3.3")
-def by_canonical_form(given: Given) -> Derivation[Answers]:
+def by_canonical_form(given: Given[WithBoth, PoleOptions]) -> Derivation[Answers]:
     """The augmented plant in canonical form, where the gain is â − a."""
     return (yield from _designed(given, "canonical_form"))
 
 
 @servo.method("ackermann", title="Ackermann's formula", source="Lecture note, sections 3.1 and 3.3")
-def by_ackermann(given: Given) -> Derivation[Answers]:
+def by_ackermann(given: Given[WithBoth, PoleOptions]) -> Derivation[Answers]:
     """K̄ = (0, …, 0, 1) 𝒞⁻¹ p̂(Ā)."""
     return (yield from _designed(given, "ackermann"))
 
 
 @servo.method("unity_rank", title="Gain of unity rank", source="Kailath, Linear Systems, section 7.1")
-def by_unity_rank(given: Given) -> Derivation[Answers]:
+def by_unity_rank(given: Given[WithBoth, PoleOptions]) -> Derivation[Answers]:
     """K̄ = g k: the inputs of the augmented plant act together as one."""
     return (yield from _designed(given, "unity_rank"))
 
 
 @servo.verification("K", "k_I", "closed_loop_A")
-def has_the_poles_and_no_error(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_poles_and_no_error(given: Given[WithBoth, PoleOptions], answers: Answers) -> Iterable[Check]:
     """The spectrum of the closed loop in (x, ξ); a gain alone is judged by whether another completes it (one input)."""
     plant = given.system
     A, B, C, D, n = plant.A, plant.B, plant.C, feedthrough(plant), plant.order

@@ -2,28 +2,52 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Claim, Derivation, Given, Step, lemma
+from solver.derivation import Claim, Derivation, Given, Refusal, Step, lemma, option
 from solver.lazy import sympy as sp
+from solver.options.matrix import MatrixOf
+from solver.options.number import Number
 from solver.stated import Stated
 from solver.stated.algebra import product
 from solver.stated.matrices import transpose
 from solver.tasks.design.regulator import faulty_weights, given_or_identity
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
+    from solver.systems import System
+    from solver.tasks.needed import WithInput
 
-def faulty_state_weight(system: Any, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+
+@dataclass(frozen=True, kw_only=True)
+class WeightOptions(PlantOptions):
+    """What is weighed, and how."""
+
+    Q: ImmutableMatrix | None = option(
+        MatrixOf("n", "n"), "weight of the state, n×n, symmetric and positive semidefinite (default I)"
+    )
+    R: ImmutableMatrix | None = option(
+        MatrixOf("m", "m"), "weight of the input, m×m, symmetric and positive definite (default I)"
+    )
+    output_weight: ImmutableMatrix | None = option(MatrixOf(), "w for Q = w CᵀC, or a matrix W (p×p) for Q = CᵀWC")
+    tolerances: ImmutableMatrix | None = option(
+        MatrixOf("n", 1, flat="column"), "tolerable deviations x̃ of the states: Q = diag(1/x̃²)"
+    )
+    cost_factor: Expr | None = option(Number(), "factor before the integral of the cost, 1/2 (the default) or 1")
+
+
+def faulty_state_weight(system: System, options: WeightOptions) -> Iterable[Refusal]:
     """Faults of the weight of the state: given twice or not at all, of the wrong size or sign."""
-    ways = [name for name in ("Q", "output_weight", "tolerances") if name in options]
-    if not ways and "R" not in options:
+    ways = [name for name in ("Q", "output_weight", "tolerances") if options.has(name)]
+    if not ways and not options.has("R"):
         yield "", "say what is weighed: give Q and R, or output_weight, or tolerances"
     for other in ways[1:]:
         yield other, f"the weight of the state is given twice, by {ways[0]} and by {other}"
-    W: Any = options.get("output_weight")
+    W: Any = options.output_weight
     C: Any = getattr(system, "C", None)
     if W is not None and C is None:
         yield "output_weight", "output_weight needs outputs, and the system has no C"
@@ -32,44 +56,42 @@ def faulty_state_weight(system: Any, options: Mapping[str, Any]) -> Iterable[tup
         if W.shape not in {(1, 1), (p, p)}:
             yield "output_weight", f"output_weight must be a number or {p}×{p}, one row and column for each output"
         else:
-            yield from (
-                ("output_weight", message.replace("Q", "output_weight", 1)) for _, message in faulty_weights({"Q": W})
-            )
-    tolerances = options.get("tolerances")
-    if tolerances is not None and any(x.is_positive is False for x in tolerances):
+            yield from faulty_weights(W, None, "output_weight")
+    tolerances = options.tolerances
+    if tolerances is not None and any(x.is_positive is False for x in tolerances.flat()):
         yield "tolerances", "tolerances must be positive"
 
 
-def weights_as_stated(given: Given) -> tuple[Any, ImmutableMatrix]:
+def weights_as_stated(given: Given[WithInput, WeightOptions]) -> tuple[Any, ImmutableMatrix]:
     """Q, as the formula that gives it where there is one, and R."""
-    C, W, tolerances = given.system.C, given.output_weight, given.tolerances
-    R = given_or_identity(given.R, given.system.B.cols)
+    C, W, tolerances = given.system.C, given.options.output_weight, given.options.tolerances
+    R = given_or_identity(given.options.R, given.system.B.cols)
     if tolerances is not None:
-        return sp.ImmutableMatrix(sp.diag(*(1 / x**2 for x in tolerances))), R
+        return sp.ImmutableMatrix(sp.diag(*(1 / x**2 for x in tolerances.flat()))), R
     if W is None:
-        return given_or_identity(given.Q, given.system.order), R
+        return given_or_identity(given.options.Q, given.system.order), R
     if W.shape == (1, 1):
         return product(W[0, 0], transpose(C), C), R
     return product(transpose(C), W, C), R
 
 
-def state_weight(given: Given) -> ImmutableMatrix:
+def state_weight(given: Given[WithInput, WeightOptions]) -> ImmutableMatrix:
     """Q (n×n) multiplied out."""
     stated, _ = weights_as_stated(given)
-    if not isinstance(stated, Stated):
+    C, W = given.system.C, given.options.output_weight
+    if not isinstance(stated, Stated) or C is None or W is None:
         return stated
-    C, W = given.system.C, given.output_weight
     scale = W[0, 0] * sp.eye(C.rows) if W.shape == (1, 1) else W
     return sp.ImmutableMatrix((C.T * scale * C).expand())
 
 
 @lemma("weights")
-def weights_of(given: Given) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix]]:
+def weights_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix]]:
     """Show Q and R as used."""
-    W, Q = given.output_weight, state_weight(given)
+    W, Q = given.options.output_weight, state_weight(given)
     stated, R = weights_as_stated(given)
     claims = {"Q": Claim(stated, Q, "weight of the state")} if isinstance(stated, Stated) else {}
-    way = "outputs" if W is not None else "tolerances" if given.tolerances is not None else "given"
+    way = "outputs" if W is not None else "tolerances" if given.options.tolerances is not None else "given"
     yield Step(
         "weights",
         claims=claims,
@@ -78,14 +100,14 @@ def weights_of(given: Given) -> Derivation[tuple[ImmutableMatrix, ImmutableMatri
         R=R,
         way=way,
         scalar=W is not None and W.shape == (1, 1),
-        chosen_Q=way == "given" and given.Q is None,
-        chosen_R=given.R is None,
-        tolerances=list(given.tolerances) if given.tolerances is not None else [],
-        factor=cost_factor(given),
+        chosen_Q=way == "given" and given.options.Q is None,
+        chosen_R=given.options.R is None,
+        tolerances=given.options.tolerances.flat() if given.options.tolerances is not None else [],
+        factor=cost_factor(given.options),
     )
     return Q, R
 
 
-def cost_factor(given: Given) -> Expr:
+def cost_factor(options: WeightOptions) -> Expr:
     """The factor before the integral."""
-    return given.cost_factor if given.cost_factor is not None else sp.Rational(1, 2)
+    return options.cost_factor if options.cost_factor is not None else sp.Rational(1, 2)

@@ -12,16 +12,20 @@ from solver.numeric.judges import linear_algebra as judges
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, trace
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
-characteristic_polynomial = Task(
+    from solver.systems import StateSpace
+
+characteristic_polynomial: Task[StateSpace, PlantOptions] = Task(
     "characteristic_polynomial",
     group="Representation and analysis",
     title="Characteristic polynomial",
     doc="The monic polynomial χ(λ) = det(λI − A) whose roots are the eigenvalues of A.",
     needs=("A",),
+    options=PlantOptions,
     answers=[AnswerName("polynomial", r"\chi(\lambda)", r"the monic polynomial $\det(\lambda I - A)$")],
 )
 
@@ -105,7 +109,7 @@ def _cofactors(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) ->
 @characteristic_polynomial.method(
     "determinant", title="Expansion of the determinant", source="Lecture note, section 1.12"
 )
-def by_determinant(given: Given) -> Derivation[Answers]:
+def by_determinant(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
     """χ(λ) = det(λI − A), expanded along a row."""
     lamda = sp.Symbol("lamda")
     resolvent = yield from determinant_of(given.system.A, lamda)
@@ -139,7 +143,7 @@ def recursion_of(A: ImmutableMatrix) -> Derivation[exact.FaddeevLeVerrier]:
 @characteristic_polynomial.method(
     "faddeev_leverrier", title="Faddeev–LeVerrier algorithm", source="Gantmacher, The Theory of Matrices I, IV §5"
 )
-def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
+def by_faddeev_leverrier(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
     """N₀ = I; aₖ = −tr(A Nₖ₋₁)/k, Nₖ = A Nₖ₋₁ + aₖ I; Nₙ = 0 closes the recursion (Cayley–Hamilton)."""
     A, lamda = given.system.A, sp.Symbol("lamda")
     resolvent = yield from recursion_of(A)
@@ -152,7 +156,7 @@ def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
 
 
 @characteristic_polynomial.verification("polynomial")
-def has_the_values_of_the_determinant(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_values_of_the_determinant(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """p(x) = det(xI − A) at random x, the determinant by numpy."""
     A, polynomial, lamda = given.system.A, answers["polynomial"], sp.Symbol("lamda")
     yield numeric.check_residual(

@@ -12,16 +12,20 @@ from solver.numeric.judges import linear_algebra as judges
 from solver.stated.algebra import power, product
 from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
-eigenstructure = Task(
+    from solver.systems import StateSpace
+
+eigenstructure: Task[StateSpace, PlantOptions] = Task(
     "eigenstructure",
     group="Representation and analysis",
     title="Eigenvalues and eigenvectors",
     doc="Eigenvalues, right and left eigenvectors (chains of generalized ones where A is defective) and Jordan form.",
     needs=("A",),
+    options=PlantOptions,
     answers=[
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
         AnswerName(
@@ -154,7 +158,7 @@ def _reduction(pencil: ImmutableMatrix, reduction: exact.RowReduction) -> Step:
 
 
 @eigenstructure.method(source="Lecture note, section 1.12")
-def by_null_spaces(given: Given) -> Derivation[Answers]:
+def by_null_spaces(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
     """Eigenvalues from χ(λ) = 0, eigenvectors from the null spaces of λI − A and of its transpose."""
     A = given.system.A
     yield from eigenvalues_of(A)
@@ -179,7 +183,7 @@ def by_null_spaces(given: Given) -> Derivation[Answers]:
 
 
 @eigenstructure.verification("eigenvalues")
-def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
+def are_the_roots(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """det(xI − A) = Π(x − λᵢ) at random x."""
     yield numeric.check_residual(
         r"$\det(xI - A) = \prod_i (x - \lambda_i)$",
@@ -189,7 +193,7 @@ def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
 
 
 @eigenstructure.verification("right_eigenvectors")
-def are_right_chains(given: Given, answers: Answers) -> Iterable[Check]:
+def are_right_chains(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """A V = V J with independent columns; without J, V⁻¹ A V is some Jordan form."""
     A, V, J = given.system.A, answers["right_eigenvectors"], answers.get("jordan_form")
     if J is not None:
@@ -201,7 +205,7 @@ def are_right_chains(given: Given, answers: Answers) -> Iterable[Check]:
 
 
 @eigenstructure.verification("left_eigenvectors")
-def are_left_chains(given: Given, answers: Answers) -> Iterable[Check]:
+def are_left_chains(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """M A = J M with independent rows; without J, M A M⁻¹ is some Jordan form."""
     A, M, J = given.system.A, answers["left_eigenvectors"], answers.get("jordan_form")
     if J is not None:
@@ -213,7 +217,7 @@ def are_left_chains(given: Given, answers: Answers) -> Iterable[Check]:
 
 
 @eigenstructure.verification("jordan_form")
-def has_the_same_blocks(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_same_blocks(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """J is in Jordan form and has, for each eigenvalue of A, as many blocks of each size."""
     A, J = given.system.A, answers["jordan_form"]
     yield Check.that(
@@ -225,7 +229,7 @@ def has_the_same_blocks(given: Given, answers: Answers) -> Iterable[Check]:
 
 
 @eigenstructure.verification("diagonalizable")
-def has_enough_eigenvectors(given: Given, answers: Answers) -> Iterable[Check]:
+def has_enough_eigenvectors(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """The rank of A − λI tells for each eigenvalue how many independent eigenvectors it has."""
     yield Check.that(
         r"$A$ is diagonalizable as stated",

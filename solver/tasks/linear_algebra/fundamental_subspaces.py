@@ -3,25 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, option
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.options.matrix import MatrixOf
 from solver.stated.algebra import product
 from solver.stated.matrices import rank, transpose
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.row_operations import rank_exceptions, row_operations
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
-fundamental_subspaces = Task(
+    from solver.systems import StateSpace
+
+
+@dataclass(frozen=True, kw_only=True)
+class FundamentalSubspacesOptions(PlantOptions):
+    """A matrix of its own."""
+
+    matrix: ImmutableMatrix | None = option(MatrixOf(), "the matrix, of any shape; without it the system's matrix (A)")
+
+
+fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
     "fundamental_subspaces",
     group="Representation and analysis",
     title="The four fundamental subspaces",
     doc="Bases of null space, column space, row space and left null space, by row reduction.",
     needs=("matrix",),
-    options=[Option("matrix", MatrixOf(), "the matrix, of any shape; without it the system's matrix (A)")],
+    options=FundamentalSubspacesOptions,
     answers=[
         AnswerName(
             "null_space",
@@ -57,7 +70,7 @@ fundamental_subspaces = Task(
 
 
 @fundamental_subspaces.method(source="Lecture note, section 2.4")
-def by_row_reduction(given: Given) -> Derivation[Answers]:
+def by_row_reduction(given: Given[StateSpace, FundamentalSubspacesOptions]) -> Derivation[Answers]:
     """Row operations on M, then on its transpose, give all four bases."""
     M = _matrix(given)
     reduction = exact.row_reduction(M)
@@ -98,8 +111,8 @@ def by_row_reduction(given: Given) -> Derivation[Answers]:
     return Answers(null_space=N, column_space=C, row_space=R, left_null_space=L, rank=sp.Integer(r))
 
 
-def _matrix(given: Given) -> ImmutableMatrix:
-    return given.system.A if given.options.get("matrix") is None else given.options["matrix"]
+def _matrix(given: Given[StateSpace, FundamentalSubspacesOptions]) -> ImmutableMatrix:
+    return given.system.A if given.options.matrix is None else given.options.matrix
 
 
 def _echelon(M: ImmutableMatrix, reduction: exact.RowReduction, reduced: ImmutableMatrix) -> Step:
@@ -151,7 +164,9 @@ def _left_null_space(M: ImmutableMatrix, L: ImmutableMatrix) -> Step:
 
 
 @fundamental_subspaces.verification("null_space", "left_null_space")
-def zero_and_of_the_right_dimension(given: Given, answers: Answers) -> Iterable[Check]:
+def zero_and_of_the_right_dimension(
+    given: Given[StateSpace, FundamentalSubspacesOptions], answers: Answers
+) -> Iterable[Check]:
     """M V = 0 with as many independent columns as the dimension; the same for the transpose."""
     M = _matrix(given)
     for name, matrix in (("null_space", M), ("left_null_space", sp.ImmutableMatrix(M.T))):
@@ -166,7 +181,7 @@ def zero_and_of_the_right_dimension(given: Given, answers: Answers) -> Iterable[
 
 
 @fundamental_subspaces.verification("column_space", "row_space")
-def spans_the_columns(given: Given, answers: Answers) -> Iterable[Check]:
+def spans_the_columns(given: Given[StateSpace, FundamentalSubspacesOptions], answers: Answers) -> Iterable[Check]:
     """As many independent columns as the rank, and none that raises the rank of M (of its transpose)."""
     M = _matrix(given)
     for name, matrix in (("column_space", M), ("row_space", sp.ImmutableMatrix(M.T))):
@@ -183,7 +198,7 @@ def spans_the_columns(given: Given, answers: Answers) -> Iterable[Check]:
 
 
 @fundamental_subspaces.verification("rank")
-def rank_by_singular_values(given: Given, answers: Answers) -> Iterable[Check]:
+def rank_by_singular_values(given: Given[StateSpace, FundamentalSubspacesOptions], answers: Answers) -> Iterable[Check]:
     """The rank by singular values."""
     M, r = _matrix(given), answers["rank"]
     yield _that(rf"$\operatorname{{rank}} M = {r}$", "rank", lambda: bool(r == numeric.rank(M)))

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
     from solver.systems import StateSpace, System
+    from solver.tasks.needed import InputOutput
+    from solver.tasks.representation.transfer_function import TransferFunctionOptions
 
 
 def matrices_of(plant: StateSpace) -> tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]:
@@ -27,9 +29,9 @@ def matrices_of(plant: StateSpace) -> tuple[ImmutableMatrix, ImmutableMatrix, Im
     return plant.A, plant.B, plant.C, D
 
 
-def chosen_channel(given: Given) -> System:
+def chosen_channel(given: Given[InputOutput, TransferFunctionOptions]) -> System:
     """The system from the input asked for to the output asked for."""
-    plant, inputs, outputs = given.system, _picked(given.input), _picked(given.output)
+    plant, inputs, outputs = given.system, _picked(given.options.input), _picked(given.options.output)
     if isinstance(plant, systems.TransferFunction):
         numerators, denominators = (
             tuple(row[inputs] for row in rows[outputs]) for rows in (plant.numerators, plant.denominators)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Choice, Derivation, Given, Option, Task, Unsolved
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task, Unsolved, option
 from solver.lazy import systems
+from solver.options.choice import Choice
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.representation.modal_forms import mode_form_of
 from solver.tasks.representation.multivariable_forms import companion_coordinates_of
 from solver.tasks.representation.realization_checks import realization_checks
@@ -15,27 +18,32 @@ from solver.tasks.representation.transfer_function import fractions_of, transfer
 
 if TYPE_CHECKING:
     from solver.systems import System
+    from solver.tasks.needed import InputOutput
 
 COMPANION = ("controllable", "observable")
 FORMS = (*COMPANION, "diagonal", "jordan", "modal")
 CONVENTIONS = ("last_row", "first_row", "subdiagonal", "superdiagonal")
 
-realization = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class RealizationOptions(PlantOptions):
+    """The form, and how it is written."""
+
+    form: str = option(Choice(FORMS), "the canonical form")
+    convention: str = option(
+        Choice(CONVENTIONS),
+        "companion forms: coefficients in the last row (controllable; observable: column) or in the first; "
+        "Jordan and modal form: the ones of a chain below or above the diagonal (subdiagonal if not said)",
+    )
+
+
+realization: Task[InputOutput, RealizationOptions] = Task(
     "realization",
     group="Representation and analysis",
     title="Realization",
     doc="State equations with a given transfer function, in one of the canonical forms; no common factor is cancelled.",
     needs=("transfer_function",),
-    options=[
-        Option("form", Choice(FORMS), "the canonical form", default="controllable"),
-        Option(
-            "convention",
-            Choice(CONVENTIONS),
-            "companion forms: coefficients in the last row (controllable; observable: column) or in the first; "
-            "Jordan and modal form: the ones of a chain below or above the diagonal (subdiagonal if not said)",
-            default="last_row",
-        ),
-    ],
+    options=RealizationOptions,
     answers=[
         AnswerName("A", "A", "system matrix; its order is the degree of the denominator as given", free=True),
         AnswerName("B", "B", "input matrix", free=True),
@@ -46,9 +54,9 @@ realization = Task(
 
 
 @realization.refusal
-def of_a_convention_of_another_form(_system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def of_a_convention_of_another_form(_system: System, options: RealizationOptions) -> Iterable[Refusal]:
     """A convention belongs to the companion forms or to the chains."""
-    form, convention = options.get("form", FORMS[0]), options.get("convention", CONVENTIONS[0])
+    form, convention = options.form, options.convention
     if form in COMPANION and convention in ("subdiagonal", "superdiagonal"):
         yield "convention", f"{convention} is about chains (jordan, modal); the {form} form takes last_row or first_row"
     if form not in COMPANION and convention == "first_row":
@@ -58,9 +66,13 @@ def of_a_convention_of_another_form(_system: System, options: Mapping[str, Any])
 
 
 @realization.method(source="Lecture note, section 1.10; Kailath, Linear Systems, section 2.1")
-def by_inspection(given: Given) -> Derivation[Answers]:
+def by_inspection(given: Given[InputOutput, RealizationOptions]) -> Derivation[Answers]:
     """The coefficients of the fraction, or its poles and residues, placed into matrices."""
-    form, discrete, first = given.form or FORMS[0], given.system.discrete, given.convention == "first_row"
+    form, discrete, first = (
+        given.options.form,
+        given.system.discrete,
+        given.options.convention == "first_row",
+    )
     if isinstance(given.system, systems.TransferFunction):
         G = yield from fractions_of(given.system)
     else:
@@ -76,11 +88,15 @@ def by_inspection(given: Given) -> Derivation[Answers]:
     if form in COMPANION:
         found = yield from companion_form_of(G, form, first=first, discrete=discrete)
     else:
-        found = yield from mode_form_of(G, form, superdiagonal=given.convention == "superdiagonal", discrete=discrete)
+        found = yield from mode_form_of(
+            G, form, superdiagonal=given.options.convention == "superdiagonal", discrete=discrete
+        )
     return Answers(A=found.A, B=found.B, C=found.C, D=found.D)
 
 
 @realization.verification("A", "B", "C", "D")
-def has_the_form_and_the_transfer_function(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_form_and_the_transfer_function(
+    given: Given[InputOutput, RealizationOptions], answers: Answers
+) -> Iterable[Check]:
     """The form by inspection, det(xI − A) and C (xI − A)⁻¹ B + D at random points; alone, what each one must be."""
     yield from realization_checks(given, answers)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Answers, Check, Claim, Given
+from solver.derivation import Answers, Check, Claim, Given, Options
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra, representation
@@ -13,8 +13,12 @@ from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant
 from solver.tasks.representation.plants import stated_matrix, stated_transfer, variable_of
 
+if TYPE_CHECKING:
+    from solver.tasks.needed import InputOutput
+    from solver.tasks.representation.realization import RealizationOptions
 
-def realization_checks(given: Given, answers: Answers) -> Iterable[Check]:
+
+def realization_checks(given: Given[InputOutput, RealizationOptions], answers: Answers) -> Iterable[Check]:
     """The checks of A, B, C, D, together or alone."""
     outputs, inputs = shape_of(given.system)
     misfit = list(_misfits(answers, outputs, inputs))
@@ -34,7 +38,7 @@ def realization_checks(given: Given, answers: Answers) -> Iterable[Check]:
         yield from _alone(given, answers, siso=(outputs, inputs) == (1, 1))
 
 
-def same_transfer(given: Given, answers: Answers) -> Check:
+def same_transfer(given: Given[InputOutput, Options], answers: Answers) -> Check:
     """C (xI − A)⁻¹ B + D = G at random points; without D, that of the problem."""
     x = variable_of(given.system)
     D = answers.get("D", at_infinity(given.system))
@@ -75,11 +79,11 @@ def _misfits(answers: Answers, outputs: int, inputs: int) -> Iterator[Check]:
             yield Check.that(f"${name}$ is {shape[0]}×{shape[1]}", "inspection", False, answer=name)
 
 
-def _form_in_words(given: Given) -> str:
-    first = given.convention == "first_row"
-    above = given.convention == "superdiagonal"
-    if shape_of(given.system) != (1, 1) and given.form in (None, "controllable", "observable"):
-        rows = "columns" if given.form == "observable" else "rows"
+def _form_in_words(given: Given[InputOutput, RealizationOptions]) -> str:
+    first = given.options.convention == "first_row"
+    above = given.options.convention == "superdiagonal"
+    if shape_of(given.system) != (1, 1) and given.options.form in ("controllable", "observable"):
+        rows = "columns" if given.options.form == "observable" else "rows"
         return f"$A$ has companion blocks: all {rows} but one a channel pass on a state"
     return {
         "controllable": f"$A$ is a companion matrix, coefficients in the {'first' if first else 'last'} row",
@@ -87,12 +91,16 @@ def _form_in_words(given: Given) -> str:
         "diagonal": "$A$ is diagonal",
         "jordan": f"$A$ is in Jordan form, ones {'above' if above else 'below'} the diagonal",
         "modal": "$A$ has real blocks of order one and two, and chains of them",
-    }[given.form or "controllable"]
+    }[given.options.form]
 
 
-def _has_form(given: Given, answers: Answers) -> bool:
+def _has_form(given: Given[InputOutput, RealizationOptions], answers: Answers) -> bool:
     A = answers["A"]
-    form, first, above = given.form, given.convention == "first_row", given.convention == "superdiagonal"
+    form, first, above = (
+        given.options.form,
+        given.options.convention == "first_row",
+        given.options.convention == "superdiagonal",
+    )
     if form == "diagonal":
         return bool(representation.is_diagonal(A))
     if form in ("jordan", "modal"):
@@ -122,7 +130,7 @@ def order_of(system: Any) -> int:
     return int(system.order)
 
 
-def _single_channel(given: Given, answers: Answers) -> Iterator[Check]:
+def _single_channel(given: Given[InputOutput, RealizationOptions], answers: Answers) -> Iterator[Check]:
     """What one input and one output fix: the order, det(xI − A), and in companion form B and C too."""
     system, x, n = given.system, variable_of(given.system), order_of(given.system)
     for name, side in (("A", 0), ("B", 0), ("C", 1)):
@@ -137,10 +145,10 @@ def _single_channel(given: Given, answers: Answers) -> Iterator[Check]:
             lambda: linear_algebra.polynomial_residual(A, _denominator(system), x),
             answer="A",
         )
-    form = given.form or "controllable"
+    form = given.options.form
     if form not in ("controllable", "observable"):
         return
-    first = given.convention == "first_row"
+    first = given.options.convention == "first_row"
     unit, coefficients = ("B", "C") if form == "controllable" else ("C", "B")
     if unit in answers:
         place = 0 if first else n - 1
@@ -155,9 +163,9 @@ def _single_channel(given: Given, answers: Answers) -> Iterator[Check]:
         yield numeric.check_claim(claim, label, answer=coefficients)
 
 
-def _alone(given: Given, answers: Answers, *, siso: bool) -> Iterator[Check]:
+def _alone(given: Given[InputOutput, RealizationOptions], answers: Answers, *, siso: bool) -> Iterator[Check]:
     """B and C without the others, where states may be scaled: what can be said of them."""
-    if siso and given.form in (None, "controllable", "observable"):
+    if siso and given.options.form in ("controllable", "observable"):
         return
     for name in ("B", "C"):
         if name not in answers:

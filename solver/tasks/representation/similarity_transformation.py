@@ -3,26 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, MatrixOf, Option, Step, Task
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, option
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, quotient
 from solver.stated.matrices import adjugate, determinant, inverse
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.representation.plants import matrices_of, stated_transfer, variable_of
 
 if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
     from solver.systems import StateSpace, System
 
-similarity_transformation = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class SimilarityTransformationOptions(PlantOptions):
+    """The new coordinates."""
+
+    T: ImmutableMatrix = option(MatrixOf("n", "n"), "the matrix T of x = T ξ, invertible", required=True)
+
+
+similarity_transformation: Task[StateSpace, SimilarityTransformationOptions] = Task(
     "similarity_transformation",
     group="Representation and analysis",
     title="Similarity transformation",
     doc="The same system in other coordinates ξ, x = T ξ: T⁻¹ A T, T⁻¹ B, C T and D.",
     needs=("A",),
-    options=[Option("T", MatrixOf("n", "n"), "the matrix T of x = T ξ, invertible", required=True)],
+    options=SimilarityTransformationOptions,
     answers=[
         AnswerName("A", r"\bar{A}", "$T^{-1}AT$"),
         AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True),
@@ -34,10 +46,10 @@ similarity_transformation = Task(
 
 @similarity_transformation.refusal
 def of_a_matrix_that_is_no_change_of_coordinates(
-    system: System, options: Mapping[str, Any]
-) -> Iterable[tuple[str, str]]:
+    system: System, options: SimilarityTransformationOptions
+) -> Iterable[Refusal]:
     """T is n×n and has an inverse."""
-    T, n = options.get("T"), getattr(system, "order", None)
+    T, n = options.T, getattr(system, "order", None)
     if T is None:
         return
     if T.rows != T.cols or n not in (None, T.rows):
@@ -47,9 +59,9 @@ def of_a_matrix_that_is_no_change_of_coordinates(
 
 
 @similarity_transformation.method(source="Lecture note, equation (1.14.2)")
-def by_products(given: Given) -> Derivation[Answers]:
+def by_products(given: Given[StateSpace, SimilarityTransformationOptions]) -> Derivation[Answers]:
     """ξ' = T⁻¹ A T ξ + T⁻¹ B u, y = C T ξ + D u."""
-    plant, T = given.system, given.T
+    plant, T = given.system, given.options.T
     det, adj, inverted = exact.inverse_in_full(T)
     yield Step(
         "inverse",
@@ -112,16 +124,20 @@ def _plain(M: Any) -> Any:
 
 
 @similarity_transformation.verification("A")
-def commutes_with_the_transformation(given: Given, answers: Answers) -> Iterable[Check]:
+def commutes_with_the_transformation(
+    given: Given[StateSpace, SimilarityTransformationOptions], answers: Answers
+) -> Iterable[Check]:
     """T Ā = A T, with no inverse in it."""
-    left, right = product(given.T, answers["A"]), product(given.system.A, given.T)
+    left, right = product(given.options.T, answers["A"]), product(given.system.A, given.options.T)
     yield numeric.check_claim(Claim(left, right), r"$T\bar{A} = AT$")
 
 
 @similarity_transformation.verification("B", "C", "D")
-def give_the_same_input_and_output(given: Given, answers: Answers) -> Iterable[Check]:
+def give_the_same_input_and_output(
+    given: Given[StateSpace, SimilarityTransformationOptions], answers: Answers
+) -> Iterable[Check]:
     """T B̄ = B, C̄ = C T, D̄ = D."""
-    plant, T = given.system, given.T
+    plant, T = given.system, given.options.T
     if "B" in answers:
         yield numeric.check_claim(Claim(product(T, answers["B"]), plant.B), r"$T\bar{B} = B$", answer="B")
     if "C" in answers:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Channel, Check, Claim, Derivation, Given, Option, Step, Task, lemma
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma, option
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import representation as judges
+from solver.options.channel import Channel
 from solver.stated import Stated
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.representation.plants import (
     chosen_channel,
     matrices_of,
@@ -27,17 +30,24 @@ if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
     from solver.systems import StateSpace
+    from solver.tasks.needed import InputOutput
 
-transfer_function = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class TransferFunctionOptions(PlantOptions):
+    """The channel of interest."""
+
+    input: int | None = option(Channel("input"), "the input, where only one is of interest")
+    output: int | None = option(Channel("output"), "the output, where only one is of interest")
+
+
+transfer_function: Task[InputOutput, TransferFunctionOptions] = Task(
     "transfer_function",
     group="Representation and analysis",
     title="Transfer function",
     doc="The transfer function (several inputs or outputs: transfer matrix) from u to y, its poles and its zeros.",
     needs=("transfer_function",),
-    options=[
-        Option("input", Channel("input"), "the input, where only one is of interest"),
-        Option("output", Channel("output"), "the output, where only one is of interest"),
-    ],
+    options=TransferFunctionOptions,
     answers=[
         AnswerName("G", "G", "the transfer function $C(sI - A)^{-1}B + D$, in lowest terms"),
         AnswerName("poles", "p_i", "the poles", optional=True),
@@ -48,7 +58,7 @@ transfer_function = Task(
 
 
 @transfer_function.method("adjugate", title="Adjugate over determinant", source="Lecture note, equation (1.11.3)")
-def by_adjugate(given: Given) -> Derivation[Answers]:
+def by_adjugate(given: Given[InputOutput, TransferFunctionOptions]) -> Derivation[Answers]:
     """G = (C adj(sI − A) B + det(sI − A) D)/det(sI − A)."""
     plant = chosen_channel(given)
     if isinstance(plant, systems.TransferFunction):
@@ -61,7 +71,7 @@ def by_adjugate(given: Given) -> Derivation[Answers]:
 @transfer_function.method(
     "faddeev_leverrier", title="Faddeev–LeVerrier algorithm", source="Gantmacher, The Theory of Matrices I, IV §5"
 )
-def by_faddeev_leverrier(given: Given) -> Derivation[Answers]:
+def by_faddeev_leverrier(given: Given[InputOutput, TransferFunctionOptions]) -> Derivation[Answers]:
     """G = (C N₀ B s^{n−1} + … + C Nₙ₋₁ B)/χ(s) + D, with the Nₖ and χ of the recursion."""
     plant = chosen_channel(given)
     if isinstance(plant, systems.TransferFunction):
@@ -207,7 +217,9 @@ def _from_roots(x: Symbol, roots: Sequence[Expr]) -> Stated:
 
 
 @transfer_function.verification("G")
-def has_the_values_of_the_formula(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_values_of_the_formula(
+    given: Given[InputOutput, TransferFunctionOptions], answers: Answers
+) -> Iterable[Check]:
     """G(s) = C (sI − A)⁻¹ B + D at random s, the inverse by numpy."""
     plant = chosen_channel(given)
     label = f"$G({variable_of(plant)}) = C({variable_of(plant)}I - A)^{{-1}}B + D$ at random points"
@@ -215,7 +227,9 @@ def has_the_values_of_the_formula(given: Given, answers: Answers) -> Iterable[Ch
 
 
 @transfer_function.verification("poles", "zeros", "cancelled")
-def are_those_of_the_minimal_part(given: Given, answers: Answers) -> Iterable[Check]:
+def are_those_of_the_minimal_part(
+    given: Given[InputOutput, TransferFunctionOptions], answers: Answers
+) -> Iterable[Check]:
     """The poles are the eigenvalues of the minimal part, zeros those of its system matrix, what is left cancelled."""
     plant = numbers_of(chosen_channel(given))
     residuals = {

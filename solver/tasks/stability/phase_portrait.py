@@ -2,29 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, Unsolved
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, Unsolved
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra, stability
 from solver.stated.algebra import difference, exponential, power, product
 from solver.stated.matrices import determinant, trace
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.stability.trajectories import portrait_of
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
-    from solver.systems import System
+    from solver.systems import StateSpace, System
 
-phase_portrait = Task(
+phase_portrait: Task[StateSpace, PlantOptions] = Task(
     "phase_portrait",
     group="Representation and analysis",
     title="Phase portrait",
     doc="The kind of equilibrium at the origin of x' = A x with two states, and the trajectories around it.",
     needs=("A",),
+    options=PlantOptions,
     answers=[
         AnswerName("kind", r"\text{kind}", "the kind of equilibrium"),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
@@ -33,7 +35,7 @@ phase_portrait = Task(
 
 
 @phase_portrait.refusal
-def has_no_plane(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:  # noqa: ARG001 - no options
+def has_no_plane(system: System, options: PlantOptions) -> Iterable[Refusal]:  # noqa: ARG001 - no options
     """There must be two states, in continuous time."""
     if system.discrete:
         yield "", "a phase portrait is drawn for continuous time; here time is discrete"
@@ -42,7 +44,7 @@ def has_no_plane(system: System, options: Mapping[str, Any]) -> Iterable[tuple[s
 
 
 @phase_portrait.method(source="Lecture note, section 1.15.2")
-def by_eigenvalues(given: Given) -> Derivation[Answers]:
+def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
     """Trace, determinant and discriminant tell the eigenvalues apart; these tell the kind."""
     A = given.system.A
     if A.rows != 2:
@@ -125,14 +127,14 @@ def _equilibria(A: ImmutableMatrix) -> ImmutableMatrix | None:
 
 
 @phase_portrait.verification("kind")
-def is_the_kind_of_the_eigenvalues(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_kind_of_the_eigenvalues(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """Signs and imaginary parts of the eigenvalues, dim ker(A − λI) for a double one, with 100 digits."""
     found = stability.planar_kinds(given.system.A)
     yield Check.that("the kind is that of the eigenvalues", "mpmath.eig", found == {str(answers["kind"])})
 
 
 @phase_portrait.verification("eigenvalues")
-def are_the_roots(given: Given, answers: Answers) -> Iterable[Check]:
+def are_the_roots(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """det(xI − A) = Π(x − λᵢ) at random x."""
     yield numeric.check_residual(
         r"$\det(xI - A) = \prod_i (x - \lambda_i)$",

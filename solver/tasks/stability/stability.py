@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -11,19 +12,21 @@ from solver.derivation import (
     Answers,
     Claim,
     Derivation,
-    Flag,
     Given,
-    MatrixOf,
-    Option,
+    Refusal,
     Step,
     Task,
     Unsolved,
+    option,
 )
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.options.flag import Flag
+from solver.options.matrix import MatrixOf
 from solver.stated.algebra import power, product
 from solver.stated.matrices import determinant
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.stability import checks
 from solver.tasks.stability.lyapunov_equation import lyapunov_solution_of
 from solver.tasks.stability.routh_array import Tabled, routh_array_of
@@ -39,18 +42,26 @@ from solver.tasks.stability.verdicts import (
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
-    from solver.systems import System
+    from solver.systems import StateSpace, System
 
-stability = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class StabilityOptions(PlantOptions):
+    """Lyapunov's equation."""
+
+    Q: ImmutableMatrix | None = option(
+        MatrixOf("n", "n"), "right side −Q of Lyapunov's equation (default I)", methods=("lyapunov",)
+    )
+    dual: bool = option(Flag(), "A P + P Aᵀ = −Q instead of Aᵀ P + P A = −Q", methods=("lyapunov",))
+
+
+stability: Task[StateSpace, StabilityOptions] = Task(
     "stability",
     group="Representation and analysis",
     title="Stability",
     doc="Stability of the free motion (internal), and from input to output (BIBO).",
     needs=("A",),
-    options=[
-        Option("Q", MatrixOf("n", "n"), "right side −Q of Lyapunov's equation (default I)", methods=("lyapunov",)),
-        Option("dual", Flag(), "A P + P Aᵀ = −Q instead of Aᵀ P + P A = −Q", default=False, methods=("lyapunov",)),
-    ],
+    options=StabilityOptions,
     answers=[
         AnswerName("verdict", r"\text{verdict}", "the free motion"),
         AnswerName("bibo_stable", r"\text{BIBO stable}", "whether bounded inputs give bounded outputs", optional=True),
@@ -70,9 +81,9 @@ checks.register(stability)
 
 
 @stability.refusal
-def is_no_right_side(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def is_no_right_side(system: System, options: StabilityOptions) -> Iterable[Refusal]:
     """Q must be symmetric and positive semidefinite, not zero."""
-    Q = options.get("Q")
+    Q = options.Q
     if Q is None or Q.rows != Q.cols or Q.rows != getattr(system, "order", Q.rows):
         return
     if Q != Q.T:
@@ -84,7 +95,7 @@ def is_no_right_side(system: System, options: Mapping[str, Any]) -> Iterable[tup
 
 
 @stability.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")
-def by_eigenvalues(given: Given) -> Derivation[Answers]:
+def by_eigenvalues(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answers]:
     """Asymptotically stable if and only if Re λ < 0 (discrete: |λ| < 1) for every eigenvalue."""
     A, discrete = given.system.A, given.system.discrete
     yield from eigenvalues_of(A)
@@ -103,14 +114,14 @@ def by_eigenvalues(given: Given) -> Derivation[Answers]:
 
 
 @stability.method("lyapunov", title="Lyapunov's equation", source="Lecture note, equation (1.15.2)")
-def by_lyapunov(given: Given) -> Derivation[Answers]:
+def by_lyapunov(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answers]:
     """P of AᵀP + PA = −Q is positive definite if and only if A is asymptotically stable (Q > 0)."""
-    A, discrete, dual = given.system.A, given.system.discrete, bool(given.dual)
-    Q = given.Q if given.Q is not None else sp.ImmutableMatrix(sp.eye(A.rows))
+    A, discrete, dual = given.system.A, given.system.discrete, bool(given.options.dual)
+    Q = given.options.Q if given.options.Q is not None else sp.ImmutableMatrix(sp.eye(A.rows))
     decisive = yield from _right_side(A, Q, dual=dual)
     P = yield from lyapunov_solution_of(A, Q, dual=dual, discrete=discrete)
     verdict, semidefinite = "", exact.definiteness(Q) != "positive definite"
-    facts = {"discrete": discrete, "dual": dual, "semidefinite": semidefinite}
+    facts: dict[str, Any] = {"discrete": discrete, "dual": dual, "semidefinite": semidefinite}
     if P is not None:
         minors = [exact.determinant(sp.ImmutableMatrix(P[:k, :k])) for k in range(1, A.rows + 1)]
         signs = [exact.sign_of(minor) for minor in minors]
@@ -152,7 +163,7 @@ def _right_side(A: ImmutableMatrix, Q: ImmutableMatrix, *, dual: bool) -> Deriva
 
 
 @stability.method("routh", title="Routh's criterion", source="Gantmacher, The Theory of Matrices II, XV §4")
-def by_routh(given: Given) -> Derivation[Answers]:
+def by_routh(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answers]:
     """As many roots in the right half plane as changes of sign in the first column of the array."""
     A, discrete = given.system.A, given.system.discrete
     tabled = yield from routh_array_of(A, discrete=discrete)
@@ -225,7 +236,7 @@ def _spectrum(A: ImmutableMatrix) -> exact.Spectrum | None:
         return None
 
 
-def _answers(given: Given, verdict: str, **further: Any) -> Derivation[Answers]:
+def _answers(given: Given[StateSpace, StabilityOptions], verdict: str, **further: Any) -> Derivation[Answers]:
     """The answers that all methods give, in the order of the catalogue."""
     bibo = yield from external_stability_of(given.system, verdict)
     answers = Answers(verdict=verdict)

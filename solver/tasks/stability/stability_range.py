@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Names, Option, Step, Task, Unsolved
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Refusal,
+    Step,
+    Task,
+    Unsolved,
+    option,
+)
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import stability as judges
+from solver.options.names import Names
 from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.stability.routh_array import routh_array_of
 
 if TYPE_CHECKING:
@@ -19,28 +33,38 @@ if TYPE_CHECKING:
 
     from solver.systems import StateSpace, System
 
-stability_range = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class StabilityRangeOptions(PlantOptions):
+    """What may vary."""
+
+    parameters: tuple[str, ...] | None = option(
+        Names(), "the parameters asked for (default: all); the others stay symbols"
+    )
+
+
+stability_range: Task[StateSpace, StabilityRangeOptions] = Task(
     "stability_range",
     group="Representation and analysis",
     title="Range of stability",
     doc="The condition on the parameters under which every free motion dies out.",
     needs=("A",),
-    options=[Option("parameters", Names(), "the parameters asked for (default: all); the others stay symbols")],
+    options=StabilityRangeOptions,
     answers=[AnswerName("condition", r"\text{condition}", "where the system is asymptotically stable")],
 )
 
 
 @stability_range.refusal
-def has_no_such_parameter(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def has_no_such_parameter(system: System, options: StabilityRangeOptions) -> Iterable[Refusal]:
     """The system must have parameters, those asked for among them."""
     found = {str(symbol.name) for symbol in getattr(system, "parameters", ())}
-    for name in options.get("parameters") or ():
+    for name in options.parameters or ():
         if found and name not in found:
             yield "parameters", f"{name} is no parameter of the system"
 
 
 @stability_range.method("routh", title="Routh's criterion", source="Gantmacher, The Theory of Matrices II, XV §4")
-def by_routh(given: Given) -> Derivation[Answers]:
+def by_routh(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answers]:
     """The first column of the Routh array must be positive throughout."""
     plant = given.system
     wanted = _wanted(given)
@@ -61,7 +85,7 @@ def by_routh(given: Given) -> Derivation[Answers]:
 
 
 @stability_range.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")
-def by_eigenvalues(given: Given) -> Derivation[Answers]:
+def by_eigenvalues(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answers]:
     """Re λ < 0 (discrete: |λ| < 1) for the roots of each factor of χ, of degree two at most."""
     A, discrete = given.system.A, given.system.discrete
     wanted = _wanted(given)
@@ -108,14 +132,14 @@ def _values_at_ends(factor: exact.Factor, x: Symbol) -> dict[str, Claim]:
     }
 
 
-def _wanted(given: Given) -> list[Symbol]:
+def _wanted(given: Given[StateSpace, StabilityRangeOptions]) -> list[Symbol]:
     """The parameters asked for, in their order; refuses those that are not real."""
     plant: StateSpace = given.system
     inside = sorted(plant.A.free_symbols, key=str)
     for symbol in inside:
         if symbol.is_real is False or (symbol.is_complex and symbol.is_real is None):
             raise Unsolved("stability/complex_parameter", parameter=symbol)
-    names = given.parameters or ()
+    names = given.options.parameters or ()
     return [symbol for name in names for symbol in inside if symbol.name == name]
 
 
@@ -137,7 +161,9 @@ def _together(conditions: Sequence[Expr], wanted: Sequence[Symbol]) -> Derivatio
 
 
 @stability_range.verification("condition")
-def holds_where_the_eigenvalues_say(given: Given, answers: Answers) -> Iterable[Check]:
+def holds_where_the_eigenvalues_say(
+    given: Given[StateSpace, StabilityRangeOptions], answers: Answers
+) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if A is stable."""
     fault = judges.counterexample(given.system.A, answers["condition"], discrete=given.system.discrete)
     check = Check.that(

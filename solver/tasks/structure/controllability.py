@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task
 from solver.tasks.structure.pair_checks import checks_of
-from solver.tasks.structure.pair_methods import HORIZON, by_gramian, by_pbh, by_rank, horizon_refusals
+from solver.tasks.structure.pair_methods import PairOptions, by_gramian, by_pbh, by_rank, horizon_refusals
 from solver.tasks.structure.pairs import controllability_pair
 
 if TYPE_CHECKING:
     from solver.systems import System
+    from solver.tasks.needed import WithInput
 
-controllability = Task(
+
+controllability: Task[WithInput, PairOptions] = Task(
     "controllability",
     group="Representation and analysis",
     title="Controllability",
     doc="Whether the input can take the state anywhere: rank of [B, AB, …], test of Hautus, or Gramian.",
     needs=("A", "B"),
-    options=[HORIZON],
+    options=PairOptions,
     answers=[
         AnswerName(
             "controllability_matrix", r"\mathcal{C}_o", r"the controllability matrix $[B, AB, \ldots, A^{n-1}B]$"
@@ -40,30 +42,30 @@ controllability = Task(
 
 
 @controllability.refusal
-def horizon_is_a_time(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def horizon_is_a_time(system: System, options: PairOptions) -> Iterable[Refusal]:
     """The horizon is positive; in discrete time a number of steps."""
     yield from horizon_refusals(system, options)
 
 
 @controllability.method("rank", title="Rank of the controllability matrix", source="Lecture note, section 2.1")
-def rank_of_the_matrix(given: Given) -> Derivation[Answers]:
+def rank_of_the_matrix(given: Given[WithInput, PairOptions]) -> Derivation[Answers]:
     """The pair is controllable if and only if [B, AB, …, Aⁿ⁻¹B] has rank n."""
     return (yield from by_rank(controllability_pair(given.system)))
 
 
 @controllability.method("pbh", title="Test of Popov, Belevitch and Hautus", source="Lecture note, section 2.3")
-def rank_at_each_eigenvalue(given: Given) -> Derivation[Answers]:
+def rank_at_each_eigenvalue(given: Given[WithInput, PairOptions]) -> Derivation[Answers]:
     """The pair is controllable if and only if [λI − A, B] has rank n at every eigenvalue λ."""
     return (yield from by_pbh(controllability_pair(given.system)))
 
 
 @controllability.method("gramian", title="Gramian", source="Lecture note, section 2.1")
-def definite_gramian(given: Given) -> Derivation[Answers]:
+def definite_gramian(given: Given[WithInput, PairOptions]) -> Derivation[Answers]:
     """The pair is controllable if and only if its Gramian is positive definite."""
-    return (yield from by_gramian(controllability_pair(given.system), given.horizon))
+    return (yield from by_gramian(controllability_pair(given.system), given.options.horizon))
 
 
 @controllability.verification(*controllability.answers)
-def by_ranks_and_defining_equations(given: Given, answers: Answers) -> Iterable[Check]:
+def by_ranks_and_defining_equations(given: Given[WithInput, PairOptions], answers: Answers) -> Iterable[Check]:
     """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
     yield from checks_of(controllability_pair(given.system), given, answers)

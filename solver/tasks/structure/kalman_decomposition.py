@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import partial
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any
@@ -12,20 +13,22 @@ from solver.derivation import (
     Answers,
     Check,
     CheckStatus,
-    Choice,
     Claim,
     Derivation,
     Given,
-    Option,
+    Refusal,
     Step,
     Task,
+    option,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import structure as judges
+from solver.options.choice import Choice
 from solver.stated import Stated
 from solver.stated.algebra import product
 from solver.stated.matrices import inverse, partitioned, transpose
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.pairs import controllability_pair, observability_pair
 from solver.tasks.structure.parts import parts_of
 from solver.tasks.structure.row_operations import rank_exceptions
@@ -34,25 +37,29 @@ from solver.tasks.structure.subspaces import subspaces_of
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
-    from solver.systems import System
+    from solver.systems import StateSpace, System
 
 PARTS = ("controllable", "observable", "full")
 SUFFIXES = {"controllable": "c", "observable": "o", "full": "co"}
 
-kalman_decomposition = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class KalmanDecompositionOptions(PlantOptions):
+    """Which part is separated."""
+
+    part: str = option(
+        Choice(PARTS),
+        "controllable: apart from what no input reaches; observable: from what no output shows; full: all four",
+    )
+
+
+kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
     "kalman_decomposition",
     group="Representation and analysis",
     title="Kalman decomposition",
     doc="Coordinates x = T ξ that separate what is controllable, observable, or both from the rest.",
     needs=("A",),
-    options=[
-        Option(
-            "part",
-            Choice(PARTS),
-            "controllable: apart from what no input reaches; observable: from what no output shows; full: all four",
-            default="controllable",
-        )
-    ],
+    options=KalmanDecompositionOptions,
     answers=[
         AnswerName(
             "T",
@@ -88,9 +95,9 @@ kalman_decomposition = Task(
 
 
 @kalman_decomposition.refusal
-def needs_input_or_output(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def needs_input_or_output(system: System, options: KalmanDecompositionOptions) -> Iterable[Refusal]:
     """What is controllable depends on B, what is observable on C."""
-    part = options.get("part", "controllable")
+    part = options.part
     if part != "observable" and getattr(system, "B", True) is None:
         yield "part", "what is controllable depends on the input: B is needed"
     if part != "controllable" and getattr(system, "C", True) is None:
@@ -98,9 +105,9 @@ def needs_input_or_output(system: System, options: Mapping[str, Any]) -> Iterabl
 
 
 @kalman_decomposition.method(source="Lecture note, section 2.4")
-def by_subspaces(given: Given) -> Derivation[Answers]:
+def by_subspaces(given: Given[StateSpace, KalmanDecompositionOptions]) -> Derivation[Answers]:
     """T from bases of the reachable and of the unseen subspace, completed; then T⁻¹AT, T⁻¹B and CT."""
-    plant, part = given.system, given.part
+    plant, part = given.system, given.options.part
     found = _decomposed(plant, part)
     yield from subspaces_of(plant, part)
     if found.trivial:
@@ -176,9 +183,9 @@ def _vanishing(left: Any, right: ImmutableMatrix, says: str) -> Claim:
 
 
 @kalman_decomposition.verification(*kalman_decomposition.answers)
-def separates_what_is_hidden(given: Given, answers: Answers) -> Iterable[Check]:
+def separates_what_is_hidden(given: Given[StateSpace, KalmanDecompositionOptions], answers: Answers) -> Iterable[Check]:
     """Any T is right that separates the subspaces; the other answers are right if it, or some such T, leads to them."""
-    part, plant = given.part or "controllable", _matrices(given)
+    part, plant = given.options.part, _matrices(given)
     T = answers.get("T")
     if T is not None:
         regular = _check("$T$ is invertible", "T", lambda: 0.0 if numeric.independent(T) else float("inf"))
@@ -204,7 +211,7 @@ def separates_what_is_hidden(given: Given, answers: Answers) -> Iterable[Check]:
         )
 
 
-def _matrices(given: Given) -> tuple[Any, Any, Any]:
+def _matrices(given: Given[StateSpace, KalmanDecompositionOptions]) -> tuple[Any, Any, Any]:
     return given.system.A, given.system.B, given.system.C
 
 
@@ -212,9 +219,11 @@ def _check(says: str, answer: str, residual: Callable[[], float]) -> Check:
     return numeric.check_residual(says, "numpy.linalg.svd", residual, answer=answer)
 
 
-def _new_matrices(given: Given, answers: Answers, T: ImmutableMatrix | None) -> Iterator[Check]:
+def _new_matrices(
+    given: Given[StateSpace, KalmanDecompositionOptions], answers: Answers, T: ImmutableMatrix | None
+) -> Iterator[Check]:
     """T A = A₀ T, T B = B₀, C = C₀ T; without T that there is one, shared by all that are right."""
-    part, (A, B, C) = given.part or "controllable", _matrices(given)
+    part, (A, B, C) = given.options.part, _matrices(given)
     found = {name: answers[name] for name in "ABC" if name in answers}
     if T is None:
         yield from _one_by_one(
@@ -229,9 +238,11 @@ def _new_matrices(given: Given, answers: Answers, T: ImmutableMatrix | None) -> 
         yield numeric.check_claim(Claim(*sides[name]), rf"$\bar{{{name}}}$ belongs to $T$", answer=name)
 
 
-def _first_part(given: Given, answers: Answers, T: ImmutableMatrix | None) -> Iterator[Check]:
+def _first_part(
+    given: Given[StateSpace, KalmanDecompositionOptions], answers: Answers, T: ImmutableMatrix | None
+) -> Iterator[Check]:
     """The first blocks of T⁻¹A₀T, T⁻¹B₀, C₀T; without T that they are those in some coordinates."""
-    part, plant = given.part or "controllable", _matrices(given)
+    part, plant = given.options.part, _matrices(given)
     names = {name: f"{name}_{SUFFIXES[part]}" for name in "ABC" if f"{name}_{SUFFIXES[part]}" in answers}
     found = {name: answers[whole] for name, whole in names.items()}
     k = judges.kalman_orders(part, *plant)[0] if found else 0

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task
 from solver.tasks.structure.pair_checks import checks_of
-from solver.tasks.structure.pair_methods import HORIZON, by_gramian, by_pbh, by_rank, horizon_refusals
+from solver.tasks.structure.pair_methods import PairOptions, by_gramian, by_pbh, by_rank, horizon_refusals
 from solver.tasks.structure.pairs import observability_pair
 
 if TYPE_CHECKING:
     from solver.systems import System
+    from solver.tasks.needed import WithOutput
 
-observability = Task(
+
+observability: Task[WithOutput, PairOptions] = Task(
     "observability",
     group="Representation and analysis",
     title="Observability",
     doc="Whether the output shows the state: rank of [C; CA; …], test of Hautus, or Gramian.",
     needs=("A", "C"),
-    options=[HORIZON],
+    options=PairOptions,
     answers=[
         AnswerName(
             "observability_matrix",
@@ -42,30 +44,30 @@ observability = Task(
 
 
 @observability.refusal
-def horizon_is_a_time(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def horizon_is_a_time(system: System, options: PairOptions) -> Iterable[Refusal]:
     """The horizon is positive; in discrete time a number of steps."""
     yield from horizon_refusals(system, options)
 
 
 @observability.method("rank", title="Rank of the observability matrix", source="Lecture note, section 2.2")
-def rank_of_the_matrix(given: Given) -> Derivation[Answers]:
+def rank_of_the_matrix(given: Given[WithOutput, PairOptions]) -> Derivation[Answers]:
     """The pair is observable if and only if [C; CA; …; CAⁿ⁻¹] has rank n."""
     return (yield from by_rank(observability_pair(given.system)))
 
 
 @observability.method("pbh", title="Test of Popov, Belevitch and Hautus", source="Lecture note, section 2.3")
-def rank_at_each_eigenvalue(given: Given) -> Derivation[Answers]:
+def rank_at_each_eigenvalue(given: Given[WithOutput, PairOptions]) -> Derivation[Answers]:
     """The pair is observable if and only if λI − A over C has rank n at every eigenvalue λ."""
     return (yield from by_pbh(observability_pair(given.system)))
 
 
 @observability.method("gramian", title="Gramian", source="Lecture note, section 2.2")
-def definite_gramian(given: Given) -> Derivation[Answers]:
+def definite_gramian(given: Given[WithOutput, PairOptions]) -> Derivation[Answers]:
     """The pair is observable if and only if its Gramian is positive definite."""
-    return (yield from by_gramian(observability_pair(given.system), given.horizon))
+    return (yield from by_gramian(observability_pair(given.system), given.options.horizon))
 
 
 @observability.verification(*observability.answers)
-def by_ranks_and_defining_equations(given: Given, answers: Answers) -> Iterable[Check]:
+def by_ranks_and_defining_equations(given: Given[WithOutput, PairOptions], answers: Answers) -> Iterable[Check]:
     """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
     yield from checks_of(observability_pair(given.system), given, answers)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Claim, Given
 from solver.lazy import numeric
@@ -14,8 +14,12 @@ from solver.stated.calculus import integral, summation
 from solver.stated.matrices import determinant, transpose
 from solver.tasks.structure.pairs import Pair
 
+if TYPE_CHECKING:
+    from solver.systems import StateSpace
+    from solver.tasks.structure.pair_methods import PairOptions
 
-def checks_of(pair: Pair, given: Given, answers: Answers) -> Iterator[Check]:
+
+def checks_of(pair: Pair, given: Given[StateSpace, PairOptions], answers: Answers) -> Iterator[Check]:
     """The checks of those answers that are present."""
     symbol = r"\mathcal{O}_v" if pair.dual else r"\mathcal{C}_o"
     names = ("observability_matrix", "observable", "unobservable_modes")
@@ -40,7 +44,7 @@ def checks_of(pair: Pair, given: Given, answers: Answers) -> Iterator[Check]:
     if "exceptions" in answers:
         yield from condition_checks(whole, answers["exceptions"], "exceptions")
     if "gramian" in answers:
-        yield from _gramian(pair, answers["gramian"], given.options.get("horizon"))
+        yield from _gramian(pair, answers["gramian"], given.options.horizon)
 
 
 def that(label: str, answer: str, holds: Callable[[], bool], oracle: str = "numpy.linalg.svd") -> Check:

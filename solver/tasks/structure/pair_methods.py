@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Answers, Derivation, Number, Option
+from solver.derivation import Answers, Derivation, Refusal, option
 from solver.lazy import sympy as sp
+from solver.options.number import Number
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.gramian_test import finite_gramian_of, infinite_gramian_of
 from solver.tasks.structure.hidden_part import hidden_modes_of
 from solver.tasks.structure.pairs import Pair
@@ -14,21 +17,27 @@ from solver.tasks.structure.pbh_test import deficient_eigenvalues_of
 from solver.tasks.structure.rank_test import Rank, rank_in_short, rank_of
 
 if TYPE_CHECKING:
-    from solver.systems import System
+    from sympy import Expr
 
-HORIZON = Option(
-    "horizon",
-    Number(),
-    "the Gramian up to this time (discrete: over so many steps); without it up to infinity",
-    methods=("gramian",),
-)
+    from solver.systems import System
 
 LONGEST = 1000
 
 
-def horizon_refusals(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+@dataclass(frozen=True, kw_only=True)
+class PairOptions(PlantOptions):
+    """What can be said of a question about controllability or observability."""
+
+    horizon: Expr | None = option(
+        Number(),
+        "the Gramian up to this time (discrete: over so many steps); without it up to infinity",
+        methods=("gramian",),
+    )
+
+
+def horizon_refusals(system: System, options: PairOptions) -> Iterable[Refusal]:
     """The horizon is a positive time; in discrete time a number of steps."""
-    horizon = options.get("horizon")
+    horizon = options.horizon
     if horizon is None:
         return
     if system.discrete:

@@ -2,28 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
     Answers,
     Check,
-    Choice,
     Claim,
     Derivation,
     Given,
-    Names,
-    Option,
+    Refusal,
     Step,
     Task,
     Unsolved,
+    option,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import structure as judges
+from solver.options.choice import Choice
+from solver.options.names import Names
 from solver.stated.matrices import determinant, rank
 from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
 from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
@@ -31,18 +34,26 @@ from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
-    from solver.systems import System
+    from solver.systems import StateSpace, System
 
-parameter_condition = Task(
+
+@dataclass(frozen=True, kw_only=True)
+class ParameterConditionOptions(PlantOptions):
+    """What is lost, and by which parameter."""
+
+    property: str = option(Choice(("uncontrollable", "unobservable")), "which property the plant is to have")
+    parameter: tuple[str, ...] | None = option(
+        Names(), "the parameter asked for; may be left out where there is only one"
+    )
+
+
+parameter_condition: Task[StateSpace, ParameterConditionOptions] = Task(
     "parameter_condition",
     group="Representation and analysis",
     title="Parameter that costs controllability or observability",
     doc="The values of a parameter for which the plant loses controllability, or observability.",
     needs=("A",),
-    options=[
-        Option("property", Choice(("uncontrollable", "unobservable")), "which property the plant is to have"),
-        Option("parameter", Names(), "the parameter asked for; may be left out where there is only one"),
-    ],
+    options=ParameterConditionOptions,
     answers=[
         AnswerName("values", r"\text{values}", r"the values of the parameter ($\mathbb{R}$: any value)"),
     ],
@@ -51,16 +62,16 @@ parameter_condition = Task(
 
 
 @parameter_condition.refusal
-def matrices_and_one_parameter(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def matrices_and_one_parameter(system: System, options: ParameterConditionOptions) -> Iterable[Refusal]:
     """The matrix that the property is about, and a parameter that occurs."""
-    wanted = options.get("property", "uncontrollable")
+    wanted = options.property
     other = "C" if wanted == "unobservable" else "B"
     if getattr(system, other, True) is None:
         yield "property", f"whether the plant is {wanted} depends on {other}, which is not given"
-    names = options.get("parameter")
+    names = options.parameter
     if names and len(names) > 1:
         yield "parameter", "one parameter is asked for at a time; the others are taken as general"
-    if "gain" in options or not hasattr(system, "parameters"):
+    if options.has("gain") or not hasattr(system, "parameters"):
         return
     known = [str(symbol.name) for symbol in system.parameters]
     if not known:
@@ -72,7 +83,7 @@ def matrices_and_one_parameter(system: System, options: Mapping[str, Any]) -> It
 
 
 @parameter_condition.method(source="Lecture note, 2.6 example 6")
-def by_minors(given: Given) -> Derivation[Answers]:
+def by_minors(given: Given[StateSpace, ParameterConditionOptions]) -> Derivation[Answers]:
     """The rank is below n where all n×n minors vanish: the zeros of the determinant, or common zeros of minors."""
     pair = _pair(given)
     x = _parameter(given, pair)
@@ -135,14 +146,18 @@ def _roots(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalVal
     )
 
 
-def _pair(given: Given) -> Pair:
-    return observability_pair(given.system) if given.property == "unobservable" else controllability_pair(given.system)
+def _pair(given: Given[StateSpace, ParameterConditionOptions]) -> Pair:
+    return (
+        observability_pair(given.system)
+        if given.options.property == "unobservable"
+        else controllability_pair(given.system)
+    )
 
 
-def _parameter(given: Given, pair: Pair) -> Any:
+def _parameter(given: Given[StateSpace, ParameterConditionOptions], pair: Pair) -> Any:
     """The parameter asked for; the only one, if none is named."""
     known = {str(symbol.name): symbol for symbol in pair.parameters}
-    names = given.parameter
+    names = given.options.parameter
     if names and names[0] not in known:
         known |= {str(symbol.name): symbol for symbol in given.system.parameters}
     if names and names[0] in known:
@@ -153,7 +168,9 @@ def _parameter(given: Given, pair: Pair) -> Any:
 
 
 @parameter_condition.verification("values")
-def the_rank_falls_there_and_only_there(given: Given, answers: Answers) -> Iterable[Check]:
+def the_rank_falls_there_and_only_there(
+    given: Given[StateSpace, ParameterConditionOptions], answers: Answers
+) -> Iterable[Check]:
     """The rank at every value named, and at all real values on lines of this parameter."""
     pair, values = _pair(given), answers["values"]
     x = _parameter(given, pair)

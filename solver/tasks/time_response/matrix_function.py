@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -11,45 +12,53 @@ from solver.derivation import (
     Check,
     Claim,
     Derivation,
-    Expression,
     Given,
-    Option,
     Step,
     Task,
+    option,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
+from solver.options.expression import Expression
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import inverse
 from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.time_response.state_transition_matrix import require_diagonalizable
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
-matrix_function = Task(
+    from solver.systems import StateSpace
+
+
+@dataclass(frozen=True, kw_only=True)
+class MatrixFunctionOptions(PlantOptions):
+    """The function."""
+
+    function: Expr = option(
+        Expression(("A", "I", "t", "k")),
+        'f(A) as an expression in A: "A^10", "inv(A)", "exp(A t)", "sqrt(A)", "A^k", "A^3 - 2A + I"',
+        required=True,
+    )
+
+
+matrix_function: Task[StateSpace, MatrixFunctionOptions] = Task(
     "matrix_function",
     group="Representation and analysis",
     title="Function of a matrix",
     doc="f(A) for a function f that is analytic at the eigenvalues: a power, inverse, exponential, root, sine, …",
     needs=("A",),
-    options=[
-        Option(
-            "function",
-            Expression(("A", "I", "t", "k")),
-            'f(A) as an expression in A: "A^10", "inv(A)", "exp(A t)", "sqrt(A)", "A^k", "A^3 - 2A + I"',
-            required=True,
-        )
-    ],
+    options=MatrixFunctionOptions,
     answers=[AnswerName("F", "f(A)", "the function of the matrix", free=a_root_is_asked_for)],
 )
 
 
-def _asked(given: Given) -> Expr:
+def _asked(given: Given[StateSpace, MatrixFunctionOptions]) -> Expr:
     """Return f as an expression in the symbol A; I stands for the identity, which is one."""
-    f: Expr = given.function.xreplace({sp.Symbol("I"): sp.Integer(1)})
+    f: Expr = given.options.function.xreplace({sp.Symbol("I"): sp.Integer(1)})
     return f
 
 
@@ -59,7 +68,7 @@ def _scalar(f: Expr) -> Expr:
 
 
 @matrix_function.method("cayley_hamilton", title="Cayley–Hamilton theorem", source="Lecture note, section 1.13")
-def by_cayley_hamilton(given: Given) -> Derivation[Answers]:
+def by_cayley_hamilton(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivation[Answers]:
     """f(A) = Σ αᵢ Aⁱ, i < n, with αᵢ fixed by f(λ) = Σ αᵢ λⁱ and its λ-derivatives at repeated λ."""
     A, f = given.system.A, _asked(given)
     spectrum = yield from eigenvalues_of(A)
@@ -107,7 +116,7 @@ def _dot(coefficients: Iterable[Any], terms: Iterable[Any]) -> Any:
 
 
 @matrix_function.method("modal", title="Modal matrix", source="Lecture note, section 1.13")
-def by_modal_matrix(given: Given) -> Derivation[Answers]:
+def by_modal_matrix(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivation[Answers]:
     """f(A) = V f(Λ) V⁻¹; needs n independent eigenvectors."""
     A, f = given.system.A, _asked(given)
     yield from eigenvalues_of(A)
@@ -126,7 +135,7 @@ def by_modal_matrix(given: Given) -> Derivation[Answers]:
 
 
 @matrix_function.verification("F")
-def is_the_function_of_the_matrix(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_function_of_the_matrix(given: Given[StateSpace, MatrixFunctionOptions], answers: Answers) -> Iterable[Check]:
     """F against scipy's expm, sinm, sqrtm, logm, …, and products and inverses of numpy, at random values of symbols."""
     A, F, f = given.system.A, answers["F"], _asked(given)
     yield numeric.check_residual(

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
     from solver.systems import StateSpace
+    from solver.tasks.time_response.response import ResponseOptions
 
 
 @dataclass(frozen=True)
@@ -26,13 +27,15 @@ class Question:
     kind: str
 
     @staticmethod
-    def of(given: Given) -> Question:
+    def of(given: Given[StateSpace, ResponseOptions]) -> Question:
         """The question of a part: the initial state is the option, or else the system's."""
-        x0 = given.initial_state if given.initial_state is not None else given.system.x0
-        if given.kind == "zero_state" or (x0 is not None and x0.is_zero_matrix and given.kind != "zero_input"):
+        x0 = given.options.initial_state if given.options.initial_state is not None else given.system.x0
+        if given.options.kind == "zero_state" or (
+            x0 is not None and x0.is_zero_matrix and given.options.kind != "zero_input"
+        ):
             x0 = None
-        inputs = () if given.kind == "zero_input" else tuple(given.input)
-        return Question(given.system, x0, inputs, given.kind)
+        inputs = () if given.options.kind == "zero_input" else given.options.input or ()
+        return Question(given.system, x0, inputs, given.options.kind)
 
     @property
     def discrete(self) -> bool:

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from solver.derivation import (
     AnswerName,
     Answers,
     Check,
-    Choice,
     Derivation,
-    ExpressionList,
     Given,
-    MatrixOf,
-    Option,
+    Refusal,
     Task,
+    option,
 )
 from solver.lazy import systems
+from solver.options.choice import Choice
+from solver.options.expression_list import ExpressionList
+from solver.options.matrix import MatrixOf
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
+from solver.tasks.plant_options import PlantOptions
 from solver.tasks.time_response import by_convolution as convolution
 from solver.tasks.time_response import by_transform as transform
 from solver.tasks.time_response.question import Question
@@ -26,24 +29,34 @@ from solver.tasks.time_response.response_checks import checks_of, final_value_ch
 from solver.tasks.time_response.whole_response import put_together
 
 if TYPE_CHECKING:
-    from solver.systems import System
+    from sympy import Expr, ImmutableMatrix
 
-response = Task(
+    from solver.systems import StateSpace, System
+
+
+@dataclass(frozen=True, kw_only=True)
+class ResponseOptions(PlantOptions):
+    """What moves the system."""
+
+    kind: str = option(
+        Choice(("complete", "zero_input", "zero_state")),
+        "complete; zero_input: the initial state alone; zero_state: the input alone",
+    )
+    input: tuple[Expr, ...] | None = option(
+        ExpressionList(("t", "k")), "u as an expression in t (discrete: k), a list for several inputs"
+    )
+    initial_state: ImmutableMatrix | None = option(
+        MatrixOf("n", 1, flat="column"), "x(0), numbers or symbols; else that of the system"
+    )
+
+
+response: Task[StateSpace, ResponseOptions] = Task(
     "response",
     group="Representation and analysis",
     title="Response",
     doc="States and outputs for an initial state and given inputs: zero-input, zero-state or complete response.",
     needs=("A",),
-    options=[
-        Option(
-            "kind",
-            Choice(("complete", "zero_input", "zero_state")),
-            "complete; zero_input: the initial state alone; zero_state: the input alone",
-            default="complete",
-        ),
-        Option("input", ExpressionList(("t", "k")), "u as an expression in t (discrete: k), a list for several inputs"),
-        Option("initial_state", MatrixOf("n", 1, flat="column"), "x(0), numbers or symbols; else that of the system"),
-    ],
+    options=ResponseOptions,
     answers=[
         AnswerName("x", "x", "the states"),
         AnswerName("y", "y", "the output (several: a column)", optional=True),
@@ -58,20 +71,20 @@ response = Task(
 
 
 @response.refusal
-def incomplete_question(system: System, options: Mapping[str, Any]) -> Iterable[tuple[str, str]]:
+def incomplete_question(system: System, options: ResponseOptions) -> Iterable[Refusal]:
     """What the question needs by its kind: an input for each input of the system, an initial state."""
-    kind = options.get("kind", "complete")
+    kind = options.kind
     if kind == "zero_input":
-        if "initial_state" not in options and getattr(system, "x0", None) is None:
+        if not options.has("initial_state") and getattr(system, "x0", None) is None:
             yield "", "the zero-input response needs an initial state: initial_state"
         return
     inputs = _number_of_inputs(system)
     if not inputs:
         yield "", "the response to an input needs the matrix B"
-    elif "input" not in options:
+    elif not options.has("input"):
         yield "", f"the {kind.replace('_', '-')} response needs an input: an expression in t (discrete time: in k)"
-    elif options["input"] is not None and len(options["input"]) != inputs:
-        count, given = f"{inputs} input{'s' if inputs > 1 else ''}", len(options["input"])
+    elif options.input is not None and len(options.input) != inputs:
+        count, given = f"{inputs} input{'s' if inputs > 1 else ''}", len(options.input)
         yield "input", f"the system has {count}, but {given} {'are' if given > 1 else 'is'} given"
 
 
@@ -81,14 +94,14 @@ def _number_of_inputs(system: System) -> int:
 
 
 @response.method("laplace", title="Laplace transform", source="Lecture note, section 1.13", time="continuous")
-def by_laplace(given: Given) -> Derivation[Answers]:
+def by_laplace(given: Given[StateSpace, ResponseOptions]) -> Derivation[Answers]:
     """X(s) = (sI − A)⁻¹ [x(0) + B U(s)], transformed back by partial fractions."""
     answers = yield from _by_transform(Question.of(given))
     return answers
 
 
 @response.method("z_transform", title="z-transform", source="Lecture note, section 7.5", time="discrete")
-def by_z_transform(given: Given) -> Derivation[Answers]:
+def by_z_transform(given: Given[StateSpace, ResponseOptions]) -> Derivation[Answers]:
     """X(z) = (zI − A)⁻¹ [z x(0) + B U(z)], transformed back by partial fractions of X(z)/z."""
     answers = yield from _by_transform(Question.of(given))
     return answers
@@ -106,7 +119,7 @@ def _by_transform(asked: Question) -> Derivation[Answers]:
 
 
 @response.method("convolution", title="Convolution", source="Lecture note, equation (1.13.3)")
-def by_convolution(given: Given) -> Derivation[Answers]:
+def by_convolution(given: Given[StateSpace, ResponseOptions]) -> Derivation[Answers]:
     """x(t) = Φ(t) x(0) + ∫ Φ(t − τ) B u(τ) dτ; in discrete time x(k) = Aᵏ x(0) + Σ Aᵏ⁻¹⁻ⁱ B u(i)."""
     asked = Question.of(given)
     yield from convolution.formula_of_convolution(asked)
@@ -120,24 +133,26 @@ def by_convolution(given: Given) -> Derivation[Answers]:
 
 
 @response.verification("x")
-def states_solve_the_state_equation(given: Given, answers: Answers) -> Iterable[Check]:
+def states_solve_the_state_equation(given: Given[StateSpace, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """x(0) = x0, x' = A x + B u, and the convolution formula by expm and quadrature; discrete: the recursion."""
     yield from checks_of(given, answers["x"], "x")
 
 
 @response.verification("y")
-def output_follows_the_convolution_formula(given: Given, answers: Answers) -> Iterable[Check]:
+def output_follows_the_convolution_formula(
+    given: Given[StateSpace, ResponseOptions], answers: Answers
+) -> Iterable[Check]:
     """The equation y = C x + D u with x by the convolution formula, in discrete time by the recursion."""
     yield from checks_of(given, answers["y"], "y")
 
 
 @response.verification("y_final")
-def limit_is_the_equilibrium(given: Given, answers: Answers) -> Iterable[Check]:
+def limit_is_the_equilibrium(given: Given[StateSpace, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """The equilibrium of the system for the limit of its input."""
     yield from final_value_checks(given, answers["y_final"])
 
 
 @response.verification("y_peak", "t_peak")
-def peak_is_that_of_a_simulation(given: Given, answers: Answers) -> Iterable[Check]:
+def peak_is_that_of_a_simulation(given: Given[StateSpace, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """Simulated step by step, and refined between the steps."""
     yield from peak_checks(given, answers.get("y_peak"), answers.get("t_peak"))

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from sympy import Symbol
 
     from solver.systems import StateSpace
+    from solver.tasks.time_response.response import ResponseOptions
+
 
 SAMPLES = 21
 """Samples at which a discrete response is compared, counted from the last jump of the input."""
@@ -34,13 +36,13 @@ class Truth:
     time: Symbol
 
     @staticmethod
-    def of(given: Given) -> Truth:
+    def of(given: Given[StateSpace, ResponseOptions]) -> Truth:
         """The question of a part."""
-        system, kind = given.system, given.kind
-        x0 = given.initial_state if given.initial_state is not None else system.x0
+        system, kind = given.system, given.options.kind
+        x0 = given.options.initial_state if given.options.initial_state is not None else system.x0
         if x0 is None or kind == "zero_state":
             x0 = sp.ImmutableMatrix(sp.zeros(system.order, 1))
-        inputs = None if kind == "zero_input" else sp.ImmutableMatrix(list(given.input))
+        inputs = None if kind == "zero_input" else sp.ImmutableMatrix(list(given.options.input or ()))
         return Truth(system, x0, inputs, sp.Symbol("k" if system.discrete else "t"))
 
     def output(self, x: Any, u: Any) -> Any:
@@ -50,7 +52,7 @@ class Truth:
         return total(product(system.C, x), product(system.D, u)) if passes else product(system.C, x)
 
 
-def checks_of(given: Given, value: Any, answer: str) -> Iterable[Check]:
+def checks_of(given: Given[StateSpace, ResponseOptions], value: Any, answer: str) -> Iterable[Check]:
     """The checks of x or of y, each for itself."""
     truth = Truth.of(given)
     column = _column(value)
@@ -121,7 +123,7 @@ def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]
     )
 
 
-def final_value_checks(given: Given, value: Any) -> Iterable[Check]:
+def final_value_checks(given: Given[StateSpace, ResponseOptions], value: Any) -> Iterable[Check]:
     """The limit of y against the equilibrium that a stable system reaches."""
     truth, column = Truth.of(given), _column(value)
 
@@ -135,7 +137,7 @@ def final_value_checks(given: Given, value: Any) -> Iterable[Check]:
     yield numeric.check_residual(r"limit of $y$", "numpy.linalg.solve", residual, 1e-7, answer="y_final")
 
 
-def peak_checks(given: Given, peak: Any, time: Any) -> Iterable[Check]:
+def peak_checks(given: Given[StateSpace, ResponseOptions], peak: Any, time: Any) -> Iterable[Check]:
     """The peak of y and its time (either may be missing) against a simulation."""
     truth = Truth.of(given)
 

@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
     Answers,
     Check,
-    Choice,
     Claim,
     Derivation,
     Given,
-    Integer,
-    Option,
     Step,
     Task,
     Unsolved,
+    option,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
+from solver.options.choice import Choice
+from solver.options.integer import Integer
 from solver.stated import Stated
 from solver.stated.algebra import power, product, total
 from solver.stated.calculus import derivative, value_at
@@ -29,32 +30,35 @@ from solver.stated.matrices import inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
+from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
-state_transition_matrix = Task(
+    from solver.systems import StateSpace
+
+
+@dataclass(frozen=True, kw_only=True)
+class StateTransitionMatrixOptions(PlantOptions):
+    """How the series and the eigenvectors are written."""
+
+    terms: int = option(
+        Integer(1, 12), "number of terms of the series, counting I as the first", default=3, methods=("power_series",)
+    )
+    convention: str = option(
+        Choice(("right", "left")),
+        "right: V e^{Λt} V⁻¹ with right eigenvectors as columns; left: M⁻¹ e^{Λt} M with left eigenvectors as rows",
+        methods=("modal",),
+    )
+
+
+state_transition_matrix: Task[StateSpace, StateTransitionMatrixOptions] = Task(
     "state_transition_matrix",
     group="Representation and analysis",
     title="State transition matrix",
     doc="Φ(t) = e^{At}, which takes x(0) to x(t) when the input is zero; in discrete time Φ(k) = Aᵏ.",
     needs=("A",),
-    options=[
-        Option(
-            "terms",
-            Integer(1, 12),
-            "number of terms of the series, counting I as the first",
-            default=3,
-            methods=("power_series",),
-        ),
-        Option(
-            "convention",
-            Choice(("right", "left")),
-            "right: V e^{Λt} V⁻¹ with right eigenvectors as columns; left: M⁻¹ e^{Λt} M with left eigenvectors as rows",
-            default="right",
-            methods=("modal",),
-        ),
-    ],
+    options=StateTransitionMatrixOptions,
     answers=[
         AnswerName("Phi", r"\Phi", "the state transition matrix in closed form"),
         AnswerName("Phi_truncated", r"\Phi_{\text{truncated}}", "the first terms of the series", ("power_series",)),
@@ -65,7 +69,7 @@ state_transition_matrix = Task(
 @state_transition_matrix.method(
     "laplace", title="Inverse Laplace transform", source="Lecture note, section 1.13", time="continuous"
 )
-def by_laplace(given: Given) -> Derivation[Answers]:
+def by_laplace(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Derivation[Answers]:
     """Φ(t) = ℒ⁻¹{(sI − A)⁻¹}, the inverse by adjugate over determinant, transformed by partial fractions."""
     A, s, t = given.system.A, sp.Symbol("s"), sp.Symbol("t")
     yield from inverse_of_pencil(A, s)
@@ -80,7 +84,7 @@ def by_laplace(given: Given) -> Derivation[Answers]:
 @state_transition_matrix.method(
     "z_transform", title="Inverse z-transform", source="Lecture note, section 7.5", time="discrete"
 )
-def by_z_transform(given: Given) -> Derivation[Answers]:
+def by_z_transform(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Derivation[Answers]:
     """Φ(k) = 𝒵⁻¹{z (zI − A)⁻¹}, by partial fractions of (zI − A)⁻¹."""
     A, z, k = given.system.A, sp.Symbol("z"), sp.Symbol("k")
     yield from inverse_of_pencil(A, z)
@@ -95,9 +99,9 @@ def by_z_transform(given: Given) -> Derivation[Answers]:
 @state_transition_matrix.method(
     "power_series", title="Power series", source="Lecture note, equation (1.13.5)", time="continuous"
 )
-def by_power_series(given: Given) -> Derivation[Answers]:
+def by_power_series(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Derivation[Answers]:
     """Φ(t) = Σ Aⁱtⁱ/i!, truncated, and recognised as the expansion of the closed form."""
-    A, t, terms = given.system.A, sp.Symbol("t"), given.terms
+    A, t, terms = given.system.A, sp.Symbol("t"), given.options.terms
     powers = exact.powers(A, terms)
     yield Step(
         "powers",
@@ -126,7 +130,7 @@ def by_power_series(given: Given) -> Derivation[Answers]:
 
 
 @state_transition_matrix.method("cayley_hamilton", title="Cayley–Hamilton theorem", source="Lecture note, section 1.13")
-def by_cayley_hamilton(given: Given) -> Derivation[Answers]:
+def by_cayley_hamilton(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Derivation[Answers]:
     """Φ = Σᵢ αᵢ Aⁱ, i < n, with αᵢ fixed by e^{λt} = Σᵢ αᵢ λⁱ (λᵏ) and its λ-derivatives at repeated λ."""
     A, n, discrete = given.system.A, given.system.order, given.system.discrete
     x = _time(given)
@@ -165,12 +169,12 @@ def _dot(coefficients: Sequence[Any], terms: Sequence[Any]) -> Stated:
     return total(*(product(c, term) for c, term in zip(coefficients, terms, strict=True) if c != 0))
 
 
-def _time(given: Given) -> Symbol:
+def _time(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Symbol:
     """The variable of time: t, or k in discrete time."""
     return sp.Symbol("k" if given.system.discrete else "t")
 
 
-def _matrix_function(given: Given) -> ImmutableMatrix:
+def _matrix_function(given: Given[StateSpace, StateTransitionMatrixOptions]) -> ImmutableMatrix:
     """e^{At}, or Aᵏ in discrete time, in closed form (n×n)."""
     compute = exact.power if given.system.discrete else exact.exponential
     Phi: ImmutableMatrix = compute(given.system.A, _time(given)).matrix
@@ -178,9 +182,9 @@ def _matrix_function(given: Given) -> ImmutableMatrix:
 
 
 @state_transition_matrix.method("modal", title="Modal matrix", source="Lecture note, section 1.13")
-def by_modal_matrix(given: Given) -> Derivation[Answers]:
+def by_modal_matrix(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Derivation[Answers]:
     """Φ = V e^{Λt} V⁻¹ (rows of left eigenvectors: M⁻¹ e^{Λt} M); needs n independent eigenvectors."""
-    A, discrete, left = given.system.A, given.system.discrete, given.convention == "left"
+    A, discrete, left = given.system.A, given.system.discrete, given.options.convention == "left"
     x = _time(given)
     yield from eigenvalues_of(A)
     if left:
@@ -235,7 +239,7 @@ def require_diagonalizable(structure: exact.Eigenstructure, *, transform: bool =
 
 
 @state_transition_matrix.verification("Phi")
-def is_the_matrix_function(given: Given, answers: Answers) -> Iterable[Check]:
+def is_the_matrix_function(given: Given[StateSpace, StateTransitionMatrixOptions], answers: Answers) -> Iterable[Check]:
     """Φ(t) = expm(A t) at several t including 0 (scipy); discrete: Φ(k) = Aᵏ for k = 0 … 8 (numpy)."""
     A, Phi = given.system.A, answers["Phi"]
     if given.system.discrete:
@@ -253,9 +257,9 @@ def is_the_matrix_function(given: Given, answers: Answers) -> Iterable[Check]:
 
 
 @state_transition_matrix.verification("Phi_truncated")
-def has_the_first_terms(given: Given, answers: Answers) -> Iterable[Check]:
+def has_the_first_terms(given: Given[StateSpace, StateTransitionMatrixOptions], answers: Answers) -> Iterable[Check]:
     """The derivatives at t = 0 are the powers of A, and the one after the last term is zero."""
-    A, truncated, t, terms = given.system.A, answers["Phi_truncated"], sp.Symbol("t"), given.terms
+    A, truncated, t, terms = given.system.A, answers["Phi_truncated"], sp.Symbol("t"), given.options.terms
     for i in range(terms + 1):
         coefficient = value_at(derivative(truncated, t, i), t, sp.Integer(0))
         expected = power(A, i) if i < terms else sp.ImmutableMatrix(sp.zeros(A.rows))
