@@ -19,7 +19,6 @@ from solver.engine import Solution, solve_problem
 from solver.problem.files import load
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
-from solver.render.numbers import NumberFormat
 from solver.render.view import SolutionView, view_of
 from solver.render.wording import Wording
 from solver.tasks import catalogue
@@ -54,8 +53,7 @@ class WorkedSolution:
 
     def view(self, detail: str = "full", templates: str | Path | None = None) -> SolutionView:
         """Return the solution in words, at the level "brief", "full" or "tutor"; `templates` come before our own."""
-        numbers = NumberFormat.of(self.solution.display)
-        return view_of(self.solution, Wording(numbers, detail, Path(templates) if templates else None))
+        return view_of(self.solution, Wording.of(self.solution.display, detail, Path(templates) if templates else None))
 
     def html(self, detail: str = "full", templates: str | Path | None = None) -> str:
         """Return a whole page that needs nothing from outside."""

@@ -1,39 +1,74 @@
-r"""Reasons and messages in words: the macros of `templates/wording/reasons/<file>.md.jinja`.
+r"""Words of a language: phrases, reasons, and the environment in which all macros of `templates/wording/` are found.
 
-A macro is called with the reason's values `v` and writes one line of Markdown, however it is broken in the file. Pages
-print values in the display that their problem asks for; a message is read outside of a page too, so it has a spelling
-of its own: `value|formula`, by sympy, with j for the imaginary unit and decimals of five digits. Other filters:
-`reason|said` words a reason within a reason, `word|say` a phrase, `name|named` the name of a quantity.
+English is the language of the templates. Another one, `de`, is a folder `templates/wording/de/` with the files that
+differ: the same files of macros, each of which comes before the English one of its name, and `phrases.yaml`, in any
+folder of it, the translation of what stands in the program as a short English text: titles, labels of claims, meanings
+of answers, words of verdicts, headings. What a language does not have is said in English.
+
+Reasons are worded by `reasons/<file>.md.jinja`. A macro is called with the reason's values `v` and writes one line of
+Markdown, however it is broken in the file. Pages print values in the display that their problem asks for; a message is
+read outside of a page too, so it has a spelling of its own: `value|formula`. Other filters: `reason|said` words a
+reason within a reason, `text|say` a phrase, `name|named` the name of a quantity.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
-from jinja2 import FileSystemLoader, StrictUndefined
+from jinja2 import FileSystemLoader, StrictUndefined, TemplateNotFound
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
-from solver import resources
-from solver.words import Reason, formula
+from solver.words import ENGLISH, PHRASES, Phrase, Reason, folders, formula
+
+
+def environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
+    """Return an environment that finds the files of macros."""
+    return ImmutableSandboxedEnvironment(
+        loader=FileSystemLoader(folders(templates)),
+        undefined=StrictUndefined,
+        auto_reload=False,  # templates do not change while a program runs
+        autoescape=False,  # this is Markdown; HTML is escaped where it is made, in `render.prose`
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
 
 
 @dataclass(frozen=True, slots=True)
 class Messages:
-    """How reasons are worded; a folder of templates, if there is one, comes before the installed ones."""
+    """How reasons and phrases are worded; a folder of templates, if there is one, comes before the installed ones."""
 
     templates: Path | None = None
+    language: str = ENGLISH
+
+    def files(self, wording: str) -> list[str]:
+        """Return the files that may hold a macro, the one of the language first."""
+        english = f"{wording}.md.jinja"
+        return [english] if self.language == ENGLISH else [f"{self.language}/{english}", english]
 
     def reason(self, reason: Reason) -> str:
         """Return a reason in words (Markdown with `$math$`), one line."""
-        file, _, macro = reason.kind.partition("/")
-        module = _environment(self).get_template(f"reasons/{file}.md.jinja").module
-        return " ".join(str(getattr(module, macro)(reason.values)).split())
+        wording, _, name = reason.kind.partition("/")
+        for file in self.files(f"reasons/{wording}"):
+            try:
+                macro = getattr(_environment(self).get_template(file).module, name, None)
+            except TemplateNotFound:
+                continue
+            if macro is not None:
+                return " ".join(str(macro(reason.values)).split())
+        raise LookupError(f"the macro {name!r} of templates/wording/reasons/{wording}.md.jinja is missing")
 
-    def say(self, phrase: str) -> str:
-        """Return a phrase in words."""
-        return phrase
+    def say(self, text: str) -> str:
+        """Return a phrase in the language; a text that is no phrase as it stands."""
+        if self.language == ENGLISH or not text:
+            return text
+        if isinstance(text, Phrase):
+            values = {name: self.say(value) if isinstance(value, str) else value for name, value in text.values.items()}
+            return self.say(text.pattern).format(**values)
+        return _phrases(self).get(text, text)
 
     def named(self, name: str) -> str:
         """Return the name of a quantity or option as it is spoken: `peak_time` is the peak time."""
@@ -43,14 +78,18 @@ class Messages:
 @lru_cache(maxsize=8)
 def _environment(messages: Messages) -> ImmutableSandboxedEnvironment:
     """Return the environment that finds the macros of reasons."""
-    own = [messages.templates / "wording", messages.templates] if messages.templates else []
-    environment = ImmutableSandboxedEnvironment(
-        loader=FileSystemLoader([*own, resources.root("templates") / "wording"]),
-        undefined=StrictUndefined,
-        auto_reload=False,  # templates do not change while a program runs
-        autoescape=False,  # this is Markdown
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters.update(formula=formula, said=messages.reason, say=messages.say, named=messages.named)
-    return environment
+    found = environment(messages.templates)
+    found.filters.update(formula=formula, said=messages.reason, say=messages.say, named=messages.named)
+    return found
+
+
+@lru_cache(maxsize=8)
+def _phrases(messages: Messages) -> Mapping[str, str]:
+    """Return the phrases of a language, all files together; the user's folder wins."""
+    from yaml import safe_load  # noqa: PLC0415 - English needs no phrases
+
+    found: dict[str, Any] = {}
+    for folder in reversed(folders(messages.templates)):
+        for file in sorted((folder / messages.language).rglob(PHRASES)):
+            found |= safe_load(file.read_text(encoding="utf-8")) or {}
+    return {key: str(value) for key, value in found.items()}

@@ -8,9 +8,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
+from solver import resources
+
+ENGLISH = "en"
+"""The language of the templates."""
+
+PHRASES = "phrases.yaml"
+"""What makes a folder of `templates/wording/` a language: its translations of short texts."""
+
 DIGITS = 5
+
+
+def folders(templates: Path | None = None) -> list[Path]:
+    """Return where files of macros are looked for: in the user's folder, if there is one, then in the installed one."""
+    own = [templates / "wording", templates] if templates else []
+    return [*own, resources.root("templates") / "wording"]
+
+
+def languages(templates: Path | None = None) -> list[str]:
+    """Return the languages that can be asked for: English, and every folder that has phrases."""
+    found = {each.parent.name for folder in folders(templates) for each in folder.glob(f"*/{PHRASES}")}
+    return [ENGLISH, *sorted(found)]
 
 
 def formula(value: Any) -> str:
@@ -35,6 +56,26 @@ class Reason:
         from solver.messages import Messages  # noqa: PLC0415 - templates are loaded where something is said
 
         return Messages().reason(self)
+
+
+class Phrase(str):
+    """A short English text with values in it, which other languages word by its pattern: `Phrase("row {i}", i=2)`."""
+
+    pattern: str
+    values: Mapping[str, Any]
+
+    def __new__(cls, pattern: str, /, **values: Any) -> Phrase:
+        """Return the English text; the pattern is that of `str.format`."""
+        phrase = super().__new__(cls, pattern.format(**values))
+        phrase.pattern, phrase.values = pattern, values
+        return phrase
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _phrase, (self.pattern, dict(self.values))
+
+
+def _phrase(pattern: str, values: Mapping[str, Any]) -> Phrase:
+    return Phrase(pattern, **values)
 
 
 class Told(Exception):  # noqa: N818 - not an error of the program

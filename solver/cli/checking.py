@@ -20,7 +20,6 @@ from solver.problem.nodes import MappingNode
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.problem.yaml_tree import parse_yaml
-from solver.render.numbers import NumberFormat
 from solver.render.view import SolutionView, view_of
 from solver.render.wording import Wording
 from solver.tasks import catalogue
@@ -138,9 +137,9 @@ class _Desk:
             return None
         if name not in self.views:
             solution = self.solutions[name]
-            numbers = NumberFormat.of(solution.display)
             with in_words("the solution"):
-                self.views[name] = view_of(solution, Wording(numbers, self.request.detail, self.request.templates))
+                wording = Wording.of(solution.display, self.request.detail, self.request.templates)
+                self.views[name] = view_of(solution, wording)
         return self.views[name]
 
     def _deliver(self, name: str, file: str, marking: Marking) -> None:

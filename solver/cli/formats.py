@@ -8,7 +8,6 @@ from functools import cached_property
 from pathlib import Path
 
 from solver.engine import Solution
-from solver.render.numbers import NumberFormat
 from solver.render.view import SolutionView, view_of
 from solver.render.wording import Wording
 
@@ -25,7 +24,7 @@ class Document:
     @cached_property
     def wording(self) -> Wording:
         """How the solution is worded."""
-        return Wording(NumberFormat.of(self.solution.display), self.detail, self.templates)
+        return Wording.of(self.solution.display, self.detail, self.templates)
 
     @cached_property
     def view(self) -> SolutionView:

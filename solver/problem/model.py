@@ -6,6 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from solver.notation import COURSE
+from solver.words import ENGLISH
+
 if TYPE_CHECKING:
     import sympy as sp
 
@@ -19,11 +22,14 @@ class Display:
     """How numbers are shown. `mode` is "typed" (a decimal where decimals were typed), "exact", "decimal" or "both".
 
     `digits` is the number of significant digits of decimals; `decimals_typed` tells that the file holds decimals.
+    `language` and `notation` are those of the words and symbols around them.
     """
 
     mode: str = "typed"
     digits: int = 5
     decimals_typed: bool = False
+    language: str = ENGLISH
+    notation: str = COURSE
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +57,7 @@ class Part:
     marks: sp.Rational | None = None
     own_system: bool = False
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
-    places: Mapping[str, Place] = field(default_factory=dict)
+    places: Mapping[str, Place] = field(default_factory=dict, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,4 +73,4 @@ class Problem:
     display: Display = Display()
     parameters: Mapping[str, Any] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
-    file: Source | None = None
+    file: Source | None = field(default=None, compare=False)

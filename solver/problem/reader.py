@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import PurePath
 from typing import Any
 
 from solver.derivation import Task
+from solver.notation import NOTATIONS
 from solver.problem.files import load
 from solver.problem.lexicon import check_used, read_lexicon
 from solver.problem.model import Display, Part, Problem
 from solver.problem.nodes import MappingNode, Node, ScalarNode, scalar, whole_number
 from solver.problem.parts import PartReader, PlantOf
 from solver.problem.shape_check import check_shape
-from solver.problem.source import InputError, Report, Source
+from solver.problem.source import InputError, Report, Source, did_you_mean
 from solver.problem.systems import read_system
 from solver.problem.texts import check_texts
 from solver.problem.yaml_tree import parse_yaml
 from solver.systems import System
+from solver.words import languages
 
 MAX_DECIMALS = 30
 MODES = {"exact": "exact", "both": "both", "decimals": "decimal"}
@@ -34,6 +37,17 @@ def read_problem(source: Source, catalogue: Mapping[str, Task[Any, Any]]) -> Pro
 
 def _what(node: Node) -> str:
     return node.what if len(node.what) < 40 else "a text"
+
+
+def _one_of(node: ScalarNode, known: Iterable[str], what: str) -> str:
+    """Return one of some words; raises Fault with a suggestion."""
+    if node.text not in known:
+        raise node.fault(
+            f"there is no {what} '{node.text[:60]}'",
+            suggestion=did_you_mean(node.text, known),
+            note=f"there are {', '.join(known)}",
+        )
+    return node.text
 
 
 class _ProblemReader:
@@ -74,7 +88,12 @@ class _ProblemReader:
             system=system,
             source=self.text("source"),
             statement=self.text("statement"),
-            display=Display(display.mode, display.digits, self.lexicon.decimals),
+            display=replace(
+                display,
+                decimals_typed=self.lexicon.decimals,
+                language=self.choice("language", languages(), display.language),
+                notation=self.choice("notation", NOTATIONS, display.notation),
+            ),
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
             file=self.source,
@@ -112,6 +131,14 @@ class _ProblemReader:
                 readable = not any(wrong.spoils_part(name) for wrong in self.misshapen)
                 parts.append(reader.read(entry, PlantOf(system, known)) if readable else reader.skip(name))
         return parts
+
+    def choice(self, key: str, known: Iterable[str], usual: str) -> str:
+        """Return one of some words, or the usual one where the file says nothing."""
+        node = self.section(key)
+        if isinstance(node, ScalarNode):
+            with self.report:
+                return _one_of(node, known, key)
+        return usual
 
     def display(self) -> Display:
         """Return how numbers are shown."""

@@ -224,6 +224,8 @@ class ProblemShape(Shape):
     parameters: dict[str, Value] = optional("values of symbols that occur in the expressions")
     assume: dict[str, Assumption] = optional("what is known of symbols without a value")
     display: Display = optional("how numbers are shown")
+    language: Text = optional("the language of the solution: en, de")
+    notation: Text = optional("the symbols of the solution: course (K_f, L_c, xi) or ogata (K, K_e, zeta)")
     system: System = optional("the system of all parts without their own")
     find: dict[Annotated[str, StringConstraints(pattern=PART_ID)], Find] = Field(
         min_length=1, max_length=MAX_PARTS, description="what is asked, in order, by the part's name as printed"

@@ -111,7 +111,7 @@ def view_of(solution: Solution, wording: Wording | None = None) -> SolutionView:
     Raises `WordingError` where a template is missing or wrong.
     """
     problem = solution.problem
-    wording = wording or Wording(numbers=NumberFormat.of(solution.display))
+    wording = wording or Wording.of(solution.display)
     by_id = {part.id: part for part in problem.parts}
     seen: set[str] = set()
     parts = []

@@ -21,27 +21,26 @@ from pathlib import Path
 from typing import Any
 
 import sympy as sp
-from jinja2 import FileSystemLoader, StrictUndefined, TemplateError, TemplateNotFound, TemplateSyntaxError, pass_context
+from jinja2 import TemplateError, TemplateNotFound, TemplateSyntaxError, pass_context
 from jinja2.runtime import Context
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
-from solver import resources
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import Displayed
-from solver.formula.pieces import is_sum, joined, parenthesized, summed
 from solver.markup import math_problems
-from solver.messages import Messages
-from solver.problem.model import Part
+from solver.messages import Messages, environment
+from solver.notation import COURSE, NOTATIONS, answer_symbol
+from solver.problem.model import Display, Part
 from solver.render.displays import READABLE, aligned, chain, display, entries
 from solver.render.given import given_markdown
 from solver.render.latex import DEFAULT, tex, tex_answer
-from solver.render.notation import COURSE, NOTATIONS, answer_symbol
 from solver.render.numbers import NumberFormat
 from solver.render.prose import plain
 from solver.render.recording import Recorder
+from solver.render.row_operations import row_operation
 from solver.render.width import LINE, width
 from solver.systems import System
-from solver.words import Reason
+from solver.words import ENGLISH, Reason
 
 WORD = re.compile(r"\\text\{([^{}]*)\}")
 """An answer that has a word in place of a symbol: whether the system is stable equals nothing."""
@@ -75,12 +74,18 @@ class WordedStep:
 
 @dataclass(frozen=True)
 class Wording:
-    """How a solution is worded: number format, level of detail, a folder of templates that come first, notation."""
+    """How a solution is worded: numbers, level of detail, a folder of templates that come first, notation, language."""
 
     numbers: NumberFormat = DEFAULT
     detail: str = "full"
     templates: Path | None = None
     notation: str = COURSE
+    language: str = ENGLISH
+
+    @staticmethod
+    def of(display: Display, detail: str = "full", templates: Path | None = None) -> Wording:
+        """Return the wording that a problem asks for."""
+        return Wording(NumberFormat.of(display), detail, templates, display.notation, display.language)
 
     def words(self, steps: Iterable[Step]) -> tuple[WordedStep, ...]:
         """Word those steps that are shown at this level of detail, with their substeps."""
@@ -124,15 +129,23 @@ class Wording:
 
     def answer(self, value: Any) -> str:
         """Return the value of an answer as LaTeX, with its decimals beside it where the format says `both`."""
-        return tex_answer(value, self.numbers)
+        return tex_answer(self.say(value) if isinstance(value, str) else value, self.numbers)
 
     def symbol(self, answer: AnswerName) -> str:
         """Return the LaTeX symbol of an answer."""
-        return answer_symbol(answer.name, answer.symbol, self.notation)
+        return self.say(answer_symbol(answer.name, answer.symbol, self.notation))
 
     def reason(self, reason: Reason | None) -> str:
         """Return a reason in words, empty for none."""
-        return "" if reason is None else Messages(self.templates).reason(reason)
+        return "" if reason is None else self._messages.reason(reason)
+
+    def say(self, phrase: str) -> str:
+        """Return a phrase (a title, a label, a word of a verdict) in the language."""
+        return self._messages.say(phrase)
+
+    @cached_property
+    def _messages(self) -> Messages:
+        return Messages(self.templates, self.language)
 
     def _macro(self, wording: str, name: str, *arguments: Any) -> str:
         return self._macros.recorder.expanded(self._marked(wording, name, *arguments))
@@ -142,10 +155,10 @@ class Wording:
         place = _place(wording, name)
         self._macros.recorder.begin()
         try:
-            macro = getattr(self._module(wording), name, None)
-            if macro is None:
+            found = [getattr(module, name) for module in self._modules(wording) if hasattr(module, name)]
+            if not found:
                 raise WordingError(f"{place} is missing")
-            return str(macro(*arguments))
+            return str(found[0](*arguments))
         except TemplateNotFound as error:
             raise WordingError(f"{place} is missing: there is no such file") from error
         except TemplateSyntaxError as error:
@@ -155,15 +168,20 @@ class Wording:
 
     def load(self, wording: str) -> None:
         """Compile a file of macros before it is needed; raises Jinja's `TemplateError`."""
-        self._module(wording)
+        self._modules(wording)
 
-    def _module(self, wording: str) -> Any:
-        """Return the macros of a file as attributes."""
-        modules = self._macros.modules
-        if wording not in modules:
-            template = _environment(self.templates).get_template(f"{wording}.md.jinja")
-            modules[wording] = template.make_module(self._names)
-        return modules[wording]
+    def _modules(self, wording: str) -> list[Any]:
+        """Return the macros of a file as attributes, those of the language before the English ones."""
+        modules, files = self._macros.modules, self._messages.files(wording)
+        for file in files:
+            if file not in modules:
+                try:
+                    modules[file] = _environment(self.templates).get_template(file).make_module(self._names)
+                except TemplateNotFound:
+                    if file == files[-1]:
+                        raise
+                    modules[file] = None  # the language has no file of its own
+        return [modules[file] for file in files if modules[file] is not None]
 
     @cached_property
     def _macros(self) -> _Macros:
@@ -176,7 +194,7 @@ class Wording:
         return {
             **{"brief": level == 0, "full": level >= 1, "tutor": level >= 2},
             **{"eq": self._eq, "claim": self._claim, "align": self._align, "sym": NOTATIONS[self.notation]},
-            **{"tex": self._filtered, "latex": self.tex, "operation": self._operation},
+            **{"say": self.say, "tex": self._filtered, "latex": self.tex, "operation": self._operation},
         }
 
     def _filtered(self, value: Any) -> str:
@@ -233,20 +251,7 @@ class Wording:
         return recorder.display(noted, display(recorder.expanded(latex)))
 
     def _operation(self, operation: Any) -> str:
-        """Return a row operation (`exact.row_reduction`: Swap, Scale or Add) as LaTeX; rows are counted from 1."""
-        row = f"R_{{{operation.i + 1}}}"
-        if not hasattr(operation, "factor"):
-            return rf"{row} \leftrightarrow R_{{{operation.j + 1}}}"
-        if not hasattr(operation, "j"):
-            return rf"{row} \leftarrow {self._multiple(operation.factor, row)}"
-        other = self._multiple(operation.factor, f"R_{{{operation.j + 1}}}")
-        return rf"{row} \leftarrow {summed([row, other])}"
-
-    def _multiple(self, factor: Any, row: str) -> str:
-        shown = self.tex(factor)
-        if shown in {"1", "-1"}:
-            return shown.replace("1", row)
-        return joined([shown if not is_sum(shown.removeprefix("-")) else parenthesized(shown), row])
+        return row_operation(operation, self.tex)
 
 
 class _Macros:
@@ -266,17 +271,9 @@ def _macros_of(_wording: Wording) -> _Macros:
 @lru_cache(maxsize=8)
 def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
     """Return the environment that finds wording files; compiled templates are shared by all wordings."""
-    own = [templates / "wording", templates] if templates else []
-    environment = ImmutableSandboxedEnvironment(
-        loader=FileSystemLoader([*own, resources.root("templates") / "wording"]),
-        undefined=StrictUndefined,
-        auto_reload=False,  # templates do not change while a program runs
-        autoescape=False,  # this is Markdown; HTML is escaped where it is made, in `prose`
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters.update(tex=_named("tex"), latex=_named("latex"), operation=_named("operation"), plain=plain)
-    return environment
+    found = environment(templates)
+    found.filters.update({name: _named(name) for name in ("tex", "latex", "operation", "say")}, plain=plain)
+    return found
 
 
 def _named(name: str) -> Callable[[Context, Any], str]:

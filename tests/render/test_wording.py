@@ -9,7 +9,7 @@ from solver.formula import read
 from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import tex
-from solver.render.notation import NOTATIONS
+from solver.notation import NOTATIONS
 from solver.render.numbers import NumberFormat
 from solver.render.width import LINE, broken, width
 from solver.render.wording import Wording, WordingError
