@@ -5,13 +5,14 @@ BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PROBLEM ?= problems/course/ch1/ch1-ex02.yaml
 TESTS ?=
+SAMPLE ?= 60
 WORKERS ?= auto
 
 .DEFAULT_GOAL := help
-.PHONY: help solve test lint bench errata clean
+.PHONY: help solve test test-all mutants lint bench errata clean
 
 help:  ## Say what there is to make.
-	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
+	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
 
 $(READY): pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -25,8 +26,14 @@ solve: $(READY)  ## Solve a problem of the course (PROBLEM=path for another) and
 	@$(BIN)/solve $(PROBLEM) -o build/
 	@echo "The page: $(abspath build)/$(basename $(notdir $(PROBLEM))).html"
 
-test: $(READY)  ## Run the tests (TESTS="-k pattern" or paths for some of them).
-	$(BIN)/python -m pytest -n $(WORKERS) $(TESTS)
+test: $(READY)  ## Run the quick tests (TESTS="-k pattern" or paths for some of them).
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup -m "not slow" $(TESTS)
+
+test-all: $(READY)  ## Run all tests: also sweeps over all problems, cross-checks, all generated examples.
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile all $(TESTS)
+
+mutants: $(READY)  ## Make small slips in the program and say which of them no test sees (SAMPLE of them).
+	$(BIN)/python -m tools.mutants --sample $(SAMPLE) --least 0.9
 
 lint: $(READY)  ## Check style, types, who imports whom, and calls that are forbidden.
 	$(BIN)/ruff check

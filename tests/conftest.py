@@ -1,20 +1,30 @@
-"""Shared by all tests: hypothesis keeps no clock, and what TeX reads is skipped where there is none."""
+"""Shared by all tests: hypothesis keeps no clock, and what TeX reads is skipped where there is none.
+
+Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter of the examples, `all` tries them all.
+"""
 
 import os
 import shutil
 
 import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, Phase, settings
+
+from tests.helpers.tried import ALL
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # tiny matrices are slowed down a hundredfold by threads
 
-settings.register_profile("default", deadline=None, suppress_health_check=[HealthCheck.too_slow])
-settings.register_profile("ci", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
-settings.load_profile("ci" if os.environ.get("CI") == "true" else "default")
+IN_CI = os.environ.get("CI") == "true"
+
+every = settings(deadline=None, derandomize=IN_CI, suppress_health_check=[HealthCheck.too_slow], max_examples=ALL)
+fast = settings(every, max_examples=ALL // 4)
+settings.register_profile("all", every)
+settings.register_profile("fast", fast)
+settings.register_profile("mutants", fast, derandomize=True, database=None, phases=(Phase.explicit, Phase.generate))
+settings.load_profile("fast")
 
 
 @pytest.fixture
 def tex() -> None:
     """TeX is installed: where it is missing the test is skipped, and fails in CI."""
     if shutil.which("pdflatex") is None:
-        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("pdflatex is not installed")
+        (pytest.fail if IN_CI else pytest.skip)("pdflatex is not installed")

@@ -2,15 +2,11 @@
 
 import json
 import re
-from functools import cache
 
 import pytest
 import sympy as sp
 
 from solver.derivation import CheckStatus, Status
-from solver.engine import solve_problem
-from solver.problem.files import load
-from solver.problem.reader import read_problem
 from solver.render.data import render_json
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
@@ -18,32 +14,26 @@ from solver.render.numbers import NumberFormat
 from solver.render.page import render_page
 from solver.render.view import view_of
 from solver.render.wording import Wording
-from solver.resources import root
-from solver.tasks import catalogue
+from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, solution_of
 
 CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
 """What nobody would write: 1.0, - -2, + -, 1 · x, and remains of Python."""
 
-PROBLEMS = sorted(path for path in root("problems").rglob("*.yaml") if not path.name.endswith(".answers.yaml"))
 
-
-@cache
-def solved(path):
-    return solve_problem(read_problem(load(path), catalogue()))
-
-
-@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(PROBLEMS))
 def test_the_problem_is_verified(path):
-    for part in solved(path).parts:
+    for part in solution_of(path).parts:
         failed = [check for check in part.checks if check.status is not CheckStatus.PASSED]
         assert part.status is Status.VERIFIED, (part.id, part.method, part.reason, failed)
         assert not failed
 
 
-@pytest.mark.parametrize("detail", ["brief", "full", "tutor"])
-@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "detail", ["tutor", pytest.param("full", marks=pytest.mark.slow), pytest.param("brief", marks=pytest.mark.slow)]
+)
+@pytest.mark.parametrize(**by_problem(PROBLEMS, quick=EXAMPLES))
 def test_every_format_shows_it_at_every_level_of_detail(path, detail):
-    solution = solved(path)
+    solution = solution_of(path)
     view = view_of(solution, Wording(NumberFormat.of(solution.display), detail))
     shown = [render_page(view), latex_document(view), markdown_of(view)]
     for part in view.parts:
@@ -53,9 +43,9 @@ def test_every_format_shows_it_at_every_level_of_detail(path, detail):
     assert all(len(text) > 500 for text in shown)
 
 
-@pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(PROBLEMS, quick=EXAMPLES))
 def test_the_values_in_json_are_read_back_as_they_were(path):
-    solution = solved(path)
+    solution = solution_of(path)
     data = json.loads(render_json(solution))
     names = {name: sp.Symbol(name) for name in data["symbols"]}
     for result, part in zip(solution.parts, data["parts"], strict=True):

@@ -14,18 +14,14 @@ import sympy as sp
 from solver.classroom.judging import judge
 from solver.classroom.values import Reader, Submitted
 from solver.derivation import Status
-from solver.engine import solve_problem
-from solver.problem.files import load
-from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.problem.yaml_tree import parse_yaml
-from solver.resources import root
-from solver.tasks import catalogue
 from tests.helpers.defining import still_right
 from tests.helpers.marked import marker
+from tests.helpers.solved import EXAMPLES, by_problem, solution_of
 from tests.helpers.students import mutants, rounded, written
 
-EXAMPLES = sorted(root("problems").joinpath("examples").glob("*.yaml"))
+QUICK = EXAMPLES[::5]
 MOST = 3
 """Changed values of each answer that are tried."""
 
@@ -48,7 +44,7 @@ UNDECIDED = (
 @cache
 def questions(path):
     """(id, part, question) of the parts of an example that are verified."""
-    solution = solve_problem(read_problem(load(path), catalogue()))
+    solution = solution_of(path)
     desk = marker(solution)
     earlier = {name: results[0] for name, results in desk.results.items()}
     return [
@@ -67,7 +63,7 @@ def chance(*of):
     return random.Random(zlib.crc32(repr(of).encode()))  # noqa: S311 - nothing secret
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
 def test_our_own_answers_are_right_alone_together_and_rounded(path):
     for part, question, names in questions(path):
         together = {}
@@ -85,7 +81,7 @@ def _rounded(value):
     return [] if rough is None else [rough]
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
 def test_a_changed_answer_is_wrong_unless_it_is_still_right(path):
     for part, question, _ in questions(path):
         for name, ours in question.ours.items():
@@ -145,7 +141,7 @@ def _close(a, b, seed):
     return bool(abs(difference) <= 1e-9 * max(1, abs(sp.N(a.xreplace(at), 20))))
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
 def test_among_right_answers_a_changed_one_does_not_pass(path):
     for part, question, _ in questions(path):
         if len(question.ours) < 2 or part.task == "response":
@@ -183,7 +179,7 @@ def odd(value):
     return []
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
 def test_an_odd_value_gets_a_verdict(path):
     for part, question, _ in questions(path):
         for name, ours in question.ours.items():

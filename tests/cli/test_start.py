@@ -41,6 +41,7 @@ def test_solving_does_not_import_what_only_figures_need(process, good):
     assert done.err.splitlines()[-1] == "[] 0"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("format_", ["html", "latex", "md", "json", "text"])
 def test_the_same_file_gives_the_same_bytes_in_another_process(process, good, format_):
     first, second = (

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.exact import (
@@ -14,6 +14,7 @@ from solver.exact import (
     rank_conditions,
 )
 from tests.helpers.strategies import eigenvalues, jordan_block, unimodular
+from tests.helpers.tried import tried
 
 a, b = sp.symbols("a b")
 M = sp.ImmutableMatrix
@@ -44,7 +45,7 @@ def is_transformed(found, A, B, C):
     return found.T * found.A == A * found.T and found.T * found.B == B and found.C == C * found.T
 
 
-@settings(max_examples=25, deadline=None)
+@tried(25)
 @given(plants())
 def test_the_controllable_part_is_all_that_the_input_reaches(plant):
     A, B, C = plant
@@ -58,7 +59,7 @@ def test_the_controllable_part_is_all_that_the_input_reaches(plant):
     assert found.trivial == (r == A.rows) == (sp.eye(A.rows) == found.T and r == A.rows)
 
 
-@settings(max_examples=25, deadline=None)
+@tried(25)
 @given(plants())
 def test_single_states_may_stand_for_what_the_input_does_not_reach(plant):
     A, B, _ = plant
@@ -71,7 +72,7 @@ def test_single_states_may_stand_for_what_the_input_does_not_reach(plant):
     assert all(sorted(unit) == [0] * (A.rows - 1) + [1] for unit in found.bases[1].T.tolist())
 
 
-@settings(max_examples=25, deadline=None)
+@tried(25)
 @given(plants())
 def test_the_observable_part_is_dual(plant):
     A, B, C = plant
@@ -86,7 +87,7 @@ def test_the_observable_part_is_dual(plant):
 ZEROS = [(0, 1), (0, 3), (2, 0), (2, 1), (2, 3), (3, 0), (3, 1)]
 
 
-@settings(max_examples=25, deadline=None)
+@tried(25)
 @given(plants())
 def test_the_full_decomposition_has_its_seven_zero_blocks(plant):
     A, B, C = plant

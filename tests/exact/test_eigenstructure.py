@@ -5,7 +5,7 @@ import pickle
 import mpmath
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 
 from solver import exact
 from tests.helpers.exact_cases import (
@@ -22,6 +22,7 @@ from tests.helpers.exact_cases import (
     x,
 )
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 c, m = sp.symbols("c m", positive=True)
 p, q = sp.symbols("p q", real=True)
@@ -171,7 +172,7 @@ def test_a_companion_matrix_has_vandermonde_eigenvectors_of_its_pair():
     assert sp.expand(vector[1] - (-1 + 2 * sp.I) * vector[0]) == 0
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(systems(6))
 def test_random_systems(A):
     found = exact.eigenstructure(A)

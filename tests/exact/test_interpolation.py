@@ -2,11 +2,12 @@
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 
 from solver import exact
 from tests.helpers.exact_cases import COMPLEX, DECIMAL, EXACT, NUMERIC, RATIONAL, each, is_zero, k, t
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 
 def combination(A, alpha):
@@ -65,7 +66,7 @@ def test_a_root_zero_in_discrete_time_gives_pulses():
     assert rights == [sp.KroneckerDelta(k, 0), sp.KroneckerDelta(k, 1)]
 
 
-@settings(max_examples=30)
+@tried(30)
 @given(systems(6))
 def test_random_systems(A):
     alpha = exact.interpolation_coefficients(A, t, discrete=False)

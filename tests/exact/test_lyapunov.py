@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
 from solver.exact import SingularEquation, lyapunov, lyapunov_equations, lyapunov_residual
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 
 def test_the_course_example():
@@ -28,7 +29,7 @@ def test_scipy_finds_the_same(discrete, dual):
     assert np.allclose(P, theirs)
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(systems(4))
 def test_the_equation_holds_or_is_singular(A):
     sums = {sp.expand(a + b) for a in A.eigenvals() for b in A.eigenvals()}

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from scipy.linalg import expm
 
 from solver import exact
@@ -25,6 +25,7 @@ from tests.helpers.exact_cases import (
     x,
 )
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 e, cos, sin, sqrt = sp.exp, sp.cos, sp.sin, sp.sqrt
 c, m, stiffness = sp.symbols("c m stiffness", positive=True)
@@ -235,7 +236,7 @@ def test_expansions_are_those_of_sympy(function):
     assert sp.expand(sp.Add(*exact.taylor(function, t, 5)) - sp.series(function, t, 0, 5).removeO()) == 0
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(systems(6))
 def test_random_systems_agree_with_scipy(A):
     Phi = phi(A)
@@ -245,7 +246,7 @@ def test_random_systems_agree_with_scipy(A):
     assert np.abs(floats(Phi, t="1/2") - expected).max() <= 1e-8 * max(1, np.abs(expected).max())
 
 
-@settings(max_examples=20)
+@tried(20)
 @given(systems(6))
 def test_powers_of_random_systems_agree_with_numpy(A):
     closed = exact.power(A, k).matrix

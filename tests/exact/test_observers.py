@@ -2,17 +2,18 @@
 
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from solver import exact
+from tests.helpers.tried import tried
 
 I, M = sp.I, sp.ImmutableMatrix
 A = M(3, 3, range(1, 10))
 B = M([1, 2, 3])
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(st.data())
 def test_the_first_coordinates_are_the_outputs(data):
     n = data.draw(st.integers(2, 5))

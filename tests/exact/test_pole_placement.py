@@ -2,11 +2,12 @@
 
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from solver import exact
 from tests.helpers.exact_cases import x
+from tests.helpers.tried import tried
 
 numbers = st.sampled_from([sp.Rational(p, q) for p in range(-4, 5) for q in (1, 2, 3)])
 c, m = sp.symbols("c m", positive=True)
@@ -30,7 +31,7 @@ def textbook(A, b, coefficients):
     return last * controllability(A, b).inv() * phi
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(plants())
 def test_random_plants(plant):
     A, b, coefficients = plant
@@ -41,7 +42,7 @@ def test_random_plants(plant):
     assert sp.Poly(closed_loop, x).all_coeffs() == coefficients
 
 
-@settings(max_examples=30)
+@tried(30)
 @given(plants())
 def test_the_controllability_matrix_of_random_plants(plant):
     A, b, _ = plant

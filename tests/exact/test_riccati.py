@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_are
 
 from solver.exact import NotStabilizable, OnTheAxis, case_split, definiteness_of_numbers, riccati
 from solver.exact.optimal.square_roots import RootTower
+from tests.helpers.tried import tried
 
 I2 = sp.eye(2)
 
@@ -102,7 +103,7 @@ def problems(draw, largest=4):
     return A, B, Q, sp.diag(*(draw(st.integers(1, 3)) for _ in range(m)))
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(problems())
 def test_random_problems_agree_with_scipy_or_are_refused(problem):
     A, B, Q, R = problem
@@ -182,7 +183,7 @@ def test_an_equation_with_parameters_below_a_line_is_factored():
     assert [sp.cancel(end[x]) for end in split.ends()] == [0, sp.cancel(3 * r / (r - 1))]
 
 
-@settings(max_examples=15)
+@tried(15)
 @given(problems(largest=2))
 def test_case_splits_find_what_the_hamiltonian_finds(problem):
     try:

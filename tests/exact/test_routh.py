@@ -5,10 +5,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.exact import bilinear, routh, routh_parts, sign_of
+from tests.helpers.tried import tried
 
 s, k, eps = sp.Symbol("s"), sp.Symbol("k", real=True), sp.Symbol("epsilon")
 
@@ -80,7 +81,7 @@ roots = st.lists(
 )
 
 
-@settings(max_examples=60)
+@tried(60)
 @given(roots)
 def test_the_number_of_roots_in_the_right_half_plane(listed):
     factors = [s - r[0] if len(r) == 1 else (s - r[0]) ** 2 + r[1] ** 2 for r in listed]
@@ -89,7 +90,7 @@ def test_the_number_of_roots_in_the_right_half_plane(listed):
     assert count(coefficients) == outside
 
 
-@settings(max_examples=40)
+@tried(40)
 @given(st.lists(st.integers(-6, 6), min_size=2, max_size=6))
 def test_numpy_counts_the_same(tail):
     found = np.roots([1, *tail])

@@ -2,12 +2,13 @@
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from sympy import QQ
 
 from solver import exact
 from solver.exact.linear_algebra.row_reduction import Add, Scale, Swap
+from tests.helpers.tried import tried
 
 entries = st.integers(-3, 3)
 
@@ -65,13 +66,13 @@ def test_the_reduced_form_and_its_history(M):
     check(M)
 
 
-@settings(max_examples=80)
+@tried(80)
 @given(matrices())
 def test_random_matrices(M):
     check(M)
 
 
-@settings(max_examples=60)
+@tried(60)
 @given(matrices())
 def test_null_space_vectors_are_a_basis_of_the_null_space(M):
     basis = exact.null_space(exact.row_reduce(domain_rows(M)), QQ(1))

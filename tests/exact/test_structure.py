@@ -6,19 +6,20 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver import exact
 from solver.numeric.judges.structure import rank_falls_where
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 M = sp.ImmutableMatrix
 a, b, c = sp.symbols("a b c", real=True)
 
 
 @given(systems(5), st.integers(1, 2), st.data())
-@settings(max_examples=25, deadline=None)
+@tried(25)
 def test_the_hidden_part_is_annihilated_and_invariant(A, m, data):
     B = M(A.rows, m, [data.draw(st.integers(-1, 1)) for _ in range(A.rows * m)])
     hidden, C = exact.hidden_part(A, B), exact.controllability_matrix(A, B)
@@ -33,7 +34,7 @@ def test_the_hidden_part_is_annihilated_and_invariant(A, m, data):
 
 
 @given(systems(4), st.data())
-@settings(max_examples=20, deadline=None)
+@tried(20)
 def test_the_pencil_loses_rank_exactly_at_hidden_modes(A, data):
     B = M(A.rows, 1, [data.draw(st.integers(-1, 1)) for _ in range(A.rows)])
     low = {found.root.value for found in exact.pencil_ranks(A, B) if found.rank < A.rows}
@@ -97,7 +98,7 @@ def test_telling_minors_share_the_common_zeros():
 
 
 @given(systems(4))
-@settings(max_examples=10, deadline=None)
+@tried(10)
 def test_finite_gramians_are_those_of_van_loan(A):
     B = M(A.rows, 1, [1] * A.rows)
     W = exact.finite_gramian(A, B, sp.Integer(1))

@@ -17,6 +17,7 @@ from solver.engine import given_of, yield_into
 from solver.problem.model import Part
 from solver.systems import StateSpace
 from solver.tasks import catalogue
+from tests.helpers.tried import tried
 
 PRIME = 2**61 - 1
 TIMES = int(os.environ.get("CROSSCHECK_TIMES", "1"))
@@ -25,7 +26,7 @@ TIMES = int(os.environ.get("CROSSCHECK_TIMES", "1"))
 
 def systems_tried(number: int) -> settings:
     """How many systems a cross-check tries; a failing one is not shrunk, which would take minutes."""
-    return settings(max_examples=number * TIMES, phases=(Phase.explicit, Phase.reuse, Phase.generate))
+    return settings(tried(number * TIMES), phases=(Phase.explicit, Phase.reuse, Phase.generate))
 
 
 def answers_of(task: str, plant: Any, method: str = "", **options: Any) -> Answers:

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.problem.expressions import (
@@ -18,6 +18,7 @@ from solver.problem.expressions import (
     parse_expression,
     uses_decimal,
 )
+from tests.helpers.tried import tried
 
 NAMES = Names(
     symbols={"x": sp.Symbol("x", real=True), "c": sp.Symbol("c", complex=True)},
@@ -203,21 +204,21 @@ PIECES = st.sampled_from(
 )
 
 
-@settings(max_examples=300)
+@tried(300)
 @given(st.text(max_size=60))
 def test_random_characters_give_an_expression_or_an_error(text):
     for read in READERS:
         outcome(read, text)
 
 
-@settings(max_examples=500)
+@tried(500)
 @given(st.lists(PIECES, max_size=25).map("".join))
 def test_random_pieces_give_an_expression_or_an_error(text):
     for read in READERS:
         outcome(read, text)
 
 
-@settings(max_examples=300)
+@tried(300)
 @given(st.lists(PIECES, max_size=20).map("".join))
 def test_whatever_is_read_is_exact_and_has_a_value(text):
     expression = outcome(lambda each: parse_expression(each, NAMES), text)

@@ -8,10 +8,11 @@ from fractions import Fraction
 
 import mpmath
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from solver.problem.expressions import ExpressionError, Names, parse_expression
+from tests.helpers.tried import tried
 
 RATIONALS = {"x": Fraction(3, 7), "y": Fraction(-5, 2), "k_1": Fraction(4), "omega": Fraction(1, 9)}
 FUNCTIONS = ["sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs"]
@@ -93,7 +94,7 @@ def _product(kind, first, second):
     return first / second if kind == "/" else first * second
 
 
-@settings(max_examples=400)
+@tried(400)
 @given(st.recursive(leaves, operations, max_leaves=12))
 def test_rational_expressions_have_the_value_of_python_fractions(tree):
     text = written(tree)[0]
@@ -114,7 +115,7 @@ def test_rational_expressions_have_the_value_of_python_fractions(tree):
         assert Fraction(int(found.p), int(found.q)) == expected, message
 
 
-@settings(max_examples=300)
+@tried(300)
 @given(st.recursive(leaves, operations, max_leaves=10))
 def test_symbolic_expressions_have_the_value_of_python_fractions(tree):
     text = written(tree)[0]
@@ -132,7 +133,7 @@ def _call(name, argument):
     return (abs if name == "abs" else getattr(mpmath, name))(argument)
 
 
-@settings(max_examples=300)
+@tried(300)
 @given(st.recursive(leaves, with_functions, max_leaves=6))
 def test_expressions_with_functions_have_the_value_of_mpmath(tree):
     text = written(tree)[0]

@@ -6,13 +6,14 @@ import contextlib
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from solver.problem.files import load
 from solver.problem.model import Problem
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
+from tests.helpers.tried import tried
 
 VALID = [
     "title: Servo\nparameters: {m: 1, k: 3/4}\nassume: {a: positive}\ndisplay: {decimals: 4}\n"
@@ -234,7 +235,7 @@ def _of_lines(draw, kind, text):
     return "\n".join(lines)
 
 
-@settings(max_examples=300)
+@tried(300)
 @given(mutations())
 @example(VALID[0].replace("[1, 0]", "[1, 0, 0]"))
 def test_any_mutation_of_a_valid_file_gives_a_problem_or_an_error(catalogue, text):

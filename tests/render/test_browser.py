@@ -27,7 +27,8 @@ FLAGS = (
     "--disable-sync",
     "--disable-extensions",
 )
-VIEWS = [(width, scheme) for width in (1280, 400) for scheme in ("light", "dark")]
+SWEEP = [pytest.param(view, marks=pytest.mark.slow) for view in ((1280, "dark"), (400, "light"), (400, "dark"))]
+VIEWS = [(1280, "light"), *SWEEP]
 
 FORMULAS = """() => [...document.querySelectorAll('math')].map(math => {
     const box = math.getBoundingClientRect();
@@ -174,6 +175,7 @@ def test_on_paper_steps_that_were_closed_are_open(visit: Visit) -> None:
     visit.page.evaluate("document.querySelectorAll('details').forEach(step => step.open = true)")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("problem", REAL)
 def test_real_solutions_with_every_arithmetic_step_fit_a_phone(browser: Any, tmp_path: Path, problem: str) -> None:
     path = tmp_path / "page.html"
@@ -205,6 +207,7 @@ answers:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [900, 400])
 @pytest.mark.parametrize("with_solution", [False, True])
 def test_a_sheet_of_marked_answers_fits_and_keeps_nobody_out(

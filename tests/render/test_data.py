@@ -8,14 +8,12 @@ from sympy.logic.boolalg import BooleanAtom
 
 from solver.derivation import Answers, Check, CheckStatus, PartResult, Status
 from solver.engine import Solution, solve_problem
-from solver.problem.files import load
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.render.data import as_data, render_json
-from solver.resources import root
 from solver.tasks import catalogue
+from tests.helpers.solved import EXAMPLES, by_problem, solution_of
 
-EXAMPLES = sorted((root("problems") / "examples").glob("*.yaml"))
 PROBLEM = "title: T\nsystem: {A: [[1, beta], [0, N]]}\nfind: {a: {task: characteristic_polynomial, marks: 3}}\n"
 
 
@@ -29,9 +27,9 @@ def with_result(**changes):
     return Solution(problem(), (PartResult(**{**result, **changes}),))
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(**by_problem(EXAMPLES))
 def test_every_answer_is_read_back_as_it_was(path):
-    solution = solve_problem(read_problem(load(path), catalogue()))
+    solution = solution_of(path)
     data = json.loads(render_json(solution))
     names = {name: sp.Symbol(name) for name in data["symbols"]}
     assert [part["id"] for part in data["parts"]] == [part.id for part in solution.parts]

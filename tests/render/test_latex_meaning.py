@@ -4,12 +4,13 @@ import re
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.render.latex import tex
 from solver.render.numbers import NumberFormat
 from tests.helpers.reading_latex import value_of
+from tests.helpers.tried import tried
 
 s, t, k, lamda, a, b, k_1 = sp.symbols("s t k lamda a b k_1")
 POINT = {s: 1.37, t: 0.61, k: 3.0, lamda: 2.21, a: 0.83, b: 1.9, k_1: 0.47}
@@ -65,7 +66,7 @@ expressions = (
 
 
 @pytest.mark.parametrize("numbers", FORMATS, ids=lambda numbers: numbers.mode)
-@settings(max_examples=80, deadline=None)
+@tried(80)
 @given(expression=expressions)
 def test_what_is_printed_means_what_it_was_printed_from(numbers, expression):
     expected = complex(expression.subs(POINT).evalf(30))
@@ -78,7 +79,7 @@ def test_what_is_printed_means_what_it_was_printed_from(numbers, expression):
 
 
 @pytest.mark.parametrize("numbers", FORMATS, ids=lambda numbers: numbers.mode)
-@settings(max_examples=80, deadline=None)
+@tried(80)
 @given(expression=expressions)
 def test_nothing_is_printed_that_no_person_would_write(numbers, expression):
     printed = tex(expression, numbers)

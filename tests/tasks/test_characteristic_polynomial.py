@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 
 from solver.derivation import Status
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 x = sp.Symbol("lamda")
 METHODS = ("determinant", "faddeev_leverrier")
@@ -29,7 +30,7 @@ def test_textbook_polynomials(rows, expected, method):
     assert sp.expand(result.answers["polynomial"] - expected) == 0
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(systems(6))
 def test_coefficients_are_numpys_and_the_methods_agree(A):
     polynomials = {ask("characteristic_polynomial", system(A), method).answers["polynomial"] for method in METHODS}

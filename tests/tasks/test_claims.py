@@ -26,8 +26,9 @@ PLANTS = {
     "discrete": whole([[0, 1], [-6, -5]], discrete=True),
     "discrete, complex": whole([[0, 1], [-2, 2]], discrete=True),
 }
+QUICK = {"distinct", "discrete, complex"}
 CASES = [
-    pytest.param(task, method, plant, id=f"{task}-{method}-{name}")
+    pytest.param(task, method, plant, id=f"{task}-{method}-{name}", marks=() if name in QUICK else pytest.mark.slow)
     for name, plant in PLANTS.items()
     for task, declared in catalogue().items()
     for method in declared.methods_for(plant.discrete)

@@ -5,13 +5,14 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import eigenvalues, jordan_block, unimodular
+from tests.helpers.tried import tried
 
 NOTE = system([[-2, -2, -2], [1, 0, 0], [1, 1, -1]], B=[1, 0, 0], C=[[1, 1, 0]])  # lecture note, 2.6 example 2
 TWO_INPUTS = system([[0, 1, 0], [0, 0, 1], [-1, -2, -1]], B=[[1, 0], [0, 1], [0, 0]], C=[[1, 0, 0], [0, 1, 0]])
@@ -42,7 +43,7 @@ def plants(draw):
 
 
 @given(plants())
-@settings(max_examples=20, deadline=None)
+@tried(20)
 def test_rank_and_hautus_agree_with_each_other_and_with_numpy(plant):
     by_rank, by_pbh = ask("controllability", plant, "rank"), ask("controllability", plant, "pbh")
     assert by_rank.status is by_pbh.status is Status.VERIFIED, (by_rank.reason, by_pbh.reason)
@@ -54,7 +55,7 @@ def test_rank_and_hautus_agree_with_each_other_and_with_numpy(plant):
 
 
 @given(plants())
-@settings(max_examples=15, deadline=None)
+@tried(15)
 def test_observability_is_controllability_of_the_transposed_plant(plant):
     dual = system(plant.A.T, B=plant.B[:, :1], C=plant.B.T)
     direct, turned = ask("controllability", plant), ask("observability", dual)

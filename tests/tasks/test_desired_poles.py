@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.problem.systems import NOTHING
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected
+from tests.helpers.tried import tried
 
 R = sp.Rational
 s = sp.Symbol("s")
@@ -33,7 +34,7 @@ def properties(zeta, omega):
     }
 
 
-@settings(max_examples=6)
+@tried(6)
 @given(st.floats(0.2, 0.8), st.floats(0.5, 5))
 def test_every_pair_gives_the_system_whose_simulated_response_has_these_values(zeta, omega):
     seen = properties(zeta, omega)

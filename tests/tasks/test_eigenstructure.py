@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 
 from solver.derivation import Status
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 I = sp.I
 
@@ -54,7 +55,7 @@ def test_a_matrix_with_parameters_keeps_them():
     assert set(result.answers["eigenvalues"]) == {a, b}
 
 
-@settings(max_examples=30)
+@tried(30)
 @given(systems(6))
 def test_random_jordan_structures(A):
     result = ask("eigenstructure", system(A))

@@ -3,12 +3,13 @@
 import numpy as np
 import scipy.linalg
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.systems import StateSpace
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 NAMES = ("null_space", "column_space", "row_space", "left_null_space")
 
@@ -26,7 +27,7 @@ def matrices(draw):
 
 
 @given(matrices())
-@settings(max_examples=25, deadline=None)
+@tried(25)
 def test_bases_span_what_scipys_span(M):
     result = ask("fundamental_subspaces", bare(M))
     assert result.status is Status.VERIFIED, result.reason

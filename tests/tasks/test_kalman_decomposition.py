@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Answers, CheckStatus, Status
 from solver.numeric.judges import structure as judges
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 TASK = "kalman_decomposition"
 COURSE = system([[-2, -2, -2], [1, 0, 0], [1, 1, -1]], B=[1, 0, 0], C=[[1, 1, 0]])
@@ -161,7 +162,7 @@ def another(draw, plant, result, part):
     }
 
 
-@settings(max_examples=12, deadline=None)
+@tried(12)
 @given(st.data(), st.sampled_from([COURSE, FOUR]), st.sampled_from(sorted(PARTS)))
 def test_any_other_right_decomposition_is_accepted_also_answer_by_answer(data, plant, part):
     answers = another(data.draw, plant, found(plant, part), part)

@@ -5,13 +5,14 @@ import json
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import solve_continuous_are
 
 from solver import solve
 from solver.derivation import Status
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 METHODS = ("riccati", "hamiltonian")
 I2 = sp.ImmutableMatrix(sp.eye(2))
@@ -217,7 +218,7 @@ def plants(draw):
     return A, B
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(plants())
 def test_random_plants_agree_with_scipy_by_both_methods(pair):
     A, B = pair

@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.problem.expressions import ExpressionError, Names, parse_expression
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 A, t, k = sp.symbols("A t k")
 IDENTITY = sp.Symbol("I")
@@ -106,7 +107,7 @@ def test_functions_that_do_not_exist_are_refused_in_words(rows, f, says):
     assert says in str(result.reason) or "not defined" in str(result.reason), result.reason
 
 
-@settings(max_examples=15)
+@tried(15)
 @given(systems(4), st.sampled_from([sp.exp(A), sp.sin(A), A**5, A**2 - 3 * IDENTITY]))
 def test_random_matrices_are_solved_by_cayley_hamilton(M, f):
     result = ask("matrix_function", system(M), "cayley_hamilton", function=f)

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.fractions_of_polynomials import fraction, numbers, plant, s, values
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 M = sp.Matrix
 DIAGONAL = system(sp.diag(-1, -2, -3, -4), B=[[1], [1], [0], [0]], C=[[1, 0, 1, 0]])
@@ -75,7 +76,7 @@ def ranks(A, B, C):
     return (see * reach).rank()
 
 
-@settings(max_examples=15)
+@tried(15)
 @given(systems(4), st.data(), st.integers(1, 2), st.integers(1, 2))
 def test_random_plants(A, data, m, p):
     entry = st.sampled_from([0, 0, 1, -1])

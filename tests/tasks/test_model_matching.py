@@ -2,13 +2,14 @@
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
 from solver.systems import TransferFunction
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 s = sp.Symbol("s")
 
@@ -53,7 +54,7 @@ def test_targets_out_of_reach(target, why):
     assert rejected("model_matching", COURSE, {"feasible": True}, target=target)
 
 
-@settings(max_examples=15)
+@tried(15)
 @given(
     st.lists(st.integers(-4, -1), min_size=0, max_size=2),
     st.lists(st.integers(-4, 3), min_size=2, max_size=4),

@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.signal import place_poles
 
@@ -12,6 +12,7 @@ from solver.derivation import Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 R, I = sp.Rational, sp.I
 METHODS = ["coefficient_matching", "bass_gura", "canonical_form", "ackermann"]
@@ -55,7 +56,7 @@ def test_the_gain_polynomial_of_the_course_example():
     assert answers["polynomial"] == s**2 + R(3, 4) * s + R(1, 8)
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(4), st.data())
 def test_every_method_gives_the_same_gain_of_one_output(A, data):
     n = A.rows
@@ -74,7 +75,7 @@ def test_every_method_gives_the_same_gain_of_one_output(A, data):
     assert sp.expand(results[0].answers["polynomial"] - wanted) == 0
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(4), st.data())
 def test_several_outputs_get_a_gain_of_rank_one_after_a_preliminary_one(A, data):
     n = A.rows

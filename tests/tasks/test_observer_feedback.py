@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
@@ -14,6 +14,7 @@ from solver.stated import Stated
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 R, I = sp.Rational, sp.I
 s = sp.Symbol("s")
@@ -127,7 +128,7 @@ def plants(draw):
     return system(A, B=B, C=C, D=D, discrete=draw(st.booleans()))
 
 
-@settings(max_examples=15)
+@tried(15)
 @given(plants(), st.booleans())
 def test_random_plants_are_closed_with_both_spectra(plant, reduced):
     n, p = plant.order, plant.C.rows

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver import solve
 from solver.derivation import Status
 from solver.problem.source import InputError
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 ONE = sp.ImmutableMatrix([[1]])
 SINGULAR = system([[0, 1], [0, -2]], B=[[0], [1]], C=[[1, 0]])
@@ -110,7 +111,7 @@ def test_right_answers_are_accepted_alone_and_wrong_ones_rejected(name):
         assert rejected("optimal_tracking", SINGULAR, {name: -value}, **ASKED)
 
 
-@settings(max_examples=10)
+@tried(10)
 @given(st.lists(st.integers(-3, 3), min_size=9, max_size=9), st.integers(1, 2))
 def test_the_loop_settles_at_the_reference(entries, m):
     A = sp.Matrix(2, 2, entries[:4])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
@@ -11,6 +11,7 @@ import solver
 from solver.derivation import Status
 from solver.problem.source import InputError
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 p, d = sp.symbols("p d", positive=True)
 KINDS = {
@@ -44,7 +45,7 @@ def test_every_other_kind_is_rejected(kind):
         assert rejected("phase_portrait", plant, {"kind": other}) == (other != kind)
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(st.lists(st.integers(-3, 3), min_size=4, max_size=4))
 def test_numpys_eigenvalues_are_of_the_kind(entries):
     A = np.array(entries, dtype=float).reshape(2, 2)

@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Claim, Status
@@ -13,6 +13,7 @@ from solver.numeric import check_claim
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 ONE_INPUT = ("coefficient_matching", "bass_gura", "canonical_form", "ackermann", "unity_rank")
 I = sp.I
@@ -48,7 +49,7 @@ def test_gains_of_the_course(A, B, poles, K, method):
         assert result.answers["K"] == sp.ImmutableMatrix(K)
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(6), st.data())
 def test_all_methods_agree_with_each_other_and_with_python_control(A, data):
     n = A.rows
@@ -65,7 +66,7 @@ def test_all_methods_agree_with_each_other_and_with_python_control(A, data):
         assert np.allclose(ours, np.asarray(peer).reshape(1, n), rtol=1e-4, atol=1e-4 * np.abs(ours).max())
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(5), st.integers(2, 3), st.data())
 def test_several_inputs_are_placed_whatever_the_jordan_structure(A, m, data):
     n = A.rows
@@ -122,7 +123,7 @@ def test_a_hidden_mode_must_be_among_the_poles(method):
     assert "-2" in str(result.reason)
 
 
-@settings(max_examples=10)
+@tried(10)
 @given(systems(3), systems(2), st.data())
 def test_hidden_parts_of_any_structure_stay_where_they_are(movable, hidden, data):
     r, h = movable.rows, hidden.rows

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.fractions_of_polynomials import fraction, plant, s, values, z
+from tests.helpers.tried import tried
 
 FORMS = ("controllable", "observable", "diagonal", "jordan", "modal")
 COURSE = plant(2 * s**3 + 5 * s**2 + 3 * s + 1, 4 * s**4 + 2 * s**2 + 3 * s + 6)
@@ -195,7 +196,7 @@ def fractions(draw):
     return plant(top, bottom)
 
 
-@settings(max_examples=15)
+@tried(15)
 @given(fractions(), st.sampled_from(FORMS), st.booleans())
 def test_every_form_of_every_fraction(G, form, other):
     companion = form in ("controllable", "observable")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
@@ -12,6 +12,7 @@ from solver.derivation import Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 I, R, M = sp.I, sp.Rational, sp.Matrix
 COMPANION = [[0, 1, 0], [0, 0, 1], [-4, -4, -1]]
@@ -136,7 +137,7 @@ def observed_plants(draw):
     return system(A, B=B, C=C, discrete=draw(st.booleans()))
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(observed_plants(), st.booleans())
 def test_random_plants_are_solved_or_refused_for_a_reason(plant, paired):
     n, p = plant.order, plant.C.rows

@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
@@ -12,6 +12,7 @@ from solver.exact import reachable_order
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 SERVO = system([[0, 1], [-2, -3]], B=[0, 1], C=[[1, 0]])
 
@@ -61,7 +62,7 @@ def test_a_given_gain_is_kept():
     assert "closed_loop" not in [step.kind for step in result.steps], "the gain is no closed loop to start from"
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(4), st.data())
 def test_random_plants_with_as_many_outputs_as_inputs(A, data):
     n = A.rows

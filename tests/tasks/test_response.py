@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
@@ -13,6 +13,7 @@ from solver.derivation import CheckStatus, Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 t, k = sp.symbols("t k")
 e, half = sp.exp, sp.Rational(1, 2)
@@ -215,7 +216,7 @@ def test_an_integrator_with_a_fading_input_has_a_limit():
 INPUTS = [sp.Integer(1), t, e(-t), e(t), sp.sin(2 * t), t * e(-t), e(-2 * t) * sp.cos(t), t**2, sp.DiracDelta(t)]
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(3), st.sampled_from(INPUTS), st.booleans())
 def test_random_systems_agree_with_the_differential_equation_solved_by_scipy(A, u, moving):
     n = A.rows
@@ -240,7 +241,7 @@ def test_random_systems_agree_with_the_differential_equation_solved_by_scipy(A, 
 SEQUENCES = [sp.Integer(1), k, half**k, k * half**k, sp.DiracDelta(k), step(k - 2), sp.cos(sp.pi * k / 2), (-1) ** k]
 
 
-@settings(max_examples=8)
+@tried(8)
 @given(systems(3), st.sampled_from(SEQUENCES), st.booleans())
 def test_random_discrete_systems_follow_the_recursion(A, u, moving):
     n = A.rows

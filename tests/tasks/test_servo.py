@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Status
@@ -12,6 +12,7 @@ from solver.exact import reachable_order
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 METHODS = ("coefficient_matching", "bass_gura", "canonical_form", "ackermann", "unity_rank")
 PLANT = system([[0, 1], [-2, -3]], B=[0, 1], C=[[1, 0]])
@@ -45,7 +46,7 @@ def test_the_error_vanishes_for_a_plant_that_is_not_quite_the_one_assumed():
     assert control.dcgain(closed) == pytest.approx(1)
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(4), st.data())
 def test_random_plants_have_the_poles_or_a_zero_at_the_origin(A, data):
     n = A.rows

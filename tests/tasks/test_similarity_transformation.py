@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 
 from solver.derivation import Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems, unimodular
+from tests.helpers.tried import tried
 
 M = sp.Matrix
 PLANT = system([[0, 1], [-2, -3]], B=[[0], [1]], C=[[1, 0]])
@@ -38,7 +39,7 @@ def test_parameters():
     assert (T * result.answers["A"] - PLANT.A * T).applyfunc(sp.cancel) == sp.zeros(2)
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(3).flatmap(lambda A: unimodular(A.rows).map(lambda T: (A, T))))
 def test_random_transformations(pair):
     A, T = pair

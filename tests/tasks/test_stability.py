@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import solver
@@ -11,6 +11,7 @@ from solver.derivation import Status
 from solver.problem.source import InputError
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 STABLE, MARGINAL, UNSTABLE = "asymptotically stable", "marginally stable", "unstable"
 METHODS = ("eigenvalues", "lyapunov", "routh")
@@ -71,7 +72,7 @@ def test_verdicts(rows, verdict, discrete, method):
     assert result.answers["verdict"] == verdict
 
 
-@settings(max_examples=25)
+@tried(25)
 @given(systems(4), st.sampled_from(METHODS), st.booleans())
 def test_numpy_agrees_away_from_the_boundary(A, method, discrete):
     excess = [abs(v) - 1 if discrete else v.real for v in np.linalg.eigvals(np.array(A, dtype=float))]

@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 k, a, b = sp.symbols("k a b", real=True)
 p, d, m = sp.symbols("p d m", positive=True)
@@ -152,7 +153,7 @@ def test_a_condition_on_something_else_is_rejected():
     assert rejected("stability_range", system(companion(2, 1, k)), {"condition": (a > 0) & (a < 2)})
 
 
-@settings(max_examples=20)
+@tried(20)
 @given(st.lists(st.integers(-3, 3), min_size=4, max_size=4), st.lists(st.integers(-2, 2), min_size=4, max_size=4),
        st.booleans())  # fmt: skip
 def test_random_pencils_are_verified_and_agree(constant, slope, discrete):

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from solver.derivation import CheckStatus, Status
 from tests.helpers.asking import ask, at, rejected, system
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 t, k = sp.symbols("t k")
 e = sp.exp
@@ -74,7 +75,7 @@ def test_both_conventions_of_the_modal_matrix(convention):
         assert A * sp.Matrix(modal) == sp.Matrix(modal) * Lambda
 
 
-@settings(max_examples=30)
+@tried(30)
 @given(systems(6))
 def test_all_methods_agree_exactly_and_with_scipy(A):
     plant = system(A)
@@ -91,7 +92,7 @@ def test_all_methods_agree_exactly_and_with_scipy(A):
         assert np.abs(at(solved[0].answers["Phi"], t=time) - expected).max() <= 1e-9 * scale
 
 
-@settings(max_examples=15)
+@tried(15)
 @given(systems(5))
 def test_discrete_methods_agree_exactly_and_with_matrix_powers(A):
     plant = system(A, discrete=True)
@@ -105,7 +106,7 @@ def test_discrete_methods_agree_exactly_and_with_matrix_powers(A):
         assert np.abs(difference).max() <= 1e-9 * max(1.0, np.abs(np.array(A**step, dtype=float)).max())
 
 
-@settings(max_examples=20)
+@tried(20)
 @given(systems(4, defective=False), st.sampled_from(["right", "left"]))
 def test_the_modal_method_solves_every_diagonalizable_system(A, convention):
     result = ask("state_transition_matrix", system(A), "modal", convention=convention)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.signal import ss2tf
 
@@ -11,6 +11,7 @@ from solver.derivation import CheckStatus, Status
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.fractions_of_polynomials import plant, s, z
 from tests.helpers.strategies import systems
+from tests.helpers.tried import tried
 
 METHODS = ("adjugate", "faddeev_leverrier")
 M = sp.Matrix
@@ -103,7 +104,7 @@ def test_a_path_without_states_in_it_is_zero():
     assert result.status is Status.VERIFIED, result.reason
 
 
-@settings(max_examples=12)
+@tried(12)
 @given(systems(4), st.data())
 def test_scipy_finds_the_same_coefficients(A, data):
     n = A.rows
@@ -122,7 +123,7 @@ def test_scipy_finds_the_same_coefficients(A, data):
         assert len(result.answers["poles"]) + len(result.answers["cancelled"]) == n
 
 
-@settings(max_examples=8)
+@tried(8)
 @given(systems(3), st.data())
 def test_transfer_matrices_of_random_plants(A, data):
     n, small = A.rows, st.integers(-2, 2)

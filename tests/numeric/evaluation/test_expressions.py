@@ -5,10 +5,11 @@ import math
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.numeric import NotEvaluable, Undefined, evaluate
+from tests.helpers.tried import tried
 
 a, b, t, s = sp.symbols("a b t s")
 POINT = {a: 1.375, b: -0.625, t: 0.5, s: complex(-0.75, 1.25)}
@@ -61,7 +62,7 @@ def _expressions():
     return st.recursive(atoms, grow, max_leaves=10)
 
 
-@settings(max_examples=150, deadline=None)
+@tried(150)
 @given(_expressions())
 def test_random_expressions_have_the_value_sympy_gives_them(expression):
     exact = expression.subs(EXACT)

@@ -1,0 +1,31 @@
+"""The problems in problems/, each solved once in a process whichever tests want its solution."""
+
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from solver.engine import Solution, solve_problem
+from solver.problem.files import load
+from solver.problem.reader import read_problem
+from solver.resources import root
+from solver.tasks import catalogue
+
+PROBLEMS = sorted(path for path in root("problems").rglob("*.yaml") if not path.name.endswith(".answers.yaml"))
+EXAMPLES = [path for path in PROBLEMS if path.parent.name == "examples"]
+
+
+@cache
+def solution_of(path: Path) -> Solution:
+    """The solution of the problem in a file."""
+    return solve_problem(read_problem(load(path), catalogue()))
+
+
+def by_problem(paths: Iterable[Path], quick: Iterable[Path] | None = None) -> dict[str, list]:
+    """`path` for parametrize: what is asked of one problem runs in one worker; only `quick` ones run in `make test`."""
+    paths, quick = list(paths), set(paths if quick is None else quick)
+    groups = {path: pytest.mark.xdist_group(path.stem) for path in paths}
+    slow = {path: () if path in quick else (pytest.mark.slow,) for path in paths}
+    values = [pytest.param(path, marks=(groups[path], *slow[path]), id=path.stem) for path in paths]
+    return {"argnames": "path", "argvalues": values}

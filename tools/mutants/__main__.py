@@ -1,0 +1,90 @@
+"""`python -m tools.mutants [PATH ...]`: how many slips the tests of their rooms see, and which they do not."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import subprocess
+import sys
+import time
+import tomllib
+from collections import Counter, defaultdict
+from collections.abc import Iterable
+from pathlib import Path
+
+from tools.mutants.operators import Mutant, mutants_of
+from tools.mutants.reached import FOLDER, ROOT, read
+from tools.mutants.running import outcomes, room_of
+
+EQUIVALENTS = Path(__file__).with_name("equivalents.toml")
+LOST = ("survived", "not reached")
+
+
+def candidates(paths: Iterable[Path]) -> list[Mutant]:
+    """All slips in these files and folders but the ones that are known to change nothing."""
+    excused = {tuple(each[name] for name in ("file", "function", "before", "after")) for each in equivalents()}
+    files = [file for path in paths for file in (sorted(path.rglob("*.py")) if path.is_dir() else [path])]
+    found = [mutant for file in files for mutant in mutants_of(file, ROOT)]
+    return [each for each in found if (each.file, each.function, each.before, each.after) not in excused]
+
+
+def equivalents() -> list[dict[str, str]]:
+    """The slips that no test can see, each with its reason."""
+    listed: list[dict[str, str]] = tomllib.loads(EQUIVALENTS.read_text(encoding="utf-8")).get("equivalent", [])
+    return listed
+
+
+def sample(mutants: list[Mutant], number: int, seed: int) -> list[Mutant]:
+    """So many of them; the same ones as long as what they change is there."""
+    return sorted(mutants, key=lambda each: hashlib.sha256(f"{seed} {each.key}".encode()).digest())[:number]
+
+
+def record(paths: list[str]) -> None:
+    """Run the quick tests once to see which lines they run."""
+    command = [sys.executable, "-m", "pytest", "-q", "-n", "2", "-m", "not slow", "-p", "tools.mutants.reached", *paths]
+    subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr)
+
+
+def table(found: dict[str, Counter[str]]) -> str:
+    """The counts by room."""
+    lines = [f"{'room':<14}{'slips':>7}{'killed':>8}{'timed out':>11}{'survived':>10}{'not reached':>13}{'seen':>7}"]
+    for room in [*sorted(found), "all"]:
+        counts = sum(found.values(), Counter()) if room == "all" else found[room]
+        lost = sum(counts[word] for word in LOST)
+        row = [counts.total(), counts["killed"], counts["timed out"], counts["survived"], counts["not reached"]]
+        widths = (7, 8, 11, 10, 13)
+        cells = "".join(f"{value:>{width}}" for value, width in zip(row, widths, strict=True))
+        lines.append(f"{room:<14}{cells}{1 - lost / max(1, counts.total()):>7.0%}")
+    return "\n".join(lines)
+
+
+def main() -> int:
+    """Run the command; 1 if fewer are seen than asked for."""
+    parser = argparse.ArgumentParser(prog="python -m tools.mutants", description=__doc__)
+    parser.add_argument("paths", nargs="*", type=Path, default=[ROOT / "solver"], help="files and folders of solver/")
+    parser.add_argument("--sample", type=int, default=60, help="how many slips are made (60)")
+    parser.add_argument("--seed", type=int, default=1, help="which ones (1)")
+    parser.add_argument("--lanes", type=int, default=2, help="how many at the same time (2)")
+    parser.add_argument("--least", type=float, default=0.0, help="the share that must be seen, e.g. 0.9")
+    parser.add_argument(
+        "--record", nargs="*", metavar="TESTS", help="run these tests first to see which lines they run"
+    )
+    options = parser.parse_args()
+    if options.record is not None or not FOLDER.exists():
+        record(options.record or ["tests"])
+    chosen = sample(candidates(path.resolve() for path in options.paths), options.sample, options.seed)
+    found: dict[str, Counter[str]] = defaultdict(Counter)
+    start = time.monotonic()
+    for mutant, outcome in outcomes(chosen, read(), options.lanes):
+        found[room_of(mutant)][outcome] += 1
+        if outcome in LOST:
+            where = f"{mutant.file}:{mutant.line} {mutant.function}"
+            print(f"{outcome}: {where}: {mutant.before!r} -> {mutant.after!r} ({mutant.kind})", flush=True)
+    print(table(found))
+    print(f"{len(chosen)} slips in {time.monotonic() - start:.0f} s")
+    total = sum(found.values(), Counter())
+    return int(sum(total[word] for word in LOST) > (1 - options.least) * total.total())
+
+
+if __name__ == "__main__":
+    sys.exit(main())

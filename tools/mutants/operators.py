@@ -1,0 +1,130 @@
+"""The slips: what can be changed in a file by a sign, a word, a number, or the order of two arguments."""
+
+from __future__ import annotations
+
+import ast
+import copy
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
+    ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
+}  # fmt: skip
+SYMMETRIC = frozenset("isinstance issubclass zip max min gcd lcm getattr hasattr setattr cast TypeVar".split())
+"""Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
+UNSEEN_KEYWORDS = frozenset("strict maxsize slots frozen kw_only stacklevel".split())
+"""Keywords that guard or make faster what is right without them."""
+WORDS = (ast.List, ast.Tuple, ast.ListComp, ast.JoinedStr, ast.Dict, ast.Set)
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One slip: the text of an expression in a function of a file, and what stands there instead."""
+
+    file: str
+    function: str
+    kind: str
+    line: int
+    last_line: int
+    start: int
+    end: int
+    before: str
+    after: str
+
+    @property
+    def key(self) -> str:
+        """A number that depends on what is changed, not on where it stands: a sample keeps its members."""
+        text = "\n".join((self.file, self.function, self.kind, self.before, self.after))
+        return hashlib.sha256(text.encode()).hexdigest()
+
+    def applied(self, source: bytes) -> bytes:
+        """The file with the slip in it."""
+        return source[: self.start] + self.after.encode() + source[self.end :]
+
+
+def mutants_of(path: Path, root: Path) -> Iterator[Mutant]:
+    """Yield every slip that can be made in a file."""
+    source = path.read_bytes()
+    starts = [0]
+    for line in source.splitlines(keepends=True):
+        starts.append(starts[-1] + len(line))
+    for function, node in _expressions(ast.parse(source), ""):
+        start = starts[node.lineno - 1] + node.col_offset
+        end = starts[(node.end_lineno or node.lineno) - 1] + (node.end_col_offset or 0)
+        before = source[start:end].decode()
+        for kind, changed in _changes(node):
+            last_line = node.end_lineno or node.lineno
+            after = f"({ast.unparse(changed)})" if kind != "constant" else ast.unparse(changed)
+            name = path.relative_to(root).as_posix()
+            yield Mutant(name, function, kind, node.lineno, last_line, start, end, before, after)
+
+
+def _expressions(node: ast.AST, function: str) -> Iterator[tuple[str, ast.expr]]:
+    """Walk through what is computed, with the name of the function around it: no annotations, decorators, texts."""
+    for field, value in ast.iter_fields(node):
+        if field in {"annotation", "returns", "decorator_list", "type_params"}:
+            continue
+        for child in value if isinstance(value, list) else [value]:
+            if not isinstance(child, ast.AST) or _is_only_typing(child) or isinstance(child, ast.JoinedStr):
+                continue
+            if isinstance(child, ast.keyword) and child.arg in UNSEEN_KEYWORDS:
+                continue
+            inside = function
+            if isinstance(child, (ast.FunctionDef, ast.ClassDef)):
+                inside = f"{function}.{child.name}".lstrip(".")
+            if isinstance(child, ast.expr):
+                yield inside, child
+            yield from _expressions(child, inside)
+
+
+def _is_only_typing(node: ast.AST) -> bool:
+    if isinstance(node, ast.If) and isinstance(node.test, ast.Name):
+        return node.test.id == "TYPE_CHECKING"
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "cast"
+
+
+def _changes(node: ast.expr) -> Iterator[tuple[str, ast.expr]]:
+    match node:
+        case ast.BinOp(left, ast.Add() | ast.Sub() as op, right) if not _is_text(left) and not _is_text(right):
+            yield "sign", ast.BinOp(left, ast.Sub() if isinstance(op, ast.Add) else ast.Add(), right)
+            yield "dropped term", left
+        case ast.BinOp(left, ast.Mult(), right) if not _is_text(left) and not _is_text(right):
+            yield "dropped term", left
+            yield "dropped term", right
+        case ast.UnaryOp(ast.USub(), operand) if not isinstance(operand, ast.Constant):
+            yield "sign", operand
+        case ast.UnaryOp(ast.USub(), ast.Constant(int() as value)):
+            yield "constant", ast.Constant(value)
+        case ast.UnaryOp(ast.Not(), operand):
+            yield "negation", operand
+        case ast.BoolOp(op, values):
+            yield "and/or", ast.BoolOp(ast.Or() if isinstance(op, ast.And) else ast.And(), values)
+            for i in range(len(values)):
+                rest = values[:i] + values[i + 1 :]
+                yield "dropped term", ast.BoolOp(op, rest) if len(rest) > 1 else rest[0]
+        case ast.Compare(left, [op], [right]):
+            yield "comparison", ast.Compare(left, [COMPARISONS[type(op)]()], [right])
+        case ast.Constant(bool() as value):
+            yield "constant", ast.Constant(not value)
+        case ast.Constant(int() as value):
+            yield "constant", ast.Constant(value + 1)
+        case ast.Call(function, [first, second, *rest]) if _is_ordered(function, first, second):
+            swapped = copy.copy(node)
+            swapped.args = [second, first, *rest]
+            yield "swapped argument", swapped
+
+
+def _is_text(node: ast.expr) -> bool:
+    """Whether an operand is a text or a collection: what is joined to it is no term."""
+    if isinstance(node, ast.BinOp):
+        return _is_text(node.left) or _is_text(node.right)
+    return isinstance(node, WORDS) or (isinstance(node, ast.Constant) and isinstance(node.value, str))
+
+
+def _is_ordered(function: ast.expr, first: ast.expr, second: ast.expr) -> bool:
+    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
+    plain = not isinstance(first, ast.Starred) and not isinstance(second, ast.Starred)
+    return plain and name not in SYMMETRIC and ast.dump(first) != ast.dump(second)

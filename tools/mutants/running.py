@@ -1,0 +1,148 @@
+"""Running the tests that could see a slip: each in a process forked from one that has read the libraries already."""
+
+from __future__ import annotations
+
+import importlib
+import multiprocessing
+import os
+import resource
+import shutil
+import signal
+import sys
+import tempfile
+import time
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from multiprocessing.connection import wait
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tools.mutants.operators import Mutant
+from tools.mutants.reached import ROOT, Reached
+
+COPIED = ("solver", "templates", "problems", "tests", "tools", "docs", "pyproject.toml")
+LIBRARIES = ("sympy", "numpy", "scipy.linalg", "mpmath", "hypothesis", "pydantic", "jinja2", "control")
+BUDGET = 15.0
+"""So many seconds of tests are run for one slip, the quickest first, each test function before its next case."""
+FORK = multiprocessing.get_context("fork")
+NO_TESTS = int(pytest.ExitCode.NO_TESTS_COLLECTED)
+
+
+def room_of(mutant: Mutant) -> str:
+    """The folder of the program (or the file beside them) that the slip is in."""
+    return Path(mutant.file).parts[1].removesuffix(".py")
+
+
+def tests_for(mutant: Mutant, reached: Reached) -> list[str]:
+    """The tests of its room that run the line (where it runs on import, the file), and then their neighbours."""
+    folder = ROOT / "tests" / room_of(mutant)
+    own = f"tests/{room_of(mutant)}/" if folder.is_dir() else "tests/"
+    direct = reached.tests_of(mutant.file, mutant.line, mutant.last_line) or reached.tests_of_file(mutant.file)
+    direct = {test for test in direct if test.startswith(own)}
+    files = {test.partition("::")[0] for test in direct}
+    beside = {test for test in reached.seconds if test.partition("::")[0] in files} - direct
+    chosen, spent = [], 0.0
+    for test in [*_one_of_each_first(direct, reached), *_one_of_each_first(beside, reached)]:
+        spent += reached.seconds[test]
+        if spent > BUDGET and chosen:
+            break
+        chosen.append(test)
+    return chosen
+
+
+def _one_of_each_first(tests: Iterable[str], reached: Reached) -> list[str]:
+    """Quickest first; the first case of every function before the second of any."""
+    seen: dict[str, int] = defaultdict(int)
+    turns = []
+    for test in sorted(tests, key=lambda test: (reached.seconds[test], test)):
+        function = test.partition("[")[0]
+        turns.append((seen[function], reached.seconds[test], test))
+        seen[function] += 1
+    return [test for _, _, test in sorted(turns)]
+
+
+class Chosen:
+    """A plugin for pytest: only these tests, in this order."""
+
+    def __init__(self, tests: Sequence[str]) -> None:
+        self.order = {test: i for i, test in enumerate(tests)}
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        """Leave what was chosen."""
+        items[:] = sorted(
+            (item for item in items if item.nodeid in self.order), key=lambda item: self.order[item.nodeid]
+        )
+
+
+def outcomes(mutants: Sequence[Mutant], reached: Reached, lanes: int) -> Iterator[tuple[Mutant, str]]:
+    """Yield each slip with what became of it: killed, timed out, survived, or not reached by any test."""
+    for library in LIBRARIES:
+        importlib.import_module(library)
+    with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
+        free = [_copy(Path(folder) / str(i)) for i in range(lanes)]
+        waiting = [(mutant, tests_for(mutant, reached)) for mutant in reversed(mutants)]
+        running: dict[int, tuple[Any, Mutant, Path, float]] = {}
+        while waiting or running:
+            while waiting and free:
+                mutant, tests = waiting.pop()
+                if not tests:
+                    yield mutant, "not reached"
+                    continue
+                seconds = 30 + 5 * sum(reached.seconds[test] for test in tests)
+                lane = free.pop()
+                process = FORK.Process(target=_try, args=(mutant, tests, lane, int(seconds)))
+                process.start()
+                running[process.sentinel] = (process, mutant, lane, time.monotonic() + 4 * seconds)
+            wait(list(running), timeout=1)
+            for sentinel, (process, mutant, lane, end) in list(running.items()):
+                if process.exitcode is None and time.monotonic() < end:
+                    continue
+                yield mutant, _ended(process)
+                del running[sentinel]
+                free.append(lane)
+
+
+def _ended(process: Any) -> str:
+    """What a finished process says; one that goes on is ended, with what it started."""
+    code = process.exitcode
+    if code is None:
+        os.killpg(process.pid, signal.SIGKILL)
+    process.join()
+    if code is None or code == -signal.SIGXCPU:
+        return "timed out"
+    return {0: "survived", NO_TESTS: "not reached"}.get(code, "killed")
+
+
+def _copy(lane: Path) -> Path:
+    """A tree of its own, whose compiled files stay true: a slip has a time stamp of its own."""
+    lane.mkdir()
+    for name in COPIED:
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, lane / name)
+        else:
+            shutil.copy2(ROOT / name, lane / name)
+    return lane
+
+
+def _try(mutant: Mutant, tests: Sequence[str], lane: Path, seconds: int) -> None:
+    """In the child: make the slip, run the tests, undo it; the exit code is pytest's."""
+    os.setsid()
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
+    silence = os.open(os.devnull, os.O_RDWR)
+    for stream in (0, 1, 2):
+        os.dup2(silence, stream)
+    os.chdir(lane)
+    os.environ.update(PYTHONPATH=str(lane), CI="true")
+    sys.path.insert(0, str(lane))
+    sys.dont_write_bytecode = True
+    for name in [name for name in sys.modules if name.partition(".")[0] in {"solver", "tests"}]:
+        del sys.modules[name]
+    (lane / mutant.file).write_bytes(mutant.applied((ROOT / mutant.file).read_bytes()))
+    os.utime(lane / mutant.file, (0, int(mutant.key[:7], 16)))
+    files = sorted({test.partition("::")[0] for test in tests})
+    options = ["-x", "-q", "--tb=no", "-p", "no:cacheprovider", "-p", "no:faulthandler", "--rootdir", str(lane)]
+    options += ["--hypothesis-profile", "mutants"]
+    code = pytest.main([*options, *files], plugins=[Chosen(tests)])
+    os._exit(int(code))
