@@ -88,7 +88,8 @@ class LatexWriter(Visitor[str]):
     def table(self, node: Table) -> str:
         aligned = node.environment == "aligned"
         between = " &" if aligned else " & "
-        lines = [between.join(cell.accept(self) for cell in row).strip() for row in node.rows]
+        lines = [between.join(cell.accept(self) for cell in row) for row in node.rows]
+        lines = [line.lstrip() if row[-1].items else line.strip() for line, row in zip(lines, node.rows, strict=True)]
         for index in node.rules:
             lines[index : index + 1] = [_joined(r"\hline ", *lines[index : index + 1])]
         columns = f"{{{node.columns}}}" if node.columns else ""

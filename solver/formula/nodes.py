@@ -14,14 +14,14 @@ from typing import Generic, TypeVar
 T = TypeVar("T")
 
 
-class Node(ABC):
+class Node:
     """A part of a formula."""
 
     __slots__ = ()
 
-    @abstractmethod
     def accept(self, visitor: Visitor[T]) -> T:
-        """Return what the visitor makes of this node."""
+        """Return what the visitor makes of this node; each kind calls its own method of the visitor."""
+        raise NotImplementedError
 
 
 @dataclass(frozen=True, slots=True)

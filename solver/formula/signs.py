@@ -10,10 +10,10 @@ _ENDS_OPERAND = CLOSING | {"!", "|"}
 
 
 class Signs:
-    """Looks at the items of one row from left to right."""
+    """Looks at the items of one row from left to right; one that goes on from before has `begun`."""
 
-    def __init__(self) -> None:
-        self.begun = False
+    def __init__(self, begun: bool = False) -> None:
+        self.begun = begun
         self.last: Node | None = None  # that is no space
 
     def is_prefix(self, item: Node) -> bool:

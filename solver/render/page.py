@@ -15,7 +15,8 @@ from markupsafe import Markup
 from solver import __version__, resources
 from solver.derivation import CheckStatus
 from solver.derivation.figures import Figure
-from solver.render.mathml import MathError, formula
+from solver.formula import MathProblem
+from solver.formula.mathml import mathml
 from solver.render.prose import inline_html, to_html
 from solver.render.view import CheckRow, PartView, SolutionView
 
@@ -61,9 +62,9 @@ def _style(templates: Path | None) -> Markup:
 def drawn(latex: str, display: bool) -> str:
     """Return a formula as MathML in its box; LaTeX that cannot be drawn is shown as it stands, and marked."""
     try:
-        markup, width = formula(latex, display)
-    except MathError as error:
-        return f'<code class="not-drawn" title="{escape(str(error))}">{escape(latex)}</code>'
+        markup, width = mathml(latex, display)
+    except MathProblem as error:
+        return f'<code class="not-drawn" title="{escape(error.message)}">{escape(latex)}</code>'
     kinds = ["display" if display else "inline", *_size(width)]
     reach = ' tabindex="0" role="group" aria-label="Formula"' if width > NARROW else ""
     if not display and not reach:

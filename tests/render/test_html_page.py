@@ -140,7 +140,7 @@ def test_all_formulas_of_the_sample_are_drawn(page: str) -> None:
 
 def test_a_formula_that_cannot_be_drawn_is_shown_as_it_stands_and_marked() -> None:
     shown = drawn(r"\foo<b>", False)
-    assert shown.startswith('<code class="not-drawn" title="the command \\foo is not known">')
+    assert shown.startswith('<code class="not-drawn" title="\\foo is not known in formulas here">')
     assert r"\foo&lt;b&gt;</code>" in shown
 
 
