@@ -16,6 +16,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from pickle import PickleError
 from pkgutil import iter_modules
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 try:
@@ -27,6 +28,7 @@ from solver.derivation import PartResult, Status
 from solver.imports import postpone
 from solver.lazy import exact, numeric
 from solver.numeric import judges
+from solver.numeric.evaluation import operations
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -159,10 +161,15 @@ def load_algebra() -> None:
 def load_all_algebra() -> None:
     """Import what any problem may need, once for several problems."""
     load_algebra()
-    topics = [import_module(f"{judges.__name__}.{each.name}") for each in iter_modules(judges.__path__)]
+    topics, _ = _modules_of(judges), _modules_of(operations)
     for package in (exact, numeric, *topics):
         for name in package.__all__:
             getattr(package, name)
+
+
+def _modules_of(package: ModuleType) -> list[ModuleType]:
+    """Import all modules of a package."""
+    return [import_module(f"{package.__name__}.{each.name}") for each in iter_modules(package.__path__)]
 
 
 def _guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[Outcome, bool]:

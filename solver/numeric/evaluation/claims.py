@@ -11,30 +11,16 @@ import numpy as np
 from solver.derivation import Check, CheckStatus, Claim, Step
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic
 from solver.numeric.evaluation.compare import TOLERANCE, Point, worst_residual
-from solver.numeric.evaluation.contour import REACH
 from solver.numeric.evaluation.environment import Environment, Environments
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import PointSource, first_points, free_symbols, whole_symbols
-from solver.numeric.evaluation.poles import circle_around_poles
+from solver.numeric.evaluation.stated import Oracle, about
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined, Value
 from solver.stated import Stated
 
 POINTS = 3
 POINTS_OF_WHOLE_NUMBERS = 5
 REDRAWS = 10
-
-ORACLES = (
-    ("inverse_laplace", "contour integral"),
-    ("inverse_z", "contour integral"),
-    ("integral", "Gauss–Legendre quadrature"),
-    ("derivative", "Cauchy's integral formula"),
-    ("exponential", "scipy.linalg.expm"),
-    ("inverse", "numpy.linalg.inv"),
-    ("adjugate", "numpy.linalg.det"),
-    ("determinant", "numpy.linalg.det"),
-    ("rank", "numpy.linalg.svd"),
-)
-"""Names of the oracle by the operation claimed, the most telling first."""
 
 
 def check_steps(steps: Iterable[Step], *, integers: frozenset[str] = frozenset()) -> tuple[Check, ...]:
@@ -97,8 +83,8 @@ def check_residual(
 def oracle_of(claim: Claim) -> str:
     """Return the name of what evaluates the claim."""
     stated = [node for side in (claim.left, claim.right) for node in nodes_of_stated(side)]
-    used = {formula.operation for formula in stated}
-    return next((name for operation, name in ORACLES if operation in used), "random points")
+    oracles = [about(operation, "ORACLE") for operation in {formula.operation for formula in stated}]
+    return max((each for each in oracles if each), default=Oracle(0, "random points")).name
 
 
 def nodes_of_stated(formula: Any) -> Iterable[Stated]:
@@ -120,30 +106,28 @@ def claim_residual(
     whole = whole_symbols(left, right, names=integers, symbols=symbols) & symbols if symbols else symbols
     wanted = (POINTS_OF_WHOLE_NUMBERS if whole else POINTS) if symbols else 1
     stated = [formula for side in (left, right) for formula in nodes_of_stated(side)]
-    transforms = [formula for formula in stated if formula.operation == "inverse_laplace"]
+    limited = [formula for formula in stated if about(formula.operation, "reach")]
     known = environments or Environments()
 
     def sides(points: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
         environment = known.at(points, arithmetic)
         return value_of(left, environment), value_of(right, environment)
 
-    points = _in_reach(first_points(symbols, whole, wanted), transforms)
+    points = _in_reach(first_points(symbols, whole, wanted), limited)
     try:
         return worst_residual(sides, points)
     except Undefined:
         source = PointSource(symbols, whole)
         source.several(wanted)
-        return _point_by_point(sides, source, transforms, points)
+        return _point_by_point(sides, source, limited, points)
 
 
-def _point_by_point(
-    sides: Any, source: PointSource, transforms: list[Stated], points: list[Point]
-) -> tuple[float, int]:
+def _point_by_point(sides: Any, source: PointSource, limited: list[Stated], points: list[Point]) -> tuple[float, int]:
     """Return what worst_residual does, with other points for those at which a side has no value."""
     results: list[tuple[float, int]] = []
     candidates = [*points, *(None for _ in range(REDRAWS if source.symbols else 0))]
     for candidate in candidates:
-        point = candidate if candidate is not None else _in_reach([source.draw()], transforms)[0]
+        point = candidate if candidate is not None else _in_reach([source.draw()], limited)[0]
         try:
             results.append(worst_residual(sides, [point]))
         except Undefined as undefined:
@@ -155,15 +139,14 @@ def _point_by_point(
     return max(residual for residual, _ in results), max(digits for _, digits in results)
 
 
-def _in_reach(points: Sequence[Point], transforms: list[Stated]) -> list[Point]:
-    """Scale t so that the inversion integrals keep their digits: radius · t between 0.4 and REACH."""
-    if not transforms:
+def _in_reach(points: Sequence[Point], limited: list[Stated]) -> list[Point]:
+    """Scale symbols that doubles can take only so far, like the t of an inversion integral: to 7 … 100 % of that."""
+    if not limited:
         return list(points)
     reach: dict[Any, Any] = {}
     environment = Environment.at(points)
-    for image, s, t in (formula.operands for formula in transforms):
-        if t in points[0]:
-            radius = circle_around_poles(image, s, environment, centred=False).radius
-            reach[t] = np.minimum(reach.get(t, np.inf), REACH / radius)
+    for formula in limited:
+        for symbol, largest in about(formula.operation, "reach")(environment, *formula.operands).items():
+            reach[symbol] = np.minimum(reach.get(symbol, np.inf), largest)
     scaled = [{t: point[t] / 1.5 * float(largest[p]) for t, largest in reach.items()} for p, point in enumerate(points)]
     return [{**point, **times} for point, times in zip(points, scaled, strict=True)]

@@ -13,18 +13,12 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array
+from solver.numeric.evaluation.combining import add, multiply
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.linear_terms import linear_terms
-from solver.numeric.evaluation.poles import Circle, circle_around_poles
-from solver.numeric.evaluation.stated import add, multiply, operation
-from solver.numeric.evaluation.values import NotEvaluable, Value, gathered
+from solver.numeric.evaluation.poles import Circle
+from solver.numeric.evaluation.values import Value, gathered
 from solver.numeric.evaluation.walk import walk
-
-REACH = 6.0
-"""radius · t up to which doubles lose less than three digits to e^{st}."""
-
-FARTHEST = 120.0
-"""radius · t beyond which 100 digits would not do."""
 
 
 def accuracy(arithmetic: Arithmetic) -> float:
@@ -45,13 +39,7 @@ def unit_roots(count: int, arithmetic: Arithmetic) -> Array:
     return np.asarray(arithmetic.apply("exp", np.array([turn * angle for turn in turns], dtype=arithmetic.dtype)))
 
 
-@operation
-def inverse_laplace(environment: Environment, image: Any, s: Any, t: Any) -> Value:
-    """ℒ⁻¹{F(s)}(t) of a rational F, term by term where F is stated as a sum."""
-    return _combined(environment, image, s, lambda core: _laplace_integral(environment, core, s, t))
-
-
-def _combined(environment: Environment, image: Any, variable: Any, transform: Callable[[Any], Value]) -> Value:
+def combined(environment: Environment, image: Any, variable: Any, transform: Callable[[Any], Value]) -> Value:
     """Return the transform of a sum of terms L f(s) R with constant L and R: Σ L (transform of f) R."""
     parts = []
     for term in linear_terms(image, variable):
@@ -61,46 +49,12 @@ def _combined(environment: Environment, image: Any, variable: Any, transform: Ca
     return reduce(add, parts)
 
 
-def _laplace_integral(environment: Environment, image: Any, s: Any, t: Any) -> Value:
-    arithmetic = environment.arithmetic
-    circle = circle_around_poles(image, s, environment, centred=False)
-    time = environment.full(walk(t, environment).value)
-    growth = float(np.max(circle.radius * np.abs(arithmetic.approximate(time))))
-    limit = 25.0 if arithmetic is DOUBLE else FARTHEST
-    if growth > FARTHEST:
-        raise NotEvaluable("t is too large for the inversion integral to keep its digits")
-    roots = unit_roots(number_of_nodes(arithmetic, min(growth, limit)), arithmetic)
-    centre, radius = _columns(circle, arithmetic)
-    nodes = centre + radius * roots[None, :]
-    weights = arithmetic.apply("exp", nodes * time[:, None]) * radius * roots[None, :]
-    return _integrate(environment, image, s, nodes, weights)
-
-
-@operation
-def inverse_z(environment: Environment, image: Any, z: Any, k: Any) -> Value:
-    """𝒵⁻¹{F(z)}(k) of a rational F, k whole, term by term where F is stated as a sum."""
-    return _combined(environment, image, z, lambda core: _z_integral(environment, core, z, k))
-
-
-def _z_integral(environment: Environment, image: Any, z: Any, k: Any) -> Value:
-    arithmetic = environment.arithmetic
-    circle = circle_around_poles(image, z, environment, centred=True)
-    order = environment.full(walk(k, environment).value)
-    steps = np.asarray(arithmetic.approximate(order))
-    if np.any(steps != np.round(steps.real)) or np.any(np.abs(steps) > 100):
-        raise NotEvaluable("the inverse z-transform is evaluated at whole numbers k up to 100")
-    roots = unit_roots(number_of_nodes(arithmetic, float(np.max(np.abs(steps))) / 4 + 4), arithmetic)
-    _, radius = _columns(circle, arithmetic)
-    nodes = radius * roots[None, :]
-    return _integrate(environment, image, z, nodes, arithmetic.power(nodes, order[:, None]))
-
-
-def _columns(circle: Circle, arithmetic: Arithmetic) -> tuple[Array, Array]:
+def columns(circle: Circle, arithmetic: Arithmetic) -> tuple[Array, Array]:
     """Return centre and radius as columns (P, 1) of the arithmetic."""
     return arithmetic.array(circle.centre)[:, None], arithmetic.array(circle.radius)[:, None]
 
 
-def _integrate(environment: Environment, image: Any, variable: Any, nodes: Array, weights: Array) -> Value:
+def mean_on_circle(environment: Environment, image: Any, variable: Any, nodes: Array, weights: Array) -> Value:
     """Return the mean over the nodes (P×N) of the image times the weights (P×N)."""
     F = walk(image, environment.spread(variable, nodes))
     arithmetic = environment.arithmetic

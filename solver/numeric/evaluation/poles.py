@@ -19,13 +19,12 @@ from solver.matrices import entries
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.points import free_symbols
+from solver.numeric.evaluation.stated import about
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Value
 from solver.numeric.evaluation.walk import walk
 from solver.stated import Stated
 
 EPS = 2.0**-52
-TRANSPARENT = ("adjugate", "determinant", "difference", "product", "total", "trace", "transpose")
-"""Operations without division: their poles are among those of their operands."""
 
 
 class Circle(NamedTuple):
@@ -92,34 +91,30 @@ def poles_of(image: Any, s: Any, point: Environment) -> list[Array]:
 
 
 def _poles_of_stated(image: Stated, s: Any, point: Environment) -> list[Array]:
-    operands = [found for operand in image.operands for found in poles_of(operand, s, point)]
-    if image.operation in TRANSPARENT:
-        return operands
-    if image.operation == "quotient":
-        return [*operands, zeros_of(image.operands[1], s, point)]
-    if image.operation == "inverse":
-        return [*operands, zeros_of(Stated("determinant", image.operands), s, point)]
-    if image.operation == "power" and isinstance(image.operands[1], int | sp.Integer):
-        if image.operands[1] >= 0:
-            return operands
-        return [*operands, zeros_of(Stated("determinant", image.operands[:1]), s, point)]
-    raise NotEvaluable(f"the poles of the operation {image.operation} are not known")
+    of_operation = about(image.operation, "poles")
+    if of_operation is None:
+        raise NotEvaluable(f"the poles of the operation {image.operation} are not known")
+    found: list[Array] = of_operation(image.operands, s, point)
+    return found
+
+
+def poles_of_operands(operands: tuple[Any, ...], s: Any, point: Environment) -> list[Array]:
+    """Return the poles of all operands: those of an operation without division are among them."""
+    return [pole for operand in operands for pole in poles_of(operand, s, point)]
 
 
 def zeros_of(formula: Any, s: Any, point: Environment) -> Array:
     """Return (a superset of) the zeros in s of a scalar formula at one point."""
     if not isinstance(formula, Stated):
         return _zeros_of_rational(sp.S.One * formula, s, point)
-    if formula.operation == "determinant":
-        return _zeros_of_determinant(formula.operands[0], s, point)
-    if formula.operation == "product":
-        return np.concatenate([zeros_of(factor, s, point) for factor in formula.operands])
-    if formula.operation == "power" and isinstance(formula.operands[1], int | sp.Integer):
-        return zeros_of(formula.operands[0], s, point)
-    raise NotEvaluable(f"the zeros of the operation {formula.operation} are not known")
+    of_operation = about(formula.operation, "zeros")
+    if of_operation is None:
+        raise NotEvaluable(f"the zeros of the operation {formula.operation} are not known")
+    found: Array = of_operation(formula.operands, s, point)
+    return found
 
 
-def _zeros_of_determinant(matrix: Any, s: Any, point: Environment) -> Array:
+def zeros_of_determinant(matrix: Any, s: Any, point: Environment) -> Array:
     """Return the zeros of det(M₀ + M₁ s + … + M_d s^d), by the eigenvalues of the block companion matrix."""
     if isinstance(matrix, Stated):
         matrix = _pencil(matrix)

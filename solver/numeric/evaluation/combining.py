@@ -1,0 +1,50 @@
+"""Sums and products of values: of scalars, of matrices, of one with the other."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solver.numeric.evaluation.arithmetic import Arithmetic
+from solver.numeric.evaluation.values import ShapeMismatch, Value, shape_of
+
+
+def multiply(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
+    """Return the product of matrices, or of a scalar and anything."""
+    if left.is_matrix and right.is_matrix:
+        if left.value.shape[2] != right.value.shape[1]:
+            raise ShapeMismatch(f"a product of matrices {size_in_words(left)} and {size_in_words(right)}")
+        magnitude = arithmetic.size(left.value) @ right.magnitude + left.magnitude @ arithmetic.size(right.value)
+        return Value(left.value @ right.value, magnitude)
+    left, right = aligned(left, right)
+    magnitude = arithmetic.size(left.value) * right.magnitude + left.magnitude * arithmetic.size(right.value)
+    return Value(np.multiply(left.value, right.value), magnitude)
+
+
+def aligned(left: Value, right: Value) -> tuple[Value, Value]:
+    """Give a scalar beside a matrix (or list) the axes it needs to broadcast."""
+    left_depth, right_depth = (getattr(side.value, "ndim", 0) for side in (left, right))
+    if left_depth == right_depth:
+        return left, right
+    depth = max(left_depth, right_depth)
+    return _deepened(left, depth), _deepened(right, depth)
+
+
+def _deepened(scalar: Value, depth: int) -> Value:
+    if np.ndim(scalar.value) != 1 or depth < 2:
+        return scalar
+    axes = (slice(None), *(None for _ in range(depth - 1)))
+    magnitude = scalar.magnitude
+    return Value(scalar.value[axes], magnitude[axes] if np.ndim(magnitude) else magnitude)
+
+
+def size_in_words(value: Value) -> str:
+    """Return `2×3` of matrices 2×3."""
+    return "×".join(map(str, shape_of(value))) or "1×1"
+
+
+def add(left: Value, right: Value) -> Value:
+    """Return the sum; raises ShapeMismatch unless the shapes agree (1×1 and a scalar do)."""
+    if (shape_of(left) or (1, 1)) != (shape_of(right) or (1, 1)):
+        raise ShapeMismatch(f"a sum of matrices {size_in_words(left)} and {size_in_words(right)}")
+    left, right = aligned(left, right)
+    return Value(np.add(left.value, right.value), left.magnitude + right.magnitude)

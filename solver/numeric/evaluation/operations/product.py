@@ -1,0 +1,30 @@
+"""F₁ F₂ …."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.combining import multiply
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.poles import poles_of_operands, zeros_of
+from solver.numeric.evaluation.values import Value
+from solver.numeric.evaluation.walk import walk
+
+
+def evaluate(environment: Environment, *factors: Any) -> Value:
+    """F₁ F₂ … from left to right."""
+    result = Value(environment.arithmetic.number(1), 1.0)
+    for factor in factors:
+        result = multiply(result, walk(factor, environment), environment.arithmetic)
+    return result
+
+
+poles = poles_of_operands
+
+
+def zeros(operands: tuple[Any, ...], s: Any, point: Environment) -> Array:
+    """The zeros of the factors."""
+    return np.concatenate([zeros_of(factor, s, point) for factor in operands])

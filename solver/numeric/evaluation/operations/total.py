@@ -1,0 +1,23 @@
+"""T₁ + T₂ + …."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from solver.numeric.evaluation.combining import add
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.poles import poles_of_operands
+from solver.numeric.evaluation.values import Value
+from solver.numeric.evaluation.walk import walk
+
+
+def evaluate(environment: Environment, *terms: Any) -> Value:
+    """T₁ + T₂ + …; a matrix 1×1 and a scalar may be added."""
+    result = Value(environment.arithmetic.number(0), 0.0)
+    for i, term in enumerate(terms):
+        part = walk(term, environment)
+        result = add(result, part) if i else part
+    return result
+
+
+poles = poles_of_operands

@@ -1,0 +1,99 @@
+"""Integrals by the rule of Gauss and Legendre on panels; the difference of two refinements is the error."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array, multiple
+from solver.numeric.evaluation.contour import accuracy
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.values import NotEvaluable, Value, gathered
+from solver.numeric.evaluation.walk import walk
+
+IN_DOUBLES = ((4, 20), (8, 20))
+WITH_MANY_DIGITS = ((1, 28), (1, 40), (2, 40))
+"""How an integral is refined: the number of panels, and of nodes on each."""
+
+
+def to_finite(environment: Environment, integrand: Any, variable: Any, a: Array, b: Array) -> Value:
+    """∫ f dx from a to b (P,)."""
+    arithmetic = environment.arithmetic
+    finer = (
+        _panels(environment, integrand, variable, (a, b - a), np.linspace(0.0, 1.0, count + 1), nodes)
+        for count, nodes in (IN_DOUBLES if arithmetic is DOUBLE else WITH_MANY_DIGITS)
+    )
+    for coarse, fine in pairwise(finer):
+        if np.all(arithmetic.size(fine.value - coarse.value) <= accuracy(arithmetic) * fine.magnitude):
+            break
+    return _with_error(coarse, fine, arithmetic)
+
+
+def to_infinity(environment: Environment, integrand: Any, variable: Any, a: Array) -> Value:
+    """∫ from a to ∞ on panels whose lengths double, from 1/64 to 1024; refused unless the integrand has died away."""
+    edges = np.array([0.0, *(2.0**i for i in range(-6, 11))])
+    one, nodes = environment.full(1), 20 if environment.arithmetic is DOUBLE else 40
+    halved = np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
+    coarse, fine, last = (
+        _panels(environment, integrand, variable, (a, one), each, nodes) for each in (edges, halved, edges[-2:])
+    )
+    size = environment.arithmetic.size
+    if np.any(size(last.value) > 1e-12 * size(fine.value) + 1e-15 * fine.magnitude):
+        raise NotEvaluable("the integrand of an integral to infinity decays too slowly")
+    return _with_error(coarse, fine, environment.arithmetic)
+
+
+def _panels(
+    environment: Environment, integrand: Any, variable: Any, span: tuple[Array, Array], edges: Array, nodes: int
+) -> Value:
+    """∫ of f(a + w u) w du over the panels between the edges of u."""
+    arithmetic = environment.arithmetic
+    x, w = legendre(arithmetic, nodes)
+    half = arithmetic.array((edges[1:] - edges[:-1]) / 2)[:, None]
+    middle = arithmetic.array((edges[1:] + edges[:-1]) / 2)[:, None]
+    u = (middle + half * x[None, :]).reshape(-1)
+    weights = (half * w[None, :]).reshape(-1)
+    start, width = span
+    samples = walk(integrand, environment.spread(variable, start[:, None] + width[:, None] * u[None, :]))
+    value, magnitude = gathered(samples, environment.points, len(u))
+    factor = (width[:, None] * weights[None, :]).reshape((environment.points, len(u), *(1 for _ in value.shape[2:])))
+    return Value((value * factor).sum(axis=1), (magnitude * arithmetic.size(factor)).sum(axis=1))
+
+
+def _with_error(coarse: Value, fine: Value, arithmetic: Arithmetic) -> Value:
+    """Return the finer value; the difference counts as its error."""
+    error = arithmetic.size(fine.value - coarse.value)
+    if np.any(error > 1e-6 * (arithmetic.size(fine.value) + fine.magnitude)):
+        raise NotEvaluable("the integrand is not smooth enough for the quadrature")
+    return Value(fine.value, fine.magnitude + error / arithmetic.eps)
+
+
+@cache
+def legendre(arithmetic: Arithmetic, count: int) -> tuple[Array, Array]:
+    """Return nodes and weights of Gauss and Legendre on [−1, 1]."""
+    x, w = np.polynomial.legendre.leggauss(count)
+    if arithmetic is DOUBLE:
+        return x, w
+    many = multiple(arithmetic.digits).context
+    nodes = [_refined(many.mpf(float(each)), count) for each in x]
+    weights = [2 / ((1 - x * x) * _legendre(x, count)[1] ** 2) for x in nodes]
+    return arithmetic.array(nodes), arithmetic.array(weights)
+
+
+def _refined(x: Any, count: int) -> Any:
+    """Return the zero of P_n next to x, by Newton's method."""
+    for _ in range(8):
+        value, slope = _legendre(x, count)
+        x = x - value / slope
+    return x
+
+
+def _legendre(x: Any, count: int) -> tuple[Any, Any]:
+    """P_n(x) and P_n'(x), by the recurrence of three terms."""
+    before, value = x * 0 + 1, x
+    for k in range(2, count + 1):
+        before, value = value, ((2 * k - 1) * x * value - (k - 1) * before) / k
+    return value, count * (x * value - before) / (x * x - 1)
