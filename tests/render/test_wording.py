@@ -6,10 +6,10 @@ import sympy as sp
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import FIRST_MARK, Displayed, Written
 from solver.formula import read
+from solver.notation import NOTATIONS
 from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import tex
-from solver.notation import NOTATIONS
 from solver.render.numbers import NumberFormat
 from solver.render.width import LINE, broken, width
 from solver.render.wording import Wording, WordingError
