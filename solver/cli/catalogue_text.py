@@ -18,12 +18,14 @@ TIMES = {"continuous": "continuous time", "discrete": "discrete time", "both": "
 
 
 def overview() -> str:
-    """Return all tasks by group: name, title, methods."""
+    """Return all tasks by group and topic: name, title, methods."""
     known = catalogue().declarations()
     width = max((len(each.name) for each in known), default=0)
     lines: list[str] = []
-    for group, members in groupby(known, key=lambda each: each.group):
-        lines += [group, *(f"  {each.name:{width}}  {_summary(each)}" for each in members), ""]
+    for group, in_group in groupby(known, key=lambda each: each.topic.group):
+        lines.append(group)
+        for title, members in groupby(in_group, key=lambda each: each.topic.title):
+            lines += [f"  {title}", *(f"    {each.name:{width}}  {_summary(each)}" for each in members), ""]
     return "\n".join(
         [*lines, "`solve tasks NAME` tells more of one; `solve new NAME` writes a problem file that asks it."]
     )

@@ -1,7 +1,7 @@
 """Steps, claims, answers and the registration of tasks; knows no topic."""
 
 from solver.derivation.options import Option, OptionKind, Options, option
-from solver.derivation.registry import AnswerName, Derivation, Given, Method, Refusal, Task, lemma
+from solver.derivation.registry import AnswerName, Derivation, Given, Method, Refusal, Task, Topic, lemma
 from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResult, Status, Step, Unsolved
 
 __all__ = [
@@ -21,6 +21,7 @@ __all__ = [
     "Status",
     "Step",
     "Task",
+    "Topic",
     "Unsolved",
     "lemma",
     "option",

@@ -30,6 +30,15 @@ Refusal = tuple[str, str]
 
 
 @dataclass(frozen=True, slots=True)
+class Topic:
+    """What the folder of a topic declares: its title, the group of topics that it stands in, and its place there."""
+
+    group: str
+    order: int
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
 class Given(Generic[S_co, O_co]):
     """What a method works on: the exact system and the task's options, read and validated."""
 
@@ -111,7 +120,6 @@ class Task(Generic[S, O]):
         self,
         name: str,
         *,
-        group: str,
         title: str,
         doc: str,
         needs: tuple[str, ...],
@@ -120,7 +128,6 @@ class Task(Generic[S, O]):
         example: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         self.name = name
-        self.group = group
         self.title = title
         self.doc = doc
         self.needs = needs

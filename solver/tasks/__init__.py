@@ -1,90 +1,88 @@
 """The catalogue: every task under this package, found by its declaration. One file a task; nothing is listed by hand.
 
-A file declares its task as `name: Task[...] = Task("name", group="...", title="...", ...)` and, below, each method as
-`@name.method("method", ...)`. Declarations are found by reading the files, and a file is imported when its task is
-wanted: a problem that asks for one task does not pay for the others, nor does the list of all.
+Declarations are found by reading the files (`declarations`), and a file is imported when its task is wanted: a problem
+that asks for one task does not pay for the others, nor does the list of all.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, MutableMapping
-from functools import cache
+from functools import cache, cached_property
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-from solver.derivation import Task
-
-GROUPS = ("Representation and analysis", "Design")
-
-DECLARATION = re.compile(
-    r'^(?P<name>\w+): Task\[.*\] = Task\(\s*"(?P=name)",\s*group="(?P<group>[^"]+)",\s*title="(?P<title>[^"]+)"',
-    re.MULTILINE,
-)
-METHOD = re.compile(r'^@(?P<task>\w+)\.method\(\s*(?:"(?P<name>\w+)")?', re.MULTILINE)
-
-
-class Declaration(NamedTuple):
-    """What the file of a task says of it; a task with one way to solve it may leave the method without a name."""
-
-    name: str
-    group: str
-    title: str
-    methods: tuple[str, ...]
-    module: str
+from solver.derivation import Task, Topic
+from solver.tasks.declarations import Declaration, DeclarationError, declared_by, declared_in, topics
 
 
 class Catalogue(MutableMapping[str, Task[Any, Any]]):
-    """Tasks by name, group by group, in alphabetical order within a group; each is imported when it is first wanted."""
+    """Tasks by name, topic by topic, in alphabetical order within a topic; each is imported when it is first wanted."""
 
-    def __init__(self, declarations: list[Declaration]) -> None:
-        self._declarations = {each.name: each for each in declarations}
+    def __init__(self, root: Path, package: str) -> None:
+        self._root = root
+        self._package = package
         self._tasks: dict[str, Task[Any, Any]] = {}
+        self._added: dict[str, Declaration] = {}
+
+    @cached_property
+    def topics(self) -> dict[Path, Topic]:
+        """The topics by their folder, in their order."""
+        return topics(self._root)
+
+    @cached_property
+    def _found(self) -> dict[str, Declaration]:
+        found: dict[str, Declaration] = {}
+        for folder, topic in self.topics.items():
+            for each in declared_in(folder, topic, f"{self._package}.{folder.name}"):
+                if each.name in found:
+                    modules = f"{found[each.name].module} and {each.module}"
+                    raise DeclarationError(f"the task {each.name} is declared twice, in {modules}; rename one of them")
+                found[each.name] = each
+        return found
 
     def declarations(self) -> list[Declaration]:
-        """Return what is declared of each task; imports none."""
-        return list(self._declarations.values())
+        """Return what is declared of each task; imports none. Raises DeclarationError."""
+        return [*self._found.values(), *self._added.values()]
 
     def __getitem__(self, name: str) -> Task[Any, Any]:
         if name not in self._tasks:
-            self._tasks[name] = getattr(import_module(self._declarations[name].module), name)
+            declaration = self._declared(name)
+            if declaration is None:
+                raise KeyError(name)
+            self._tasks[name] = getattr(import_module(declaration.module), name)
         return self._tasks[name]
 
+    def _declared(self, name: str) -> Declaration | None:
+        """Return the declaration of one task, without reading the others."""
+        if not name.isidentifier():
+            return None
+        for path in self._root.glob(f"*/{name}.py"):
+            package = f"{self._package}.{path.parent.name}"
+            return declared_by(path, self.topics[path.parent], package)
+        return None
+
     def __setitem__(self, name: str, task: Task[Any, Any]) -> None:
-        self._declarations[name] = Declaration(name, task.group, task.title, tuple(task.methods), "")
+        self._added[name] = Declaration(name, task.title, tuple(task.methods), "", Topic("", 0, ""))
         self._tasks[name] = task
 
     def __delitem__(self, name: str) -> None:
-        del self._declarations[name]
-        self._tasks.pop(name, None)
+        del self._added[name], self._tasks[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._declarations)
+        return iter([*self._found, *self._added])
 
     def __len__(self) -> int:
-        return len(self._declarations)
+        return len(self._found) + len(self._added)
 
     def __contains__(self, name: object) -> bool:
-        return name in self._declarations
+        return name in self._tasks or (isinstance(name, str) and self._declared(name) is not None)
 
 
 @cache
 def catalogue() -> Catalogue:
     """Return all tasks. Imports no algebra."""
-    return Catalogue(sorted(_declared(), key=lambda each: (GROUPS.index(each.group), each.name)))
+    return Catalogue(Path(__file__).parent, __name__)
 
 
-def _declared() -> Iterator[Declaration]:
-    """Yield the declaration of every task."""
-    root = Path(__file__).parent
-    for path in root.rglob("*.py"):
-        text = path.read_text(encoding="utf-8")
-        for match in DECLARATION.finditer(text):
-            name = match["name"]
-            methods = [method["name"] or name for method in METHOD.finditer(text) if method["task"] == name]
-            module = ".".join((__name__, *path.relative_to(root).with_suffix("").parts))
-            yield Declaration(name, match["group"], match["title"], tuple(methods), module)
-
-
-__all__ = ["GROUPS", "Catalogue", "Declaration", "catalogue"]
+__all__ = ["Catalogue", "Declaration", "DeclarationError", "catalogue"]

@@ -34,7 +34,7 @@ def test_every_task_is_listed_under_its_group(solve):
             group = line
         elif line:
             found[line.split()[0]] = group
-    assert {name: task.group for name, task in catalogue().items()}.items() <= found.items()
+    assert {each.name: each.topic.group for each in catalogue().declarations()}.items() <= found.items()
 
 
 @pytest.mark.parametrize("name", TASKS)

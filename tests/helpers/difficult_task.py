@@ -11,7 +11,6 @@ from solver.tasks.plant_options import PlantOptions
 
 difficult = Task(
     "difficult",
-    group="Design",
     title="A difficult question",
     doc="Never asked by a user.",
     needs=("A",),

@@ -37,7 +37,6 @@ def _option(name, kind, doc, **facts):
 def _task(name, needs, options=(), answers=("answer",), methods=()):
     task = Task(
         name,
-        group="Representation and analysis",
         title=name.replace("_", " ").capitalize(),
         doc=f"What {name} asks.",
         needs=needs,

@@ -99,5 +99,5 @@ def test_the_catalogue_is_read_without_sympy():
 @pytest.mark.parametrize("declared", catalogue().declarations(), ids=lambda declared: declared.name)
 def test_what_is_read_from_a_declaration_is_what_the_task_has(declared):
     task = catalogue()[declared.name]
-    assert (task.name, task.group, task.title) == (declared.name, declared.group, declared.title)
+    assert (task.name, task.title) == (declared.name, declared.title)
     assert tuple(task.methods) == declared.methods

@@ -51,7 +51,6 @@ NAMES = ("overshoot", "settling_time", "peak_time", "rise_time", "damping_ratio"
 
 desired_poles: Task[System, StepSpecifications] = Task(
     "desired_poles",
-    group="Design",
     title="Desired poles from time-domain specifications",
     doc="Damping ratio, natural frequency and poles of s² + 2ζω_n s + ω_n² from two specifications of its response.",
     needs=(),

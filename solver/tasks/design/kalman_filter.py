@@ -47,7 +47,6 @@ class KalmanFilterOptions(PlantOptions):
 
 kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
     "kalman_filter",
-    group="Design",
     title="Kalman filter",
     doc="The gain L of the steady-state Kalman filter x̂' = A x̂ + B u + L (y − C x̂), by the algebraic Riccati equation.",
     needs=("A", "C"),

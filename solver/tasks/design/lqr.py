@@ -64,7 +64,6 @@ class LqrOptions(WeightOptions):
 
 lqr: Task[WithInput, LqrOptions] = Task(
     "lqr",
-    group="Design",
     title="Linear quadratic regulator",
     doc="The feedback u = −K x that minimizes ∫ xᵀQx + uᵀRu dt, by the algebraic Riccati equation.",
     needs=("A", "B"),

@@ -48,7 +48,6 @@ class ModelMatchingOptions(PlantOptions):
 
 model_matching: Task[InputOutput, ModelMatchingOptions] = Task(
     "model_matching",
-    group="Design",
     title="Model matching by state feedback",
     doc="Whether state feedback (and a gain of the reference) can turn the plant's transfer function into a target.",
     needs=("transfer_function",),

@@ -35,7 +35,6 @@ class ObserverOptions(PlantOptions):
 
 observer: Task[WithOutput, ObserverOptions] = Task(
     "observer",
-    group="Design",
     title="Observer",
     doc="x̂' = A x̂ + B u + L (y − C x̂) with a gain L that gives the error x − x̂ the poles asked for.",
     needs=("A", "C"),

@@ -70,7 +70,6 @@ class ObserverFeedbackOptions(PlantOptions):
 
 observer_feedback: Task[WithBoth, ObserverFeedbackOptions] = Task(
     "observer_feedback",
-    group="Design",
     title="Feedback of estimated states",
     doc="u = −K x̂ with the estimate of an observer: closed loop, separation principle, compensator from y to u.",
     needs=("A", "B", "C"),

@@ -53,7 +53,6 @@ class OptimalTrackingOptions(PlantOptions):
 
 optimal_tracking: Task[WithBoth, OptimalTrackingOptions] = Task(
     "optimal_tracking",
-    group="Design",
     title="Optimal tracking",
     doc="The control u = −K x + K_o r that brings the output to a constant r, optimal around the set point.",
     needs=("A", "B", "C"),

@@ -39,7 +39,6 @@ class PolePlacementOptions(PoleOptions):
 
 pole_placement: Task[WithInput, PolePlacementOptions] = Task(
     "pole_placement",
-    group="Design",
     title="Pole placement by state feedback",
     doc="The gain K of u = −K x for which A − BK has the poles asked for.",
     needs=("A", "B"),

@@ -45,7 +45,6 @@ class ReducedObserverOptions(PlantOptions):
 
 reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
     "reduced_observer",
-    group="Design",
     title="Observer of reduced order",
     doc="ω' = Jω + Ny + Mu estimates the n − p unmeasured states, η̂₂ = ω + Ly, with errors of the given eigenvalues.",
     needs=("A", "B"),

@@ -48,7 +48,6 @@ class ReferenceTrackingOptions(PoleOptions):
 
 reference_tracking: Task[WithBoth, ReferenceTrackingOptions] = Task(
     "reference_tracking",
-    group="Design",
     title="Tracking of a constant reference",
     doc="The steady state x_d = F r, u_d = N r in which the output is r, and K_o = N + K F of u = −K x + K_o r.",
     needs=("A", "B", "C"),

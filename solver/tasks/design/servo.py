@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 servo: Task[WithBoth, PoleOptions] = Task(
     "servo",
-    group="Design",
     title="Servo with integral action",
     doc="K and k_I of u = −K x + k_I ξ, ξ' = r − y (discrete: ξ(k+1) = ξ(k) + r − y), for the poles asked for.",
     needs=("A", "B", "C"),

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 characteristic_polynomial: Task[StateSpace, PlantOptions] = Task(
     "characteristic_polynomial",
-    group="Representation and analysis",
     title="Characteristic polynomial",
     doc="The monic polynomial χ(λ) = det(λI − A) whose roots are the eigenvalues of A.",
     needs=("A",),

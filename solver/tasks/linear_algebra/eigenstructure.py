@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 eigenstructure: Task[StateSpace, PlantOptions] = Task(
     "eigenstructure",
-    group="Representation and analysis",
     title="Eigenvalues and eigenvectors",
     doc="Eigenvalues, right and left eigenvectors (chains of generalized ones where A is defective) and Jordan form.",
     needs=("A",),

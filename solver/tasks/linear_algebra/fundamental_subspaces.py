@@ -30,7 +30,6 @@ class FundamentalSubspacesOptions(PlantOptions):
 
 fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
     "fundamental_subspaces",
-    group="Representation and analysis",
     title="The four fundamental subspaces",
     doc="Bases of null space, column space, row space and left null space, by row reduction.",
     needs=("matrix",),

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
 minimal_realization: Task[InputOutput, PlantOptions] = Task(
     "minimal_realization",
-    group="Representation and analysis",
     title="Minimal realization",
     doc="State equations of least order with the same transfer function, and the modes that are left out.",
     needs=("transfer_function",),

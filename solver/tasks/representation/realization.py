@@ -39,7 +39,6 @@ class RealizationOptions(PlantOptions):
 
 realization: Task[InputOutput, RealizationOptions] = Task(
     "realization",
-    group="Representation and analysis",
     title="Realization",
     doc="State equations with a given transfer function, in one of the canonical forms; no common factor is cancelled.",
     needs=("transfer_function",),

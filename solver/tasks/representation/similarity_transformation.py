@@ -30,7 +30,6 @@ class SimilarityTransformationOptions(PlantOptions):
 
 similarity_transformation: Task[StateSpace, SimilarityTransformationOptions] = Task(
     "similarity_transformation",
-    group="Representation and analysis",
     title="Similarity transformation",
     doc="The same system in other coordinates ξ, x = T ξ: T⁻¹ A T, T⁻¹ B, C T and D.",
     needs=("A",),

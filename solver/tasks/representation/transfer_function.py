@@ -43,7 +43,6 @@ class TransferFunctionOptions(PlantOptions):
 
 transfer_function: Task[InputOutput, TransferFunctionOptions] = Task(
     "transfer_function",
-    group="Representation and analysis",
     title="Transfer function",
     doc="The transfer function (several inputs or outputs: transfer matrix) from u to y, its poles and its zeros.",
     needs=("transfer_function",),

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
 phase_portrait: Task[StateSpace, PlantOptions] = Task(
     "phase_portrait",
-    group="Representation and analysis",
     title="Phase portrait",
     doc="The kind of equilibrium at the origin of x' = A x with two states, and the trajectories around it.",
     needs=("A",),

@@ -57,7 +57,6 @@ class StabilityOptions(PlantOptions):
 
 stability: Task[StateSpace, StabilityOptions] = Task(
     "stability",
-    group="Representation and analysis",
     title="Stability",
     doc="Stability of the free motion (internal), and from input to output (BIBO).",
     needs=("A",),

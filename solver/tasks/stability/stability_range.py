@@ -45,7 +45,6 @@ class StabilityRangeOptions(PlantOptions):
 
 stability_range: Task[StateSpace, StabilityRangeOptions] = Task(
     "stability_range",
-    group="Representation and analysis",
     title="Range of stability",
     doc="The condition on the parameters under which every free motion dies out.",
     needs=("A",),

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 controllability: Task[WithInput, PairOptions] = Task(
     "controllability",
-    group="Representation and analysis",
     title="Controllability",
     doc="Whether the input can take the state anywhere: rank of [B, AB, …], test of Hautus, or Gramian.",
     needs=("A", "B"),

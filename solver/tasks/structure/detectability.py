@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 detectability: Task[WithOutput, PlantOptions] = Task(
     "detectability",
-    group="Representation and analysis",
     title="Detectability",
     doc="Whether every mode that the output does not show is stable.",
     needs=("A", "C"),

@@ -55,7 +55,6 @@ class KalmanDecompositionOptions(PlantOptions):
 
 kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
     "kalman_decomposition",
-    group="Representation and analysis",
     title="Kalman decomposition",
     doc="Coordinates x = T ξ that separate what is controllable, observable, or both from the rest.",
     needs=("A",),

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 observability: Task[WithOutput, PairOptions] = Task(
     "observability",
-    group="Representation and analysis",
     title="Observability",
     doc="Whether the output shows the state: rank of [C; CA; …], test of Hautus, or Gramian.",
     needs=("A", "C"),

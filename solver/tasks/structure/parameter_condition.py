@@ -49,7 +49,6 @@ class ParameterConditionOptions(PlantOptions):
 
 parameter_condition: Task[StateSpace, ParameterConditionOptions] = Task(
     "parameter_condition",
-    group="Representation and analysis",
     title="Parameter that costs controllability or observability",
     doc="The values of a parameter for which the plant loses controllability, or observability.",
     needs=("A",),

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 stabilizability: Task[WithInput, PlantOptions] = Task(
     "stabilizability",
-    group="Representation and analysis",
     title="Stabilizability",
     doc="Whether every mode that the input does not reach is stable.",
     needs=("A", "B"),

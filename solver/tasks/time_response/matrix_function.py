@@ -47,7 +47,6 @@ class MatrixFunctionOptions(PlantOptions):
 
 matrix_function: Task[StateSpace, MatrixFunctionOptions] = Task(
     "matrix_function",
-    group="Representation and analysis",
     title="Function of a matrix",
     doc="f(A) for a function f that is analytic at the eigenvalues: a power, inverse, exponential, root, sine, …",
     needs=("A",),

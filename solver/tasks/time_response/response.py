@@ -52,7 +52,6 @@ class ResponseOptions(PlantOptions):
 
 response: Task[StateSpace, ResponseOptions] = Task(
     "response",
-    group="Representation and analysis",
     title="Response",
     doc="States and outputs for an initial state and given inputs: zero-input, zero-state or complete response.",
     needs=("A",),

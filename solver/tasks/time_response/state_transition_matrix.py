@@ -54,7 +54,6 @@ class StateTransitionMatrixOptions(PlantOptions):
 
 state_transition_matrix: Task[StateSpace, StateTransitionMatrixOptions] = Task(
     "state_transition_matrix",
-    group="Representation and analysis",
     title="State transition matrix",
     doc="Φ(t) = e^{At}, which takes x(0) to x(t) when the input is zero; in discrete time Φ(k) = Aᵏ.",
     needs=("A",),
