@@ -16,6 +16,7 @@ from tests.helpers.tried import tried
 
 M = sp.ImmutableMatrix
 a, b, c = sp.symbols("a b c", real=True)
+p, less, least = sp.Symbol("p", positive=True), sp.Symbol("l", negative=True), sp.Symbol("q", nonnegative=True)
 
 
 @given(systems(5), st.integers(1, 2), st.data())
@@ -57,6 +58,12 @@ def test_the_pencil_loses_rank_exactly_at_hidden_modes(A, data):
         (M([[1 / a, b / a], [b, a]]), {sp.Eq(a - b**2, 0)}),
         (M([[sp.cos(a), sp.sin(a)], [-sp.sin(a), sp.cos(a)]]), set()),
         (M([[1 + sp.cos(a)]]), {sp.Eq(sp.cos(a) + 1, 0)}),
+        (M([[p]]), set()),
+        (M([[p * (p - 1)]]), {sp.Eq(p, 1)}),
+        (M([[p**3 - p**2 + 2 * p + 1]]), set()),  # its only real root is negative, and so is the next one's
+        (M([[least**3 - least**2 + 2 * least + 1]]), set()),
+        (M([[less**3 + less**2 + 2 * less - 1]]), set()),  # its only real root is positive
+        (M([[less**3 - less**2 + 2 * less + 1]]), {sp.Eq(less**3 - less**2 + 2 * less + 1, 0)}),
     ],
 )
 def test_rank_conditions(matrix, conditions):

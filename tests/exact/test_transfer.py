@@ -45,6 +45,14 @@ def test_the_direct_path_is_divided_out():
     assert G.strictly_proper_numerators == ((-sp.Rational(1, 4),),)
 
 
+def test_what_one_entry_cancels_is_not_cancelled_where_another_pole_of_the_kind_is_needed():
+    """χ = (s + 1)(s + 5)(s + 6) holds not even the poles −1, −1 of two channels: nothing can be said to cancel."""
+    hidden = (s + 5) * (s + 6)
+    G = exact.transfer_matrix_of_fractions([[1, 0], [0, hidden]], [[s + 1, 1], [1, (s + 1) * hidden]], s)
+    assert G.poles == [-1, -1]
+    assert G.cancelled == []
+
+
 def test_luenbergers_indices_and_coordinates():
     A, B, C = sp.Matrix([[1, 2, 0], [0, 1, 1], [1, 0, 3]]), sp.Matrix([[1, 0], [0, 1], [0, 0]]), sp.Matrix([[1, 0, 1]])
     found = exact.controllable_coordinates(A, B, C, sp.zeros(1, 2))

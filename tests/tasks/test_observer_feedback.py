@@ -190,6 +190,36 @@ def test_every_answer_alone_is_accepted_and_its_corruptions_rejected(name, optio
         assert rejected("observer_feedback", PLANT, {name: corrupted}, **options), corrupted
 
 
+COMBINED = system(COMPANION, B=[0, 0, 1], C=[[3, 1, 0]])
+"""Its output is no state: the coordinates of an observer of reduced order are those of the answers S1 and S2."""
+
+
+@pytest.mark.parametrize(
+    ("plant", "given_S1", "given_S2", "judged"),
+    [
+        (COMBINED, True, True, True),
+        (COMBINED, True, False, False),
+        (COMBINED, False, True, False),
+        (PLANT, False, False, True),
+    ],
+)
+def test_the_closed_loop_is_judged_where_the_coordinates_are_known(plant, given_S1, given_S2, judged):
+    answers = ask("observer_feedback", plant, **REDUCED).answers
+    chosen = {"closed_loop_A": answers["closed_loop_A"]}
+    chosen |= {"S1": answers["S1"]} if given_S1 else {}
+    chosen |= {"S2": answers["S2"]} if given_S2 else {}
+    assert not rejected("observer_feedback", plant, chosen, **REDUCED)
+    wrong = {**chosen, "closed_loop_A": sp.ImmutableMatrix(2 * chosen["closed_loop_A"])}
+    assert rejected("observer_feedback", plant, wrong, **REDUCED) == judged
+
+
+def test_a_convention_is_stronger_than_the_coordinates_of_an_answer():
+    answers = ask("observer_feedback", PLANT, **REDUCED).answers
+    other = {**answers, "S1": sp.ImmutableMatrix(2 * answers["S1"])}
+    loop = sp.diag(sp.Rational(1, 2), *[1] * 4) * answers["closed_loop_A"] * sp.diag(2, *[1] * 4)
+    assert rejected("observer_feedback", PLANT, {**other, "closed_loop_A": sp.ImmutableMatrix(loop)}, **REDUCED)
+
+
 def test_a_loop_that_is_not_well_posed_is_refused_in_words():
     A, B, C = [[0, 1], [0, 0]], [0, 1], [[1, 0]]
     K, L = sp.ImmutableMatrix([[1, 2]]), sp.ImmutableMatrix([3])

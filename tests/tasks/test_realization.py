@@ -89,6 +89,13 @@ def test_repeated_pairs_have_real_chains():
     assert_same(G, answers)
 
 
+def test_pairs_above_the_diagonal_keep_their_states_in_order():
+    G = plant(s + 3, (s**2 + 2 * s + 5) ** 2)
+    answers = realized(G, "modal", convention="superdiagonal").answers
+    assert answers["A"] == M([[-1, 2, 1, 0], [-2, -1, 0, 1], [0, 0, -1, 2], [0, 0, -2, -1]])
+    assert_same(G, answers)
+
+
 def test_a_biproper_plant_is_divided():
     result = realized(plant(2 * s**2 + 1, s**2 + 3 * s + 2))
     assert result.answers["D"] == M([[2]])

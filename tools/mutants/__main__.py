@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import shutil
 import subprocess
 import sys
 import time
@@ -14,7 +15,7 @@ from pathlib import Path
 
 from tools.mutants.operators import Mutant, mutants_of
 from tools.mutants.reached import FOLDER, ROOT, read
-from tools.mutants.running import outcomes, room_of
+from tools.mutants.running import OUTCOMES, outcomes
 
 EQUIVALENTS = Path(__file__).with_name("equivalents.toml")
 LOST = ("survived", "not reached")
@@ -40,20 +41,19 @@ def sample(mutants: list[Mutant], number: int, seed: int) -> list[Mutant]:
 
 
 def record(paths: list[str]) -> None:
-    """Run the quick tests once to see which lines they run."""
+    """Run the quick tests once to see which lines they run; what was known before is forgotten."""
+    shutil.rmtree(FOLDER, ignore_errors=True)
     command = [sys.executable, "-m", "pytest", "-q", "-n", "2", "-m", "not slow", "-p", "tools.mutants.reached", *paths]
     subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr)
 
 
 def table(found: dict[str, Counter[str]]) -> str:
     """The counts by room."""
-    lines = [f"{'room':<14}{'slips':>7}{'killed':>8}{'timed out':>11}{'survived':>10}{'not reached':>13}{'seen':>7}"]
+    lines = [f"{'room':<14}{'slips':>12}" + "".join(f"{word:>12}" for word in OUTCOMES) + f"{'seen':>7}"]
     for room in [*sorted(found), "all"]:
         counts = sum(found.values(), Counter()) if room == "all" else found[room]
         lost = sum(counts[word] for word in LOST)
-        row = [counts.total(), counts["killed"], counts["timed out"], counts["survived"], counts["not reached"]]
-        widths = (7, 8, 11, 10, 13)
-        cells = "".join(f"{value:>{width}}" for value, width in zip(row, widths, strict=True))
+        cells = "".join(f"{value:>12}" for value in (counts.total(), *(counts[word] for word in OUTCOMES)))
         lines.append(f"{room:<14}{cells}{1 - lost / max(1, counts.total()):>7.0%}")
     return "\n".join(lines)
 
@@ -76,7 +76,7 @@ def main() -> int:
     found: dict[str, Counter[str]] = defaultdict(Counter)
     start = time.monotonic()
     for mutant, outcome in outcomes(chosen, read(), options.lanes):
-        found[room_of(mutant)][outcome] += 1
+        found[mutant.room][outcome] += 1
         if outcome in LOST:
             where = f"{mutant.file}:{mutant.line} {mutant.function}"
             print(f"{outcome}: {where}: {mutant.before!r} -> {mutant.after!r} ({mutant.kind})", flush=True)

@@ -35,6 +35,11 @@ class Mutant:
     after: str
 
     @property
+    def room(self) -> str:
+        """The folder of the program (or the file beside the folders) that it is in."""
+        return Path(self.file).parts[1].removesuffix(".py")
+
+    @property
     def key(self) -> str:
         """A number that depends on what is changed, not on where it stands: a sample keeps its members."""
         text = "\n".join((self.file, self.function, self.kind, self.before, self.after))

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import time
 from collections import defaultdict
 from collections.abc import Iterator
@@ -57,7 +56,7 @@ class Recorder:
     """Switches the context of the measurement at each test."""
 
     def __init__(self, worker: str) -> None:
-        self.file = FOLDER / f"{worker}.json"
+        self.file = FOLDER / f"{worker}-{os.getpid()}.json"
         self.seconds: dict[str, float] = {}
         self.failed: set[str] = set()
         lines = str(self.file.with_suffix(".lines"))
@@ -93,8 +92,6 @@ class Recorder:
 def pytest_configure(config: Any) -> None:
     """Record in the workers; where there are none, here."""
     worker = os.environ.get("PYTEST_XDIST_WORKER", "")
-    if not worker:
-        shutil.rmtree(FOLDER, ignore_errors=True)
-        FOLDER.mkdir(parents=True)
+    FOLDER.mkdir(parents=True, exist_ok=True)
     if worker or not config.getoption("numprocesses", None):
         config.pluginmanager.register(Recorder(worker or "alone"))

@@ -28,23 +28,26 @@ BUDGET = 15.0
 """So many seconds of tests are run for one slip, the quickest first, each test function before its next case."""
 FORK = multiprocessing.get_context("fork")
 NO_TESTS = int(pytest.ExitCode.NO_TESTS_COLLECTED)
+KILLED, KILLED_ELSEWHERE = 1, 101
+OUTCOMES = ("killed", "timed out", "elsewhere", "survived", "not reached")
+"""Killed by a test of its room, by its time limit, or by the test of another room; or not."""
 
 
-def room_of(mutant: Mutant) -> str:
-    """The folder of the program (or the file beside them) that the slip is in."""
-    return Path(mutant.file).parts[1].removesuffix(".py")
+def own_tests(room: str) -> str:
+    """Where the tests of a room are."""
+    return f"tests/{room}/" if (ROOT / "tests" / room).is_dir() else "tests/"
 
 
 def tests_for(mutant: Mutant, reached: Reached) -> list[str]:
-    """The tests of its room that run the line (where it runs on import, the file), and then their neighbours."""
-    folder = ROOT / "tests" / room_of(mutant)
-    own = f"tests/{room_of(mutant)}/" if folder.is_dir() else "tests/"
+    """The tests that run the line (where it runs on import, the file): those of its room and then all others."""
     direct = reached.tests_of(mutant.file, mutant.line, mutant.last_line) or reached.tests_of_file(mutant.file)
-    direct = {test for test in direct if test.startswith(own)}
-    files = {test.partition("::")[0] for test in direct}
-    beside = {test for test in reached.seconds if test.partition("::")[0] in files} - direct
+    own = {test for test in direct if test.startswith(own_tests(mutant.room))}
+    return [*_within_budget(own, reached), *_within_budget(direct - own, reached)]
+
+
+def _within_budget(tests: Iterable[str], reached: Reached) -> list[str]:
     chosen, spent = [], 0.0
-    for test in [*_one_of_each_first(direct, reached), *_one_of_each_first(beside, reached)]:
+    for test in _one_of_each_first(tests, reached):
         spent += reached.seconds[test]
         if spent > BUDGET and chosen:
             break
@@ -66,8 +69,10 @@ def _one_of_each_first(tests: Iterable[str], reached: Reached) -> list[str]:
 class Chosen:
     """A plugin for pytest: only these tests, in this order."""
 
-    def __init__(self, tests: Sequence[str]) -> None:
+    def __init__(self, tests: Sequence[str], own: str) -> None:
         self.order = {test: i for i, test in enumerate(tests)}
+        self.own = own
+        self.code = 0
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """Leave what was chosen."""
@@ -75,9 +80,14 @@ class Chosen:
             (item for item in items if item.nodeid in self.order), key=lambda item: self.order[item.nodeid]
         )
 
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Remember whose test it is that fails."""
+        if report.failed:
+            self.code = KILLED if report.nodeid.startswith(self.own) else KILLED_ELSEWHERE
+
 
 def outcomes(mutants: Sequence[Mutant], reached: Reached, lanes: int) -> Iterator[tuple[Mutant, str]]:
-    """Yield each slip with what became of it: killed, timed out, survived, or not reached by any test."""
+    """Yield each slip with what became of it, in the words of OUTCOMES."""
     for library in LIBRARIES:
         importlib.import_module(library)
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
@@ -112,7 +122,7 @@ def _ended(process: Any) -> str:
     process.join()
     if code is None or code == -signal.SIGXCPU:
         return "timed out"
-    return {0: "survived", NO_TESTS: "not reached"}.get(code, "killed")
+    return {0: "survived", NO_TESTS: "not reached", KILLED_ELSEWHERE: "elsewhere"}.get(code, "killed")
 
 
 def _copy(lane: Path) -> Path:
@@ -144,5 +154,6 @@ def _try(mutant: Mutant, tests: Sequence[str], lane: Path, seconds: int) -> None
     files = sorted({test.partition("::")[0] for test in tests})
     options = ["-x", "-q", "--tb=no", "-p", "no:cacheprovider", "-p", "no:faulthandler", "--rootdir", str(lane)]
     options += ["--hypothesis-profile", "mutants"]
-    code = pytest.main([*options, *files], plugins=[Chosen(tests)])
-    os._exit(int(code))
+    chosen = Chosen(tests, own_tests(mutant.room))
+    code = pytest.main([*options, *files], plugins=[chosen])
+    os._exit(chosen.code or int(code))

@@ -139,7 +139,7 @@ class TransferMatrix:
     def cancelled_polynomial(self) -> sp.Poly:
         """What χ has and the poles have not; one where several inputs and outputs share no realization yet."""
         quotient, rest = self.common_denominator.div(self.pole_polynomial)
-        return quotient.monic() if rest.is_zero and not quotient.is_zero else self._one
+        return quotient.monic() if rest.is_zero else self._one
 
     @property
     def reduced(self) -> TransferMatrix:

@@ -25,7 +25,7 @@ def _coordinates(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answe
     if not given.options.reduced:
         return sp.ImmutableMatrix(sp.eye(plant.n))
     T = order_of_states(plant)
-    if T is None and "S1" in answers and "S2" in answers and answers["S1"].rows == answers["S2"].rows:
+    if T is None and "S1" in answers and "S2" in answers:
         T = sp.ImmutableMatrix(sp.Matrix.hstack(answers["S1"], answers["S2"]))
     fits = T is not None and T.shape == plant.A.shape and numeric.independent(T)
     return T if fits else None
