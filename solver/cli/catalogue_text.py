@@ -9,7 +9,7 @@ from textwrap import wrap
 from typing import Any
 
 from solver.derivation import AnswerName, Method, Option, Task
-from solver.render.unicode_math import flat
+from solver.formula.terminal import flat
 from solver.tasks import Declaration, catalogue
 
 WIDTH = 100

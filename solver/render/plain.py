@@ -9,9 +9,9 @@ from typing import Any
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
+from solver.formula.terminal import drawn
 from solver.render.latex import DEFAULT, tex
 from solver.render.numbers import NumberFormat
-from solver.render.unicode_math import drawn
 from solver.stated import Stated
 
 DIGITS = 15

@@ -8,8 +8,8 @@ from textwrap import wrap
 
 from markdown_it.token import Token
 
-from solver.render.boxes import cells, padded
-from solver.render.unicode_math import drawn, flat
+from solver.formula.terminal import drawn, flat
+from solver.formula.terminal.boxes import cells, padded
 
 FIRM = "\xa0"
 """A space at which a line is not broken, while it is being wrapped."""

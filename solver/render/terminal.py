@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from solver.derivation import CheckStatus, Status
+from solver.formula.terminal import flat
 from solver.render.prose import inline_as_text, to_text
 from solver.render.prose_text import INDENT, display_lines, fits, indented, wrapped
-from solver.render.unicode_math import flat
 from solver.render.view import AnswerView, CheckRow, PartView, SolutionView
 from solver.render.wording import WORD, WordedStep
 

@@ -7,9 +7,9 @@ import pytest
 from rich.console import Console
 
 from solver.engine import solve_problem
+from solver.formula.terminal.boxes import cells
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
-from solver.render.boxes import cells
 from solver.render.prose import inline_as_text, to_text
 from solver.render.terminal import answer_lines, print_summary, text_document
 from solver.render.view import view_of

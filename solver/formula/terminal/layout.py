@@ -7,13 +7,12 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from solver.render.boxes import Box, beside, enclosed, fraction, grid, scripted, stacked, text_box
-from solver.render.unicode_symbols import SUBSCRIPTS, SUPERSCRIPTS
+from solver.formula.terminal.boxes import Box, beside, enclosed, fraction, grid, scripted, stacked, text_box
+from solver.formula.terminal.characters import SUBSCRIPTS, SUPERSCRIPTS
 
-MATRICES = {"bmatrix": "[]", "pmatrix": "()", "vmatrix": "||", "Vmatrix": "‖‖", "Bmatrix": "{}", "matrix": "..",
-            "smallmatrix": "..", "cases": "{.", "dcases": "{.", "array": "..", "aligned": "..", "align": "..",
-            "align*": "..", "split": "..", "gathered": "..", "gather": "..", "gather*": ".."}  # fmt: skip
-ALIGNED = {"aligned", "align", "align*", "split"}
+FENCES = {"bmatrix": "[]", "pmatrix": "()", "vmatrix": "||", "Vmatrix": "‖‖", "Bmatrix": "{}", "cases": "{."}
+"""What stands left and right of a table."""
+
 LIMITS = {"Σ", "Π", "lim"}
 """Their scripts stand above and below in display."""
 
@@ -117,25 +116,25 @@ def _script(mark: str, text: str) -> str:
 
 def tabular(name: str, columns: str, rows: list[list[Box]], display: bool, rules: Sequence[int] = ()) -> Box:
     """Lay out a matrix or an aligned block; a line stands before each of the rows `rules` (from 0)."""
-    left, right = tuple(MATRICES[name])
+    left, right = tuple(FENCES.get(name, ".."))
     count = len(rows[0])
-    if not display and name in ALIGNED:
+    if not display and name == "aligned":
         lines = [" ".join(" ".join(box.flat for box in row).split()) for row in rows]
         return text_box("; ".join(lines).replace("; =", " ="))
     if not display:
         inside = "; ".join(", ".join(box.flat.strip() for box in row) for row in rows)
         return text_box(f"{left.strip('.')}{inside}{right.strip('.')}")
-    if name in ALIGNED:
+    if name == "aligned":
         rows = [[beside([box, text_box(" ")]) if j % 2 == 0 else box for j, box in enumerate(row)] for row in rows]
         aligns = "".join("rl"[j % 2] for j in range(count))
         return grid(rows, aligns, ["", *(["", "  "] * count)[: count - 1]])
     letters = "".join(c for c in columns if c in "lcr")
-    default = "l" if name in {"cases", "dcases", "gathered"} else "c"
+    default = "l" if name == "cases" else "c"
     aligns = (letters + default * count)[:count]
     bars = _bars(columns)
     gaps = ["", *(" │ " if j in bars else "  " for j in range(1, count))]
     body = grid(rows, aligns, gaps, rules)
-    if left + right != ".." and name not in {"cases", "dcases"}:
+    if left + right != ".." and name != "cases":
         body = beside([_blank(body), body, _blank(body)]) if count > 1 or body.height > 1 else body
     return enclosed(body, left, right)
 

@@ -4,8 +4,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solver.render.boxes import cells
-from solver.render.unicode_math import drawn, flat
+from solver.formula import vocabulary as v
+from solver.formula.terminal import drawn, flat
+from solver.formula.terminal.boxes import cells
+from solver.formula.terminal.drawing import box as drawn_box
+from tests.helpers.formula_trees import TREES
 
 FLAT = {
     r"\chi(\lambda) = \det(\lambda I - A)": "χ(λ) = det(λI − A)",
@@ -80,3 +83,16 @@ def test_the_lines_of_a_drawing_are_level_with_accents_and_wide_letters():
     assert cells("ẋ̂ = 漢") == 6
     top, bottom = drawn(r"\begin{bmatrix}\hat{\eta} & 1 \\ x & 2\end{bmatrix}")
     assert cells(top) == cells(bottom)
+
+
+@pytest.mark.parametrize("command", sorted((v.SYMBOLS | v.OPERATORS | v.SPACES | v.FUNCTIONS) - {r"\backslash"}))
+def test_every_command_of_the_dialect_is_drawn(command):
+    assert "\\" not in flat(f"x {command} y")
+    assert len(flat(f"{{{command}}}")) <= 3 or command in v.FUNCTIONS | v.SPACES
+
+
+@given(TREES)
+def test_every_tree_has_lines_of_one_width(tree):
+    box = drawn_box(tree, display=True)
+    assert len({cells(line) for line in box.lines}) == 1
+    assert len(drawn_box(tree, display=False).lines) == 1
