@@ -1,7 +1,8 @@
 """Steps, claims, answers and the registration of tasks; knows no topic."""
 
+from solver.derivation.lemmas import Derivation, MistakenDerivation, lemma
 from solver.derivation.options import Option, OptionKind, Options, option
-from solver.derivation.registry import AnswerName, Derivation, Given, Method, Refusal, Task, Topic, lemma
+from solver.derivation.registry import AnswerName, Given, Method, Refusal, Task, Topic
 from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResult, Status, Step, Unsolved
 
 __all__ = [
@@ -13,6 +14,7 @@ __all__ = [
     "Derivation",
     "Given",
     "Method",
+    "MistakenDerivation",
     "Option",
     "OptionKind",
     "Options",

@@ -6,25 +6,23 @@ verification. Nothing here computes, so that reading the catalogue needs no alge
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import wraps
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Generic, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas, worded_by
 from solver.derivation.options import Option, Options
-from solver.derivation.steps import Answers, Check, Step
+from solver.derivation.steps import Answers, Check
 
 if TYPE_CHECKING:
     from solver.systems import System
 
-P = ParamSpec("P")
-R = TypeVar("R")
 S = TypeVar("S")
 O = TypeVar("O", bound=Options)
 S_co = TypeVar("S_co", covariant=True)
 O_co = TypeVar("O_co", bound=Options, covariant=True)
-Derivation = Generator[Step, None, R]
 Refusal = tuple[str, str]
 """The option at fault ("" for the question as a whole) and what is wrong with it, in words."""
 
@@ -151,11 +149,35 @@ class Task(Generic[S, O]):
         name = name or self.name
 
         def register(derive: Derive[S, O]) -> Derive[S, O]:
-            worded = worded_by(f"{self.name}/{name}")(derive)
+            worded = worded_by(f"{self.name}/{name}")(self._complete(derive, name))
             self.methods[name] = Method(name, title or self.title, source, time, worded)
             return worded
 
         return register
+
+    def _complete(self, derive: Derive[S, O], method: str) -> Derive[S, O]:
+        """Return the derivation; it ends in a MistakenDerivation where a lemma was lost or an answer is unknown."""
+
+        @wraps(derive)
+        def completed(given: Given[S, O]) -> Derivation[Answers]:
+            lost_lemmas.clear()
+            answers = yield from derive(given)
+            where = f"{self.name}, method {method}"
+            if lost_lemmas:
+                lost = lost_lemmas[0]
+                raise MistakenDerivation(f"{where}: {lost}(…) was called and not run; write `yield from {lost}(…)`")
+            if not isinstance(answers, Answers):
+                raise MistakenDerivation(f"{where}: it must end in `return Answers(…)`, not in {answers!r}")
+            for name in answers:
+                if name not in self.answers:
+                    declared = ", ".join(self.answers)
+                    message = (
+                        f"the answer {name} is not declared; add AnswerName({name!r}, …) or use one of: {declared}"
+                    )
+                    raise MistakenDerivation(f"{where}: {message}")
+            return answers
+
+        return completed
 
     def verification(self, *answers: str) -> Callable[[Judge[S, O]], Judge[S, O]]:
         """Register the judge of some answers, called when at least one of them is present.
@@ -201,32 +223,3 @@ class Task(Generic[S, O]):
     def options_for(self, method: str) -> dict[str, Option]:
         """Return the options that the method takes."""
         return {name: option for name, option in self.options.items() if not option.methods or method in option.methods}
-
-
-def worded_by(wording: str) -> Callable[[Callable[P, Derivation[R]]], Callable[P, Derivation[R]]]:
-    """Name the wording file of a generator of steps; steps of lemmas it calls keep their own."""
-
-    def decorate(derive: Callable[P, Derivation[R]]) -> Callable[P, Derivation[R]]:
-        @wraps(derive)
-        def worded(*args: P.args, **kwargs: P.kwargs) -> Derivation[R]:
-            derivation = derive(*args, **kwargs)
-            try:
-                step = next(derivation)
-                while True:
-                    for each in step.walk():
-                        each.wording = each.wording or wording
-                    yield step
-                    step = next(derivation)
-            except StopIteration as end:
-                result: R = end.value
-                return result
-
-        worded.wording = wording  # type: ignore[attr-defined]  # read by the test that enumerates step kinds
-        return worded
-
-    return decorate
-
-
-def lemma(wording: str) -> Callable[[Callable[P, Derivation[R]]], Callable[P, Derivation[R]]]:
-    """Mark a derivation used by several tasks: `yield from` it. Worded by `templates/wording/lemmas/<wording>`."""
-    return worded_by(f"lemmas/{wording}")

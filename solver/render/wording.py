@@ -157,7 +157,7 @@ class Wording:
         try:
             found = [getattr(module, name) for module in self._modules(wording) if hasattr(module, name)]
             if not found:
-                raise WordingError(f"{place} is missing")
+                raise WordingError(f"{place} is missing; write {{% macro {name}(…) %}} there")
             return str(found[0](*arguments))
         except TemplateNotFound as error:
             raise WordingError(f"{place} is missing: there is no such file") from error
