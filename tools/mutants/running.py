@@ -38,7 +38,7 @@ def own_tests(room: str) -> str:
     return f"tests/{room}/" if (ROOT / "tests" / room).is_dir() else "tests/"
 
 
-def tests_for(mutant: Mutant, reached: Reached) -> list[str]:
+def chosen_for(mutant: Mutant, reached: Reached) -> list[str]:
     """The tests that run the line (where it runs on import, the file): those of its room and then all others."""
     direct = reached.tests_of(mutant.file, mutant.line, mutant.last_line) or reached.tests_of_file(mutant.file)
     own = {test for test in direct if test.startswith(own_tests(mutant.room))}
@@ -92,7 +92,7 @@ def outcomes(mutants: Sequence[Mutant], reached: Reached, lanes: int) -> Iterato
         importlib.import_module(library)
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
         free = [_copy(Path(folder) / str(i)) for i in range(lanes)]
-        waiting = [(mutant, tests_for(mutant, reached)) for mutant in reversed(mutants)]
+        waiting = [(mutant, chosen_for(mutant, reached)) for mutant in reversed(mutants)]
         running: dict[int, tuple[Any, Mutant, Path, float]] = {}
         while waiting or running:
             while waiting and free:
