@@ -1,7 +1,8 @@
 """Solving: every part by each of its methods, every displayed equality and every answer checked.
 
-The engine knows no topic. A method yields steps and returns answers; the steps' claims go to the oracle, the answers
-to the task's verification, and the worst of the checks decides the status.
+The engine knows no topic and no kind of system. What is given is converted to what a task needs; a method yields steps
+and returns answers; the steps' claims go to the oracle, the answers to the task's verification, and the worst of
+the checks decides the status.
 """
 
 from __future__ import annotations
@@ -22,16 +23,13 @@ from solver.derivation import (
     Step,
     Task,
     Unsolved,
-    lemma,
 )
-from solver.derivation.steps import Claim
+from solver.derivation.conversion import composed, converted
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.problem.model import Display, Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
-from solver.stated.algebra import difference, product, total
-from solver.stated.matrices import inverse
-from solver.systems import StateSpace, System, TransferFunction
+from solver.systems import System
 from solver.tasks import catalogue
 from solver.words import Reason
 
@@ -147,36 +145,11 @@ def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) ->
 
 
 def _plant(task: Task[Any, Any], given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
-    """Bring the system to what the task works on: realized if it needs a state space, with the loop closed."""
-    if isinstance(given.system, TransferFunction) and (
-        "transfer_function" not in task.needs or _gain(given) is not None
-    ):
-        given = yield from _realized(given)
-    return (yield from _closed_loop(given)) if task.closes_the_loop else given
-
-
-@lemma("realized")
-def _realized(given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
-    """A transfer function is realized in controllable canonical form for questions about its states."""
-    G = given.system
-    form = exact.controllable_realization(exact.transfer_matrix_of_fractions(G.numerators, G.denominators, G.variable))
-    A, B, C, D = form.A, form.B, form.C, form.D
-    if A.rows == 0:
-        raise Unsolved("engine/constant_plant")
-    resolvent = inverse(difference(product(G.variable, sp.ImmutableMatrix(sp.eye(A.rows))), A))
-    terms = [product(C, resolvent, B), *([] if D.is_zero_matrix else [D])]
-    yield Step(
-        "realized",
-        claims={"same": Claim(total(*terms), G.matrix, "the realization has the transfer function")},
-        A=A,
-        B=B,
-        C=C,
-        D=D,
-        G=G,
-        siso=G.matrix.shape == (1, 1),
-    )
-    names = {"input_names": G.input_names, "output_names": G.output_names}
-    return replace(given, system=StateSpace(A, B, C, D, None, G.discrete, G.sample_time, **names))
+    """Bring the system to what the task works on, by conversions; with the loop closed that the options ask for."""
+    options = {name: getattr(given.options, name) for name, option in task.options.items() if option.closes_the_loop}
+    own = {name for name in task.needs if name in task.options and given.options.has(name)}
+    system = composed(given.system, options)
+    return replace(given, system=(yield from converted(system, set(task.needs) - own)))
 
 
 def yield_into(steps: list[Step], derivation: Derivation[Any]) -> Any:
@@ -219,32 +192,6 @@ def _as_printed(matrix: Any) -> Any:
     """Return a matrix with its decimals taken as exact numbers of 15 digits, so that exact algebra goes on."""
     exactly = {each: sp.Rational(str(sp.Float(each, DIGITS))) for each in matrix.atoms(sp.Float)}
     return matrix.xreplace(exactly) if exactly else matrix
-
-
-def _gain(given: Given[Any, Any]) -> Any:
-    """The gain that closes the loop before the question is asked, None without one."""
-    return getattr(given.options, "gain", None)
-
-
-@lemma("closed_loop")
-def _closed_loop(given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
-    """With the option `gain`, the question is about x' = (A − BK) x."""
-    K, plant = _gain(given), given.system
-    if K is None:
-        return given
-    if plant.B is None or K.shape != (plant.B.cols, plant.order):
-        raise Unsolved("engine/gain_does_not_fit")
-    loop = plant.closed_loop(K)
-    yield Step(
-        "closed_loop",
-        claims={"loop": Claim(difference(plant.A, product(plant.B, K)), loop.A, "closed loop $A - BK$")},
-        A=plant.A,
-        B=plant.B,
-        K=K,
-        loop=loop.A,
-        discrete=plant.discrete,
-    )
-    return replace(given, system=loop)
 
 
 __all__ = [

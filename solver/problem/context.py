@@ -14,7 +14,7 @@ from solver.problem.matrices import expect_shape, is_flat, read_matrix
 from solver.problem.nodes import Node
 from solver.problem.poles import read_conjugate_list
 from solver.problem.transfer_functions import read_transfer_function
-from solver.systems import StateSpace, System, TransferFunction
+from solver.systems import StateSpace, System
 
 OTHER_TIME = {True: {"t": "k", "s": "z"}, False: {"k": "t", "z": "s"}}
 """By whether time is discrete: variables of the other kind of time, and the ones that take their place."""
@@ -37,20 +37,11 @@ class Context:
         """Return a number of rows or columns: itself, or that of "n" states, "m" inputs, "p" outputs if known."""
         if not isinstance(of, str):
             return of
-        if isinstance(self.system, TransferFunction):
-            return {"m": int(self.system.matrix.cols), "p": int(self.system.matrix.rows)}.get(of)
-        if self.system is None:
-            return None
-        B, C = self.system.B, self.system.C
-        sizes = {"n": self.system.order, "m": B.cols if B is not None else None, "p": C.rows if C is not None else None}
-        return sizes[of]
+        return None if self.system is None else self.system.size(of)
 
     def names(self, of: str) -> tuple[str, ...]:
         """Return the names of the system's inputs, outputs or states, if it gives them."""
-        if not isinstance(self.system, StateSpace):
-            return ()
-        named = {"input": self.system.input_names, "output": self.system.output_names, "state": self.system.state_names}
-        return named[of]
+        return () if self.system is None else self.system.names(of)
 
     def _variables(self, declared: Collection[str]) -> tuple[str, ...]:
         """Return the variables of an expression without those of the other kind of time."""

@@ -6,13 +6,14 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from solver.derivation import Option, Task
+from solver.derivation.conversion import reachable
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
 from solver.problem.model import Part
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of, scalar
 from solver.problem.references import read_option
 from solver.problem.source import Fault, Report, did_you_mean
-from solver.problem.systems import NOTHING, described, provided
+from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
 OWN_KEYS = ("task", "method", "marks", "prompt", "system")
@@ -207,14 +208,14 @@ class _OptionsReader:
         """Refuse a gain where there is nothing to feed back to."""
         system = self.context.system
         if isinstance(system, StateSpace) and system.B is None:
-            raise self.part.entries["gain"].key.fault(f"a gain needs A and B; {described(system)}")
+            raise self.part.entries["gain"].key.fault(f"a gain needs A and B; {system.described}")
 
 
 def _check_needs(task: Task[Any, Any], plant: PlantOf, given: set[str], node: Node) -> None:
     """Raise Fault if the question is about a matrix that neither the system nor an option gives."""
     if not plant.known:
         return
-    has = (provided(plant.system) if plant.system is not None else frozenset()) | given
+    has = (reachable(plant.system) if plant.system is not None else frozenset()) | given
     missing = [need for need in task.needs if need not in has]
     if not missing:
         return
@@ -223,4 +224,4 @@ def _check_needs(task: Task[Any, Any], plant: PlantOf, given: set[str], node: No
             f"{task.name} is about a system, and there is none", note="add 'system:' to the problem or the part"
         )
     words = [IN_WORDS.get(need, need) for need in missing]
-    raise node.fault(f"{task.name} needs {' and '.join(words)}; {described(plant.system)}")
+    raise node.fault(f"{task.name} needs {' and '.join(words)}; {plant.system.described}")

@@ -6,27 +6,24 @@ What stands in the values, and the options of a part, is read elsewhere: it depe
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, StringConstraints, Tag
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, StringConstraints, Tag, create_model
 from pydantic import WithJsonSchema as Schema
 from pydantic_core import PydanticCustomError
 
 from solver.problem.source import did_you_mean
+from solver.systems import kind, kinds
 
 MAX_STATES = 12
 MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
-KINDS = {
-    "A": "<state_space>",
-    "transfer_function": "<transfer_function>",
-    "transfer_matrix": "<transfer_matrix>",
-    "matrix": "<matrix>",
-}
-"""The key that tells the kind of a system. Names of alternatives stand in <> so that they are never taken for keys."""
-
-RESERVED = ("equations", "lagrangian", "circuit", "functional", "model")
+RESERVED = (
+    "lagrangian", "circuit", "functional", "polynomial_matrix", "signal_flow", "op_amp", "equations", "polynomial",
+    "model",
+)  # fmt: skip
 """Kinds of system that are known but can't be read yet."""
 
 
@@ -38,10 +35,10 @@ def kind_of_value(value: Any) -> str | None:
 
 
 def kind_of_system(value: Any) -> str | None:
-    """Return the kind that the keys of a system tell."""
+    """Return the kind that the keys of a system tell; names of alternatives stand in <>, and are never keys."""
     if not isinstance(value, dict):
         return None
-    return next((kind for key, kind in KINDS.items() if key in value), "<state_space>")
+    return next((f"<{kinds()[key].name}>" for key in value if key in kinds()), "<state_space>")
 
 
 def _either(expected: str) -> Discriminator:
@@ -118,52 +115,43 @@ class AnySystem(Shape):
 
     time: Literal["continuous", "discrete"] = Field(default="continuous", description="continuous or discrete time")
     sample_time: Value = optional("sampling period in discrete time")
-    inputs: Values = optional("names of the inputs")
-    outputs: Values = optional("names of the outputs")
 
 
-class StateSpaceShape(AnySystem):
-    """x' = A x + B u, y = C x + D u."""
+def _annotation(shape: kind.Shape) -> Any:
+    """Return the type of what may stand under a key of a kind."""
+    match shape:
+        case kind.ListOf():
+            return Annotated[list[_annotation(shape.item)], Field(min_length=1)]  # type: ignore[misc]  # made at run time
+        case kind.MappingTo():
+            return dict[str, _annotation(shape.value)]  # type: ignore[misc]  # made at run time
+        case _:
+            return {kind.Value: Value, kind.Values: Values, kind.Matrix: Matrix, kind.Fraction: Rational}[type(shape)]
 
-    A: Matrix = Field(description="system matrix, n×n")
-    B: Matrix = optional("input matrix, n×m; a flat list is a column")
-    C: Matrix = optional("output matrix, p×n; a flat list is a row")
-    D: Matrix = optional("feedthrough, p×m; zero if absent")
-    initial_state: Matrix = optional("x(0), n values")
-    states: Values = optional("names of the states")
 
-
-class TransferFunctionShape(AnySystem):
-    """G(s), in discrete time G(z)."""
-
-    transfer_function: Rational = Field(
-        description="an expression in s (discrete: z), {zeros, poles, gain} or {numerator, denominator}"
+def _model(declared: kind.Kind) -> type[AnySystem]:
+    """Return the model of a kind of system."""
+    fields: dict[str, Any] = {}
+    for key in declared.keys:
+        given = Field(description=key.doc) if key.required else optional(key.doc)
+        fields[key.name] = (_annotation(key.shape), given)
+    return create_model(
+        declared.name.title().replace("_", "") + "Shape", __base__=AnySystem, __doc__=declared.doc, **fields
     )
 
 
-class TransferMatrixShape(AnySystem):
-    """G(s) of several inputs or outputs."""
-
-    transfer_matrix: list[Annotated[list[Rational], Field(min_length=1)]] = Field(
-        min_length=1, description="rows of transfer functions: one row an output, one column an input"
-    )
-
-
-class MatrixShape(AnySystem):
-    """A bare matrix, for questions of linear algebra."""
-
-    matrix: Matrix = Field(description="a matrix")
+SYSTEMS: Mapping[str, type[AnySystem]] = {f"<{each.name}>": _model(each) for each in kinds().values()}
+"""The model of each kind of system by the name of the alternative."""
 
 
 def _known_kind(value: Any) -> Any:
     """Refuse, in words, a system whose keys tell no kind that can be read."""
-    if not isinstance(value, dict) or any(key in value for key in KINDS):
+    if not isinstance(value, dict) or any(key in value for key in kinds()):
         return value
     for key in RESERVED:
         if key in value:
             message = "'{key}' cannot be read yet; give A, B, C, D or a transfer_function"
             raise PydanticCustomError("at_key", message, {"key": key})
-    known = [*StateSpaceShape.model_fields, *KINDS, *RESERVED]
+    known = [*(key for model in SYSTEMS.values() for key in model.model_fields), *RESERVED]
     for key in value:
         if key not in known:
             context = {"key": key, "suggestion": did_you_mean(key, known)}
@@ -171,18 +159,20 @@ def _known_kind(value: Any) -> Any:
     return value
 
 
-System = Annotated[
-    Annotated[StateSpaceShape, Tag("<state_space>")]
-    | Annotated[TransferFunctionShape, Tag("<transfer_function>")]
-    | Annotated[TransferMatrixShape, Tag("<transfer_matrix>")]
-    | Annotated[MatrixShape, Tag("<matrix>")],
-    Discriminator(
-        kind_of_system,
-        custom_error_type="expected",
-        custom_error_message="a system: a mapping such as {A: [[0, 1], [-2, -3]], B: [0, 1]}",
-    ),
-    BeforeValidator(_known_kind),
-]
+_ALTERNATIVES = tuple(Annotated[model, Tag(name)] for name, model in SYSTEMS.items())
+
+if TYPE_CHECKING:
+    System = AnySystem
+else:
+    System = Annotated[
+        Union[_ALTERNATIVES],  # noqa: UP007 - of a tuple made at run time
+        Discriminator(
+            kind_of_system,
+            custom_error_type="expected",
+            custom_error_message="a system: a mapping such as {A: [[0, 1], [-2, -3]], B: [0, 1]}",
+        ),
+        BeforeValidator(_known_kind),
+    ]
 
 
 class PartShape(BaseModel):

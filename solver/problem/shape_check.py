@@ -12,14 +12,12 @@ from pydantic import BaseModel, ValidationError
 from solver.problem import shape
 from solver.problem.nodes import MappingNode, Node, SequenceNode
 from solver.problem.source import Diagnostic, did_you_mean
+from solver.systems import kinds
 
 Path = tuple[str | int, ...]
 
 MODELS: Mapping[str | int, type[BaseModel]] = {
-    "<state_space>": shape.StateSpaceShape,
-    "<transfer_function>": shape.TransferFunctionShape,
-    "<transfer_matrix>": shape.TransferMatrixShape,
-    "<matrix>": shape.MatrixShape,
+    **{name: model for name, model in shape.SYSTEMS.items()},  # noqa: C416 - a wider type of key
     "<zeros_poles_gain>": shape.ZerosPolesGain,
     "<fraction>": shape.Fraction,
     "<mapping>": shape.DisplayShape,
@@ -99,9 +97,10 @@ def _key(mapping: Node, path: Path) -> Node:
 def _unknown(key: str, model: type[BaseModel], parent: Node) -> tuple[str, str]:
     """Return the message for a key that the model does not know, and the key probably meant."""
     present = parent.entries if isinstance(parent, MappingNode) else {}
-    kind = next((name for name in shape.KINDS if name in model.model_fields), "")
-    if kind and key in (*shape.StateSpaceShape.model_fields, *shape.KINDS, *shape.RESERVED):
-        return f"'{key}' cannot stand beside '{kind}'", ""
+    tells = next((name for name in kinds() if name in model.model_fields), "")
+    others = (known for kind in kinds().values() for known in kind.keys)
+    if tells and (key in shape.RESERVED or any(key == other.name for other in others)):
+        return f"'{key}' cannot stand beside '{tells}'", ""
     return f"unknown key '{key[:60]}'", did_you_mean(key, (name for name in model.model_fields if name not in present))
 
 

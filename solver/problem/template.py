@@ -6,14 +6,7 @@ from textwrap import wrap
 from typing import Any
 
 from solver.derivation import Option, Task
-
-PLANT = {
-    "A": ("[[0, 1], [-2, -3]]", "a matrix, row by row; entries are exact: 0.75, 3/4, sqrt(2), k/m"),
-    "B": ("[0, 1]", "a flat list is a column"),
-    "C": ("[1, 0]", "a flat list is a row; D is zero unless it is given"),
-    "initial_state": ("[1, 0]", "x(0)"),
-}
-"""An example of order two: controllable, observable, eigenvalues −1 and −2."""
+from solver.systems import kinds
 
 WIDTH = 110
 OTHER_NAMES = {"x0": "initial_state"}
@@ -38,25 +31,23 @@ def _quoted(text: str) -> str:
 
 
 def _system(task: Task[Any, Any]) -> list[str]:
-    """Lines that give the example system with what the task needs; what it does not need as comments."""
+    """Lines that give the example of a kind of system with what the task needs; the rest of it as comments."""
     needs = {OTHER_NAMES.get(need, need) for need in task.needs}
     continuous = bool(task.methods_for(discrete=False))
     time = "  # time: discrete" if continuous else "  time: discrete"
     if not needs:
         return []
-    if not needs & set(PLANT):
-        x = "s" if continuous else "z"
-        example = (
-            "matrix: [[1, 2], [2, 4]]" if "matrix" in needs else f"transfer_function: ({x} + 3)/({x}^2 + 3{x} + 2)"
-        )
-        return ["system:", time, f"  {example}"]
-    needs |= {"B", "C"} if needs & {"transfer_function", "D"} else set(task.example)
-    given = [
-        (f"{'' if key in needs or key == 'A' else '# '}{key}: {task.example.get(key, value)}", meaning)
-        for key, (value, meaning) in PLANT.items()
-    ]
+    kind = next((each for each in kinds().values() if each.name in needs), kinds()["A"])
+    keys = {line.partition(":")[0] for line, _ in kind.example}
+    if needs & keys:
+        needs |= {"B", "C"} if needs & {"transfer_function", "D"} else set(task.example)
+    required = needs | {key.name for key in kind.keys if key.required}
+    given = []
+    for line, meaning in kind.example:
+        key, _, value = line.replace("{x}", "s" if continuous else "z").partition(": ")
+        given.append((f"{'' if key in required else '# '}{key}: {task.example.get(key, value)}", meaning))
     width = max(len(text) for text, _ in given)
-    return ["system:", time, *(f"  {text:{width}}  # {meaning}" for text, meaning in given)]
+    return ["system:", time, *(f"  {text:{width}}  # {meaning}" if meaning else f"  {text}" for text, meaning in given)]
 
 
 def _methods(task: Task[Any, Any]) -> list[str]:

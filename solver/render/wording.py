@@ -8,6 +8,7 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
   Markdown's signs made harmless,
 - `eq(a, b, ...)`: the display a = b = ...; texts are LaTeX as they stand, anything else is printed by `tex`,
 - `claim(c.name, prefix)`: both sides of a claim as a display; `align([[a, b], [c, d]])`: equations under each other,
+- `pieces([[name, value], ...])`: `name = value` for all that are not none; `fraction(p, q)`: p over q as it stands;
 - `sym.Phi`, `sym.xdot`, ...: the symbols of the notation.
 """
 
@@ -32,18 +33,21 @@ from solver.messages import Messages, environment
 from solver.notation import COURSE, NOTATIONS, answer_symbol
 from solver.problem.model import Display, Part
 from solver.render.displays import READABLE, aligned, chain, display, entries
-from solver.render.given import given_markdown
 from solver.render.latex import DEFAULT, tex, tex_answer
 from solver.render.numbers import NumberFormat
 from solver.render.prose import plain
 from solver.render.recording import Recorder
 from solver.render.row_operations import row_operation
 from solver.render.width import LINE, width
+from solver.stated.algebra import quotient
 from solver.systems import System
 from solver.words import ENGLISH, Reason
 
 WORD = re.compile(r"\\text\{([^{}]*)\}")
 """An answer that has a word in place of a symbol: whether the system is stable equals nothing."""
+
+GAP = r",\qquad "
+"""Between two equations on one line."""
 
 LEVELS = ("brief", "full", "tutor")
 
@@ -121,7 +125,7 @@ class Wording:
 
     def given(self, system: System) -> str:
         """Return what is given about a system in Markdown."""
-        return _tidy(given_markdown(system, self.tex))
+        return _tidy(self._macro(f"systems/{system.kind}", "given", system))
 
     def tex(self, value: Any) -> str:
         """Return a value as LaTeX."""
@@ -195,6 +199,7 @@ class Wording:
             **{"brief": level == 0, "full": level >= 1, "tutor": level >= 2},
             **{"eq": self._eq, "claim": self._claim, "align": self._align, "sym": NOTATIONS[self.notation]},
             **{"say": self.say, "tex": self._filtered, "latex": self.tex, "operation": self._operation},
+            **{"pieces": self._pieces, "fraction": quotient},
         }
 
     def _filtered(self, value: Any) -> str:
@@ -249,6 +254,17 @@ class Wording:
             for sides, relation in chains
         ]
         return recorder.display(noted, display(recorder.expanded(latex)))
+
+    def _pieces(self, named: Iterable[tuple[str, Any]]) -> str:
+        """Return `name = value` for each value that is given, as many on a line as fit."""
+        lines: list[str] = []
+        for name, value in named:
+            piece = "" if value is None else f"{name} = {self.tex(value)}"
+            if piece and lines and width(lines[-1] + GAP + piece) <= LINE:
+                lines[-1] += GAP + piece
+            elif piece:
+                lines.append(piece)
+        return "".join(map(display, lines))
 
     def _operation(self, operation: Any) -> str:
         return row_operation(operation, self.tex)

@@ -1,11 +1,16 @@
-"""Transfer functions as the problem gives them, exact."""
+"""Transfer functions as the problem gives them, exact: one, or a matrix of them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import sympy as sp
+from solver.lazy import sympy as sp
+from solver.systems.kind import CHANNELS, Fraction, Key, Kind, ListOf, Quotient, Reader
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
 
 
 @dataclass(frozen=True)
@@ -16,18 +21,111 @@ class TransferFunction:
     denominators not made monic.
     """
 
-    matrix: sp.ImmutableMatrix
-    numerators: tuple[tuple[sp.Expr, ...], ...]
-    denominators: tuple[tuple[sp.Expr, ...], ...]
-    variable: sp.Symbol
+    matrix: ImmutableMatrix
+    numerators: tuple[tuple[Expr, ...], ...]
+    denominators: tuple[tuple[Expr, ...], ...]
+    variable: Symbol
     discrete: bool = False
-    sample_time: sp.Expr | None = None
+    sample_time: Expr | None = None
     input_names: tuple[str, ...] = ()
     output_names: tuple[str, ...] = ()
 
     @property
-    def parameters(self) -> tuple[sp.Symbol, ...]:
+    def kind(self) -> str:
+        """The name of the kind that words it."""
+        return "transfer_function"
+
+    @property
+    def parameters(self) -> tuple[Symbol, ...]:
         """The free symbols but the variable, sorted by name."""
         rows = (*self.numerators, *self.denominators)
         symbols: set[Any] = set().union(self.matrix.free_symbols, *(p.free_symbols for row in rows for p in row))
         return tuple(sorted(symbols - {self.variable}, key=str))
+
+    @property
+    def uncancelled(self) -> ImmutableMatrix:
+        """The matrix with the factors that cancel."""
+        rows = zip(self.numerators, self.denominators, strict=True)
+        return sp.ImmutableMatrix([[p / q for p, q in zip(*row, strict=True)] for row in rows])
+
+    @property
+    def provides(self) -> frozenset[str]:
+        """A task can ask for the transfer function."""
+        return frozenset({"transfer_function"})
+
+    @property
+    def described(self) -> str:
+        """What it is given by, in words."""
+        return "the system is a transfer function"
+
+    def size(self, of: str) -> int | None:
+        """Return the number of inputs "m" or outputs "p"; that of states "n" depends on the realization."""
+        return {"m": int(self.matrix.cols), "p": int(self.matrix.rows)}.get(of)
+
+    def names(self, of: str) -> tuple[str, ...]:
+        """Return the names of the "input"s or "output"s, if there are any."""
+        return {"input": self.input_names, "output": self.output_names}.get(of, ())
+
+
+def _read_one(reader: Reader) -> TransferFunction:
+    """Return one transfer function."""
+    entry = reader.quotient("transfer_function")
+    reader.conclude()
+    assert entry is not None  # noqa: S101 - what is wrong with it was concluded above
+    return _of(reader, [[entry]])
+
+
+def _read_matrix(reader: Reader) -> TransferFunction:
+    """Return a matrix of transfer functions."""
+    rows = reader.quotients("transfer_matrix")
+    reader.conclude()
+    return _of(reader, rows)
+
+
+def _of(reader: Reader, rows: Sequence[Sequence[Quotient]]) -> TransferFunction:
+    """Return the system of these quotients with the names of its channels."""
+    inputs, outputs = reader.names("inputs", len(rows[0])), reader.names("outputs", len(rows))
+    reader.conclude()
+    return TransferFunction(
+        matrix=sp.ImmutableMatrix([[entry.cancelled() for entry in row] for row in rows]),
+        numerators=tuple(tuple(entry.numerator.as_expr() for entry in row) for row in rows),
+        denominators=tuple(tuple(entry.denominator.as_expr() for entry in row) for row in rows),
+        variable=sp.Symbol("z" if reader.discrete else "s"),
+        discrete=reader.discrete,
+        sample_time=reader.sample_time,
+        input_names=inputs,
+        output_names=outputs,
+    )
+
+
+TRANSFER_FUNCTION = Kind(
+    "transfer_function",
+    doc="G(s), in discrete time G(z).",
+    keys=(
+        Key(
+            "transfer_function",
+            Fraction(),
+            "an expression in s (discrete: z), {zeros, poles, gain} or {numerator, denominator}",
+            required=True,
+        ),
+        *CHANNELS,
+    ),
+    read=_read_one,
+    example=(("transfer_function: ({x} + 3)/({x}^2 + 3{x} + 2)", ""),),
+)
+
+TRANSFER_MATRIX = Kind(
+    "transfer_matrix",
+    doc="G(s) of several inputs or outputs.",
+    keys=(
+        Key(
+            "transfer_matrix",
+            ListOf(ListOf(Fraction())),
+            "rows of transfer functions: one row an output, one column an input",
+            required=True,
+        ),
+        *CHANNELS,
+    ),
+    read=_read_matrix,
+    example=(("transfer_matrix: [[1/({x} + 1), 0], [1, 1/{x}]]", ""),),
+)

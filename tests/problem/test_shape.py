@@ -66,7 +66,7 @@ FIND = "find: {a: stability}\n"
         ("system: {A: [[1]], intial_state: [1]}\n" + FIND, ["1:20-32 unknown key 'intial_state'"]),
         ("system: {tranfer_function: 1/s}\n" + FIND, ["1:10-26 unknown key 'tranfer_function' in a system"]),
         ("system: {transfer_function: 1/s, A: [[1]]}\nfind: {a: realization}\n",
-         ["1:10-27 'transfer_function' cannot stand beside 'A'"]),
+         ["1:34-35 'A' cannot stand beside 'transfer_function'"]),
         ("system: {matrix: [[1]], B: [1]}\n" + FIND, ["1:25-26 'B' cannot stand beside 'matrix'"]),
         ("system: {A: [[1]], time: dicrete}\n" + FIND,
          ["1:26-33 'dicrete' is not known here; it is one of continuous, discrete"]),

@@ -16,7 +16,7 @@ from solver.stated.matrices import inverse
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
-    from solver.systems import StateSpace, System
+    from solver.systems import StateSpace, System, TransferFunction
     from solver.tasks.needed import InputOutput
     from solver.tasks.representation.transfer_function import TransferFunctionOptions
 
@@ -29,7 +29,7 @@ def matrices_of(plant: StateSpace) -> tuple[ImmutableMatrix, ImmutableMatrix, Im
     return plant.A, plant.B, plant.C, D
 
 
-def chosen_channel(given: Given[InputOutput, TransferFunctionOptions]) -> System:
+def chosen_channel(given: Given[InputOutput, TransferFunctionOptions]) -> StateSpace | TransferFunction:
     """The system from the input asked for to the output asked for."""
     plant, inputs, outputs = given.system, _picked(given.options.input), _picked(given.options.output)
     if isinstance(plant, systems.TransferFunction):
@@ -63,14 +63,14 @@ def stated_transfer(plant: StateSpace, x: Symbol) -> Stated:
     return dynamic if plant.D is None or plant.D.is_zero_matrix else total(dynamic, plant.D)
 
 
-def numbers_of(plant: System) -> Any:
+def numbers_of(plant: StateSpace | TransferFunction) -> Any:
     """The plant as matrices A, B, C, D for the oracles."""
     if isinstance(plant, systems.TransferFunction):
         return judges.realized(plant.numerators, plant.denominators, plant.variable)
     return matrices_of(plant)
 
 
-def stated_matrix(plant: System) -> Any:
+def stated_matrix(plant: StateSpace | TransferFunction) -> Any:
     """G as the problem states it: fractions as typed, or C (sI − A)⁻¹ B + D."""
     if not isinstance(plant, systems.TransferFunction):
         return stated_transfer(plant, variable_of(plant))

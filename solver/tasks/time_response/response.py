@@ -16,7 +16,6 @@ from solver.derivation import (
     Task,
     option,
 )
-from solver.lazy import systems
 from solver.options.choice import Choice
 from solver.options.expression_list import ExpressionList
 from solver.options.matrix import MatrixOf
@@ -88,8 +87,7 @@ def incomplete_question(system: System, options: ResponseOptions) -> Iterable[Re
 
 
 def _number_of_inputs(system: System) -> int:
-    matrix = system.B if isinstance(system, systems.StateSpace) else system.matrix
-    return int(matrix.cols) if matrix is not None else 0
+    return system.size("m") or 0
 
 
 @response.method("laplace", title="Laplace transform", source="Lecture note, section 1.13", time="continuous")

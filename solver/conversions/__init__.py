@@ -1,0 +1,1 @@
+"""Conversions between kinds of system, one file a pair, found by themselves; see `solver.derivation.conversion`."""

@@ -1,0 +1,168 @@
+"""What a kind of system declares: the keys it is given by, how they are read, an example, what it is.
+
+A kind is one file of this folder. It holds the frozen exact object that a problem is about, and one `Kind` for each
+way of giving it in a file; nothing lists the kinds by hand. Its words under "Given" are the macro `given` of
+`templates/wording/systems/<kind>.md.jinja`. The file must be importable without sympy, like the declaration of a task.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Poly, Symbol
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """A number or an expression, or words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """A value or a list of values."""
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """A list of rows, a flat list or a single value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fraction:
+    """A quotient of polynomials in any of its spellings."""
+
+
+@dataclass(frozen=True, slots=True)
+class ListOf:
+    """A list of one item at least."""
+
+    item: Shape
+
+
+@dataclass(frozen=True, slots=True)
+class MappingTo:
+    """Keys of the user's choice with values of one shape."""
+
+    value: Shape
+
+
+Shape = Value | Values | Matrix | Fraction | ListOf | MappingTo
+"""What may stand under a key, before it is known what the values mean."""
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A key of a kind: its name, what may stand there, what it means, and whether it can't be left out."""
+
+    name: str
+    shape: Shape
+    doc: str
+    required: bool = False
+
+
+class System(Protocol):
+    """What the exact object of any kind can be asked."""
+
+    @property
+    def kind(self) -> str:
+        """The name of the kind that words it."""
+
+    @property
+    def discrete(self) -> bool:
+        """Whether time is discrete."""
+
+    @property
+    def sample_time(self) -> Expr | None:
+        """The sampling period, where one is given."""
+
+    @property
+    def parameters(self) -> tuple[Symbol, ...]:
+        """The free symbols, sorted by name."""
+
+    @property
+    def provides(self) -> frozenset[str]:
+        """What a task can ask of it as it stands: "A", "B", "C", "D", "initial_state", "transfer_function" ..."""
+
+    @property
+    def described(self) -> str:
+        """What it is given by, in words, for messages."""
+
+    def size(self, of: str) -> int | None:
+        """Return the number of states "n", inputs "m" or outputs "p", if it is known."""
+
+    def names(self, of: str) -> tuple[str, ...]:
+        """Return the names of its "state"s, "input"s or "output"s, if it gives them."""
+
+
+class Quotient(Protocol):
+    """A quotient of polynomials as given."""
+
+    @property
+    def numerator(self) -> Poly:
+        """The polynomial above, as given."""
+
+    @property
+    def denominator(self) -> Poly:
+        """The polynomial below, as given."""
+
+    def cancelled(self) -> Expr:
+        """Return the quotient without common factors."""
+
+
+class Reader(Protocol):
+    """What a kind reads its keys with; faults are kept at their places until `conclude` raises all of them."""
+
+    discrete: bool
+    sample_time: Expr | None
+
+    def gives(self, key: str) -> bool:
+        """Whether the key is there."""
+
+    def is_zero(self, key: str) -> bool:
+        """Whether a single 0 stands under the key."""
+
+    def matrix(
+        self, key: str, flat: str = "", shape: tuple[int | None, int | None] = (None, None), like: str = ""
+    ) -> ImmutableMatrix | None:
+        """Return the matrix of that shape, None if it is absent or wrong; `like` says whose rows and columns it has."""
+
+    def names(self, key: str, number: int | None = None) -> tuple[str, ...]:
+        """Return the names under the key; there must be `number` of them if that is known."""
+
+    def quotient(self, key: str) -> Quotient | None:
+        """Return the proper quotient of polynomials under the key, None if it is wrong."""
+
+    def quotients(self, key: str) -> Sequence[Sequence[Quotient]]:
+        """Return a matrix of proper quotients of polynomials."""
+
+    def complain(self, key: str, message: str, *, at_key: bool = False) -> None:
+        """Keep a fault at the value of the key, or at the key itself."""
+
+    def conclude(self) -> None:
+        """Raise everything that is wrong, if anything is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """One way of giving a system: the first of its keys tells it. `example` are lines of a file, with `{x}` for s or z.
+
+    `read` returns the object; it may leave out what cannot be read, once `conclude` has not raised.
+    """
+
+    name: str
+    doc: str
+    keys: tuple[Key, ...]
+    read: Callable[[Reader], Any]
+    example: Sequence[tuple[str, str]]
+
+    @property
+    def tells(self) -> str:
+        """The key that tells the kind."""
+        return self.keys[0].name
+
+
+CHANNELS = (Key("inputs", Values(), "names of the inputs"), Key("outputs", Values(), "names of the outputs"))
+"""Keys of all kinds whose inputs and outputs can be named."""
