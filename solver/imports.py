@@ -17,8 +17,13 @@ def names_of_stub(package: str, file: str) -> tuple[list[str], Callable[[str], A
     The stub `__init__.pyi` beside the package's file says, as imports, in which module each name is; type checkers
     read it too. A module directly in the package may not have a public name: it would stand in its place.
     """
-    tree = ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8"))
-    imports = [line for line in tree.body if isinstance(line, ast.ImportFrom)]
+    return names_of_stubs(package, Path(file).with_suffix(".pyi"))
+
+
+def names_of_stubs(package: str, *stubs: Path) -> tuple[list[str], Callable[[str], Any]]:
+    """Return the same for a package that has the names of several stubs."""
+    trees = [ast.parse(stub.read_text(encoding="utf-8")) for stub in stubs]
+    imports = [line for tree in trees for line in tree.body if isinstance(line, ast.ImportFrom)]
     homes = {alias.name: str(line.module) for line in imports for alias in line.names}
 
     def get(name: str) -> Any:

@@ -1,8 +1,10 @@
 """The exact kernels: algebra on matrices over a field, with no prose and no floats.
 
-Each is imported when it is first used.
+Each is imported when it is first used. The stub of each topic says which names tasks may use.
 """
 
-from solver.imports import names_of_stub
+from pathlib import Path
 
-__all__, __getattr__ = names_of_stub(__name__, __file__)
+from solver.imports import names_of_stubs
+
+__all__, __getattr__ = names_of_stubs(__name__, *sorted(Path(__file__).parent.glob("*/__init__.pyi")))

@@ -9,25 +9,45 @@ from pkgutil import iter_modules
 
 import pytest
 
+from solver import exact
 from solver.numeric import judges
 
 JUDGES = [f"solver.numeric.judges.{each.name}" for each in iter_modules(judges.__path__)]
-LAZY = ["solver.exact", "solver.numeric", *JUDGES]
+LAZY = ["solver.numeric", *JUDGES]
+KERNELS = [f"solver.exact.{each.name}" for each in iter_modules(exact.__path__)]
+
+
+def public_names(package):
+    tree = ast.parse(Path(package.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
+    return set(next(ast.literal_eval(line.value) for line in tree.body if isinstance(line, ast.Assign)))
 
 
 @pytest.mark.parametrize("name", LAZY)
 def test_every_name_of_a_stub_is_there_and_named_as_public(name):
     package = importlib.import_module(name)
-    tree = ast.parse(Path(package.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
-    public = next(ast.literal_eval(line.value) for line in tree.body if isinstance(line, ast.Assign))
-    assert set(package.__all__) == set(public)
+    public = public_names(package)
+    assert set(package.__all__) == public
     for each in public:
         assert hasattr(package, each)
     with pytest.raises(AttributeError, match="has no attribute 'nothing'"):
         _ = package.nothing
 
 
-@pytest.mark.parametrize("name", LAZY)
+@pytest.mark.parametrize("name", KERNELS)
+def test_every_name_of_a_topic_is_a_kernel(name):
+    public = public_names(importlib.import_module(name))
+    assert public <= set(exact.__all__)
+    for each in public:
+        assert getattr(exact, each).__module__.startswith(name)
+
+
+def test_no_two_kernels_have_one_name():
+    assert len(exact.__all__) == sum(len(public_names(importlib.import_module(name))) for name in KERNELS)
+    with pytest.raises(AttributeError, match="has no attribute 'nothing'"):
+        _ = exact.nothing
+
+
+@pytest.mark.parametrize("name", ["solver.exact", *LAZY])
 def test_no_module_hides_a_name(name):
     package = importlib.import_module(name)
     assert not {module.name for module in iter_modules(package.__path__)} & set(package.__all__)

@@ -1,0 +1,48 @@
+"""Where the public names of this topic are; `solver.exact` reads it."""
+
+from solver.exact.linear_algebra.affine import Solution, affine, solve_affine, tidy
+from solver.exact.linear_algebra.eigen import Eigenspace, Eigenstructure, eigenstructure
+from solver.exact.linear_algebra.faddeev import FaddeevLeVerrier, faddeev_leverrier
+from solver.exact.linear_algebra.fields import NotExact, vanishing_factors
+from solver.exact.linear_algebra.matrices import (
+    determinant,
+    determinant_and_adjugate,
+    inverse,
+    multiply,
+    pencil,
+    powers,
+    taylor,
+    truncated_series,
+)
+from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
+from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, factored, spectrum
+
+__all__ = [
+    "Eigenspace",
+    "Eigenstructure",
+    "Factor",
+    "FaddeevLeVerrier",
+    "NotExact",
+    "Root",
+    "RowReduction",
+    "Solution",
+    "Spectrum",
+    "affine",
+    "determinant",
+    "determinant_and_adjugate",
+    "eigenstructure",
+    "factored",
+    "faddeev_leverrier",
+    "inverse",
+    "multiply",
+    "null_space",
+    "pencil",
+    "powers",
+    "row_reduce",
+    "solve_affine",
+    "spectrum",
+    "taylor",
+    "tidy",
+    "truncated_series",
+    "vanishing_factors",
+]

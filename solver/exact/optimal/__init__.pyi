@@ -1,0 +1,18 @@
+"""Where the public names of this topic are; `solver.exact` reads it."""
+
+from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
+from solver.exact.optimal.riccati_cases import Case, case_split
+from solver.exact.optimal.riccati_entries import riccati_entries
+from solver.exact.optimal.root_choices import OnTheAxis
+
+__all__ = [
+    "Case",
+    "NotStabilizable",
+    "OnTheAxis",
+    "Riccati",
+    "RiccatiSolution",
+    "case_split",
+    "riccati",
+    "riccati_entries",
+    "weighted_input",
+]

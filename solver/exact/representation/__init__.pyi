@@ -1,0 +1,47 @@
+"""Where the public names of this topic are; `solver.exact` reads it."""
+
+from solver.exact.representation.coordinates import inverse_in_full, is_singular, product_of
+from solver.exact.representation.luenberger import (
+    CompanionCoordinates,
+    controllable_coordinates,
+    observable_coordinates,
+)
+from solver.exact.representation.modes import (
+    Mode,
+    diagonal_realization,
+    is_upper,
+    jordan_realization,
+    modal_realization,
+    modes,
+    real_and_imaginary,
+)
+from solver.exact.representation.realization import (
+    Realization,
+    common_denominators,
+    controllable_realization,
+    observable_realization,
+)
+from solver.exact.representation.transfer import TransferMatrix, transfer_matrix, transfer_matrix_of_fractions
+
+__all__ = [
+    "CompanionCoordinates",
+    "Mode",
+    "Realization",
+    "TransferMatrix",
+    "common_denominators",
+    "controllable_coordinates",
+    "controllable_realization",
+    "diagonal_realization",
+    "inverse_in_full",
+    "is_singular",
+    "is_upper",
+    "jordan_realization",
+    "modal_realization",
+    "modes",
+    "observable_coordinates",
+    "observable_realization",
+    "product_of",
+    "real_and_imaginary",
+    "transfer_matrix",
+    "transfer_matrix_of_fractions",
+]

@@ -1,0 +1,39 @@
+"""Where the public names of this topic are; `solver.exact` reads it."""
+
+from solver.exact.stability.conditions import all_positive
+from solver.exact.stability.definiteness import definiteness_of_numbers
+from solver.exact.stability.inequalities import sign_of
+from solver.exact.stability.location import (
+    Location,
+    definiteness,
+    is_stable_polynomial,
+    location,
+    off_the_point_one,
+    polynomial_conditions,
+    stable_where,
+)
+from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
+from solver.exact.stability.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
+
+__all__ = [
+    "Location",
+    "RouthArray",
+    "RouthRow",
+    "SingularEquation",
+    "Unknowns",
+    "all_positive",
+    "bilinear",
+    "definiteness",
+    "definiteness_of_numbers",
+    "is_stable_polynomial",
+    "location",
+    "lyapunov",
+    "lyapunov_equations",
+    "lyapunov_residual",
+    "off_the_point_one",
+    "polynomial_conditions",
+    "routh",
+    "routh_parts",
+    "sign_of",
+    "stable_where",
+]
