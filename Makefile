@@ -9,7 +9,7 @@ SAMPLE ?= 60
 WORKERS ?= auto
 
 .DEFAULT_GOAL := help
-.PHONY: help solve test test-all mutants lint bench errata clean
+.PHONY: help solve test test-all mutants lint bench errata tables task clean
 
 help:  ## Say what there is to make.
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
@@ -47,6 +47,13 @@ bench: $(READY)  ## Print the table of speed targets beside their peers.
 
 errata: $(READY)  ## Mark what the lecture note prints, and list in docs/errata.md what is wrong.
 	$(BIN)/python tools/errata.py
+
+tables: $(READY)  ## Write what the tasks declare into docs/user-guide.md and docs/tasks.md.
+	$(BIN)/python tools/tables.py
+
+task: $(READY)  ## Write the files of a new task that run as they are (NAME=steady_state_error TOPIC=classical).
+	$(BIN)/python tools/new_task.py $(NAME) $(TOPIC)
+	$(BIN)/python tools/tables.py
 
 clean:  ## Remove what was made, but not the environment.
 	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache

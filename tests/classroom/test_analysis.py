@@ -2,7 +2,6 @@
 
 import pytest
 
-from solver.tasks import catalogue
 from tests.helpers.marked import marked, solved, verdict
 
 QUESTIONS = solved(
@@ -164,8 +163,3 @@ def test_any_realization_of_the_form_is_right(answers):
 def test_a_realization_that_does_not_fit_together_is_wrong():
     found = marked(QUESTIONS, "answers: {modes: {A: [[-1, 0], [0, -2]], B: [1, 1], C: [-3, 4]}}")["modes"].answers
     assert "wrong" in {str(each.verdict) for each in found.values()}
-
-
-def test_every_task_of_analysis_is_asked():
-    analysis = {name for name, task in catalogue().items() if task.group == "Representation and analysis"}
-    assert {part.task for part in QUESTIONS.problem.parts} >= analysis

@@ -2,7 +2,6 @@
 
 import pytest
 
-from solver.tasks import catalogue
 from tests.helpers.marked import solved, verdict
 
 QUESTIONS = solved(
@@ -126,8 +125,3 @@ def test_a_right_answer_is_right_in_any_form(part, name, value):
 @pytest.mark.parametrize(("part", "name", "value"), WRONG)
 def test_a_wrong_answer_is_wrong(part, name, value):
     assert verdict(QUESTIONS, part, name, _yaml(value)).verdict == "wrong"
-
-
-def test_every_task_of_design_is_asked():
-    design = {name for name, task in catalogue().items() if task.group == "Design"}
-    assert {part.task for part in QUESTIONS.problem.parts} >= design

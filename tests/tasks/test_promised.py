@@ -125,5 +125,5 @@ def test_choices_are_as_documented(name, option, words):
     assert catalogue()[name].options[option].kind.choices == words
 
 
-def test_nothing_is_left_out():
-    assert set(catalogue()) == set(PROMISED)
+def test_nothing_promised_is_left_out():
+    assert set(PROMISED) <= set(catalogue())
