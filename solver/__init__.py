@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from solver.api import WorkedSolution, solve
+    from solver.api import Document, solve
 
-__all__ = ["WorkedSolution", "__version__", "solve"]
+__all__ = ["Document", "__version__", "solve"]
 
 
 def __getattr__(name: str) -> Any:
     """Import the interface, and with it sympy, when it is first used."""
-    if name in {"solve", "WorkedSolution"}:
+    if name in {"solve", "Document"}:
         from solver import api  # noqa: PLC0415 - see above
 
         return getattr(api, name)

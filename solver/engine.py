@@ -8,6 +8,7 @@ the checks decides the status.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import Any
@@ -27,7 +28,7 @@ from solver.derivation import (
 from solver.derivation.conversion import composed, converted
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
-from solver.problem.model import Display, Part, Problem, Reference
+from solver.problem.model import Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
 from solver.systems import System
 from solver.tasks import catalogue
@@ -55,22 +56,6 @@ class Solution:
     def status(self) -> Status:
         """The worst status of the parts."""
         return Status.worst([part.status for part in self.parts])
-
-    @property
-    def display(self) -> Display:
-        """How numbers are shown: as if decimals had been typed, where a part goes on with those of an earlier one."""
-        references = [value for part in self.problem.parts for value in part.options.values()]
-        sources = {value.part for value in references if isinstance(value, Reference)}
-        answers = [part.answers.values() for part in self.parts if part.id in sources]
-        if any(_holds_decimals(value) for values in answers for value in values):
-            return replace(self.problem.display, decimals_typed=True)
-        return self.problem.display
-
-
-def _holds_decimals(value: Any) -> bool:
-    if isinstance(value, list | tuple):
-        return any(map(_holds_decimals, value))
-    return bool(getattr(value, "atoms", lambda _: ())(sp.Float))
 
 
 def solve_problem(problem: Problem, runner: Runner | None = None) -> Solution:
@@ -136,6 +121,15 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     plant = _plant(task, task.given(part.system, options, method))
     given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
     return given
+
+
+def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
+    """Return the steps of a part by a method, those before a refusal where there is one; nothing is checked."""
+    steps: list[Step] = []
+    with suppress(Unsolved, exact.NotExact):
+        given = given_of(part, method, earlier, steps)
+        yield_into(steps, catalogue()[part.task].methods[method].derive(given))
+    return steps
 
 
 def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) -> None:
@@ -204,4 +198,5 @@ __all__ = [
     "solve_part",
     "solve_parts",
     "solve_problem",
+    "steps_of",
 ]

@@ -4,6 +4,7 @@ import numpy as np
 import sympy as sp
 
 from solver.derivation import Status
+from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
@@ -62,4 +63,5 @@ def test_a_later_part_goes_on_with_the_decimals_of_an_earlier_one():
         np.sort_complex([complex(value) for value in closed.answers["eigenvalues"]]),
         np.sort_complex([complex(value) for value in poles.answers["poles"]]),
     )
-    assert solution.display.decimals_typed
+    document = document_of(solution)
+    assert all("." in part.answers[0].tex for part in document.parts)

@@ -7,13 +7,12 @@ import pytest
 import sympy as sp
 
 from solver.derivation import CheckStatus, Status
+from solver.document.model import Presentation
+from solver.document.works import document_of
 from solver.render.data import render_json
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
-from solver.render.numbers import NumberFormat
 from solver.render.page import render_page
-from solver.render.view import view_of
-from solver.render.wording import Wording
 from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, solution_of
 
 CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
@@ -34,9 +33,9 @@ def test_the_problem_is_verified(path):
 @pytest.mark.parametrize(**by_problem(PROBLEMS, quick=EXAMPLES))
 def test_every_format_shows_it_at_every_level_of_detail(path, detail):
     solution = solution_of(path)
-    view = view_of(solution, Wording(NumberFormat.of(solution.display), detail))
-    shown = [render_page(view), latex_document(view), markdown_of(view)]
-    for part in view.parts:
+    document = document_of(solution, Presentation(detail))
+    shown = [render_page(document), latex_document(document), markdown_of(document)]
+    for part in document.parts:
         assert all(answer.equation in shown[2] for answer in part.answers)
         for formula in [step.markdown for step in part.steps] + [answer.tex for answer in part.answers]:
             assert not CLUMSY.search(formula), formula
@@ -46,7 +45,7 @@ def test_every_format_shows_it_at_every_level_of_detail(path, detail):
 @pytest.mark.parametrize(**by_problem(PROBLEMS, quick=EXAMPLES))
 def test_the_values_in_json_are_read_back_as_they_were(path):
     solution = solution_of(path)
-    data = json.loads(render_json(solution))
+    data = json.loads(render_json(document_of(solution, Presentation(data=True))))
     names = {name: sp.Symbol(name) for name in data["symbols"]}
     for result, part in zip(solution.parts, data["parts"], strict=True):
         for name, answer in part["answers"].items():

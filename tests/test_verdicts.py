@@ -7,6 +7,7 @@ import pytest
 from rich.console import Console
 
 from solver.derivation import Check, Status
+from solver.document.works import document_of
 from solver.engine import solve_problem, verdict
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
@@ -15,7 +16,6 @@ from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
 from solver.render.page import render_page
 from solver.render.terminal import print_summary, text_document
-from solver.render.view import view_of
 from solver.tasks import catalogue
 
 DISPLAYED = Check.within("an equality", "random points", 0.0, 1e-9)
@@ -37,7 +37,8 @@ SKIPPED = Check.skipped("poles", "numpy", "too few digits", answer="K")
     ],
 )
 def test_every_answer_needs_a_passed_check_of_its_own(checks, answers, status, reason):
-    assert verdict(checks, answers) == (status, reason)
+    found, why = verdict(checks, answers)
+    assert (found, str(why or "")) == (status, reason)
 
 
 @pytest.fixture(scope="module")
@@ -51,16 +52,16 @@ def solution():
 
 @pytest.mark.parametrize("write", [render_page, latex_document, markdown_of, text_document])
 def test_every_format_tells_what_could_not_be_checked(solution, write):
-    whole, lacking = (write(view_of(each)) for each in solution)
+    whole, lacking = (write(document_of(each)) for each in solution)
     assert "could not be checked" not in whole
     assert "2 could not be checked: too few digits" in " ".join(lacking.split())
 
 
 def test_the_terminal_and_the_data_tell_what_could_not_be_checked(solution):
     console = Console(file=io.StringIO(), width=120)
-    print_summary(view_of(solution[1]), console)
+    print_summary(document_of(solution[1]), console)
     assert "2 could not be checked: too few digits" in console.file.getvalue()
-    whole, lacking = (as_data(each)["parts"][0] for each in solution)
+    whole, lacking = (as_data(document_of(each))["parts"][0] for each in solution)
     assert "unchecked" not in whole
     assert lacking["unchecked"] == "2 could not be checked: too few digits"
     assert [check["status"] for check in lacking["checks"]].count("skipped") == 2

@@ -13,6 +13,7 @@ import sympy as sp
 from solver.classroom.entries import is_scalar
 from solver.classroom.judging import Question
 from solver.derivation import PartResult
+from solver.engine import steps_of
 from solver.problem.model import Part
 
 MOST_PERMUTATIONS = 24
@@ -174,7 +175,7 @@ def _in_degrees(angle: Callable[[Any], Any], z: Any) -> Any:
 def _intermediate(case: Case) -> Values:
     """A result of one of the steps, of the answer's shape."""
     for result in case.results:
-        for step in result.steps:
+        for step in steps_of(case.part, result.method, case.earlier):
             for each in step.walk():
                 yield from (claim.right for claim in each.claims.values() if _alike(claim.right, case.ours))
 

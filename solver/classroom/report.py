@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
+from solver.document.model import Document
 from solver.engine import Solution
 from solver.problem.model import Part
 from solver.render.numbers import NumberFormat
 from solver.render.page import rendered
 from solver.render.plain import sympy_text
 from solver.render.prose import inline_as_text
-from solver.render.view import SolutionView
 from solver.render.wording import Wording
 from solver.tasks import catalogue
 
@@ -122,10 +122,10 @@ class Line:
 
 
 def render_sheet(
-    solution: Solution, marking: Marking, view: SolutionView | None = None, templates: Path | None = None
+    solution: Solution, marking: Marking, document: Document | None = None, templates: Path | None = None
 ) -> str:
-    """Return the page to hand back: values, verdicts and marks; with a view the worked solution below."""
-    typed = replace(solution.display, decimals_typed=True)  # a student's decimals are shown as decimals
+    """Return the page to hand back: values, verdicts and marks; with a document the worked solution below."""
+    typed = replace(solution.problem.display, decimals_typed=True)  # a student's decimals are shown as decimals
     wording = Wording(NumberFormat.of(typed))
     parts = {part.id: part for part in solution.problem.parts}
     return rendered(
@@ -135,7 +135,7 @@ def render_sheet(
         marking=marking,
         number=number,
         parts=[(part, catalogue()[part.task].title, _lines(part, parts[part.id], wording)) for part in marking.parts],
-        view=view,
+        document=document,
     )
 
 

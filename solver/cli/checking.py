@@ -14,14 +14,13 @@ from solver.classroom.report import as_csv, as_json, print_marking, render_sheet
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, quiet_threads, source_of
-from solver.engine import Solution, solve_problem
-from solver.limits import Limits, in_child
+from solver.document.model import Document, Presentation
+from solver.engine import Solution
+from solver.limits import Limits, Solved, Supervision, solve_within
 from solver.problem.nodes import MappingNode
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.problem.yaml_tree import parse_yaml
-from solver.render.view import SolutionView, view_of
-from solver.render.wording import Wording
 from solver.tasks import catalogue
 
 SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt"}
@@ -88,8 +87,8 @@ class _Desk:
 
     def __init__(self, request: CheckRequest, files: int) -> None:
         self.request = request
+        self.solved: dict[str, Solved] = {}
         self.solutions: dict[str, Solution] = {}
-        self.views: dict[str, SolutionView] = {}
         self.rows: list[tuple[str, Marking | None]] = []
         self.meter = Meter(files)
         self.several = files > 1
@@ -127,20 +126,15 @@ class _Desk:
         """Return the solved problem."""
         if name not in self.solutions:
             problem = read_problem(source_of(name), catalogue())
+            told = Presentation(self.request.detail, self.request.templates) if self.request.solution else None
             with self.meter.file(name) as notify:
-                self.solutions[name] = solve_problem(problem, in_child(self.request.limits, notify))
+                self.solved[name] = solve_within(problem, self.request.limits, told, Supervision(notify))
+            self.solutions[name] = self.solved[name].solution()
         return self.solutions[name]
 
-    def _view(self, name: str) -> SolutionView | None:
+    def _document(self, name: str) -> Document | None:
         """Return the worked solution in words where it is to be shown."""
-        if not self.request.solution:
-            return None
-        if name not in self.views:
-            solution = self.solutions[name]
-            with in_words("the solution"):
-                wording = Wording.of(solution.display, self.request.detail, self.request.templates)
-                self.views[name] = view_of(solution, wording)
-        return self.views[name]
+        return self.solved[name].document(name) if self.request.solution else None
 
     def _deliver(self, name: str, file: str, marking: Marking) -> None:
         """Write or print the marking of one file."""
@@ -160,7 +154,7 @@ class _Desk:
             return as_json(marking)
         if format_ == "html":
             with in_words("the sheet"):
-                return render_sheet(self.solutions[name], marking, self._view(name), self.request.templates)
+                return render_sheet(self.solutions[name], marking, self._document(name), self.request.templates)
         from rich.console import Console
 
         from solver.render.terminal import WIDTH

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import click
 
-SUFFIXES = {"html": ".html", "latex": ".tex", "pdf": ".pdf", "md": ".md", "json": ".json", "text": ".txt"}
+from solver.document.formats import FORMATS
+
 STANDARD = "-"
 NAMELESS = "solution"  # the stem of what is read from standard input
 
@@ -55,7 +56,7 @@ class Destination:
         source = Path(NAMELESS) if problem == STANDARD else Path(problem)
         stem = source.stem if source.suffix.lower() in (".yaml", ".yml") else source.name
         folder = self.folder if self.folder is not None else source.parent
-        return {each: folder / (stem + SUFFIXES[each]) for each in self.formats}
+        return {each: folder / (stem + FORMATS[each].suffix) for each in self.formats}
 
     def _refuse_collisions(self, problems: tuple[str, ...]) -> None:
         """Refuse to write two solutions to one file, or a solution over a problem."""
@@ -83,7 +84,7 @@ def _is_folder(output: str, place: Path) -> bool:
 
 def _format_of(place: Path) -> str:
     """Return the format that a file's ending means (html if it means none)."""
-    return next((each for each, suffix in SUFFIXES.items() if suffix == place.suffix.lower()), "html")
+    return next((each for each, form in FORMATS.items() if form.suffix == place.suffix.lower()), "html")
 
 
 def write_whole(path: Path, content: bytes) -> None:

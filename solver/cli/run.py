@@ -8,7 +8,8 @@ from typing import Any
 
 import click
 
-FORMATS = ("html", "latex", "pdf", "md", "json", "text")
+from solver.document.formats import FORMATS
+
 DETAILS = ("brief", "full", "tutor")
 
 

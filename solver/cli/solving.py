@@ -24,10 +24,8 @@ from solver.cli.progress import Meter
 from solver.problem.source import Diagnostic, InputError, Source
 
 if TYPE_CHECKING:
-    from solver.cli.formats import Document
-    from solver.engine import Solution
+    from solver.document.model import Document, Presentation
     from solver.problem.model import Problem
-    from solver.render.view import SolutionView
 
 SOLVED, UNSOLVED, INPUT_AT_FAULT = 0, 1, 2
 SINGLE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
@@ -45,6 +43,13 @@ class Request:
     time_limit: float
     memory_limit: int
     verbose: bool
+
+    @property
+    def presentation(self) -> Presentation:
+        """How the solutions are told."""
+        from solver.document.model import Presentation
+
+        return Presentation(self.detail, self.templates, data="json" in self.destination.formats)
 
 
 def solve_files(request: Request) -> int:
@@ -102,19 +107,19 @@ def _solve(request: Request, file: str, meter: Meter) -> int:
         gc.disable()  # until all is loaded, see `_rehearse` and the child: a collection takes as long as loading numpy
     import sympy.tensor.tensor  # noqa: F401 - here, so that the child has it too; the first sum needs the tensors
 
-    from solver.limits import Child, Limits, in_child
+    from solver.limits import Child, Limits, Supervision, solve_within
 
     limits = Limits(request.time_limit, request.memory_limit)
     with Child() as child:  # it loads the algebra while the problem is being read
-        from solver.engine import solve_problem
         from solver.problem.reader import read_problem
         from solver.tasks import catalogue
 
         problem = read_problem(source_of(file), catalogue())
         with meter.file(file) as notify:
             rehearsal = partial(_rehearse, request, problem) if is_first else None
-            solution = solve_problem(problem, in_child(limits, notify, rehearsal, child))
-    return _deliver(request, file, solution)
+            supervision = Supervision(notify, rehearsal, child)
+            solved = solve_within(problem, limits, request.presentation, supervision)
+    return _deliver(request, file, solved.document("" if file == STANDARD else Path(file).name))
 
 
 def _rehearse(request: Request, problem: Problem) -> None:
@@ -122,22 +127,19 @@ def _rehearse(request: Request, problem: Problem) -> None:
 
     What is loaded then stays, and garbage is collected without looking at it.
     """
-    from solver.cli.formats import Document
     from solver.derivation import PartResult, Status
+    from solver.document.works import document_of
     from solver.engine import Solution
 
     first = problem.parts[0]
     unsolved = PartResult(first.id, first.task, first.methods[0], Status.UNSOLVED)
-    document = Document(Solution(problem, (unsolved,)), request.detail, request.templates)
     with suppress(AtFault):  # of what is wrong with templates it will be told with the solution itself
-        with in_words("the solution"):
-            document.load_wording()
-            view = document.view
+        document = document_of(Solution(problem, (unsolved,)), request.presentation)
         for format_ in request.destination.formats:
             if format_ != "pdf":
                 _rendered(document, format_)
         if not request.destination.standard_output:
-            _print_summary(view, [], file=io.StringIO(), verbose=request.verbose)
+            _print_summary(document, [], file=io.StringIO(), verbose=request.verbose)
     gc.freeze()
     gc.enable()
 
@@ -158,21 +160,19 @@ def source_of(file: str) -> Source:
     return source
 
 
-def _deliver(request: Request, file: str, solution: Solution) -> int:
+def _deliver(request: Request, file: str, document: Document) -> int:
     """Write the solution in all formats and print the summary; return the exit code."""
-    from solver.cli.formats import Document
-
-    document = Document(solution, request.detail, request.templates, "" if file == STANDARD else file)
-    with in_words("the solution"):
-        view = document.view
+    for fault in dict.fromkeys(part.fault for part in document.parts if part.fault):
+        if request.templates is not None:  # ours are not the user's fault: the part is unsolved and says why
+            raise AtFault(f"cannot make the solution: {fault}")
     if request.destination.standard_output:
         content = _rendered(document, request.destination.formats[0])
         sys.stdout.buffer.write(content)
         sys.stdout.flush()
-        _tell_what_is_wrong(solution)
-        return _code(solution)
+        _tell_what_is_wrong(document)
+        return _code(document)
     written: list[Path] = []
-    codes = [_code(solution)]
+    codes = [_code(document)]
     for format_, path in request.destination.paths(file).items():
         try:
             write_whole(path, _rendered(document, format_))
@@ -180,7 +180,7 @@ def _deliver(request: Request, file: str, solution: Solution) -> int:
         except AtFault as fault:
             click.echo(f"{file}: error: {fault.format_message()}", err=True)
             codes.append(fault.exit_code)
-    _print_summary(view, written, verbose=request.verbose)
+    _print_summary(document, written, verbose=request.verbose)
     if request.open_page:
         _open(written)
     return max(codes)
@@ -197,36 +197,35 @@ def in_words(what: str) -> Iterator[None]:
     from jinja2 import TemplateError
 
     from solver.render.pdf import PdfUnavailable
-    from solver.render.wording import WordingError
 
     try:
         yield
-    except (PdfUnavailable, WordingError, TemplateError) as error:
+    except (PdfUnavailable, TemplateError) as error:
         raise AtFault(f"cannot make {what}: {error}") from error
 
 
-def _code(solution: Solution) -> int:
+def _code(document: Document) -> int:
     from solver.derivation import Status
 
-    return SOLVED if solution.status is Status.VERIFIED else UNSOLVED
+    return SOLVED if document.status is Status.VERIFIED else UNSOLVED
 
 
-def _tell_what_is_wrong(solution: Solution) -> None:
+def _tell_what_is_wrong(document: Document) -> None:
     """Say on standard error which parts are not verified."""
     from solver.derivation import Status
 
-    for part in solution.parts:
+    for part in document.parts:
         if part.status is not Status.VERIFIED:
             click.echo(f"part {part.id} ({part.method}): {part.status}: {part.reason}", err=True)
 
 
-def _print_summary(view: SolutionView, written: list[Path], *, verbose: bool, file: TextIO | None = None) -> None:
+def _print_summary(document: Document, written: list[Path], *, verbose: bool, file: TextIO | None = None) -> None:
     from rich.console import Console
 
     from solver.render.terminal import WIDTH, print_summary
 
     console = Console(file=file, highlight=False, width=None if sys.stdout.isatty() else WIDTH, soft_wrap=False)
-    print_summary(view, console, verbose=verbose)
+    print_summary(document, console, verbose=verbose)
     for path in written:
         click.echo(f"wrote {path}")
 

@@ -63,3 +63,30 @@ class Diagram:
 
 
 Figure = Plot | Diagram
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnCurve:
+    """A curve as numbers: `x` and `y` of the same length, without gaps."""
+
+    label: str
+    style: str
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnPlot:
+    """A plot as numbers, made from a `Plot`: what pages draw. `window` is (x_min, x_max, y_min, y_max)."""
+
+    caption: str
+    x_label: str
+    y_label: str
+    curves: tuple[DrawnCurve, ...]
+    marks: tuple[Mark, ...]
+    equal: bool
+    window: tuple[float, float, float, float]
+
+
+Drawing = DrawnPlot | Diagram
+"""A figure without expressions."""

@@ -1,19 +1,22 @@
-"""Figures drawn from their data, and imported only by a page that has one."""
+"""Figures drawn from their data. What draws is imported only by a page that has one."""
 
 from __future__ import annotations
 
-from solver.derivation.figures import Diagram, Figure, Plot
-from solver.figures import diagrams, plot_svg, plot_tikz
+from solver.derivation.figures import Drawing, DrawnPlot
 
 
-def svg(figure: Figure) -> str:
+def svg(drawing: Drawing) -> str:
     """Return a figure as an SVG document, the same bytes for the same data."""
-    return plot_svg.drawn(figure) if isinstance(figure, Plot) else diagrams.svg(figure)
+    from solver.figures import diagrams, plot_svg  # noqa: PLC0415 - with them comes matplotlib
+
+    return plot_svg.drawn(drawing) if isinstance(drawing, DrawnPlot) else diagrams.svg(drawing)
 
 
-def tikz(figure: Figure) -> str:
+def tikz(drawing: Drawing) -> str:
     r"""Return a figure as a tikzpicture (packages tikz and pgfplots)."""
-    return plot_tikz.drawn(figure) if isinstance(figure, Plot) else diagrams.tikz(figure)
+    from solver.figures import diagrams, plot_tikz  # noqa: PLC0415 - as above
+
+    return plot_tikz.drawn(drawing) if isinstance(drawing, DrawnPlot) else diagrams.tikz(drawing)
 
 
-__all__ = ["Diagram", "Figure", "Plot", "svg", "tikz"]
+__all__ = ["svg", "tikz"]

@@ -6,10 +6,10 @@ import io
 from typing import Any
 
 import matplotlib as mpl
+import numpy as np
 from matplotlib.figure import Figure as Canvas
 
-from solver.derivation.figures import Plot
-from solver.figures.sampling import Sampled, number, sampled, window
+from solver.derivation.figures import DrawnCurve, DrawnPlot
 
 COLOURS = ("#1f5fa8", "#c2410c", "#15803d", "#7e22ce", "#a16207", "#0e7490", "#be123c", "#4d4d4d")
 """Dark enough on white to be told apart; each curve also has its label at its end."""
@@ -31,19 +31,17 @@ SETTINGS: Any = {
 }
 
 
-def drawn(plot: Plot) -> str:
+def drawn(plot: DrawnPlot) -> str:
     """Return the plot as an SVG document."""
     with mpl.rc_context(SETTINGS):
         canvas = Canvas(figsize=(SQUARE, SQUARE) if plot.equal else (WIDTH, HEIGHT), layout="constrained")
         axes = canvas.add_subplot()
-        curves = sampled(plot)
-        x_min, x_max, y_min, y_max = window(plot, curves)
-        named = _draw_curves(axes, curves)
+        x_min, x_max, y_min, y_max = plot.window
+        named = _draw_curves(axes, plot.curves)
         for mark in plot.marks:
-            x, y = number(mark.x), number(mark.y)
-            axes.plot([x], [y], "o", color="#111111", markersize=4.5, zorder=4)
+            axes.plot([mark.x], [mark.y], "o", color="#111111", markersize=4.5, zorder=4)
             if mark.label:
-                axes.annotate(_math(mark.label), (x, y), textcoords="offset points", xytext=(6, 6))
+                axes.annotate(_math(mark.label), (mark.x, mark.y), textcoords="offset points", xytext=(6, 6))
         axes.set_xlim(x_min, x_max)
         axes.set_ylim(y_min, y_max)
         if plot.equal:
@@ -59,35 +57,42 @@ def drawn(plot: Plot) -> str:
         return _svg(canvas)
 
 
-def _draw_curves(axes: Any, curves: list[Sampled]) -> bool:
+def _draw_curves(axes: Any, curves: tuple[DrawnCurve, ...]) -> bool:
     """Draw the curves, each named one in a colour and dash of its own; return whether any has a name."""
-    names = list(dict.fromkeys(each.curve.label for each in curves if each.curve.label))
+    names = list(dict.fromkeys(each.label for each in curves if each.label))
     for each in curves:
-        place = names.index(each.curve.label) if each.curve.label else 0
-        colour = COLOURS[place % len(COLOURS)] if each.curve.label else "#5b7083"
-        dash = DASHES[place % len(DASHES)] if each.curve.label else "-"
-        first = each.curve.label and each is next(c for c in curves if c.curve.label == each.curve.label)
-        label = _math(each.curve.label) if first else None
-        if each.curve.style == "samples":
+        place = names.index(each.label) if each.label else 0
+        colour = COLOURS[place % len(COLOURS)] if each.label else "#5b7083"
+        dash = DASHES[place % len(DASHES)] if each.label else "-"
+        first = each.label and each is next(c for c in curves if c.label == each.label)
+        label = _math(each.label) if first else None
+        if each.style == "samples":
             axes.vlines(each.x, 0, each.y, color=colour, linewidth=0.9)
             axes.plot(each.x, each.y, "osD^"[place % 4], color=colour, markersize=4.5, label=label)
             continue
-        line = (0, (4, 3)) if each.curve.style == "dashed" else dash
+        line = (0, (4, 3)) if each.style == "dashed" else dash
         axes.plot(each.x, each.y, linestyle=line, color=colour, linewidth=1.6, label=label)
-        if each.curve.style == "arrow" and len(each.x) > 1:
+        if each.style == "arrow" and len(each.x) > 1:
             _arrowhead(axes, each, colour)
     return bool(names)
 
 
-def _arrowhead(axes: Any, each: Sampled, colour: str) -> None:
+def _arrowhead(axes: Any, each: DrawnCurve, colour: str) -> None:
     """An arrowhead half way along the curve, in the direction of rising parameter."""
-    tip = each.middle
+    tip = middle(each)
     axes.annotate(
         "",
         xy=(each.x[tip], each.y[tip]),
         xytext=(each.x[tip - 1], each.y[tip - 1]),
         arrowprops={"arrowstyle": "-|>", "color": colour, "mutation_scale": 11, "shrinkA": 0, "shrinkB": 0},
     )
+
+
+def middle(curve: DrawnCurve) -> int:
+    """Return the index of the point half way along a curve, where an arrowhead stands."""
+    steps = np.hypot(np.diff(curve.x), np.diff(curve.y))
+    way = np.concatenate([[0.0], np.cumsum(steps)])
+    return int(np.clip(np.searchsorted(way, way[-1] / 2), 1, max(len(way) - 1, 1)))
 
 
 def _math(latex: str) -> str:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from solver.derivation.figures import Curve, Plot
+from solver.derivation.figures import Curve, Drawing, DrawnCurve, DrawnPlot, Figure, Mark, Plot
 from solver.lazy import numeric
 
 POINTS = 301
@@ -18,51 +17,43 @@ REACH = 1e6
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
-@dataclass(frozen=True)
-class Sampled:
-    """A curve as numbers: `x` and `y` of the same length, without gaps."""
-
-    curve: Curve
-    x: Array
-    y: Array
-
-    @property
-    def middle(self) -> int:
-        """The index of the point half way along the curve, where an arrowhead stands."""
-        steps = np.hypot(np.diff(self.x), np.diff(self.y))
-        way = np.concatenate([[0.0], np.cumsum(steps)])
-        return int(np.clip(np.searchsorted(way, way[-1] / 2), 1, max(len(way) - 1, 1)))
+def drawing_of(figure: Figure) -> Drawing:
+    """Return a figure without expressions: a plot as numbers, a diagram as it is."""
+    return sampled(figure) if isinstance(figure, Plot) else figure
 
 
-def sampled(plot: Plot) -> list[Sampled]:
-    """Return the curves of a plot as numbers; points where a curve has no finite real value are left out."""
-    start, stop = (float(numeric.evaluate(bound, {}).real) for bound in (plot.start, plot.stop))
+def sampled(plot: Plot) -> DrawnPlot:
+    """Return a plot as numbers; points where a curve has no finite real value are left out."""
+    start, stop = _number(plot.start), _number(plot.stop)
     smooth = np.linspace(start, stop, POINTS)
     whole = np.arange(np.ceil(start), np.floor(stop) + 1)
-    return [_curve(curve, plot.variable, whole if curve.style == "samples" else smooth) for curve in plot.curves]
+    curves = tuple(_curve(curve, plot.variable, whole if curve.style == "samples" else smooth) for curve in plot.curves)
+    marks = tuple(Mark(_number(mark.x), _number(mark.y), mark.label) for mark in plot.marks)
+    window = _window(plot, curves, marks)
+    return DrawnPlot(plot.caption, plot.x_label, plot.y_label, curves, marks, plot.equal, window)
 
 
-def number(value: Any) -> float:
-    """Return a value of a mark or a window as a float."""
+def _number(value: Any) -> float:
     return float(numeric.evaluate(value, {}).real)
 
 
-def _curve(curve: Curve, variable: Any, at: Array) -> Sampled:
+def _curve(curve: Curve, variable: Any, at: Array) -> DrawnCurve:
     y = numeric.values_at(curve.y, variable, at)
     x = at if curve.x is None else numeric.values_at(curve.x, variable, at)
     seen = np.isfinite(x) & np.isfinite(y) & (np.abs(y) < REACH) & (np.abs(x) < REACH)
-    return Sampled(curve, x[seen], y[seen])
+    return DrawnCurve(curve.label, curve.style, tuple(x[seen].tolist()), tuple(y[seen].tolist()))
 
 
-def window(plot: Plot, curves: Sequence[Sampled]) -> tuple[float, float, float, float]:
+def _window(plot: Plot, curves: Sequence[DrawnCurve], marks: Sequence[Mark]) -> tuple[float, float, float, float]:
     """Return x_min, x_max, y_min, y_max: as the plot says, else fitted to the curves and marks with a margin."""
     if plot.window is not None:
-        return tuple(number(bound) for bound in plot.window)  # type: ignore[return-value]  # four of them
-    xs = np.concatenate([*(each.x for each in curves), [number(mark.x) for mark in plot.marks]])
-    ys = np.concatenate([*(each.y for each in curves), [number(mark.y) for mark in plot.marks], [0.0]])
+        x_min, x_max, y_min, y_max = map(_number, plot.window)
+        return x_min, x_max, y_min, y_max
+    xs = np.concatenate([*(each.x for each in curves), [mark.x for mark in marks]])
+    ys = np.concatenate([*(each.y for each in curves), [mark.y for mark in marks], [0.0]])
     x_margin = 0.0 if not plot.equal else 0.05 * _span(xs)
     y_margin = 0.07 * _span(ys)
-    low, high = (xs.min(), xs.max()) if len(xs) else (0.0, 1.0)
+    low, high = (float(xs.min()), float(xs.max())) if len(xs) else (0.0, 1.0)
     return low - x_margin, high + x_margin, float(ys.min()) - y_margin, float(ys.max()) + y_margin
 
 

@@ -1,147 +1,92 @@
 """Solving within limits of time and memory, in a child process that can be killed.
 
-One child solves the parts of a problem in order and sends each result through a pipe as soon as it is found. The
-parent keeps the time of each. A child that is too slow, too large or dead costs only the part (by one method) it was
-at: that one becomes `unsolved` with the reason, and a new child goes on with the rest.
+One child solves the parts of a problem in order, puts them into words, and sends each result through a pipe as soon as
+it is found: texts and numbers, which can always be sent. The parent keeps the time of each. A child that is too slow,
+too large or dead costs only the part (by one method) it was at: that one becomes `unsolved` with the reason, and a new
+child goes on with the rest.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
-from time import monotonic
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from solver.derivation import PartResult
 from solver.limits.call import Exceeded, call_within
-from solver.limits.child import Child, Limits, Outcome, Unit, unsolved
-from solver.problem.refusals import Refusal, refuse
+from solver.limits.child import Child, Limits, Reply, Unit
+from solver.limits.supervisor import Notify, Progress, Supervision, Supervisor
 
 if TYPE_CHECKING:
-    from solver.engine import Runner
-    from solver.problem.model import Part, Problem
+    from solver.derivation import Answers, PartResult
+    from solver.document.model import Document, Presentation
+    from solver.engine import Runner, Solution
+    from solver.problem.model import Problem
 
-__all__ = ["Child", "Exceeded", "Limits", "Progress", "call_within", "in_child"]
-
-TICK = 0.1  # seconds between two reports of progress
+__all__ = [
+    "Child",
+    "Exceeded",
+    "Limits",
+    "Notify",
+    "Progress",
+    "Solved",
+    "Supervision",
+    "call_within",
+    "in_child",
+    "solve_within",
+]
 
 
 @dataclass(frozen=True, slots=True)
-class Progress:
-    """Which part is being solved, by which method, as number `index` (from 0) of `total`."""
+class Solved:
+    """What a child, or one after the other, sent of a problem: for each part and method its reply."""
 
-    part: str
-    method: str
-    index: int
-    total: int
+    problem: Problem
+    replies: list[tuple[Unit, Reply]]
+    presentation: Presentation | None = None
+
+    def solution(self) -> Solution:
+        """Return the results with their exact answers, without steps."""
+        from solver.engine import Solution  # noqa: PLC0415 - sympy comes with it; the child loads it meanwhile
+
+        return Solution(self.problem, tuple(reply.result(unit) for unit, reply in self.replies))
+
+    def document(self, name: str = "") -> Document:
+        """Return the solution in words, as the presentation asked for; `name` is the problem's file."""
+        from solver.document.model import Presentation  # noqa: PLC0415 - as above
+        from solver.document.works import Writer  # noqa: PLC0415 - as above
+
+        writer = Writer(self.problem, self.presentation or Presentation())
+        works = [
+            writer.work(reply.result(unit), {}) if reply.sent is None or reply.sent.work is None else reply.sent.work
+            for unit, reply in self.replies
+        ]
+        return writer.document(works, name, self.answers)
+
+    def answers(self) -> dict[str, Answers]:
+        """Return the exact answers of each part, by its first method."""
+        return {unit.part.id: reply.result(unit).answers for unit, reply in reversed(self.replies)}
 
 
-Notify = Callable[[Progress], None]
-
-
-def in_child(
+def solve_within(
+    problem: Problem,
     limits: Limits | None = None,
-    notify: Notify | None = None,
-    meanwhile: Callable[[], None] | None = None,
-    child: Child | None = None,
-) -> Runner:
-    """Return a runner for `solve_problem` that keeps the limits (by default those of `Limits()`).
+    presentation: Presentation | None = None,
+    supervision: Supervision | None = None,
+) -> Solved:
+    """Solve a problem in a child that keeps the limits (by default those of `Limits()`), in words if it is told how.
 
-    `notify` is called ten times a second while a part is being solved; `meanwhile` once, while the first one is.
-    `child` is one that was started already.
+    Raises InputError where a task finds a question wrong as it is asked.
     """
+    supervisor = Supervisor(problem, limits or Limits(), presentation, supervision or Supervision())
+    return Solved(problem, supervisor.replies(), presentation)
+
+
+def in_child(limits: Limits | None = None, supervision: Supervision | None = None) -> Runner:
+    """Return a runner for `solve_problem` that keeps the limits. Its results have exact answers, but no steps."""
 
     def run(problem: Problem) -> Iterator[list[PartResult]]:
-        supervisor = _Supervisor(problem, limits or Limits(), notify, meanwhile, child)
-        try:
-            refuse(problem, supervisor.refusals())
-            for part in problem.parts:
-                yield [supervisor.result(part, method) for method in part.methods]
-        finally:
-            supervisor.stop()
+        solution = solve_within(problem, limits, supervision=supervision).solution()
+        for part in problem.parts:
+            yield [result for result in solution.parts if result.id == part.id]
 
     return run
-
-
-class _Supervisor:
-    """The parent's side: starts children, keeps the time, and knows what is still to be solved."""
-
-    def __init__(
-        self,
-        problem: Problem,
-        limits: Limits,
-        notify: Notify | None,
-        meanwhile: Callable[[], None] | None,
-        child: Child | None,
-    ) -> None:
-        self.limits = limits
-        self.notify = notify
-        self.meanwhile = meanwhile
-        self.parts = problem.parts
-        self.units = [Unit(part) for part in self.parts]
-        self.units += [Unit(part, method) for part in self.parts for method in part.methods]
-        self.done = 0
-        self.given_up: dict[str, PartResult] = {}
-        self.known: dict[str, PartResult] = {}
-        self.child = child
-        if child is not None:
-            child.send(self.units, self.known, limits)
-
-    def refusals(self) -> dict[str, list[Refusal]]:
-        """Return what is wrong with the questions, by the part's id. One that takes too long to judge is given up."""
-        found: dict[str, list[Refusal]] = {}
-        for part in self.parts:
-            outcome = self._next()
-            if isinstance(outcome, PartResult):
-                self.stop()  # the next one has not to solve it
-                self.given_up[part.id] = outcome
-                self.units = [unit for unit in self.units if unit.part is not part or not unit.method]
-            else:
-                found[part.id] = outcome
-        return found
-
-    def result(self, part: Part, method: str) -> PartResult:
-        """Return what becomes of a part by a method, the next one to be solved."""
-        given_up = self.given_up.get(part.id)
-        result = self._next() if given_up is None else replace(given_up, method=method)
-        assert isinstance(result, PartResult)  # noqa: S101 - the unit has a method
-        self.known.setdefault(part.id, result)
-        return result
-
-    def _next(self) -> Outcome:
-        """Return what becomes of the next unit."""
-        unit = self.units[self.done]
-        if self.child is None:
-            self.child = Child()
-            self.child.send(self.units[self.done :], self.known, self.limits)
-        if self.meanwhile is not None:
-            self.meanwhile()
-            self.meanwhile = None
-        self.child.wait_until_it_began()
-        start = monotonic()
-        result = self._wait(start, self.child)
-        if isinstance(result, str):
-            self.stop()
-            result = unsolved(unit, result, monotonic() - start)
-        elif self.child.exhausted:
-            self.stop()
-        self.done += 1
-        return result
-
-    def _wait(self, start: float, child: Child) -> Outcome | str:
-        """Return the child's next result, or the reason why there is none."""
-        end = start + self.limits.seconds
-        while not child.ready(min(TICK, max(0.0, end - monotonic()))):
-            if monotonic() >= end:
-                return f"time limit of {self.limits.seconds:g} s"
-            if self.notify is not None:
-                unit = self.units[self.done]
-                done, total = self.done - len(self.parts), len(self.units) - len(self.parts)
-                self.notify(Progress(unit.part.id, unit.method, max(0, done), total))
-        return child.receive()
-
-    def stop(self) -> None:
-        """End the child, if there is one."""
-        if self.child is not None:
-            self.child.kill()
-            self.child = None

@@ -1,4 +1,4 @@
-"""The process that solves: killable, limited in memory, and quiet about its end."""
+"""The process that solves: killable, limited in memory, and quiet about its end. What it sends is plain data."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 from importlib import import_module
 from multiprocessing.connection import Connection
 from pathlib import Path
-from pickle import PickleError
 from pkgutil import iter_modules
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -34,11 +33,21 @@ from solver.words import Reason
 if TYPE_CHECKING:
     from multiprocessing.context import ForkContext, SpawnContext
 
-    from solver.engine import Earlier
-    from solver.problem.model import Part
+    from solver.document.model import Presentation, Work
+    from solver.document.works import Writer
+    from solver.limits.results import Sent
+    from solver.problem.model import Part, Problem
     from solver.problem.refusals import Refusal
 
 FORKS = sys.platform.startswith("linux")  # fork is unsafe on macOS and unknown on Windows
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What one part, by one method, may take: seconds of time, megabytes of memory beyond what is loaded already."""
+
+    seconds: float = 60.0
+    megabytes: int = 2048
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,19 +59,43 @@ class Unit:
 
 
 @dataclass(frozen=True, slots=True)
-class Limits:
-    """What one part, by one method, may take: seconds of time, megabytes of memory beyond what is loaded already."""
+class Orders:
+    """What a child is to do: units of a problem in order, going on from the first results of earlier parts.
 
-    seconds: float = 60.0
-    megabytes: int = 2048
+    Each result is put into words where a presentation says how.
+    """
+
+    problem: Problem
+    units: list[Unit]
+    known: dict[str, Sent]
+    limits: Limits
+    presentation: Presentation | None = None
 
 
-Outcome = PartResult | list["Refusal"]
-"""What became of a unit: a result, or what is wrong with the question (a result too, where that took too much)."""
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """What became of a unit: what is wrong with its question, its result, or why there is none.
+
+    The child can do no more where it is dead or its memory `exhausted`. The parent adds the `seconds` that it waited.
+    """
+
+    refusals: tuple[Refusal, ...] = ()
+    sent: Sent | None = None
+    failure: str = ""
+    exhausted: bool = False
+    seconds: float = 0.0
+
+    def result(self, unit: Unit) -> PartResult:
+        """Return the result of the unit with its exact answers, without steps."""
+        if self.sent is not None:
+            return self.sent.result()
+        part, status = unit.part, Status.UNSOLVED
+        ended = Reason("limits/ended", {"words": self.failure})
+        return PartResult(part.id, part.task, unit.method, status, reason=ended, seconds=self.seconds)
 
 
 class Child:
-    """A process that solves some units in order.
+    """A process that does some units in order.
 
     It may be started before they are known: it loads the algebra in the meantime.
     """
@@ -74,7 +107,6 @@ class Child:
         self.process.start()
         its_end.close()
         self.begun = False
-        self.exhausted = False  # whether it can solve no more, because its memory is full
 
     def __enter__(self) -> Child:
         return self
@@ -82,10 +114,10 @@ class Child:
     def __exit__(self, *_: object) -> None:
         self.kill()
 
-    def send(self, units: list[Unit], known: Earlier, limits: Limits) -> None:
-        """Send the units, with the results they may need."""
+    def send(self, orders: Orders) -> None:
+        """Send what is to be done."""
         with suppress(OSError):  # the child is dead; `receive` will tell
-            self.channel.send((units, dict(known), limits))
+            self.channel.send(orders)
 
     def wait_until_it_began(self) -> None:
         """Return when the first unit is being worked on; loading the algebra does not count as its time."""
@@ -94,18 +126,17 @@ class Child:
                 self.begun = self.channel.recv()
 
     def ready(self, seconds: float) -> bool:
-        """Whether there is something to receive, a result or the child's death, within some seconds."""
+        """Whether there is something to receive, a reply or the child's death, within some seconds."""
         return self.channel.poll(seconds)
 
-    def receive(self) -> Outcome | str:
+    def receive(self) -> Reply:
         """Return what became of a unit, or how the child died."""
         try:
-            result: Outcome
-            result, self.exhausted = self.channel.recv()
+            reply: Reply = self.channel.recv()
         except (EOFError, OSError):
             self.process.join(1.0)
-            return cause_of_death(self.process.exitcode)
-        return result
+            return Reply(failure=cause_of_death(self.process.exitcode), exhausted=True)
+        return reply
 
     def kill(self) -> None:
         """End the process at once and free what it holds."""
@@ -129,24 +160,27 @@ def cause_of_death(code: int | None) -> str:
 
 
 def _live(channel: Connection) -> None:
-    """Load the algebra, receive the units, solve them one by one and send the results: the life of the child."""
+    """Load the algebra, receive the orders, do the units one by one and send the replies: the life of the child."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent hears it too, and ends the child
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     load_algebra()
     gc.freeze()  # what is loaded is no garbage; the parent may have put off collecting
     gc.enable()
     try:
-        units, known, limits = channel.recv()
+        orders: Orders = channel.recv()
     except EOFError:  # the parent is gone
         return
-    restrict(limits, len(units))
+    worker = _Worker(orders)
+    restrict(orders.limits, len(orders.units))
     channel.send(True)
-    for unit in units:
-        outcome, exhausted = _guarded(unit, known, limits)
-        if isinstance(outcome, PartResult):
-            known.setdefault(outcome.id, outcome)
-        _send(outcome, exhausted, channel)
-        if exhausted:
+    for unit in orders.units:
+        reply = worker.reply(unit)
+        try:
+            channel.send(reply)
+        except MemoryError:
+            reply = Reply(failure=worker.out_of_memory, exhausted=True)
+            channel.send(reply)
+        if reply.exhausted:
             return
 
 
@@ -154,7 +188,7 @@ def load_algebra() -> None:
     """Import what every problem needs, in this process and so in all that it starts from now on."""
     for name in ("testing", "f2py"):  # scipy.linalg takes every module of numpy; these two cost as much as itself
         postpone("numpy", name)
-    for name in ("solver.engine", "solver.numeric.evaluation.claims", "scipy.linalg"):
+    for name in ("solver.limits.results", "solver.document.works", "solver.numeric.evaluation.claims", "scipy.linalg"):
         import_module(name)
 
 
@@ -172,44 +206,43 @@ def _modules_of(package: ModuleType) -> list[ModuleType]:
     return [import_module(f"{package.__name__}.{each.name}") for each in iter_modules(package.__path__)]
 
 
-def _guarded(unit: Unit, known: Earlier, limits: Limits) -> tuple[Outcome, bool]:
-    """Return what became of one unit and whether the memory was exhausted."""
-    from solver.engine import refusals_of, solve_part  # noqa: PLC0415 - the parent does not need it
+class _Worker:
+    """Does units in the child; `known` has the first result of each part so far."""
 
-    try:
-        if not unit.method:
-            return refusals_of(unit.part), False
-        return solve_part(replace(unit.part, methods=(unit.method,)), known)[0], False
-    except MemoryError:
-        reason = f"memory limit of {limits.megabytes} MB"
-    except RecursionError:
-        return unsolved(unit, "its expressions are nested too deeply"), False
-    except Exception as bug:  # noqa: BLE001 - the boundary of a part: a bug in one must not lose the others
-        return unsolved(unit, as_bug(bug)), False
-    return unsolved(unit, reason), True
+    def __init__(self, orders: Orders) -> None:
+        from solver.document.works import Writer  # noqa: PLC0415 - the parent does not need it
 
+        self.known = {name: sent.result() for name, sent in orders.known.items()}
+        self.writer: Writer | None = None
+        if orders.presentation is not None:
+            self.writer = Writer(orders.problem, orders.presentation)
+        self.out_of_memory = f"memory limit of {orders.limits.megabytes} MB"
 
-def _send(result: Outcome, exhausted: bool, channel: Connection) -> None:
-    """Send a result, or say that it can't be sent (too deeply nested, too large, or not picklable)."""
-    if not isinstance(result, PartResult):
-        channel.send((result, exhausted))
-        return
-    try:
-        channel.send((result, exhausted))
-    except (RecursionError, MemoryError):
-        channel.send((_without_answers(result, "its result is too large", result.seconds), exhausted))
-    except (PickleError, TypeError, AttributeError, ValueError, RuntimeError) as bug:  # sympy raises the last
-        channel.send((_without_answers(result, as_bug(bug), result.seconds), exhausted))
+    def reply(self, unit: Unit) -> Reply:
+        """Return what becomes of a unit."""
+        from solver.engine import refusals_of  # noqa: PLC0415 - the parent does not need it
 
+        try:
+            if not unit.method:
+                return Reply(refusals=tuple(refusals_of(unit.part)))
+            return Reply(sent=self._solved(unit))
+        except MemoryError:
+            return Reply(failure=self.out_of_memory, exhausted=True)
+        except RecursionError:
+            return Reply(failure="its expressions are nested too deeply")
+        except Exception as bug:  # noqa: BLE001 - the boundary of a part: a bug in one must not lose the others
+            return Reply(failure=as_bug(bug))
 
-def unsolved(unit: Unit, reason: str, seconds: float = 0.0) -> PartResult:
-    """Return the result of a unit that was not solved, with the reason."""
-    return _without_answers(PartResult(unit.part.id, unit.part.task, unit.method, Status.UNSOLVED), reason, seconds)
+    def _solved(self, unit: Unit) -> Sent:
+        from solver.engine import solve_part  # noqa: PLC0415 - as above
+        from solver.limits.results import sent  # noqa: PLC0415 - as above
 
-
-def _without_answers(result: PartResult, reason: str, seconds: float) -> PartResult:
-    ended = Reason("limits/ended", {"words": reason})
-    return PartResult(result.id, result.task, result.method, Status.UNSOLVED, reason=ended, seconds=seconds)
+        result = solve_part(replace(unit.part, methods=(unit.method,)), self.known)[0]
+        self.known.setdefault(result.id, result)
+        work: Work | None = None
+        if self.writer is not None:
+            work = self.writer.work(result, self.known)
+        return sent(result, work)
 
 
 def as_bug(bug: Exception) -> str:

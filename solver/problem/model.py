@@ -59,6 +59,11 @@ class Part:
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)
 
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """The earlier parts whose answers it goes on with."""
+        return tuple(dict.fromkeys(each.part for each in self.options.values() if isinstance(each, Reference)))
+
 
 @dataclass(frozen=True, slots=True)
 class Problem:

@@ -4,63 +4,48 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import sympy as sp
-
-from solver.derivation import Check, PartResult, Step
-from solver.render.plain import sympy_text
-from solver.render.view import PartView, SolutionView, view_of
-from solver.render.wording import WordedStep
-from solver.stated import Stated
+from solver.derivation import Check
 
 if TYPE_CHECKING:
-    from solver.engine import Solution
-    from solver.problem.model import Part
+    from solver.document.model import Document, Work, WorkStep
 
 VERSION = 1
-
-KNOWN = frozenset({"s", "z", "t", "k", "lamda"})
-"""Names whose meaning is fixed; they are not listed among the symbols."""
 
 Data = dict[str, Any]
 
 
-def render_json(solution: Solution, view: SolutionView | None = None) -> str:
-    """Return the solution as JSON text; the steps are those of the view (by default at the level "full")."""
-    return json.dumps(as_data(solution, view), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+def render_json(document: Document) -> str:
+    """Return the solution as JSON text. The document must have been made with `data`, or its steps have no values."""
+    return json.dumps(as_data(document), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
-def as_data(solution: Solution, view: SolutionView | None = None) -> Data:
+def as_data(document: Document) -> Data:
     """Return the solution as dictionaries, lists, texts and numbers."""
-    view = view or view_of(solution)
-    parts = {part.id: part for part in solution.problem.parts}
-    pairs = zip(solution.parts, view.parts, strict=True)
     return {
         "version": VERSION,
-        "title": view.title,
-        "status": str(view.status),
-        "symbols": _symbols(solution.parts, view.parts),
-        "parts": [_part(result, shown, parts[result.id]) for result, shown in pairs],
+        "title": document.title,
+        "status": str(document.status),
+        "symbols": sorted({name for part in document.parts for name in part.symbols}),
+        "parts": [_part(part) for part in document.parts],
     }
 
 
-def _part(result: PartResult, shown: PartView, part: Part) -> Data:
+def _part(part: Work) -> Data:
     """Return one part by one method; `marks`, `reason` and `unchecked` stand only where there are any."""
-    data: Data = {"id": result.id, "task": result.task, "method": result.method, "status": str(result.status)}
-    if part.marks is not None:
-        data["marks"] = int(part.marks) if part.marks.is_Integer else float(part.marks)
-    if shown.reason:
-        data["reason"] = shown.reason
-    if shown.unchecked:
-        data["unchecked"] = shown.unchecked
+    data: Data = {"id": part.id, "task": part.task, "method": part.method, "status": str(part.status)}
+    if part.marks:
+        data["marks"] = part.out_of
+    if part.reason:
+        data["reason"] = part.reason
+    if part.unchecked:
+        data["unchecked"] = part.unchecked
     data["answers"] = {
-        answer.name: {"value": sympy_text(answer.value), "latex": answer.tex, "symbol": answer.symbol}
-        for answer in shown.answers
+        answer.name: {"value": answer.value, "latex": answer.tex, "symbol": answer.symbol} for answer in part.answers
     }
-    data["checks"] = [_check(check) for check in result.checks]
-    data["steps"] = [_step(step) for step in shown.steps]
+    data["checks"] = [_check(check) for check in part.checks]
+    data["steps"] = [_step(step) for step in part.steps]
     return data
 
 
@@ -77,49 +62,14 @@ def _check(check: Check) -> Data:
 
 def _finite(number: float | None) -> float | None:
     """JSON has no nan and no infinity."""
-    return float(number) if number is not None and math.isfinite(number) else None
+    return number if number is not None and math.isfinite(number) else None
 
 
-def _step(worded: WordedStep) -> Data:
+def _step(step: WorkStep) -> Data:
     return {
-        "kind": worded.step.kind,
-        "title": worded.title,
-        "text": worded.markdown,
-        "values": {name: sympy_text(value) for name, value in _values(worded.step).items()},
-        "steps": [_step(step) for step in worded.steps],
+        "kind": step.kind,
+        "title": step.title,
+        "text": step.markdown,
+        "values": dict(step.values),
+        "steps": [_step(each) for each in step.steps],
     }
-
-
-def _values(step: Step) -> Mapping[str, Any]:
-    """Return the values of a step that are data, and what its claims found, by name."""
-    found = {name: claim.right for name, claim in step.claims.items()}
-    return {name: value for name, value in {**step.values, **found}.items() if _is_data(value)}
-
-
-def _is_data(value: Any) -> bool:
-    """Whether a value is mathematics (or a list of it) and not an object of the program."""
-    if isinstance(value, list | tuple):
-        return all(map(_is_data, value))
-    return isinstance(value, sp.Basic | sp.MatrixBase | Stated | str | int | float)
-
-
-def _symbols(results: Sequence[PartResult], shown: Sequence[PartView]) -> list[str]:
-    """Return every free name of the answers and steps but those whose meaning is fixed, sorted."""
-    names: set[str] = set()
-    for result in results:
-        names.update(_names(result.answers.values()))
-    for part in shown:
-        for worded in (each for step in part.steps for each in step.walk()):
-            names.update(_names(_values(worded.step).values()))
-    return sorted(names - KNOWN)
-
-
-def _names(values: Iterable[Any]) -> Iterator[str]:
-    """Yield the names of all free symbols."""
-    for value in values:
-        if isinstance(value, list | tuple):
-            yield from _names(value)
-        elif isinstance(value, Stated):
-            yield from _names(value.operands)
-        elif isinstance(value, sp.Basic | sp.MatrixBase):
-            yield from (str(symbol) for symbol in value.free_symbols)

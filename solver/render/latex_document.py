@@ -8,23 +8,26 @@ from __future__ import annotations
 
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from jinja2 import FileSystemLoader, StrictUndefined
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import __version__, resources
-from solver.derivation.figures import Figure
+from solver.derivation.figures import Drawing
 from solver.render.prose import inline_latex, to_latex
 from solver.render.prose_latex import display_latex
 from solver.render.tex_text import escaped
-from solver.render.view import SolutionView
+
+if TYPE_CHECKING:
+    from solver.document.model import Document
 
 
-def latex_document(view: SolutionView, templates: Path | None = None) -> str:
-    """Return the source of the whole document. The same view gives the same text: it holds no date."""
-    template = _environment(templates).get_template("document.tex.jinja")
-    pdf_title = escaped("".join(letter for letter in view.title if letter.isascii()))
-    return template.render(view=view, version=__version__, pdf_title=pdf_title) + "\n"
+def latex_document(document: Document) -> str:
+    """Return the source of the whole document. The same document gives the same text: it holds no date."""
+    template = _environment(document.presentation.templates).get_template("document.tex.jinja")
+    pdf_title = escaped("".join(letter for letter in document.title if letter.isascii()))
+    return template.render(document=document, version=__version__, pdf_title=pdf_title) + "\n"
 
 
 @lru_cache(maxsize=8)
@@ -53,7 +56,7 @@ def _line_of_text(text: str) -> str:
     return escaped(" ".join(str(text).split()))
 
 
-def _figure(data: Figure) -> str:
+def _figure(data: Drawing) -> str:
     """Return a figure, shrunk to the line if it is wider, with its caption."""
     from solver import figures  # noqa: PLC0415 - only a document that has a figure needs them
 

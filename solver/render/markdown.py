@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from solver.derivation import Status
 from solver.render.prose import plain
-from solver.render.view import CheckRow, PartView, SolutionView
-from solver.render.wording import WordedStep
+
+if TYPE_CHECKING:
+    from solver.document.model import CheckRow, Document, Work, WorkStep
 
 _TAG = re.compile(r"<(?=[A-Za-z/!?])")
 
 
-def markdown_of(view: SolutionView) -> str:
+def markdown_of(document: Document) -> str:
     """Return the whole solution. Raw HTML in a user's text is made harmless."""
-    lines = [f"# {plain(view.title)}", plain(view.source), _harmless(view.statement), view.given]
-    for part in view.parts:
+    lines = [f"# {plain(document.title)}", plain(document.source), _harmless(document.statement), document.given]
+    for part in document.parts:
         lines += _part(part)
     return "\n\n".join(line.strip() for line in lines if line.strip()) + "\n"
 
@@ -26,7 +28,7 @@ def _harmless(markdown: str) -> str:
     return _TAG.sub("< ", markdown)
 
 
-def _part(part: PartView) -> Iterator[str]:
+def _part(part: Work) -> Iterator[str]:
     marks = f" ({plain(part.marks)} mark{'s' * (part.marks != '1')})" if part.marks else ""
     yield f"## ({plain(part.id)}) {plain(part.title)}{marks}"
     yield _harmless(part.question)
@@ -43,17 +45,17 @@ def _part(part: PartView) -> Iterator[str]:
         yield "### Answer"
         for answer in part.answers:
             yield f"$$\n{answer.equation}\n$$"
-    if part.checks:
-        yield _table(part.checks)
+    if part.rows:
+        yield _table(part.rows)
     if part.unchecked:
         yield part.unchecked
 
 
-def _steps(steps: Iterable[WordedStep], level: str) -> Iterator[str]:
+def _steps(steps: Iterable[WorkStep], level: str) -> Iterator[str]:
     for number, step in enumerate(steps, 1):
         yield f"{level} {f'{number}. ' if level == '###' else ''}{step.title}"
         yield step.markdown
-        for figure in step.step.figures:
+        for figure in step.figures:
             yield f"*Figure (drawn on the HTML page and in the PDF):* {_harmless(figure.caption)}"
         yield from _steps(step.steps, level + "#" if len(level) < 6 else level)
 

@@ -7,18 +7,20 @@ from collections.abc import Iterable
 from functools import lru_cache
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from solver import __version__, resources
 from solver.derivation import CheckStatus
-from solver.derivation.figures import Figure
+from solver.derivation.figures import Drawing
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
 from solver.render.prose import inline_html, to_html
-from solver.render.view import CheckRow, PartView, SolutionView
+
+if TYPE_CHECKING:
+    from solver.document.model import CheckRow, Document, Work
 
 FONT = "fonts/solve-math.woff2"
 
@@ -32,15 +34,13 @@ PAPER = 40.0, 52.0
 """Widths in em beyond which a formula is printed smaller, and smaller still: paper does not scroll."""
 
 
-def render_page(
-    view: SolutionView, *, name: str = "", detail: str = "full", language: str = "en", templates: Path | None = None
-) -> str:
-    """Return the page of a solution, the same bytes for the same view.
+def render_page(document: Document, *, language: str = "en") -> str:
+    """Return the page of a solution, the same bytes for the same document.
 
-    `name` is the problem's file, `detail` the level of detail; both are named in the footer. `html/page.html.jinja`
-    and `html/style.css` of the folder `templates`, if it has them, come before the installed ones.
+    `html/page.html.jinja` and `html/style.css` of the folder of templates, if it has them, come before the installed
+    ones.
     """
-    return rendered("page.html.jinja", templates, view=view, name=name, detail=detail, language=language)
+    return rendered("page.html.jinja", document.presentation.templates, document=document, language=language)
 
 
 def rendered(template: str, templates: Path | None = None, **values: Any) -> str:
@@ -97,7 +97,7 @@ def short(latex: str) -> Markup:
     return Markup(drawn(latex, False))  # noqa: S704 - escaped by `drawn`
 
 
-def figure(data: Figure) -> Markup:
+def figure(data: Drawing) -> Markup:
     """Return a figure with its caption; the drawing is an image, so its names can't meet those of the page."""
     from solver import figures  # noqa: PLC0415 - only a page that has a figure needs matplotlib
 
@@ -115,7 +115,7 @@ def tally(checks: Iterable[CheckRow]) -> str:
     return ", ".join(f"{count} {status}" for count, status in counts if count)
 
 
-def of_method(part: PartView) -> str:
+def of_method(part: Work) -> str:
     """Return the title of the method where it says more than the task's."""
     return "" if part.method_title == part.title else part.method_title
 

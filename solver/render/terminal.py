@@ -9,12 +9,13 @@ from solver.derivation import CheckStatus, Status
 from solver.formula.terminal import flat
 from solver.render.prose import inline_as_text, to_text
 from solver.render.prose_text import INDENT, display_lines, fits, indented, wrapped
-from solver.render.view import AnswerView, CheckRow, PartView, SolutionView
-from solver.render.wording import WORD, WordedStep
+from solver.render.wording import WORD
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
+
+    from solver.document.model import CheckRow, Document, Work, WorkAnswer, WorkStep
 
 WIDTH = 100
 """Cells of a line where there is no terminal to ask."""
@@ -29,18 +30,18 @@ COLOURS: dict[Status | CheckStatus, str] = {
 }
 
 
-def print_summary(view: SolutionView, console: Console, *, verbose: bool = False) -> None:
+def print_summary(document: Document, console: Console, *, verbose: bool = False) -> None:
     """Print each part's answers and how they were checked; the table of checks if verbose or if one failed."""
-    console.rule(_plain(view.title), align="left", style="dim")
-    for part in view.parts:
+    console.rule(_plain(document.title), align="left", style="dim")
+    for part in document.parts:
         console.print()
         _print_part(part, console)
-        if part.checks and (verbose or part.status is Status.FAILED):
-            console.print(_table(part.checks))
+        if part.rows and (verbose or part.status is Status.FAILED):
+            console.print(_table(part.rows))
     console.print()
 
 
-def _print_part(part: PartView, console: Console) -> None:
+def _print_part(part: Work, console: Console) -> None:
     from rich.text import Text  # noqa: PLC0415 - rich is needed only to print, not to write text
 
     head = Text(f"{part.id}  ", style="bold")
@@ -74,37 +75,37 @@ def _cells(row: CheckRow) -> tuple[str, ...]:
     return claim, inline_as_text(row.oracle), flat(row.residual), flat(row.tolerance), str(row.status)
 
 
-def heading(part: PartView) -> str:
+def heading(part: Work) -> str:
     """Return task and method of a part in words."""
     method = "" if part.method_title == part.title else f": {part.method_title}"
     marks = f" [{part.marks} mark{'s' * (part.marks != '1')}]" if part.marks else ""
     return f"{part.title}{method}{marks}"
 
 
-def verdict_of(part: PartView) -> str:
+def verdict_of(part: Work) -> str:
     """Return how the part ended: "verified: 12 of 12 checks passed", "unsolved: time limit of 60 s"."""
-    passed = sum(row.status is CheckStatus.PASSED for row in part.checks)
-    checks = f"{passed} of {len(part.checks)} checks passed" if part.checks else ""
+    passed = sum(row.status is CheckStatus.PASSED for row in part.rows)
+    checks = f"{passed} of {len(part.rows)} checks passed" if part.rows else ""
     reason = inline_as_text(part.reason)
     return f"{part.status}: {'; '.join(filter(None, [reason, checks, inline_as_text(part.unchecked)]))}"
 
 
-def answer_lines(answer: AnswerView, width: int = WIDTH) -> list[str]:
+def answer_lines(answer: WorkAnswer, width: int = WIDTH) -> list[str]:
     """Return an answer as `symbol = value`, drawn in two dimensions where it fits, a wide matrix entry by entry."""
     line = f"{answer.symbol} = {answer.tex}" if answer.symbol and not WORD.fullmatch(answer.symbol) else answer.equation
     equation = line if fits(line, width - len(INDENT)) else answer.narrow
     return [line.removeprefix(INDENT) for line in display_lines(equation, width - len(INDENT))]
 
 
-def text_document(view: SolutionView, width: int = WIDTH) -> str:
+def text_document(document: Document, width: int = WIDTH) -> str:
     """Return the whole worked solution as plain text."""
-    title = _plain(view.title)
-    blocks = [f"{title}\n{'=' * len(title)}", _plain(view.source), to_text(view.statement, width)]
-    blocks += [to_text(view.given, width), *(block for part in view.parts for block in _blocks(part, width))]
+    title = _plain(document.title)
+    blocks = [f"{title}\n{'=' * len(title)}", _plain(document.source), to_text(document.statement, width)]
+    blocks += [to_text(document.given, width), *(block for part in document.parts for block in _blocks(part, width))]
     return "\n\n".join(block.rstrip() for block in blocks if block.strip()) + "\n"
 
 
-def _blocks(part: PartView, width: int) -> Iterator[str]:
+def _blocks(part: Work, width: int) -> Iterator[str]:
     head = f"({part.id}) {heading(part)}"
     yield f"{head}\n{'-' * len(head)}"
     yield to_text(part.question, width)
@@ -115,11 +116,11 @@ def _blocks(part: PartView, width: int) -> Iterator[str]:
     for answer in part.answers:
         yield f"Answer: {inline_as_text(answer.doc)}\n\n" + "\n".join(indented(answer_lines(answer, width)))
     yield "\n".join(wrapped(verdict_of(part), width))
-    if part.checks:
-        yield "\n".join(_check_lines(part.checks))
+    if part.rows:
+        yield "\n".join(_check_lines(part.rows))
 
 
-def _step_blocks(steps: Sequence[WordedStep], number: str, width: int) -> Iterator[str]:
+def _step_blocks(steps: Sequence[WorkStep], number: str, width: int) -> Iterator[str]:
     for index, step in enumerate(steps, start=1):
         place = f"{number}{index}."
         yield f"{place} {inline_as_text(step.title)}"

@@ -11,16 +11,17 @@ import sympy as sp
 from solver import figures
 from solver.derivation import Step
 from solver.derivation.figures import Curve, Diagram, Mark, Plot
+from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.figures.layout import Block, Label, Sum, Wire
 from solver.figures.layouts import LAYOUTS
-from solver.figures.sampling import sampled, window
+from solver.figures.plot_svg import middle
+from solver.figures.sampling import drawing_of, sampled
 from solver.problem.model import Part, Problem
 from solver.render import pdf
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
 from solver.render.page import render_page
-from solver.render.view import view_of
 from solver.systems import StateSpace
 
 t, k = sp.symbols("t k")
@@ -34,41 +35,41 @@ ALL = [DECAY, SPIRAL, SAMPLES, *(Diagram("A diagram.", name) for name in LAYOUTS
 
 
 def test_curves_are_sampled_where_they_are():
-    first, second = sampled(DECAY)
-    assert np.allclose(first.y, np.exp(-first.x))
-    assert np.allclose(second.y, 1 - np.exp(-2 * second.x))
+    first, second = sampled(DECAY).curves
+    assert np.allclose(first.y, np.exp(-np.array(first.x)))
+    assert np.allclose(second.y, 1 - np.exp(-2 * np.array(second.x)))
     assert (first.x[0], first.x[-1]) == (0, 4)
-    (samples,) = sampled(SAMPLES)
+    (samples,) = sampled(SAMPLES).curves
     assert list(samples.x) == [0, 1, 2, 3, 4, 5, 6]
-    assert np.allclose(samples.y, 0.5**samples.x)
+    assert np.allclose(samples.y, 0.5 ** np.array(samples.x))
 
 
 def test_a_curve_is_left_out_where_it_has_no_value():
-    (curve,) = sampled(Plot("", "t", "x", t, -1, 1, (Curve(1 / t),)))
+    (curve,) = sampled(Plot("", "t", "x", t, -1, 1, (Curve(1 / t),))).curves
     assert np.all(np.isfinite(curve.y))
     assert 0.0 not in curve.x
 
 
 def test_the_window_holds_curves_and_marks():
     plot = Plot("", "t", "x", t, 0, 1, (Curve(t),), (Mark(2, 5),))
-    x_min, x_max, y_min, y_max = window(plot, sampled(plot))
+    x_min, x_max, y_min, y_max = sampled(plot).window
     assert x_min <= 0 < 2 <= x_max
     assert y_min < 0 < 5 < y_max
 
 
 def test_an_arrow_stands_half_way_and_points_onward():
-    (curve,) = sampled(Plot("", "x", "y", t, 0, 2, (Curve(0 * t, x=t, style="arrow"),)))
-    assert curve.x[curve.middle] == pytest.approx(1, abs=0.02)
-    assert curve.x[curve.middle] > curve.x[curve.middle - 1]
+    (curve,) = sampled(Plot("", "x", "y", t, 0, 2, (Curve(0 * t, x=t, style="arrow"),))).curves
+    assert curve.x[middle(curve)] == pytest.approx(1, abs=0.02)
+    assert curve.x[middle(curve)] > curve.x[middle(curve) - 1]
 
 
 @pytest.mark.parametrize("figure", ALL, ids=lambda figure: getattr(figure, "name", figure.caption))
 def test_the_same_data_give_the_same_drawing_without_a_date(figure):
-    drawing = figures.svg(figure)
-    assert drawing == figures.svg(figure)
+    drawing = figures.svg(drawing_of(figure))
+    assert drawing == figures.svg(drawing_of(figure))
     assert drawing.startswith("<svg")
     assert not re.search(r"dc:date|<script|matplotlib v", drawing)
-    assert figures.tikz(figure) == figures.tikz(figure)
+    assert figures.tikz(drawing_of(figure)) == figures.tikz(drawing_of(figure))
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
@@ -101,7 +102,7 @@ def test_labels_are_the_ones_given():
 
 @pytest.mark.usefixtures("tex")
 def test_the_drawings_compile(tmp_path):
-    body = "\n\n".join(figures.tikz(figure) for figure in ALL)
+    body = "\n\n".join(figures.tikz(drawing_of(figure)) for figure in ALL)
     head = r"\documentclass{article}\usepackage{amsmath,tikz,pgfplots}\pgfplotsset{compat=1.15}\begin{document}"
     (tmp_path / "all.tex").write_text(head + "\n" + body + "\n" + r"\end{document}", encoding="utf-8")
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "all.tex"]
@@ -125,12 +126,12 @@ def illustrated(part):
 
 @pytest.mark.usefixtures("tex")
 def test_a_solution_shows_the_figures_of_its_steps(plain):
-    view = view_of(replace(plain, parts=tuple(illustrated(part) for part in plain.parts)))
-    html, latex, markdown = render_page(view), latex_document(view), markdown_of(view)
+    document = document_of(replace(plain, parts=tuple(illustrated(part) for part in plain.parts)))
+    html, latex, markdown = render_page(document), latex_document(document), markdown_of(document)
     assert html.count("<figure><img") == 2
     assert 'alt="A decay."' in html
     assert latex.count(r"\begin{tikzpicture}") == 2
     assert r"\usepackage{pgfplots}" in latex
-    assert r"\usepackage{tikz}" not in latex_document(view_of(plain))
+    assert r"\usepackage{tikz}" not in latex_document(document_of(plain))
     assert markdown.count("*Figure") == 2
     assert pdf.pdf_of(latex).startswith(b"%PDF")

@@ -4,8 +4,6 @@ import faulthandler
 import os
 import signal
 
-import sympy as sp
-
 from solver.derivation import AnswerName, Answers, Check, Task, Unsolved
 from solver.tasks.plant_options import PlantOptions
 
@@ -88,14 +86,6 @@ def unpicklable(given):
     return Answers(F=lambda: None)
 
 
-@method("deep")
-def deep(given):
-    x = sp.Symbol("x")
-    for _ in range(5000):
-        x = sp.Function("f")(x)
-    return Answers(F=x)
-
-
 @method("wrong")
 def wrong(given):
     return Answers(F=2 * given.system.A)
@@ -103,7 +93,7 @@ def wrong(given):
 
 @difficult.verification("F")
 def is_the_matrix(given, answers):
-    yield Check.that("$F = A$", "comparison", answers["F"] == given.system.A or given.method in {"unpicklable", "deep"})
+    yield Check.that("$F = A$", "comparison", answers["F"] == given.system.A or given.method == "unpicklable")
 
 
 @difficult.refusal

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from solver.derivation import CheckStatus, Status, Step
-from solver.render.view import AnswerView, CheckRow, PartView, SolutionView
-from solver.render.wording import WordedStep
+from solver.derivation import CheckStatus, Status
+from solver.document.model import CheckRow, Document, Work, WorkAnswer, WorkStep
 
 SHORT = r"\begin{bmatrix} 1 \end{bmatrix}"
 TALL = r"\begin{bmatrix} 1 \\ 2 \\ 3 \\ 4 \\ 5 \\ 6 \end{bmatrix}"
@@ -15,8 +14,8 @@ def matrix(rows: int, columns: int, entry: str) -> str:
     return rf"\begin{{bmatrix}} {body} \end{{bmatrix}}"
 
 
-def worded(title: str, markdown: str, *steps: WordedStep) -> WordedStep:
-    return WordedStep(title, markdown, steps, Step("sample"))
+def worded(title: str, markdown: str, *steps: WorkStep) -> WorkStep:
+    return WorkStep("sample", title, markdown, steps)
 
 
 STEPS = (
@@ -52,11 +51,11 @@ CHECKS = (
 )
 
 
-def answer(name: str, symbol: str, tex: str, doc: str) -> AnswerView:
-    return AnswerView(name, symbol, tex, doc, None, f"{symbol} = {tex}")
+def answer(name: str, symbol: str, tex: str, doc: str) -> WorkAnswer:
+    return WorkAnswer(name, symbol, tex, doc, "", f"{symbol} = {tex}")
 
 
-def part(letter: str, status: Status, **changes: object) -> PartView:
+def part(letter: str, status: Status, **changes: object) -> Work:
     values: dict[str, object] = {
         "id": letter,
         "task": "state_transition_matrix",
@@ -70,31 +69,29 @@ def part(letter: str, status: Status, **changes: object) -> PartView:
         "again": False,
         "steps": STEPS,
         "answers": (answer("Phi", r"\Phi(t)", matrix(2, 2, "2 e^{-t} - e^{-2 t}"), "in `t`"),),
-        "checks": CHECKS[:1],
+        "rows": CHECKS[:1],
         "status": status,
         "reason": "",
     }
-    return PartView(**(values | changes))  # type: ignore[arg-type]
+    return Work(**(values | changes))  # type: ignore[arg-type]
 
 
-def sample() -> SolutionView:
+def sample() -> Document:
     """Return a solution with a part of every status, substeps, wide matrices and all kinds of check."""
     parts = (
         part("a", Status.VERIFIED),
-        part("b", Status.FAILED, checks=CHECKS, reason=r"The residual of $\Phi(t) = e^{At}$ is too large."),
-        part("c", Status.UNSOLVED, method="modal", method_title="Modal matrix", answers=(), checks=(), marks="1",
+        part("b", Status.FAILED, rows=CHECKS, reason=r"The residual of $\Phi(t) = e^{At}$ is too large."),
+        part("c", Status.UNSOLVED, method="modal", method_title="Modal matrix", answers=(), rows=(), marks="1",
              reason=r"The matrix $A$ is defective: the eigenvalue $\lambda = -1$ has one eigenvector."),
     )  # fmt: skip
     given = f"$$\nA = {matrix(2, 2, '-1')}, \\qquad B = {matrix(2, 1, '0')}\n$$"
-    return SolutionView(
-        "Sample with everything", "Lecture note, 1.16", "Let $x(0) = x_0$.", given, parts, Status.FAILED
-    )
+    return Document("Sample with everything", "Lecture note, 1.16", "Let $x(0) = x_0$.", given, parts)
 
 
 ATTACK = "</script></title></style><img src=x onerror=alert(1)><svg/onload=alert(1)>"
 
 
-def hostile() -> SolutionView:
+def hostile() -> Document:
     """Return a solution whose every text tries to become markup."""
     math = rf"Text {ATTACK} and $\text{{{ATTACK}}}$, $\href{{javascript:alert(1)}}{{x}}$, $\unicode{{x3c}}b$."
     link = "[a](javascript:alert(1)) ![i](https://example.org/x.png) <b onclick=alert(1)>b</b>"
@@ -103,6 +100,6 @@ def hostile() -> SolutionView:
         "a", Status.FAILED, title=ATTACK, method_title=ATTACK, source=ATTACK, marks=ATTACK, question=texts, given=texts,
         steps=(worded(ATTACK, texts, worded(ATTACK, texts)),), reason=texts,
         answers=(answer("Phi", ATTACK, rf"\text{{{ATTACK}}}", ATTACK),),
-        checks=(CheckRow(texts, ATTACK, ATTACK, ATTACK, CheckStatus.SKIPPED, texts),),
+        rows=(CheckRow(texts, ATTACK, ATTACK, ATTACK, CheckStatus.SKIPPED, texts),),
     )  # fmt: skip
-    return SolutionView(ATTACK, ATTACK, texts, texts, (bad, bad), Status.FAILED)
+    return Document(ATTACK, ATTACK, texts, texts, (bad, bad))

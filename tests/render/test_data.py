@@ -7,11 +7,14 @@ import sympy as sp
 from sympy.logic.boolalg import BooleanAtom
 
 from solver.derivation import Answers, Check, CheckStatus, PartResult, Status
+from solver.document.model import Presentation
+from solver.document.works import document_of
 from solver.engine import Solution, solve_problem
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.render.data import as_data, render_json
 from solver.tasks import catalogue
+from solver.words import Reason
 from tests.helpers.solved import EXAMPLES, by_problem, solution_of
 
 PROBLEM = "title: T\nsystem: {A: [[1, beta], [0, N]]}\nfind: {a: {task: characteristic_polynomial, marks: 3}}\n"
@@ -21,16 +24,26 @@ def problem(text=PROBLEM):
     return read_problem(Source("<test>", text), catalogue())
 
 
+def ended(words):
+    """Return a reason of these words."""
+    return Reason("limits/ended", {"words": words})
+
+
+def told(solution):
+    """Return the document of a solution as JSON is made of it."""
+    return document_of(solution, Presentation(data=True))
+
+
 def with_result(**changes):
-    """Return a solution of one part that is what the changes say."""
+    """Return the document of a solution of one part that is what the changes say."""
     result = {"id": "a", "task": "characteristic_polynomial", "method": "determinant", "status": Status.VERIFIED}
-    return Solution(problem(), (PartResult(**{**result, **changes}),))
+    return told(Solution(problem(), (PartResult(**{**result, **changes}),)))
 
 
 @pytest.mark.parametrize(**by_problem(EXAMPLES))
 def test_every_answer_is_read_back_as_it_was(path):
     solution = solution_of(path)
-    data = json.loads(render_json(solution))
+    data = json.loads(render_json(told(solution)))
     names = {name: sp.Symbol(name) for name in data["symbols"]}
     assert [part["id"] for part in data["parts"]] == [part.id for part in solution.parts]
     for result, part in zip(solution.parts, data["parts"], strict=True):
@@ -61,7 +74,7 @@ def same(read, value):
 
 
 def test_free_names_are_listed_and_known_ones_are_not():
-    assert as_data(solve_problem(problem()))["symbols"] == ["N", "beta"]
+    assert as_data(told(solve_problem(problem())))["symbols"] == ["N", "beta"]
 
 
 def test_numbers_that_json_does_not_have_become_null():
@@ -70,7 +83,7 @@ def test_numbers_that_json_does_not_have_become_null():
         Check("c", "o", float("inf"), 1e-9, CheckStatus.FAILED),
         Check.that("c", "o", True),
     )
-    text = render_json(with_result(status=Status.FAILED, checks=checks, reason="2 of 3 checks failed"))
+    text = render_json(with_result(status=Status.FAILED, checks=checks, reason=ended("2 of 3 checks failed")))
     part = json.loads(text, parse_constant=pytest.fail)["parts"][0]
     assert [check["residual"] for check in part["checks"]] == [None, None, None]
     assert part["reason"] == "2 of 3 checks failed"
@@ -84,7 +97,7 @@ def test_a_skipped_check_says_why():
 
 
 def test_an_unsolved_part_has_its_reason_and_no_answers():
-    data = as_data(with_result(status=Status.UNSOLVED, reason="time limit of 60 s"))
+    data = as_data(with_result(status=Status.UNSOLVED, reason=ended("time limit of 60 s")))
     assert data["status"] == "unsolved"
     assert data["parts"][0]["reason"] == "time limit of 60 s"
     assert data["parts"][0]["answers"] == {}

@@ -9,14 +9,14 @@ import pytest
 import sympy as sp
 
 from solver.derivation import Answers, Check, CheckStatus, Claim, PartResult, Status, Step
+from solver.document.checks import check_rows
+from solver.document.model import Presentation
+from solver.document.works import document_of
 from solver.engine import Solution, solve_problem
 from solver.problem.model import Display, Part, Problem
 from solver.render import pdf
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
-from solver.render.numbers import NumberFormat
-from solver.render.view import check_rows, view_of
-from solver.render.wording import Wording
 from solver.systems import StateSpace
 
 t = sp.Symbol("t")
@@ -119,13 +119,13 @@ def log_of(latex, folder):
 @pytest.mark.parametrize("detail", ["brief", "full", "tutor"])
 @pytest.mark.usefixtures("tex")
 def test_a_solution_compiles_and_nothing_runs_off_the_page(solution, detail, tmp_path):
-    log = log_of(latex_document(view_of(solution, Wording(detail=detail))), tmp_path)
+    log = log_of(latex_document(document_of(solution, Presentation(detail))), tmp_path)
     assert not re.findall(r"Overfull \\hbox \((?!0\.)\d+", log)
 
 
 @pytest.mark.usefixtures("tex")
 def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
-    latex = latex_document(view_of(troubled))
+    latex = latex_document(document_of(troubled))
     log = log_of(latex, tmp_path)
     assert not re.findall(r"Overfull \\hbox \((?:[2-9]\d|\d{3})", log)  # links and code may stick out a little
     assert "/etc/passwd" not in log
@@ -135,7 +135,7 @@ def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
 
 @pytest.mark.usefixtures("tex")
 def test_the_same_solution_gives_the_same_pdf(solution):
-    latex = latex_document(view_of(solution))
+    latex = latex_document(document_of(solution))
     first, second = pdf.pdf_of(latex), pdf.pdf_of(latex)
     assert first.startswith(b"%PDF")
     assert first == second
@@ -173,7 +173,7 @@ def test_without_tex_the_message_says_what_to_do(monkeypatch):
 
 
 def test_the_document_says_all_there_is(solution):
-    latex = latex_document(view_of(solution))
+    latex = latex_document(document_of(solution))
     for part in (
         r"Title with 50\% \& \$ \_",
         "Book, p. 3",
@@ -188,18 +188,18 @@ def test_the_document_says_all_there_is(solution):
 
 
 def test_failed_and_unsolved_parts_are_marked(troubled):
-    latex = latex_document(view_of(troubled))
+    latex = latex_document(document_of(troubled))
     assert r"\textbf{Do not rely on this answer:} 1 of 2 checks failed" in latex
     assert r"\textcolor{failed}{\textbf{failed}}" in latex
     assert r"\textbf{Unsolved.} It is \emph{singular}, $\det A = 0$ \& 100\%." in latex
-    markdown = markdown_of(view_of(troubled))
+    markdown = markdown_of(document_of(troubled))
     assert "**Do not rely on this answer:** 1 of 2 checks failed" in markdown
     assert "> **Unsolved.** It is *singular*" in markdown
     assert "<script" not in markdown
 
 
 def test_markdown_has_titles_steps_answers_and_checks(solution):
-    markdown = markdown_of(view_of(solution))
+    markdown = markdown_of(document_of(solution))
     assert markdown.startswith("# Title with 50% \\& \\$ \\_ \\\\\n")
     assert "## (a) State transition matrix (3.5 marks)" in markdown
     assert re.search(r"^### 1\. Form the matrix \$s ?I - A\$$", markdown, re.MULTILINE)
@@ -209,16 +209,20 @@ def test_markdown_has_titles_steps_answers_and_checks(solution):
     assert "\n\n\n" not in markdown
 
 
-def test_views_are_built_once_and_say_the_same_in_every_number_format(solution):
-    exact = view_of(solution, Wording(NumberFormat("exact")))
-    assert exact == view_of(solution, Wording(NumberFormat("exact")))
+def shown(solution, *display):
+    return document_of(replace(solution, problem=replace(solution.problem, display=Display(*display))))
+
+
+def test_the_same_solution_gives_the_same_document_in_every_number_format(solution):
+    exact = shown(solution, "exact")
+    assert exact == shown(solution, "exact")
     first, second, third = exact.parts
     assert (first.again, second.again, third.again) == (False, True, False)
     assert second.question == ""
     assert third.given
     assert len({part.anchor for part in exact.parts}) == 3
     assert first.answers[0].symbol == r"\Phi"
-    decimal = view_of(solution, Wording(NumberFormat("decimal", 3))).parts[2].answers[0]
+    decimal = shown(solution, "decimal", 3).parts[2].answers[0]
     assert decimal.tex == r"-0.372,\; 5.37"
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from solver.derivation import Status
+from solver.document.model import Document
 from solver.render.page import POLICY, drawn, render_page
-from solver.render.view import SolutionView
 from tests.helpers.sample_pages import ATTACK, hostile, part, sample
 
 VOID = {"meta", "img", "br", "hr", "wbr"}
@@ -97,7 +97,7 @@ def test_headings_are_in_order(read: Reader) -> None:
     assert all(after <= before + 1 for before, after in pairwise(levels))
 
 
-def test_everything_of_the_view_is_on_the_page(read: Reader) -> None:
+def test_everything_of_the_document_is_on_the_page(read: Reader) -> None:
     text = " ".join("".join(read.text).split())
     for words in (
         "Sample with everything", "Lecture note, 1.16", "Lecture note, section 1.13", "3.5 marks", "1 mark ",
@@ -114,13 +114,13 @@ def test_statuses_are_told_by_words_not_by_colour_alone(page: str) -> None:
         assert f'<span class="badge {status}"><span aria-hidden="true">{symbol}</span> {status}</span>' in page
 
 
-def test_the_same_view_gives_the_same_bytes() -> None:
+def test_the_same_document_gives_the_same_bytes() -> None:
     assert render_page(sample()) == render_page(sample())
 
 
 def test_a_page_of_one_part_has_no_contents() -> None:
-    view = SolutionView("One", "", "", "", (part("a", Status.VERIFIED),), Status.VERIFIED)
-    assert "<nav" not in render_page(view)
+    document = Document("One", "", "", "", (part("a", Status.VERIFIED),))
+    assert "<nav" not in render_page(document)
 
 
 def test_all_text_is_escaped() -> None:
@@ -152,5 +152,5 @@ def test_a_formula_that_may_scroll_can_be_reached_by_keyboard(latex: str, reache
 
 def test_templates_of_ones_own_come_first(tmp_path: Path) -> None:
     (tmp_path / "html").mkdir()
-    (tmp_path / "html" / "page.html.jinja").write_text("<p>{{ view.title }} & {{ version }}", encoding="utf-8")
+    (tmp_path / "html" / "page.html.jinja").write_text("<p>{{ document.title }} & {{ version }}", encoding="utf-8")
     assert render_page(hostile(), templates=tmp_path).startswith("<p>&lt;/script&gt;")

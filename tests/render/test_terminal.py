@@ -6,13 +6,13 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
+from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.formula.terminal.boxes import cells
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.render.prose import inline_as_text, to_text
 from solver.render.terminal import answer_lines, print_summary, text_document
-from solver.render.view import view_of
 from solver.tasks import catalogue
 
 PROBLEM = """\
@@ -29,7 +29,7 @@ find:
 
 @pytest.fixture(scope="module")
 def view():
-    return view_of(solve_problem(read_problem(Source("<test>", PROBLEM), catalogue())))
+    return document_of(solve_problem(read_problem(Source("<test>", PROBLEM), catalogue())))
 
 
 def printed(view, verbose=False, **options):
@@ -113,7 +113,7 @@ def test_a_formula_that_is_too_wide_is_written_on_wrapped_lines():
 
 def answers_to(task, matrix):
     text = f"title: A problem\nsystem: {{A: {matrix}}}\nfind:\n  a: {task}\n"
-    return view_of(solve_problem(read_problem(Source("<test>", text), catalogue()))).parts[0].answers
+    return document_of(solve_problem(read_problem(Source("<test>", text), catalogue()))).parts[0].answers
 
 
 def test_a_word_in_place_of_a_symbol_stands_before_a_colon():
@@ -131,5 +131,5 @@ def test_a_matrix_too_wide_for_the_terminal_is_listed_entry_by_entry():
 
 def test_the_gain_that_closes_the_loop_is_part_of_the_question():
     text = "title: A problem\nsystem: {A: [[0, 1], [0, 0]], B: [0, 1]}\nfind:\n  a: {task: stability, gain: [2, 3]}\n"
-    (part,) = view_of(solve_problem(read_problem(Source("<test>", text), catalogue()))).parts
+    (part,) = document_of(solve_problem(read_problem(Source("<test>", text), catalogue()))).parts
     assert part.question.endswith(r"$u = -K_fx$ with $K_f = \begin{bmatrix}2 & 3\end{bmatrix}$.")
