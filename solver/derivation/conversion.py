@@ -16,7 +16,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from solver.derivation.registry import Derivation
+from solver.derivation.lemmas import Derivation
 from solver.derivation.steps import Unsolved
 
 if TYPE_CHECKING:
