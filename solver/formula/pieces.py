@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 _TALL = re.compile(r"\\frac|\\begin|\\int|\\left|\\sum|\\sqrt\{\\frac")
-_STRUCTURE = re.compile(r"\\(?:begin|left|right|end)\b|\\[{}]|[{}()\[\]]| (?:[+-]|\\pm|\\approx|=) ")
+_STRUCTURE = re.compile(r"\\(?:begin|left|right|end)\b|\\[{}]|[{}()\[\]]| (?:[+-]|\\pm|\\otimes|\\ast|\\approx|=) ")
 _OPENING = {"{", "(", "[", r"\left", r"\begin", r"\{"}
 _ATOM = re.compile(r"(?:\\[A-Za-z]+|[A-Za-z]|[0-9.]+|\\mathrm\{\w+\})(?:_(?:\w|\\[a-z]+|\{[^{}]*(?:\{\w+\})?\}))?\Z")
 _ENDS_IN_WORD = re.compile(r"\\[A-Za-z]+\Z")

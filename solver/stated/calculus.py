@@ -1,11 +1,11 @@
-"""Derivatives, integrals, sums over an index and values at a point."""
+"""Derivatives, integrals, convolutions and values at a point."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from solver.formula.pieces import as_factor
-from solver.stated.declaration import Binding, Show, Stated, operation
+from solver.formula.pieces import as_factor, joined
+from solver.stated.declaration import Binding, Printer, Show, Stated, operation
 
 
 def derivative(function: Any, variable: Any, order: int = 1) -> Stated:
@@ -13,14 +13,24 @@ def derivative(function: Any, variable: Any, order: int = 1) -> Stated:
     return Stated("derivative", (function, variable, order))
 
 
+def partial_derivative(function: Any, variable: Any, order: int = 1) -> Stated:
+    """∂ᵐf/∂xᵐ; the variable may be an unknown function of time or a derivative of it: ∂L/∂q̇."""
+    return Stated("partial_derivative", (function, variable, order))
+
+
 def integral(integrand: Any, variable: Any, lower: Any, upper: Any) -> Stated:
     """∫ f dx from `lower` to `upper`."""
     return Stated("integral", (integrand, variable, lower, upper))
 
 
-def summation(term: Any, index: Any, lower: Any, upper: Any) -> Stated:
-    """Σ T(i) for i from `lower` to `upper`, whole numbers."""
-    return Stated("summation", (term, index, lower, upper))
+def convolution(left: Any, right: Any, time: Any) -> Stated:
+    """(f ∗ g)(t) = ∫ f(τ) g(t − τ) dτ from 0 to t of two functions of t ≥ 0."""
+    return Stated("convolution", (left, right, time))
+
+
+def convolution_sum(left: Any, right: Any, step: Any) -> Stated:
+    """(f ∗ g)(k) = Σ f(i) g(k − i) for i = 0 … k of two sequences of k = 0, 1, …."""
+    return Stated("convolution_sum", (left, right, step))
 
 
 def value_at(function: Any, variable: Any, value: Any) -> Stated:
@@ -28,14 +38,19 @@ def value_at(function: Any, variable: Any, value: Any) -> Stated:
     return Stated("value_at", (function, variable, value))
 
 
-@operation(derivative)
-def _derivative(show: Show, function: Any, variable: Any, order: Any = 1) -> str:
-    x = show(variable)
-    if order == 0:
-        return show(function)
-    times = f"^{{{order}}}" if order != 1 else ""
-    argument = as_factor(show(function))
-    return rf"\frac{{d{times}}}{{d{x}{times}}}{argument}"
+def _derivative(sign: str) -> Printer:
+    def write(show: Show, function: Any, variable: Any, order: Any = 1) -> str:
+        x = show(variable)
+        if order == 0:
+            return show(function)
+        times = f"^{{{order}}}" if order != 1 else ""
+        return rf"\frac{{{sign}{times}}}{{{joined([sign, x])}{times}}}{as_factor(show(function))}"
+
+    return write
+
+
+operation(derivative)(_derivative("d"))
+operation(partial_derivative)(_derivative(r"\partial"))
 
 
 @operation(integral, binding=Binding(1))
@@ -43,11 +58,14 @@ def _integral(show: Show, integrand: Any, variable: Any, lower: Any, upper: Any)
     return rf"\int_{{{show(lower)}}}^{{{show(upper)}}}{as_factor(show(integrand))}\,d{show(variable)}"
 
 
-@operation(summation, binding=Binding(1), whole=(2, 3))
-def _summation(show: Show, term: Any, index: Any, lower: Any, upper: Any) -> str:
-    return rf"\sum_{{{show(index)} = {show(lower)}}}^{{{show(upper)}}}{as_factor(show(term))}"
-
-
 @operation(value_at, binding=Binding(1))
 def _value_at(show: Show, function: Any, variable: Any, value: Any) -> str:
     return rf"\left.{as_factor(show(function))}\right|_{{{show(variable)} = {show(value)}}}"
+
+
+def _convolution(show: Show, left: Any, right: Any, _variable: Any) -> str:
+    return rf"{as_factor(show(left))} \ast {as_factor(show(right))}"
+
+
+operation(convolution)(_convolution)
+operation(convolution_sum, whole=(2,))(_convolution)

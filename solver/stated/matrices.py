@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from solver.formula.pieces import as_base, parenthesized
+from solver.formula.pieces import as_base, as_factor, parenthesized
 from solver.stated.declaration import Printer, Show, Stated, operation
 
 
@@ -44,14 +44,37 @@ def transpose(matrix: Any) -> Stated:
     return Stated("transpose", (matrix,))
 
 
+def minor(matrix: Any, row: int, column: int) -> Stated:
+    """The determinant of M without a row and a column (counted from 1)."""
+    return Stated("minor", (matrix, row, column))
+
+
+def cofactor(matrix: Any, row: int, column: int) -> Stated:
+    """(−1)^{i+j} times the minor of row i and column j (counted from 1)."""
+    return Stated("cofactor", (matrix, row, column))
+
+
+def kronecker(left: Any, right: Any) -> Stated:
+    """A ⊗ B: the blocks aᵢⱼ B."""
+    return Stated("kronecker", (left, right))
+
+
+def vectorized(matrix: Any) -> Stated:
+    """vec M: the columns of M below each other."""
+    return Stated("vectorized", (matrix,))
+
+
 def _named(operator: str) -> Printer:
     """An operator before a matrix: `det [..]`, `adj(..)`."""
 
     def write(show: Show, matrix: Any) -> str:
-        tex = show(matrix)
-        return f"{operator}{tex if _is_matrix(tex) else parenthesized(tex)}"
+        return f"{operator}{_argument(show(matrix))}"
 
     return write
+
+
+def _argument(tex: str) -> str:
+    return tex if _is_matrix(tex) else parenthesized(tex)
 
 
 def _is_matrix(tex: str) -> bool:
@@ -62,6 +85,7 @@ operation(determinant)(_named(r"\det"))
 operation(adjugate)(_named(r"\operatorname{adj}"))
 operation(rank)(_named(r"\operatorname{rank}"))
 operation(trace)(_named(r"\operatorname{tr}"))
+operation(vectorized)(_named(r"\operatorname{vec}"))
 
 
 @operation(partitioned)
@@ -86,3 +110,18 @@ def _inverse(show: Show, matrix: Any) -> str:
 @operation(transpose)
 def _transpose(show: Show, matrix: Any) -> str:
     return f"{as_base(show(matrix))}^{{T}}"
+
+
+@operation(minor)
+def _minor(show: Show, matrix: Any, row: int, column: int) -> str:
+    return rf"\operatorname{{minor}}_{{{row}{column}}}{_argument(show(matrix))}"
+
+
+@operation(cofactor)
+def _cofactor(show: Show, matrix: Any, row: int, column: int) -> str:
+    return rf"\operatorname{{cof}}_{{{row}{column}}}{_argument(show(matrix))}"
+
+
+@operation(kronecker)
+def _kronecker(show: Show, left: Any, right: Any) -> str:
+    return rf"{as_factor(show(left))} \otimes {as_factor(show(right))}"

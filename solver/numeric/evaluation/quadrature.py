@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from itertools import pairwise
 from typing import Any
@@ -19,11 +20,20 @@ WITH_MANY_DIGITS = ((1, 28), (1, 40), (2, 40))
 """How an integral is refined: the number of panels, and of nodes on each."""
 
 
-def to_finite(environment: Environment, integrand: Any, variable: Any, a: Array, b: Array) -> Value:
+Samples = Callable[[Array], Value]
+"""Evaluates an integrand at N nodes for each of P points (P×N), which it returns all at once (P·N, …)."""
+
+
+def samples_of(integrand: Any, variable: Any, environment: Environment) -> Samples:
+    """Return what evaluates a formula at values of a variable."""
+    return lambda nodes: walk(integrand, environment.spread(variable, nodes))
+
+
+def to_finite(environment: Environment, samples: Samples, a: Array, b: Array) -> Value:
     """∫ f dx from a to b (P,)."""
     arithmetic = environment.arithmetic
     finer = (
-        _panels(environment, integrand, variable, (a, b - a), np.linspace(0.0, 1.0, count + 1), nodes)
+        _panels(environment, samples, (a, b - a), np.linspace(0.0, 1.0, count + 1), nodes)
         for count, nodes in (IN_DOUBLES if arithmetic is DOUBLE else WITH_MANY_DIGITS)
     )
     for coarse, fine in pairwise(finer):
@@ -32,23 +42,19 @@ def to_finite(environment: Environment, integrand: Any, variable: Any, a: Array,
     return _with_error(coarse, fine, arithmetic)
 
 
-def to_infinity(environment: Environment, integrand: Any, variable: Any, a: Array) -> Value:
+def to_infinity(environment: Environment, samples: Samples, a: Array) -> Value:
     """∫ from a to ∞ on panels whose lengths double, from 1/64 to 1024; refused unless the integrand has died away."""
     edges = np.array([0.0, *(2.0**i for i in range(-6, 11))])
     one, nodes = environment.full(1), 20 if environment.arithmetic is DOUBLE else 40
     halved = np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
-    coarse, fine, last = (
-        _panels(environment, integrand, variable, (a, one), each, nodes) for each in (edges, halved, edges[-2:])
-    )
+    coarse, fine, last = (_panels(environment, samples, (a, one), each, nodes) for each in (edges, halved, edges[-2:]))
     size = environment.arithmetic.size
     if np.any(size(last.value) > 1e-12 * size(fine.value) + 1e-15 * fine.magnitude):
         raise NotEvaluable("the integrand of an integral to infinity decays too slowly")
     return _with_error(coarse, fine, environment.arithmetic)
 
 
-def _panels(
-    environment: Environment, integrand: Any, variable: Any, span: tuple[Array, Array], edges: Array, nodes: int
-) -> Value:
+def _panels(environment: Environment, samples: Samples, span: tuple[Array, Array], edges: Array, nodes: int) -> Value:
     """∫ of f(a + w u) w du over the panels between the edges of u."""
     arithmetic = environment.arithmetic
     x, w = legendre(arithmetic, nodes)
@@ -57,8 +63,7 @@ def _panels(
     u = (middle + half * x[None, :]).reshape(-1)
     weights = (half * w[None, :]).reshape(-1)
     start, width = span
-    samples = walk(integrand, environment.spread(variable, start[:, None] + width[:, None] * u[None, :]))
-    value, magnitude = gathered(samples, environment.points, len(u))
+    value, magnitude = gathered(samples(start[:, None] + width[:, None] * u[None, :]), environment.points, len(u))
     factor = (width[:, None] * weights[None, :]).reshape((environment.points, len(u), *(1 for _ in value.shape[2:])))
     return Value((value * factor).sum(axis=1), (magnitude * arithmetic.size(factor)).sum(axis=1))
 

@@ -8,7 +8,8 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, exponential, power, product, total
-from solver.stated.calculus import integral, summation
+from solver.stated.calculus import integral
+from solver.stated.lists import summation
 from solver.stated.matrices import determinant, rank, transpose
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.structure.pairs import Pair

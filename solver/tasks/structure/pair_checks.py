@@ -10,7 +10,8 @@ from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import structure as judges
 from solver.stated.algebra import difference, exponential, power, product, total
-from solver.stated.calculus import integral, summation
+from solver.stated.calculus import integral
+from solver.stated.lists import summation
 from solver.stated.matrices import determinant, transpose
 from solver.tasks.structure.pairs import Pair
 

@@ -8,7 +8,8 @@ from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
-from solver.stated.calculus import integral, summation
+from solver.stated.calculus import integral
+from solver.stated.lists import summation
 from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
 from solver.tasks.time_response.question import Question

@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from solver.numeric.evaluation.environment import Environment
-from solver.numeric.evaluation.quadrature import to_finite, to_infinity
+from solver.numeric.evaluation.quadrature import samples_of, to_finite, to_infinity
 from solver.numeric.evaluation.stated import Oracle
 from solver.numeric.evaluation.values import Value
 from solver.numeric.evaluation.walk import walk
@@ -18,6 +18,7 @@ ORACLE = Oracle(70, "Gauss–Legendre quadrature")
 def evaluate(environment: Environment, integrand: Any, variable: Any, lower: Any, upper: Any) -> Value:
     """Limits are finite, or the upper one is ∞ and the integrand decays."""
     a = environment.full(walk(lower, environment).value)
+    samples = samples_of(integrand, variable, environment)
     if upper == sp.oo:
-        return to_infinity(environment, integrand, variable, a)
-    return to_finite(environment, integrand, variable, a, environment.full(walk(upper, environment).value))
+        return to_infinity(environment, samples, a)
+    return to_finite(environment, samples, a, environment.full(walk(upper, environment).value))

@@ -1,0 +1,7 @@
+"""∂ᵐf/∂xᵐ."""
+
+from __future__ import annotations
+
+from solver.numeric.evaluation.operations.derivative import ORACLE, evaluate
+
+__all__ = ["ORACLE", "evaluate"]
