@@ -143,7 +143,7 @@ def _searched(image: RationalMatrix) -> list[sp.Expr]:
     even = [last * i / SAMPLES for i in range(SAMPLES)]
     times = sorted({*fine, *even, *(i / fastest / 20 for i in range(SAMPLES) if i / fastest / 20 < last)})
     slope = _slope(modes)
-    values = [(slope(t), t) for t in times]
+    values = [(value, t) for t in times if (value := slope(t))]  # a zero met exactly is between its neighbours
     return [_refined(modes, a, b) for (before, a), (after, b) in pairwise(values) if before * after < 0]
 
 
