@@ -140,7 +140,7 @@ def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) ->
 
 def _plant(task: Task[Any, Any], given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
     """Bring the system to what the task works on, by conversions; with the loop closed that the options ask for."""
-    options = {name: getattr(given.options, name) for name, option in task.options.items() if option.closes_the_loop}
+    options = {name: getattr(given.options, name) for name, option in task.options.items() if option.loop}
     own = {name for name in task.needs if name in task.options and given.options.has(name)}
     system = composed(given.system, options)
     return replace(given, system=(yield from converted(system, set(task.needs) - own)))

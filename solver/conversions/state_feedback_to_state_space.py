@@ -11,7 +11,7 @@ from solver.stated.algebra import difference, product
 from solver.systems import StateFeedback, StateSpace, System
 
 
-@composition("gain")
+@composition("gain", order=1)
 def closed(system: System, options: Mapping[str, Any]) -> StateFeedback:
     """With the option `gain`, the question is about the loop."""
     return StateFeedback(system, options["gain"])

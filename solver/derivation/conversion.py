@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from solver.derivation.lemmas import Derivation
 from solver.derivation.steps import Unsolved
@@ -39,8 +39,17 @@ class Conversion:
     gives: Callable[[Provided], Iterable[str]]
 
 
+@dataclass(frozen=True, slots=True)
+class Composition:
+    """What some options make of a system; the one of the least `order` is the innermost loop."""
+
+    order: int
+    options: tuple[str, ...]
+    compose: Callable[[Any, Mapping[str, Any]], Any]
+
+
 _CONVERSIONS: list[Conversion] = []
-_COMPOSITIONS: dict[tuple[str, ...], Callable[[Any, Mapping[str, Any]], Any]] = {}
+_COMPOSITIONS: list[Composition] = []
 
 
 def conversion(
@@ -58,11 +67,11 @@ def conversion(
 Compose = Callable[[Any, Mapping[str, Any]], Any]
 
 
-def composition(*options: str) -> Callable[[Compose], Compose]:
+def composition(*options: str, order: int) -> Callable[[Compose], Compose]:
     """Register what some options make of a system; called when one of them at least has a value."""
 
     def register(compose: Compose) -> Compose:
-        _COMPOSITIONS[options] = compose
+        _COMPOSITIONS.append(Composition(order, options, compose))
         return compose
 
     return register
@@ -79,9 +88,9 @@ def conversions() -> Sequence[Conversion]:
 def composed(system: System, options: Mapping[str, Any]) -> System:
     """Return the system that the question is about when the given options are taken into account."""
     conversions()
-    for names, compose in _COMPOSITIONS.items():
-        if any(options.get(name) is not None for name in names):
-            system = compose(system, options)
+    for each in sorted(_COMPOSITIONS, key=lambda composition: composition.order):
+        if any(options.get(name) is not None for name in each.options):
+            system = each.compose(system, options)
     return system
 
 
@@ -109,6 +118,16 @@ def _ways(system: System) -> Iterable[tuple[type, Provided, tuple[Conversion, ..
             if given:
                 seen.add(each.target)
                 queue.append((each.target, given, (*chain, each)))
+
+
+def converted_to(system: System, target: type[T]) -> Derivation[T]:
+    """Bring a system to one kind of object; raises Unsolved where there is no way."""
+    chain = next((chain for kind, _, chain in _ways(system) if kind is target), None)
+    if chain is None:
+        raise Unsolved("conversions/not_of_this_kind", missing=[target.__name__], described=system.described)
+    for each in chain:
+        system = yield from each.derive(system)
+    return cast("T", system)
 
 
 def converted(system: System, needs: Iterable[str]) -> Derivation[Any]:

@@ -64,7 +64,8 @@ class Option:
     """An option of a task: its name, what it takes, what it means; `methods` it belongs to (empty: all).
 
     `default` is as it is typed in a file. `answer` is the answer that `{from: part}` takes (empty: the one of the
-    option's own name). One that `closes_the_loop` changes the system before the task sees it.
+    option's own name). One with a `loop` changes the system before the
+    task sees it; `loop` is the lemma whose wording says so in the question.
     """
 
     name: str
@@ -74,7 +75,7 @@ class Option:
     required: bool = False
     methods: tuple[str, ...] = ()
     answer: str = ""
-    closes_the_loop: bool = False
+    loop: str = ""
 
 
 @overload
@@ -85,7 +86,7 @@ def option(kind: OptionKind[T], doc: str, *, default: Typed, methods: tuple[str,
 def option(kind: ImpliedKind[T], doc: str, *, methods: tuple[str, ...] = ()) -> T: ...
 @overload
 def option(
-    kind: OptionKind[T], doc: str, *, methods: tuple[str, ...] = (), answer: str = "", closes_the_loop: bool = False
+    kind: OptionKind[T], doc: str, *, methods: tuple[str, ...] = (), answer: str = "", loop: str = ""
 ) -> T | None: ...
 def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **facts: Any) -> Any:
     """Return the field of an option. Without a default, and not required, its value is None where it is not given."""

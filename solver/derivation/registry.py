@@ -133,7 +133,6 @@ class Task(Generic[S, O]):
         self.answers = {answer.name: answer for answer in answers}
         self.options_class = options
         self.options = options.declared()
-        self.closes_the_loop = any(option.closes_the_loop for option in self.options.values())
         self.methods: dict[str, Method] = {}
         self.verifications: list[Verification] = []
         self.refusals: list[Callable[[System, O], Iterable[Refusal]]] = []

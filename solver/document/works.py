@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Answers, PartResult, Status, Step
+from solver.derivation import Answers, PartResult, Status, Step, Task
 from solver.document.checks import check_rows, plain_check
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.engine import Earlier, Solution
@@ -89,7 +89,7 @@ class Writer:
             method_title=method.title,
             source=method.source,
             marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
-            question="" if again else wording.question(part, closed=task.closes_the_loop and "gain" in part.options),
+            question="" if again else wording.question(part, loops=_loops(task, part)),
             given=wording.given(part.system) if part.own_system and not again else "",
             again=again,
             steps=tuple(map(self._step, worded)),
@@ -130,6 +130,12 @@ def lost(result: PartResult, reason: str) -> PartResult:
     """Return what is left of a result that cannot be worded or sent: no steps, answers and checks, but the reason."""
     ended = Reason("limits/ended", {"words": reason})
     return PartResult(result.id, result.task, result.method, Status.UNSOLVED, reason=ended, seconds=result.seconds)
+
+
+def _loops(task: Task[Any, Any], part: Part) -> list[str]:
+    """Return the lemmas that close a loop around the system, for the options that are given."""
+    given = (option.loop for name, option in task.options.items() if part.options.get(name) is not None)
+    return list(dict.fromkeys(loop for loop in given if loop))
 
 
 def _answers(result: PartResult, wording: Wording) -> Iterator[WorkAnswer]:

@@ -70,6 +70,12 @@ class Context:
         """Return a rational function of one channel in lowest terms; raises Fault."""
         return read_transfer_function(node, self.lexicon, self.discrete).cancelled()
 
+    def quotient(self, node: Node, *, unity: bool = False) -> sp.Expr:
+        """Return a quotient of polynomials, proper or not, in lowest terms; 1 where the node says so in a word."""
+        if unity:
+            return sp.Integer(1)
+        return read_transfer_function(node, self.lexicon, self.discrete, proper=False).cancelled()
+
     def matrix(
         self, node: Node, name: str, shape: tuple[int | str | None, int | str | None], flat: str
     ) -> sp.ImmutableMatrix:

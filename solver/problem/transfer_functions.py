@@ -18,8 +18,8 @@ MAX_DEGREE = 80
 MAX_FIELD_DEGREE = 8
 
 
-def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool) -> Rational:
-    """Return a proper rational function of s (discrete: z), as it was given.
+def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool, *, proper: bool = True) -> Rational:
+    """Return a rational function of s (discrete: z), as it was given; `proper` says that it must be.
 
     Raises Fault where it is not rational, not proper, of order above 12, or has the denominator zero.
     """
@@ -33,11 +33,11 @@ def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool) -> Rati
         _expect_keys(node, ("zeros", "poles", "gain"), required=False)
         given = _from_zeros(node, lexicon, variable)
     zeros, poles = given.numerator.degree(), given.denominator.degree()
-    if zeros > poles:
+    if proper and zeros > poles:
         message = f"the transfer function is improper: its numerator has degree {zeros}, its denominator {poles}"
         raise node.fault(message)
-    if poles > MAX_SIZE:
-        raise node.fault(f"the transfer function has order {poles}; at most {MAX_SIZE} can be read")
+    if max(zeros, poles) > MAX_SIZE:
+        raise node.fault(f"the transfer function has order {max(zeros, poles)}; at most {MAX_SIZE} can be read")
     return given
 
 

@@ -111,17 +111,17 @@ class Wording:
             raise WordingError(f"{_place(step.wording, step.kind)}: {message}")
         return WordedStep(title, markdown, self.words(step.steps), step, displayed)
 
-    def question(self, part: Part, *, closed: bool = False) -> str:
+    def question(self, part: Part, *, loops: Iterable[str] = ()) -> str:
         """Return the question of a part in Markdown: its own prompt, or the task's.
 
-        `closed` tells that the question is about the loop closed by the option `gain`, which is then said too.
+        `loops` are the lemmas that close a loop around the system before the question is asked, which is then said too.
         """
         if part.prompt:
             return part.prompt.strip()
         options = {**part.options, "methods": part.methods}
         words = self._macro(f"{part.task}/question", "question", part.system, options)
-        loop = self._macro("lemmas/closed_loop", "loop_of", part.system, options) if closed else ""
-        return _tidy(f"{words.strip()}\n{loop.strip()}")
+        said = "".join(self._macro(f"lemmas/{loop}", "loop_of", part.system, options) for loop in loops)
+        return _tidy(f"{words.strip()}\n{said.strip()}")
 
     def given(self, system: System) -> str:
         """Return what is given about a system in Markdown."""

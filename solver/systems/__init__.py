@@ -7,7 +7,7 @@ from importlib import import_module
 from pathlib import Path
 
 from solver.systems.kind import Kind, System
-from solver.systems.loops import StateFeedback
+from solver.systems.loops import OutputFeedback, StateFeedback
 from solver.systems.state_space import StateSpace
 from solver.systems.transfer_function import TransferFunction
 
@@ -21,4 +21,4 @@ def kinds() -> dict[str, Kind]:
     return {kind.tells: kind for kind in declared}
 
 
-__all__ = ["Kind", "StateFeedback", "StateSpace", "System", "TransferFunction", "kinds"]
+__all__ = ["Kind", "OutputFeedback", "StateFeedback", "StateSpace", "System", "TransferFunction", "kinds"]

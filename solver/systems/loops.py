@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from solver.systems.kind import System
 
@@ -12,11 +12,10 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class StateFeedback:
-    """A plant under u = −K x (K m×n)."""
+class Loop:
+    """A plant with something around it."""
 
     plant: System
-    K: ImmutableMatrix
 
     @property
     def kind(self) -> str:
@@ -35,8 +34,13 @@ class StateFeedback:
 
     @property
     def parameters(self) -> tuple[Symbol, ...]:
-        """The free symbols of plant and gain, sorted by name."""
-        return tuple(sorted({*self.plant.parameters, *self.K.free_symbols}, key=str))
+        """The free symbols of the plant and of what is around it, sorted by name."""
+        return tuple(sorted({*self.plant.parameters, *self.around}, key=str))
+
+    @property
+    def around(self) -> set[Symbol]:
+        """The free symbols of what stands around the plant."""
+        raise NotImplementedError
 
     @property
     def provides(self) -> frozenset[str]:
@@ -55,3 +59,31 @@ class StateFeedback:
     def names(self, of: str) -> tuple[str, ...]:
         """Return the names of the plant's "state"s, "input"s or "output"s."""
         return self.plant.names(of)
+
+
+@dataclass(frozen=True)
+class StateFeedback(Loop):
+    """A plant under u = −K x (K m×n)."""
+
+    K: ImmutableMatrix
+
+    @property
+    def around(self) -> set[Symbol]:
+        """The free symbols of the gain."""
+        return set(self.K.free_symbols)
+
+
+@dataclass(frozen=True)
+class OutputFeedback(Loop):
+    """A plant G behind a controller C, with H in the feedback path: C G/(1 + C G H), or C G where H is None."""
+
+    controller: Expr
+    feedback: Expr | None
+
+    @property
+    def around(self) -> set[Symbol]:
+        """The free symbols of C and H, but for the variable."""
+        found: set[Any] = self.controller.free_symbols | (
+            set() if self.feedback is None else self.feedback.free_symbols
+        )
+        return {symbol for symbol in found if str(symbol) != ("z" if self.discrete else "s")}

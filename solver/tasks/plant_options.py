@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import Options, option
+from solver.options.loop_element import LoopElement
 from solver.options.matrix import MatrixOf
 
 if TYPE_CHECKING:
-    from sympy import ImmutableMatrix
+    from sympy import Expr, ImmutableMatrix
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -20,5 +21,17 @@ class PlantOptions(Options):
         MatrixOf("m", "n", flat="row"),
         "state feedback u = −K x; the question is then about A − BK",
         answer="K",
-        closes_the_loop=True,
+        loop="closed_loop",
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoopOptions(PlantOptions):
+    """What stands around a transfer function: L = C G H, T = C G/(1 + C G H)."""
+
+    controller: Expr | None = option(LoopElement(), "controller C in series with the plant", loop="loop")
+    feedback: Expr | None = option(
+        LoopElement(switched=True),
+        "what is in the feedback path, H; the question is then about C G/(1 + C G H)",
+        loop="loop",
     )

@@ -11,7 +11,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import representation as judges
 from solver.stated.algebra import product
 from solver.stated.matrices import rank
-from solver.tasks.plant_options import PlantOptions
+from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.plants import matrices_of, numbers_of, stated_matrix, variable_of
 from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
 from solver.tasks.representation.realization_lemmas import assembled, companion_form_of, direct_path_of
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from solver.systems import StateSpace, TransferFunction
     from solver.tasks.needed import InputOutput
 
-minimal_realization: Task[InputOutput, PlantOptions] = Task(
+minimal_realization: Task[InputOutput, LoopOptions] = Task(
     "minimal_realization",
     title="Minimal realization",
     doc="State equations of least order with the same transfer function, and the modes that are left out.",
     needs=("transfer_function",),
-    options=PlantOptions,
+    options=LoopOptions,
     answers=[
         AnswerName("A", "A", "system matrix of the minimal realization", free=True),
         AnswerName("B", "B", "its input matrix", free=True),
@@ -40,7 +40,7 @@ minimal_realization: Task[InputOutput, PlantOptions] = Task(
 
 
 @minimal_realization.method(source="Lecture note, section 2.4; Kailath, Linear Systems, section 2.4")
-def by_reduction(given: Given[InputOutput, PlantOptions]) -> Derivation[Answers]:
+def by_reduction(given: Given[InputOutput, LoopOptions]) -> Derivation[Answers]:
     """Keep the controllable part, and of this the observable part."""
     plant = given.system
     if not isinstance(plant, systems.TransferFunction):
@@ -130,7 +130,7 @@ def _observability_matrix(A: Any, C: Any) -> Any:
 
 @minimal_realization.verification("A", "B", "C", "D")
 def has_least_order_and_the_transfer_function(
-    given: Given[InputOutput, PlantOptions], answers: Answers
+    given: Given[InputOutput, LoopOptions], answers: Answers
 ) -> Iterable[Check]:
     """The order is the McMillan degree, det(sI − A) that of the minimal part, and G is the same."""
     plant, (outputs, inputs) = numbers_of(given.system), shape_of(given.system)
@@ -159,16 +159,14 @@ def has_least_order_and_the_transfer_function(
             yield Check.skipped(f"${name}$ belongs to a minimal realization", "inspection", reason, answer=name)
 
 
-def _same_constant(given: Given[InputOutput, PlantOptions], answers: Answers) -> Check:
+def _same_constant(given: Given[InputOutput, LoopOptions], answers: Answers) -> Check:
     """Without states the transfer function is D."""
     D = answers.get("D", at_infinity(given.system))
     return numeric.check_claim(Claim(D, stated_matrix(given.system)), "$D = G$ at random points")
 
 
 @minimal_realization.verification("cancelled")
-def complete_the_characteristic_polynomial(
-    given: Given[InputOutput, PlantOptions], answers: Answers
-) -> Iterable[Check]:
+def complete_the_characteristic_polynomial(given: Given[InputOutput, LoopOptions], answers: Answers) -> Iterable[Check]:
     """det(sI − A) is det(sI − A_min) times the factors of the cancelled modes."""
     plant, listed = numbers_of(given.system), list(answers["cancelled"])
     yield numeric.check_residual(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task, Unsolved, option
 from solver.lazy import systems
 from solver.options.choice import Choice
-from solver.tasks.plant_options import PlantOptions
+from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.modal_forms import mode_form_of
 from solver.tasks.representation.multivariable_forms import companion_coordinates_of
 from solver.tasks.representation.realization_checks import realization_checks
@@ -26,7 +26,7 @@ CONVENTIONS = ("last_row", "first_row", "subdiagonal", "superdiagonal")
 
 
 @dataclass(frozen=True, kw_only=True)
-class RealizationOptions(PlantOptions):
+class RealizationOptions(LoopOptions):
     """The form, and how it is written."""
 
     form: str = option(Choice(FORMS), "the canonical form")

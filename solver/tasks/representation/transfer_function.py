@@ -16,7 +16,7 @@ from solver.stated import Stated
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
-from solver.tasks.plant_options import PlantOptions
+from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.plants import (
     chosen_channel,
     matrices_of,
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TransferFunctionOptions(PlantOptions):
+class TransferFunctionOptions(LoopOptions):
     """The channel of interest."""
 
     input: int | None = option(Channel("input"), "the input, where only one is of interest")

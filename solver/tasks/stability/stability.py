@@ -26,7 +26,7 @@ from solver.options.matrix import MatrixOf
 from solver.stated.algebra import power, product
 from solver.stated.matrices import determinant
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
-from solver.tasks.plant_options import PlantOptions
+from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability import checks
 from solver.tasks.stability.lyapunov_equation import lyapunov_solution_of
 from solver.tasks.stability.routh_array import Tabled, routh_array_of
@@ -46,7 +46,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class StabilityOptions(PlantOptions):
+class StabilityOptions(LoopOptions):
     """Lyapunov's equation."""
 
     Q: ImmutableMatrix | None = option(

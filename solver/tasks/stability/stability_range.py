@@ -25,7 +25,7 @@ from solver.numeric.judges import stability as judges
 from solver.options.names import Names
 from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
-from solver.tasks.plant_options import PlantOptions
+from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.routh_array import routh_array_of
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class StabilityRangeOptions(PlantOptions):
+class StabilityRangeOptions(LoopOptions):
     """What may vary."""
 
     parameters: tuple[str, ...] | None = option(

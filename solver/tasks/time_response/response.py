@@ -20,7 +20,7 @@ from solver.options.choice import Choice
 from solver.options.expression_list import ExpressionList
 from solver.options.matrix import MatrixOf
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
-from solver.tasks.plant_options import PlantOptions
+from solver.tasks.plant_options import LoopOptions
 from solver.tasks.time_response import by_convolution as convolution
 from solver.tasks.time_response import by_transform as transform
 from solver.tasks.time_response.question import Question
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ResponseOptions(PlantOptions):
+class ResponseOptions(LoopOptions):
     """What moves the system."""
 
     kind: str = option(

@@ -1,0 +1,46 @@
+"""What stands in a loop beside the plant: a controller, or what is in the feedback path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from solver.derivation.options import VALUE, OptionKind, Schema
+from solver.problem.nodes import Node, ScalarNode
+
+if TYPE_CHECKING:
+    from solver.problem.context import Context
+
+NONE, UNITY = "none", "unity"
+
+
+@dataclass(frozen=True, slots=True)
+class LoopElement(OptionKind[Any]):
+    """A quotient of polynomials in s (discrete: z), proper or not; `words` are those that may stand for one.
+
+    The value is an expression, 1 for the word "unity" and None for "none".
+    """
+
+    referable: ClassVar[bool] = True
+
+    switched: bool = False
+
+    @property
+    def words(self) -> str:
+        """What is written, in words."""
+        return ("unity, none or " if self.switched else "") + "an expression in s (discrete: z)"
+
+    @property
+    def schema(self) -> Schema:
+        """A number or a text."""
+        return VALUE
+
+    @property
+    def example(self) -> str:
+        """The simplest loop."""
+        return UNITY if self.switched else "2"
+
+    def read(self, node: Node, name: str, context: Context) -> Any:  # noqa: ARG002 - the place says what is wrong
+        """Return the element, None where there is none."""
+        word = node.text if isinstance(node, ScalarNode) and self.switched else ""
+        return None if word == NONE else context.quotient(node, unity=word == UNITY)
