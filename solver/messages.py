@@ -22,6 +22,7 @@ from typing import Any
 from jinja2 import FileSystemLoader, StrictUndefined, TemplateNotFound
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
+from solver.notation import COURSE, SYMBOL, spelled
 from solver.words import ENGLISH, PHRASES, Phrase, Reason, folders, formula
 
 
@@ -43,6 +44,7 @@ class Messages:
 
     templates: Path | None = None
     language: str = ENGLISH
+    notation: str = COURSE
 
     def files(self, wording: str) -> list[str]:
         """Return the files that may hold a macro, the one of the language first."""
@@ -62,13 +64,20 @@ class Messages:
         raise LookupError(f"the macro {name!r} of templates/wording/reasons/{wording}.md.jinja is missing")
 
     def say(self, text: str) -> str:
-        """Return a phrase in the language; a text that is no phrase as it stands."""
-        if self.language == ENGLISH or not text:
-            return text
+        r"""Return a phrase in the language and with the symbols of the notation, which it names as `\sym{K}`.
+
+        A text that is no phrase is returned as it stands.
+        """
         if isinstance(text, Phrase):
             values = {name: self.say(value) if isinstance(value, str) else value for name, value in text.values.items()}
-            return self.say(text.pattern).format(**values)
-        return _phrases(self).get(text, text)
+            return self._spelled(self._translated(text.pattern).format(**values))
+        return self._spelled(self._translated(text))
+
+    def _translated(self, text: str) -> str:
+        return text if self.language == ENGLISH else _phrases(self).get(text, text)
+
+    def _spelled(self, text: str) -> str:
+        return spelled(text, self.notation) if SYMBOL in text else text
 
     def named(self, name: str) -> str:
         """Return the name of a quantity or option as it is spoken: `peak_time` is the peak time."""

@@ -5,8 +5,8 @@ Labels are LaTeX without dollar signs, captions are Markdown with `$math$`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 
@@ -86,6 +86,21 @@ class DrawnPlot:
     marks: tuple[Mark, ...]
     equal: bool
     window: tuple[float, float, float, float]
+
+
+GAINS = {"K": r"\sym{K}", "L": r"\sym{L}"}
+"""What stands in the blocks of the gains where a diagram says nothing else."""
+
+
+def worded_figure(figure: Figure, say: Callable[[str], str]) -> Figure:
+    """Return a figure with its words and symbols as a page says them."""
+    if isinstance(figure, Diagram):
+        labels = {name: say(label) for name, label in {**GAINS, **figure.labels}.items()}
+        return replace(figure, caption=say(figure.caption), labels=labels)
+    curves = tuple(replace(curve, label=say(curve.label)) for curve in figure.curves)
+    marks = tuple(replace(mark, label=say(mark.label)) for mark in figure.marks)
+    caption, x_label, y_label = map(say, (figure.caption, figure.x_label, figure.y_label))
+    return replace(figure, caption=caption, x_label=x_label, y_label=y_label, curves=curves, marks=marks)
 
 
 Drawing = DrawnPlot | Diagram

@@ -2,33 +2,40 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from solver.derivation import Check, CheckStatus, PartResult
 from solver.document.model import CheckRow
 from solver.render.numbers import NumberFormat
+from solver.words import Phrase
+
+Say = Callable[[str], str]
+"""Words a phrase in the language of the document."""
 
 
-def check_rows(result: PartResult) -> list[CheckRow]:
+def check_rows(result: PartResult, say: Say) -> list[CheckRow]:
     """Return the table of checks: one line for the equalities of each step, then one for each other check."""
     rows = []
     for number in range(1, len(result.steps) + 1):
-        rows.extend(_of_step([check for check in result.checks if check.step == number], number))
-    return rows + [_row(check) for check in result.checks if not check.step]
+        rows.extend(_of_step([check for check in result.checks if check.step == number], number, say))
+    return rows + [_row(check, say) for check in result.checks if not check.step]
 
 
-def _of_step(checks: list[Check], number: int) -> list[CheckRow]:
+def _of_step(checks: list[Check], number: int, say: Say) -> list[CheckRow]:
     """Return one line for the equalities of a step that passed, then one for each that did not."""
     passed = [check for check in checks if check.status is CheckStatus.PASSED]
-    others = [_row(check) for check in checks if check.status is not CheckStatus.PASSED]
+    others = [_row(check, say) for check in checks if check.status is not CheckStatus.PASSED]
     if not passed:
         return others
     worst = max(passed, key=_nearness)
-    claim = f"{len(passed)} equalities of step {number}" if len(passed) > 1 else f"the equality of step {number}"
-    if len(passed) == 1 and worst.claim:
-        claim = f"{worst.claim} (step {number})"
-    oracle = ", ".join(dict.fromkeys(check.oracle for check in passed))
-    return [CheckRow(claim, oracle, _short(worst.residual), _short(worst.tolerance), CheckStatus.PASSED), *others]
+    claim: str = Phrase("the equality of step {step}", step=number)
+    if len(passed) > 1:
+        claim = Phrase("{count} equalities of step {step}", count=len(passed), step=number)
+    elif worst.claim:
+        claim = Phrase("{claim} (step {step})", claim=worst.claim, step=number)
+    oracle = ", ".join(dict.fromkeys(say(check.oracle) for check in passed))
+    return [CheckRow(say(claim), oracle, _short(worst.residual), _short(worst.tolerance), CheckStatus.PASSED), *others]
 
 
 def _nearness(check: Check) -> float:
@@ -38,15 +45,26 @@ def _nearness(check: Check) -> float:
     return check.residual / check.tolerance
 
 
-def _row(check: Check) -> CheckRow:
-    return CheckRow(
-        check.claim, check.oracle, _short(check.residual), _short(check.tolerance), check.status, check.reason
-    )
+def _row(check: Check, say: Say) -> CheckRow:
+    errors = _short(check.residual), _short(check.tolerance)
+    return CheckRow(say(check.claim), say(check.oracle), *errors, check.status, say(check.reason))
+
+
+def unchecked(checks: Iterable[Check], say: Say) -> str:
+    """Return how many checks could not be made, and why (Markdown); empty where all were made."""
+    reasons = [say(check.reason) for check in checks if check.status is CheckStatus.SKIPPED]
+    listed = "; ".join(dict.fromkeys(reasons))
+    return say(Phrase("{count} could not be checked: {reasons}", count=len(reasons), reasons=listed)) if reasons else ""
 
 
 def _short(number: float | None) -> str:
     """Two significant digits are enough for an error."""
     return "" if number is None else NumberFormat("decimal", 2).decimal(number)
+
+
+def worded_check(check: Check, say: Say) -> Check:
+    """Return a check as a document has it: in the words of its language."""
+    return replace(plain_check(check), claim=say(check.claim), oracle=say(check.oracle), reason=say(check.reason))
 
 
 def plain_check(check: Check) -> Check:

@@ -14,18 +14,24 @@ from typing import Any
 
 from solver.derivation import Answers, Check, CheckStatus, Status
 from solver.derivation.figures import Drawing
+from solver.messages import Messages
+
+ENGLISH_WORDS = Messages()
 
 
 @dataclass(frozen=True, slots=True)
 class Presentation:
     """How a solution is told: the level of detail, and a folder of templates that come before the installed ones.
 
-    `data` asks for the values of the steps as texts, which only JSON shows.
+    `data` asks for the values of the steps as texts, which only JSON shows. A language or notation wins over the one
+    that the problem asks for.
     """
 
     detail: str = "full"
     templates: Path | None = None
     data: bool = False
+    language: str | None = None
+    notation: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +90,7 @@ class Work:
 
     `question` and `given` (Markdown) are empty where the same part stands above with another method
     (`again` is then True). `marks` is a number as text, or "" where the file gives none; `out_of` what it counts for.
-    `reason` (Markdown) says why a part is not verified.
+    `reason` (Markdown) says why a part is not verified, `unchecked` how many checks could not be made, and why.
     `rows` is the table of checks, `checks` each of them. `symbols` are the free names of answers and steps. `fault` is
     what is wrong with the templates, where the part could not be worded.
     """
@@ -104,16 +110,11 @@ class Work:
     rows: tuple[CheckRow, ...]
     status: Status
     reason: str
+    unchecked: str = ""
     out_of: float = 1
     checks: tuple[Check, ...] = ()
     symbols: tuple[str, ...] = ()
     fault: str = ""
-
-    @property
-    def unchecked(self) -> str:
-        """How many checks could not be made, and why (Markdown); empty where all were made."""
-        skipped = [check.reason for check in self.rows if check.status is CheckStatus.SKIPPED]
-        return f"{len(skipped)} could not be checked: {'; '.join(dict.fromkeys(skipped))}" if skipped else ""
 
     @property
     def anchor(self) -> str:
@@ -126,7 +127,8 @@ class Work:
 class Document:
     """A whole solution. `title` and `source` are plain text; `statement` and `given` are Markdown, maybe empty.
 
-    `name` is the problem's file. In a notebook it shows itself as a page.
+    `name` is the problem's file; `messages` words what stands around: headings, statuses. In a notebook it shows
+    itself as a page.
     """
 
     title: str
@@ -136,6 +138,7 @@ class Document:
     parts: tuple[Work, ...]
     presentation: Presentation = Presentation()
     name: str = ""
+    messages: Messages = ENGLISH_WORDS
     exact: Callable[[], Mapping[str, Answers]] = field(default=dict, compare=False)
     retell: Callable[[Presentation], Document] | None = field(default=None, compare=False)
 

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Answers, PartResult, Status, Step, Task
-from solver.document.checks import check_rows, plain_check
+from solver.document.checks import check_rows, unchecked, worded_check
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.engine import Earlier, Solution
 from solver.figures.sampling import drawing_of
@@ -49,8 +49,10 @@ class Writer:
     ) -> Document:
         """Return the document of all parts; `name` is the problem's file, `exact` gives the exact answers."""
         problem, told = self.problem, self.presentation
-        given = self._wording(problem.display).given(problem.system) if problem.system is not None else ""
-        return Document(problem.title, problem.source, problem.statement, given, tuple(works), told, name, exact)
+        wording = self._wording(problem.display)
+        given = wording.given(problem.system) if problem.system is not None else ""
+        texts = problem.title, problem.source, problem.statement, given
+        return Document(*texts, tuple(works), told, name, wording.messages, exact)
 
     def load(self, part: Part) -> None:
         """Compile the wording of a part before it is needed; raises Jinja's `TemplateError`."""
@@ -85,25 +87,28 @@ class Writer:
             id=result.id,
             task=result.task,
             method=result.method,
-            title=task.title,
-            method_title=method.title,
-            source=method.source,
+            title=wording.say(task.title),
+            method_title=wording.say(method.title),
+            source=wording.say(method.source),
             marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
             question="" if again else wording.question(part, loops=_loops(task, part)),
             given=wording.given(part.system) if part.own_system and not again else "",
             again=again,
             steps=tuple(map(self._step, worded)),
             answers=tuple(_answers(result, wording)),
-            rows=tuple(check_rows(result)),
+            rows=tuple(check_rows(result, wording.say)),
             status=result.status,
             reason=wording.reason(result.reason),
+            unchecked=unchecked(result.checks, wording.say),
             out_of=_number(part.marks) if part.marks is not None else int(not self.any_marks),
-            checks=tuple(map(plain_check, result.checks)),
+            checks=tuple(worded_check(check, wording.say) for check in result.checks),
             symbols=tuple(_symbols(result, worded)) if self.presentation.data else (),
         )
 
     def _wording(self, display: Display) -> Wording:
-        return Wording.of(display, self.presentation.detail, self.presentation.templates)
+        told = self.presentation
+        language, notation = told.language or display.language, told.notation or display.notation
+        return Wording.of(replace(display, language=language, notation=notation), told.detail, told.templates)
 
     def _display(self, part: Part, results: Earlier) -> Display:
         """How numbers are shown: as if decimals had been typed where a part hands decimals on, or goes on with them."""
@@ -121,7 +126,7 @@ class Writer:
             worded.title,
             worded.markdown,
             tuple(map(self._step, worded.steps)),
-            tuple(map(drawing_of, worded.step.figures)),
+            tuple(map(drawing_of, worded.figures)),
             {name: sympy_text(value) for name, value in values.items()},
         )
 
@@ -143,7 +148,8 @@ def _answers(result: PartResult, wording: Wording) -> Iterator[WorkAnswer]:
     for name, value in result.answers.items():
         symbol = wording.symbol(declared[name])
         equation, narrow = wording.equation(symbol, value), wording.equation(symbol, value, narrow=True)
-        yield WorkAnswer(name, symbol, wording.answer(value), declared[name].doc, sympy_text(value), equation, narrow)
+        doc = wording.say(declared[name].doc)
+        yield WorkAnswer(name, symbol, wording.answer(value), doc, sympy_text(value), equation, narrow)
 
 
 def _number(marks: Any) -> float:

@@ -27,7 +27,9 @@ def latex_document(document: Document) -> str:
     """Return the source of the whole document. The same document gives the same text: it holds no date."""
     template = _environment(document.presentation.templates).get_template("document.tex.jinja")
     pdf_title = escaped("".join(letter for letter in document.title if letter.isascii()))
-    return template.render(document=document, version=__version__, pdf_title=pdf_title) + "\n"
+    return (
+        template.render(document=document, say=document.messages.say, version=__version__, pdf_title=pdf_title) + "\n"
+    )
 
 
 @lru_cache(maxsize=8)

@@ -10,6 +10,7 @@ from solver.derivation import Status
 from solver.render.prose import plain
 
 if TYPE_CHECKING:
+    from solver.document.checks import Say
     from solver.document.model import CheckRow, Document, Work, WorkStep
 
 _TAG = re.compile(r"<(?=[A-Za-z/!?])")
@@ -19,7 +20,7 @@ def markdown_of(document: Document) -> str:
     """Return the whole solution. Raw HTML in a user's text is made harmless."""
     lines = [f"# {plain(document.title)}", plain(document.source), _harmless(document.statement), document.given]
     for part in document.parts:
-        lines += _part(part)
+        lines += _part(part, document.messages.say)
     return "\n\n".join(line.strip() for line in lines if line.strip()) + "\n"
 
 
@@ -28,44 +29,44 @@ def _harmless(markdown: str) -> str:
     return _TAG.sub("< ", markdown)
 
 
-def _part(part: Work) -> Iterator[str]:
-    marks = f" ({plain(part.marks)} mark{'s' * (part.marks != '1')})" if part.marks else ""
+def _part(part: Work, say: Say) -> Iterator[str]:
+    marks = f" ({plain(part.marks)} {say('mark' if part.marks == '1' else 'marks')})" if part.marks else ""
     yield f"## ({plain(part.id)}) {plain(part.title)}{marks}"
     yield _harmless(part.question)
     yield part.given
     if part.method_title != part.title or part.source:
         source = f" ({plain(part.source)})" if part.source else ""
-        yield f"*Method: {plain(part.method_title)}*{source}"
+        yield f"*{say('Method:')} {plain(part.method_title)}*{source}"
     if part.status is Status.FAILED:
-        yield f"> **Do not rely on this answer:** {part.reason}."
-    yield from _steps(part.steps, "###")
+        yield f"> **{say('Do not rely on this answer:')}** {part.reason}."
+    yield from _steps(part.steps, "###", say)
     if part.status is Status.UNSOLVED:
-        yield f"> **Unsolved.** {part.reason}"
+        yield f"> **{say('Unsolved.')}** {part.reason}"
     if part.answers:
-        yield "### Answer"
+        yield f"### {say('Answer')}"
         for answer in part.answers:
             yield f"$$\n{answer.equation}\n$$"
     if part.rows:
-        yield _table(part.rows)
+        yield _table(part.rows, say)
     if part.unchecked:
         yield part.unchecked
 
 
-def _steps(steps: Iterable[WorkStep], level: str) -> Iterator[str]:
+def _steps(steps: Iterable[WorkStep], level: str, say: Say) -> Iterator[str]:
     for number, step in enumerate(steps, 1):
         yield f"{level} {f'{number}. ' if level == '###' else ''}{step.title}"
         yield step.markdown
         for figure in step.figures:
-            yield f"*Figure (drawn on the HTML page and in the PDF):* {_harmless(figure.caption)}"
-        yield from _steps(step.steps, level + "#" if len(level) < 6 else level)
+            yield f"*{say('Figure (drawn on the HTML page and in the PDF):')}* {_harmless(figure.caption)}"
+        yield from _steps(step.steps, level + "#" if len(level) < 6 else level, say)
 
 
-def _table(rows: Iterable[CheckRow]) -> str:
-    lines = ["| Checked | By | Error | Result |", "|---|---|---|---|"]
+def _table(rows: Iterable[CheckRow], say: Say) -> str:
+    lines = [f"| {' | '.join(map(say, ('Checked', 'By', 'Error', 'Result')))} |", "|---|---|---|---|"]
     for row in rows:
         reason = f" ({row.reason})" if row.reason else ""
         error = f"${row.residual}$" if row.residual else ""
-        status = f"**{row.status}**" if row.status == "failed" else row.status
+        status = f"**{say(row.status)}**" if row.status == "failed" else say(row.status)
         lines.append(f"| {_cell(row.claim + reason)} | {_cell(row.oracle)} | {error} | {status} |")
     return "\n".join(lines)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 from html import escape
 from pathlib import Path
@@ -17,7 +17,9 @@ from solver.derivation import CheckStatus
 from solver.derivation.figures import Drawing
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
+from solver.messages import Messages
 from solver.render.prose import inline_html, to_html
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.document.model import CheckRow, Document, Work
@@ -30,26 +32,29 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src
 NARROW = 14.0
 """Width in em that fits on a phone; a wider formula gets a box that scrolls and can be reached by keyboard."""
 
+FORMULA = 'aria-label="Formula"'
+"""What a screen reader says of a formula in its box, before the page is put into its language."""
+
 PAPER = 40.0, 52.0
 """Widths in em beyond which a formula is printed smaller, and smaller still: paper does not scroll."""
 
 
-def render_page(document: Document, *, language: str = "en") -> str:
+def render_page(document: Document) -> str:
     """Return the page of a solution, the same bytes for the same document.
 
     `html/page.html.jinja` and `html/style.css` of the folder of templates, if it has them, come before the installed
     ones.
     """
-    return rendered("page.html.jinja", document.presentation.templates, document=document, language=language)
+    return rendered("page.html.jinja", document.presentation.templates, document.messages, document=document)
 
 
-def rendered(template: str, templates: Path | None = None, **values: Any) -> str:
+def rendered(template: str, templates: Path | None = None, messages: Messages | None = None, **values: Any) -> str:
     """Return a page made by one of the templates in `html/`, with the style, the font and the policy of all pages."""
-    return (
-        _environment(templates)
-        .get_template(template)
-        .render(**values, version=__version__, policy=POLICY, style=_style(templates))
-    )
+    words = messages or Messages()
+    fixed = {"version": __version__, "policy": POLICY, "style": _style(templates), "language": words.language}
+    page = _environment(templates).get_template(template)
+    html = page.render(**values, **fixed, say=words.say, phrase=lambda text, **of: words.say(Phrase(text, **of)))
+    return html.replace(FORMULA, f'aria-label="{words.say("Formula")}"')
 
 
 @lru_cache
@@ -66,7 +71,7 @@ def drawn(latex: str, display: bool) -> str:
     except MathProblem as error:
         return f'<code class="not-drawn" title="{escape(error.message)}">{escape(latex)}</code>'
     kinds = ["display" if display else "inline", *_size(width)]
-    reach = ' tabindex="0" role="group" aria-label="Formula"' if width > NARROW else ""
+    reach = ' tabindex="0" role="group" ' + FORMULA if width > NARROW else ""
     if not display and not reach:
         return markup
     return f'<span class="formula {" ".join(kinds)}"{reach}>{markup}</span>'
@@ -108,11 +113,11 @@ def figure(data: Drawing) -> Markup:
     return Markup(f"<figure>{picture}<figcaption>{caption}</figcaption></figure>")  # noqa: S704 - escaped above
 
 
-def tally(checks: Iterable[CheckRow]) -> str:
-    """Return how the checks of a part ended, in words: "5 passed, 1 skipped"."""
+def tally(checks: Iterable[CheckRow], say: Callable[[str], str]) -> str:
+    """Return how the checks of a part ended, in words: "Checks: 5 passed, 1 skipped"."""
     statuses = [check.status for check in checks]
-    counts = [(statuses.count(status), status) for status in CheckStatus]
-    return ", ".join(f"{count} {status}" for count, status in counts if count)
+    counts = [(statuses.count(status), say(status)) for status in CheckStatus]
+    return say(Phrase("Checks: {tally}", tally=", ".join(f"{count} {status}" for count, status in counts if count)))
 
 
 def of_method(part: Work) -> str:

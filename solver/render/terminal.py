@@ -10,11 +10,13 @@ from solver.formula.terminal import flat
 from solver.render.prose import inline_as_text, to_text
 from solver.render.prose_text import INDENT, display_lines, fits, indented, wrapped
 from solver.render.wording import WORD
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
+    from solver.document.checks import Say
     from solver.document.model import CheckRow, Document, Work, WorkAnswer, WorkStep
 
 WIDTH = 100
@@ -35,59 +37,60 @@ def print_summary(document: Document, console: Console, *, verbose: bool = False
     console.rule(_plain(document.title), align="left", style="dim")
     for part in document.parts:
         console.print()
-        _print_part(part, console)
+        _print_part(part, console, document.messages.say)
         if part.rows and (verbose or part.status is Status.FAILED):
-            console.print(_table(part.rows))
+            console.print(_table(part.rows, document.messages.say))
     console.print()
 
 
-def _print_part(part: Work, console: Console) -> None:
+def _print_part(part: Work, console: Console, say: Say) -> None:
     from rich.text import Text  # noqa: PLC0415 - rich is needed only to print, not to write text
 
     head = Text(f"{part.id}  ", style="bold")
-    head.append(heading(part))
+    head.append(heading(part, say))
     console.print(head)
     for answer in part.answers:
         console.print(Text("\n".join(indented(answer_lines(answer, console.width)))))
-    verdict = Text(INDENT + verdict_of(part))
-    verdict.stylize(COLOURS[part.status], len(INDENT), len(INDENT) + len(part.status))
+    verdict = Text(INDENT + verdict_of(part, say))
+    verdict.stylize(COLOURS[part.status], len(INDENT), len(INDENT) + len(say(part.status)))
     console.print(verdict)
 
 
-def _table(rows: Iterable[CheckRow]) -> Table:
+def _table(rows: Iterable[CheckRow], say: Say) -> Table:
     from rich.table import Table  # noqa: PLC0415 - as above
     from rich.text import Text  # noqa: PLC0415
 
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for name in ("    checked", "by", "residual", "tolerance", ""):
-        table.add_column(name)
+    for indent, name in ((INDENT, "checked"), ("", "by"), ("", "residual"), ("", "tolerance"), ("", "")):
+        table.add_column(indent + say(name))
     for row in rows:
-        cells = [Text(cell) for cell in _cells(row)]
+        cells = [Text(cell) for cell in _cells(row, say)]
         cells[-1].stylize(COLOURS[row.status])
         table.add_row(*cells)
     return table
 
 
-def _cells(row: CheckRow) -> tuple[str, ...]:
+def _cells(row: CheckRow, say: Say) -> tuple[str, ...]:
     claim = INDENT + inline_as_text(row.claim)
     if row.reason:
         claim += f" ({inline_as_text(row.reason)})"
-    return claim, inline_as_text(row.oracle), flat(row.residual), flat(row.tolerance), str(row.status)
+    return claim, inline_as_text(row.oracle), flat(row.residual), flat(row.tolerance), say(row.status)
 
 
-def heading(part: Work) -> str:
+def heading(part: Work, say: Say) -> str:
     """Return task and method of a part in words."""
     method = "" if part.method_title == part.title else f": {part.method_title}"
-    marks = f" [{part.marks} mark{'s' * (part.marks != '1')}]" if part.marks else ""
+    marks = f" [{part.marks} {say('mark' if part.marks == '1' else 'marks')}]" if part.marks else ""
     return f"{part.title}{method}{marks}"
 
 
-def verdict_of(part: Work) -> str:
+def verdict_of(part: Work, say: Say) -> str:
     """Return how the part ended: "verified: 12 of 12 checks passed", "unsolved: time limit of 60 s"."""
     passed = sum(row.status is CheckStatus.PASSED for row in part.rows)
-    checks = f"{passed} of {len(part.rows)} checks passed" if part.rows else ""
+    counted = Phrase("{passed} of {count} checks passed", passed=passed, count=len(part.rows))
+    checks = say(counted) if part.rows else ""
     reason = inline_as_text(part.reason)
-    return f"{part.status}: {'; '.join(filter(None, [reason, checks, inline_as_text(part.unchecked)]))}"
+    return f"{say(part.status)}: {'; '.join(filter(None, [reason, checks, inline_as_text(part.unchecked)]))}"
 
 
 def answer_lines(answer: WorkAnswer, width: int = WIDTH) -> list[str]:
@@ -101,12 +104,13 @@ def text_document(document: Document, width: int = WIDTH) -> str:
     """Return the whole worked solution as plain text."""
     title = _plain(document.title)
     blocks = [f"{title}\n{'=' * len(title)}", _plain(document.source), to_text(document.statement, width)]
-    blocks += [to_text(document.given, width), *(block for part in document.parts for block in _blocks(part, width))]
+    blocks.append(to_text(document.given, width))
+    blocks += [block for part in document.parts for block in _blocks(part, width, document.messages.say)]
     return "\n\n".join(block.rstrip() for block in blocks if block.strip()) + "\n"
 
 
-def _blocks(part: Work, width: int) -> Iterator[str]:
-    head = f"({part.id}) {heading(part)}"
+def _blocks(part: Work, width: int, say: Say) -> Iterator[str]:
+    head = f"({part.id}) {heading(part, say)}"
     yield f"{head}\n{'-' * len(head)}"
     yield to_text(part.question, width)
     yield to_text(part.given, width)
@@ -114,10 +118,10 @@ def _blocks(part: Work, width: int) -> Iterator[str]:
         yield f"[{part.source}]"
     yield from _step_blocks(part.steps, "", width)
     for answer in part.answers:
-        yield f"Answer: {inline_as_text(answer.doc)}\n\n" + "\n".join(indented(answer_lines(answer, width)))
-    yield "\n".join(wrapped(verdict_of(part), width))
+        yield f"{say('Answer')}: {inline_as_text(answer.doc)}\n\n" + "\n".join(indented(answer_lines(answer, width)))
+    yield "\n".join(wrapped(verdict_of(part, say), width))
     if part.rows:
-        yield "\n".join(_check_lines(part.rows))
+        yield "\n".join(_check_lines(part.rows, say))
 
 
 def _step_blocks(steps: Sequence[WorkStep], number: str, width: int) -> Iterator[str]:
@@ -128,11 +132,11 @@ def _step_blocks(steps: Sequence[WorkStep], number: str, width: int) -> Iterator
         yield from _step_blocks(step.steps, place, width)
 
 
-def _check_lines(rows: Iterable[CheckRow]) -> Iterator[str]:
+def _check_lines(rows: Iterable[CheckRow], say: Say) -> Iterator[str]:
     for row in rows:
-        claim, oracle, residual, tolerance, status = _cells(row)
-        bound = f", residual {residual} ≤ {tolerance}" if residual and row.status is CheckStatus.PASSED else ""
-        bound = f", residual {residual}, tolerance {tolerance}" if residual and not bound else bound
+        claim, oracle, residual, tolerance, status = _cells(row, say)
+        bound = f", {say('residual')} {residual} ≤ {tolerance}" if residual and row.status is CheckStatus.PASSED else ""
+        bound = f", {say('residual')} {residual}, {say('tolerance')} {tolerance}" if residual and not bound else bound
         yield f"{INDENT}{status}: {claim.strip()} [{oracle}{bound}]"
 
 

@@ -28,6 +28,7 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import Displayed
+from solver.derivation.figures import Figure, worded_figure
 from solver.markup import math_problems
 from solver.messages import Messages, environment
 from solver.notation import COURSE, NOTATIONS, answer_symbol
@@ -67,6 +68,7 @@ class WordedStep:
     markdown: str
     steps: tuple[WordedStep, ...]
     step: Step
+    figures: tuple[Figure, ...] = ()
     displayed: tuple[Displayed, ...] = ()
 
     def walk(self) -> Iterator[WordedStep]:
@@ -109,7 +111,8 @@ class Wording:
         title, markdown = heading.removeprefix("### ").strip(), _tidy(body)
         for _, message in [*math_problems(title), *math_problems(markdown)]:
             raise WordingError(f"{_place(step.wording, step.kind)}: {message}")
-        return WordedStep(title, markdown, self.words(step.steps), step, displayed)
+        figures = tuple(worded_figure(each, self.say) for each in step.figures)
+        return WordedStep(title, markdown, self.words(step.steps), step, figures, displayed)
 
     def question(self, part: Part, *, loops: Iterable[str] = ()) -> str:
         """Return the question of a part in Markdown: its own prompt, or the task's.
@@ -141,15 +144,16 @@ class Wording:
 
     def reason(self, reason: Reason | None) -> str:
         """Return a reason in words, empty for none."""
-        return "" if reason is None else self._messages.reason(reason)
+        return "" if reason is None else self.messages.reason(reason)
 
     def say(self, phrase: str) -> str:
         """Return a phrase (a title, a label, a word of a verdict) in the language."""
-        return self._messages.say(phrase)
+        return self.messages.say(phrase)
 
     @cached_property
-    def _messages(self) -> Messages:
-        return Messages(self.templates, self.language)
+    def messages(self) -> Messages:
+        """How reasons and phrases are worded."""
+        return Messages(self.templates, self.language, self.notation)
 
     def _macro(self, wording: str, name: str, *arguments: Any) -> str:
         return self._macros.recorder.expanded(self._marked(wording, name, *arguments))
@@ -176,7 +180,7 @@ class Wording:
 
     def _modules(self, wording: str) -> list[Any]:
         """Return the macros of a file as attributes, those of the language before the English ones."""
-        modules, files = self._macros.modules, self._messages.files(wording)
+        modules, files = self._macros.modules, self.messages.files(wording)
         for file in files:
             if file not in modules:
                 try:

@@ -56,7 +56,7 @@ desired_poles: Task[System, StepSpecifications] = Task(
     needs=(),
     options=StepSpecifications,
     answers=[
-        AnswerName("damping_ratio", r"\xi", "the damping ratio"),
+        AnswerName("damping_ratio", r"\sym{damping_ratio}", "the damping ratio"),
         AnswerName("natural_frequency", r"\omega_n", "the natural frequency"),
         AnswerName("poles", "s_{1,2}", "the poles"),
         AnswerName("polynomial", r"\hat{p}(s)", "the characteristic polynomial with these roots"),

@@ -89,4 +89,4 @@ def _diagram(system: StateSpace, *, through: bool) -> tuple[Diagram, ...]:
     discrete = {"plant": "x(k+1)=Ax(k)+Bu(k)", "integrator": "z^{-1}"} if system.discrete else {}
     if system.B is None or through:
         return ()
-    return (Diagram("The plant and its observer.", "observer", {"L": "L_c", **discrete}),)
+    return (Diagram("The plant and its observer.", "observer", {"L": r"\sym{L}", **discrete}),)

@@ -55,8 +55,8 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
         AnswerName(
             "P", "P", "the covariance of the estimation error: the stabilizing solution of the Riccati equation"
         ),
-        AnswerName("L", "L_c", "the gain of the filter"),
-        AnswerName("error_A", "A - L_cC", "the matrix of the estimation error"),
+        AnswerName("L", r"\sym{L}", "the gain of the filter"),
+        AnswerName("error_A", r"A - \sym{L}C", "the matrix of the estimation error"),
         AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues"),
         *LISTED,
     ],

@@ -70,11 +70,11 @@ lqr: Task[WithInput, LqrOptions] = Task(
     options=LqrOptions,
     answers=[
         AnswerName("P", "P", "the stabilizing solution of the Riccati equation"),
-        AnswerName("K", "K_f", "the gain of the feedback"),
+        AnswerName("K", r"\sym{K}", "the gain of the feedback"),
         AnswerName("u", "u", "the control law"),
         AnswerName("Q", "Q", "the weight of the state"),
         AnswerName("R", "R", "the weight of the input"),
-        AnswerName("closed_loop_A", "A - BK_f", "the matrix of the closed loop"),
+        AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop"),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop"),
         AnswerName("cost", r"J^{*}", "the least cost from the initial state", optional=True),
         *LISTED,

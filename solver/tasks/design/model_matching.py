@@ -58,7 +58,7 @@ model_matching: Task[InputOutput, ModelMatchingOptions] = Task(
         AnswerName("A", "A", "system matrix of the realization used", (), True, free=True),
         AnswerName("B", "B", "its input matrix", (), True, free=True),
         AnswerName("C", "C", "its output matrix", (), True, free=True),
-        AnswerName("K", "K_f", "the gain for this realization", (), True, free=True),
+        AnswerName("K", r"\sym{K}", "the gain for this realization", (), True, free=True),
     ],
 )
 

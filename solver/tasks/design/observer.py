@@ -40,8 +40,8 @@ observer: Task[WithOutput, ObserverOptions] = Task(
     needs=("A", "C"),
     options=ObserverOptions,
     answers=[
-        AnswerName("L", "L_c", "the gain of the observer", free=observer_gain_is_free),
-        AnswerName("error_A", "A - L_c C", "the matrix of the estimation error", free=observer_gain_is_free),
+        AnswerName("L", r"\sym{L}", "the gain of the observer", free=observer_gain_is_free),
+        AnswerName("error_A", r"A - \sym{L} C", "the matrix of the estimation error", free=observer_gain_is_free),
         AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the estimation error"),
         AnswerName(
             "gain_polynomial",
@@ -108,7 +108,7 @@ def has_the_poles(given: Given[WithOutput, ObserverOptions], answers: Answers) -
     At, Ct = sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)
     if "L" in answers:
         yield numeric.check_residual(
-            "$A - L_c C$ has the poles asked for",
+            r"$A - \sym{L} C$ has the poles asked for",
             "characteristic polynomial",
             lambda: judges.placed_residual(At, Ct, sp.ImmutableMatrix(answers["L"].T), poles),
             answer="L",
@@ -137,14 +137,14 @@ def _is_the_error_matrix(given: Given[WithOutput, ObserverOptions], answers: Ans
     )
     if error.shape == A.shape:
         yield numeric.check_residual(
-            "it is $A - L_c C$ for some $L_c$",
+            r"it is $A - \sym{L} C$ for some $\sym{L}$",
             "numpy.linalg.pinv",
             lambda: judges.row_space_residual(sp.ImmutableMatrix(A - error), C),
             answer="error_A",
         )
     if "L" in answers and C.rows > 1:
         claim = Claim(difference(A, product(answers["L"], C)), error)
-        yield numeric.check_claim(claim, "it belongs to $L_c$", answer="error_A")
+        yield numeric.check_claim(claim, r"it belongs to $\sym{L}$", answer="error_A")
 
 
 def _companion(polynomial: Expr, x: Any, n: int) -> ImmutableMatrix:

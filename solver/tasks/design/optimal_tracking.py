@@ -58,7 +58,7 @@ optimal_tracking: Task[WithBoth, OptimalTrackingOptions] = Task(
     needs=("A", "B", "C"),
     options=OptimalTrackingOptions,
     answers=[
-        AnswerName("K", "K_f", "the gain of the feedback"),
+        AnswerName("K", r"\sym{K}", "the gain of the feedback"),
         AnswerName("F", "F", "the state of the set point, $x_{d} = Fr$", free=more_inputs_than_outputs),
         AnswerName("N", "N", "the input of the set point, $u_{d} = Nr$", free=more_inputs_than_outputs),
         AnswerName("K_o", "K_o", "the gain of the reference", free=more_inputs_than_outputs),
@@ -97,7 +97,7 @@ def around_a_set_point(given: Given[WithBoth, OptimalTrackingOptions]) -> Deriva
     yield Step(
         "deviations",
         unclaimed="a definition: the coordinates are moved to the set point",
-        figures=(Diagram("The loop with a reference.", "state_feedback_reference", {"K": "K_f", "N": "K_o"}),),
+        figures=(Diagram("The loop with a reference.", "state_feedback_reference", {"K": r"\sym{K}", "N": "K_o"}),),
         K=K,
         given=given.options.gain is not None,
         discrete=plant.discrete,

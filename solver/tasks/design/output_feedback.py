@@ -121,7 +121,7 @@ def full_loop_of(plant: Plant, control: Design, observer: Design) -> Derivation[
 def _diagram(plant: Plant, name: str, caption: str) -> tuple[Diagram, ...]:
     """The block diagram; none where the input acts on the output directly, which it does not show."""
     discrete = {"plant": "x(k+1)=Ax(k)+Bu(k)", "integrator": "z^{-1}"} if plant.discrete else {}
-    return (Diagram(caption, name, {"L": "L_c", "K": "K_f", **discrete}),) if plant.plain else ()
+    return (Diagram(caption, name, {"L": r"\sym{L}", "K": r"\sym{K}", **discrete}),) if plant.plain else ()
 
 
 @lemma("output_feedback")

@@ -63,7 +63,11 @@ def by_bass_gura(pair: Pair) -> Derivation[ImmutableMatrix]:
     CW = exact.multiply(C_o, W)
     yield Step(
         "toeplitz",
-        claims={"product": Claim(frame.times(frame.shown(C_o), frame.shown(W)), frame.shown(CW), r"$\mathcal{C}_o W$")},
+        claims={
+            "product": Claim(
+                frame.times(frame.shown(C_o), frame.shown(W)), frame.shown(CW), r"$\sym{controllability_matrix} W$"
+            )
+        },
         W=frame.shown(W),
         n=A.rows,
         **pair.flags,

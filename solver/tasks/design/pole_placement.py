@@ -45,9 +45,12 @@ pole_placement: Task[WithInput, PolePlacementOptions] = Task(
     options=PolePlacementOptions,
     answers=[
         AnswerName(
-            "K", "K_f", "the gain of the feedback (entries that may have any value stay letters)", free=gain_is_free
+            "K",
+            r"\sym{K}",
+            "the gain of the feedback (entries that may have any value stay letters)",
+            free=gain_is_free,
         ),
-        AnswerName("closed_loop_A", r"A - BK_f", "the matrix of the closed loop", free=gain_is_free),
+        AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop", free=gain_is_free),
         AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the closed loop"),
         AnswerName(
             "gain_polynomial",
@@ -96,7 +99,7 @@ def options_fit_the_plant(system: Any, options: PolePlacementOptions) -> Iterabl
 def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Derivation[Answers]:
     """Find K by one of the methods, and show what the loop does."""
     plant, x = given.system, variable(given.system)
-    yield from block_diagram("state_feedback", "State feedback $u = -K_f x$")
+    yield from block_diagram("state_feedback", r"State feedback $u = -\sym{K} x$")
     poles = yield from asked_poles(given.options)
     row, unknowns = shape_of(given)
     found = yield from place(plant.A, plant.B, poles, method, x=x, wanted=Wanted(row, unknowns))

@@ -51,11 +51,14 @@ reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
     options=ReducedObserverOptions,
     answers=[
         AnswerName(
-            "L", "L_c", r"the gain of the observer, $\hat{\eta}_{2} = \omega + L_{c}y$", free=reduced_gain_is_free
+            "L",
+            r"\sym{L}",
+            r"the gain of the observer, $\hat{\eta}_{2} = \omega + \sym{L}y$",
+            free=reduced_gain_is_free,
         ),
-        AnswerName("J", "J", "the matrix of the error, $A_{22} - L_{c}A_{12}$", free=reduced_gain_is_free),
-        AnswerName("N", "N", "the gain from $y$, $A_{21} - L_{c}A_{11} + JL_{c}$", free=reduced_gain_is_free),
-        AnswerName("M", "M", "the gain from $u$, $B_{2} - L_{c}B_{1}$", free=reduced_gain_is_free),
+        AnswerName("J", "J", r"the matrix of the error, $A_{22} - \sym{L}A_{12}$", free=reduced_gain_is_free),
+        AnswerName("N", "N", r"the gain from $y$, $A_{21} - \sym{L}A_{11} + J\sym{L}$", free=reduced_gain_is_free),
+        AnswerName("M", "M", r"the gain from $u$, $B_{2} - \sym{L}B_{1}$", free=reduced_gain_is_free),
         AnswerName(
             "T",
             "T",

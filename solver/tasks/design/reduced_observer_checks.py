@@ -138,7 +138,7 @@ def _spectra(blocks: _Blocks, poles: Sequence[Expr], answers: Answers) -> Iterat
         )
         if name != "L" and error.shape == A22.shape:
             yield numeric.check_residual(
-                r"$J = A_{22} - L_c A_{12}$ for some $L_c$",
+                r"$J = A_{22} - \sym{L} A_{12}$ for some $\sym{L}$",
                 "numpy.linalg.pinv",
                 partial(judges.row_space_residual, sp.ImmutableMatrix(A22 - error), A12),
                 answer=name,

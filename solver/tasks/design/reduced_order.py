@@ -144,4 +144,4 @@ def _diagram(plant: Plant) -> tuple[Diagram, ...]:
     """The block diagram; none where the input acts on the output directly, which it does not show."""
     discrete = {"plant": "x(k+1)=Ax(k)+Bu(k)", "integrator": "z^{-1}"} if plant.discrete else {}
     caption = "The plant and its observer of reduced order."
-    return (Diagram(caption, "reduced_observer", {"L": "L_c", **discrete}),) if plant.plain else ()
+    return (Diagram(caption, "reduced_observer", {"L": r"\sym{L}", **discrete}),) if plant.plain else ()

@@ -56,7 +56,7 @@ reference_tracking: Task[WithBoth, ReferenceTrackingOptions] = Task(
         AnswerName("F", "F", "the desired state for the reference, $x_{d} = Fr$", free=more_inputs_than_outputs),
         AnswerName("N", "N", "the desired input for the reference, $u_{d} = Nr$", free=more_inputs_than_outputs),
         AnswerName("K_o", "K_o", "the gain of the reference", free=reference_gain_is_free),
-        AnswerName("K", "K_f", "the gain of the feedback", (), True, free=gain_is_free),
+        AnswerName("K", r"\sym{K}", "the gain of the feedback", (), True, free=gain_is_free),
     ],
     example={"poles": '["-3 ± 2j"]'},
 )
@@ -76,7 +76,7 @@ def by_the_steady_state(given: Given[WithBoth, ReferenceTrackingOptions]) -> Der
     """In the steady state A F + B N = 0 and C F + D N = I; u = u_d − K (x − x_d) gives K_o = N + K F."""
     plant, discrete = given.system, given.system.discrete
     A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
-    yield from block_diagram("state_feedback_reference", "State feedback with a reference, $u = -K_f x + K_o r$")
+    yield from block_diagram("state_feedback_reference", r"State feedback with a reference, $u = -\sym{K} x + K_o r$")
     F, N = yield from steady_state_of(A, B, C, D, discrete=discrete)
     K, placed = given.options.gain, given.options.gain is None
     if K is None:

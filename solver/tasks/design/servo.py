@@ -31,12 +31,12 @@ servo: Task[WithBoth, PoleOptions] = Task(
     needs=("A", "B", "C"),
     options=PoleOptions,
     answers=[
-        AnswerName("K", "K_f", "the gain of the states", free=several_inputs),
+        AnswerName("K", r"\sym{K}", "the gain of the states", free=several_inputs),
         AnswerName("k_I", "k_I", "the gain of the integrated error", free=several_inputs),
         AnswerName(
             "closed_loop_A",
             r"\bar{A} - \bar{B}\bar{K}",
-            r"the matrix of the closed loop in $(x, \xi)$",
+            r"the matrix of the closed loop in $(x, \sym{integrator})$",
             free=several_inputs,
         ),
     ],
@@ -63,7 +63,7 @@ def _designed(given: Given[WithBoth, PoleOptions], method: str) -> Derivation[An
     """Augment the plant by integrators, look whether the inputs move them, and place all poles."""
     plant, x = given.system, variable(given.system)
     n, p, D = plant.order, plant.C.rows, feedthrough(plant)
-    yield from block_diagram("servo", r"Servo with integral action, $u = -K_f x + k_I \xi$")
+    yield from block_diagram("servo", r"Servo with integral action, $u = -\sym{K} x + k_I \sym{integrator}$")
     A, B = augmented(plant)
     yield Step(
         "augmented",

@@ -23,10 +23,16 @@ controllability: Task[WithInput, PairOptions] = Task(
     options=PairOptions,
     answers=[
         AnswerName(
-            "controllability_matrix", r"\mathcal{C}_o", r"the controllability matrix $[B, AB, \ldots, A^{n-1}B]$"
+            "controllability_matrix",
+            r"\sym{controllability_matrix}",
+            r"the controllability matrix $[B, AB, \ldots, A^{n-1}B]$",
         ),
-        AnswerName("determinant", r"\det \mathcal{C}_o", "its determinant", optional=True),
-        AnswerName("rank", r"\operatorname{rank} \mathcal{C}_o", "its rank (with parameters: the rank in general)"),
+        AnswerName("determinant", r"\det \sym{controllability_matrix}", "its determinant", optional=True),
+        AnswerName(
+            "rank",
+            r"\operatorname{rank} \sym{controllability_matrix}",
+            "its rank (with parameters: the rank in general)",
+        ),
         AnswerName("controllable", r"\text{controllable}", "whether the rank is $n$"),
         AnswerName(
             "uncontrollable_modes",

@@ -51,7 +51,7 @@ def hidden_modes_of(pair: Pair, matrix: Any) -> Derivation[list[Any] | None]:
 
 def _says(pair: Pair, what: str) -> str:
     words = {
-        "zero": (r"$N\,\mathcal{C}_o = 0$", r"$\mathcal{O}_v N = 0$"),
+        "zero": (r"$N\,\sym{controllability_matrix} = 0$", r"$\sym{observability_matrix} N = 0$"),
         "invariant": (r"$N A = H N$", r"$A N = N H$"),
     }
     return words[what][pair.dual]

@@ -136,7 +136,9 @@ def _intersection(plant: Any, found: exact.Decomposition) -> Step:
     observability, V, N, both = observability_pair(plant).matrix, found.reached, found.unseen, found.bases[1]
     claims = {}
     if V is not None and V.cols:
-        claims["shown"] = Claim(product(observability, V), exact.multiply(observability, V), r"$\mathcal{O}_v V$")
+        claims["shown"] = Claim(
+            product(observability, V), exact.multiply(observability, V), r"$\sym{observability_matrix} V$"
+        )
     if N is not None and N.cols:
         claims["unseen"] = _vanishing(observability, N, r"the basis of $\mathcal{N}$ is unseen")
     if both.cols:

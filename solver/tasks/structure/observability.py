@@ -24,11 +24,13 @@ observability: Task[WithOutput, PairOptions] = Task(
     answers=[
         AnswerName(
             "observability_matrix",
-            r"\mathcal{O}_v",
+            r"\sym{observability_matrix}",
             "the observability matrix: $C$, $CA$, …, $CA^{n-1}$ under each other",
         ),
-        AnswerName("determinant", r"\det \mathcal{O}_v", "its determinant", optional=True),
-        AnswerName("rank", r"\operatorname{rank} \mathcal{O}_v", "its rank (with parameters: the rank in general)"),
+        AnswerName("determinant", r"\det \sym{observability_matrix}", "its determinant", optional=True),
+        AnswerName(
+            "rank", r"\operatorname{rank} \sym{observability_matrix}", "its rank (with parameters: the rank in general)"
+        ),
         AnswerName("observable", r"\text{observable}", "whether the rank is $n$"),
         AnswerName(
             "unobservable_modes",

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 def checks_of(pair: Pair, given: Given[StateSpace, PairOptions], answers: Answers) -> Iterator[Check]:
     """The checks of those answers that are present."""
-    symbol = r"\mathcal{O}_v" if pair.dual else r"\mathcal{C}_o"
+    symbol = r"\sym{observability_matrix}" if pair.dual else r"\sym{controllability_matrix}"
     names = ("observability_matrix", "observable", "unobservable_modes")
     matrix_name, verdict, modes = (
         names if pair.dual else ("controllability_matrix", "controllable", "uncontrollable_modes")
