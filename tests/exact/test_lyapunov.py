@@ -67,10 +67,12 @@ def test_a_right_side_that_is_not_symmetric_is_refused():
         lyapunov(sp.eye(2), sp.Matrix([[1, 1], [0, 1]]))
 
 
-def test_the_equations_written_out_have_the_solution():
+@pytest.mark.parametrize("discrete", [False, True])
+@pytest.mark.parametrize("dual", [False, True])
+def test_the_equations_written_out_have_the_solution(dual, discrete):
     A = sp.Matrix([[3, -2], [1, -1]])
-    unknowns = lyapunov_equations(A, sp.eye(2))
-    P = lyapunov(A, sp.eye(2))
+    unknowns = lyapunov_equations(A, sp.eye(2), dual=dual, discrete=discrete)
+    P = lyapunov(A, sp.eye(2), dual=dual, discrete=discrete)
     values = {unknowns.P[i, j]: P[i, j] for i in range(2) for j in range(2)}
     assert [str(symbol) for symbol in unknowns.symbols] == ["p11", "p12", "p22"]
     assert all(sp.expand(equation.subs(values)) == 0 for equation in unknowns.equations)

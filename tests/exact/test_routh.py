@@ -36,6 +36,7 @@ def count(coefficients):
     ],
 )  # fmt: skip
 def test_textbook_arrays(coefficients, rows):
+    assert [row.power for row in routh(coefficients).rows] == list(range(len(coefficients) - 1, -1, -1))
     assert (routh([sp.sympify(c) for c in coefficients]).matrix - sp.Matrix(rows)).applyfunc(sp.cancel).is_zero_matrix
 
 

@@ -39,6 +39,36 @@ def test_the_fraction_stays_uncancelled_until_it_is_asked_for():
     assert (G.matrix, G.cancelled) == (I([[1 / (s + 2)]]), [-1])
 
 
+def test_one_input_has_one_chain_of_all_powers():
+    A, B = sp.Matrix([[0, 1, 0], [0, 0, 1], [2, 3, 5]]), sp.Matrix([1, 1, 0])
+    found = exact.controllable_coordinates(A, B, sp.Matrix([[1, 0, 0]]), sp.zeros(1, 1))
+    assert found.indices == (3,)
+    assert sp.Matrix.hstack(B, A * B, A**2 * B) == found.P
+    assert found.found.A == A
+    assert sp.Matrix([0, 0, 1]) == found.found.B
+
+
+def test_a_numerator_in_factors_keeps_its_leading_coefficient():
+    G = exact.transfer_matrix_of_fractions([[-3 * s**2 + 12]], [[s**3]], s)
+    assert sp.expand(G.numerator_factored - (12 - 3 * s**2)) == 0
+    assert exact.transfer_matrix_of_fractions([[0]], [[s]], s).numerator_factored == 0
+
+
+def test_fractions_with_parameters_are_cleared_of_fractions():
+    """A circuit: 1/(L C s² + R C s + 1), not (1/(L C))/(s² + R s/L + 1/(L C)); a common factor cancels."""
+    L, C, R, k = sp.symbols("L C R k", positive=True)
+    A = I([[0, 1], [-1 / (L * C), -R / L]])
+    G = exact.transfer_matrix(A, I([[0], [1 / (L * C)]]), I([[1, 0]]), None, s)
+    assert sp.fraction(G.matrix[0, 0]) == (1, sp.expand(L * C * s**2 + R * C * s + 1))
+    squared = exact.transfer_matrix_of_fractions([[k * (s / k + 1)]], [[(R * s + 1) ** 2 * (s + k)]], s)
+    assert squared.matrix == I([[1 / (R * s + 1) ** 2]])
+    minus = exact.transfer_matrix_of_fractions([[-s / R - 1]], [[s * (s / L + 1 / C)]], s)
+    shown = minus.matrix[0, 0]
+    assert sp.cancel(shown + (s / R + 1) / (s * (s / L + 1 / C))) == 0
+    assert shown.could_extract_minus_sign()
+    assert all(c.is_polynomial(L, C, R) for part in sp.fraction(shown) for c in sp.Poly(part, s).all_coeffs())
+
+
 def test_the_direct_path_is_divided_out():
     G = exact.transfer_matrix_of_fractions([[2 * s**2 + 1]], [[4 * s**2 + 4]], s)
     assert G.direct == I([[sp.Rational(1, 2)]])
@@ -60,4 +90,6 @@ def test_luenbergers_indices_and_coordinates():
     assert found.indices == (2, 1)
     assert found.T * found.T_inverse == sp.eye(3)
     assert A * found.T == found.T * found.found.A
+    assert sp.Matrix([[1, 1, 0], [0, 0, 1], [0, 1, 0]]) == found.P  # b₁, A b₁, b₂
+    assert found.found.A[0, :] == sp.Matrix([[0, 1, 0]])
     assert exact.controllable_coordinates(-sp.eye(3), B, C, sp.zeros(1, 2)) is None

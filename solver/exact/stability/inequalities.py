@@ -148,8 +148,8 @@ def whole_range(intervals: Sequence[Interval], generator: Generator) -> bool:
 
 def relational(intervals: Sequence[Interval], generator: Generator) -> Condition:
     """The intervals as a condition; True for the whole range, False for none of it."""
-    if not intervals or whole_range(intervals, generator):
-        return sp.true if intervals else sp.false
+    if whole_range(intervals, generator):
+        return sp.true
     g, parts = generator.value, []
     if len(intervals) == 2 and intervals[0].high == intervals[1].low and _reach(intervals) == _reach_of(generator):
         return sp.Ne(g, intervals[0].high)
