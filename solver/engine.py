@@ -30,7 +30,7 @@ from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.problem.model import Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
-from solver.systems import System
+from solver.systems import EarlierPart, System
 from solver.tasks import catalogue
 from solver.words import Reason
 
@@ -80,6 +80,8 @@ def solve_parts(problem: Problem, earlier: Earlier | None = None) -> Iterator[li
 
 def refusals_of(part: Part) -> list[Refusal]:
     """Return what the task finds wrong with the question, without the options taken from earlier parts."""
+    if isinstance(part.system, EarlierPart):
+        return []  # it is judged when the system is known
     known = {name: None if isinstance(value, Reference) else value for name, value in part.options.items()}
     return list(catalogue()[part.task].refused(part.system, known))
 
@@ -117,8 +119,9 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     """
     task = catalogue()[part.task]
     options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
-    _refuse(task, part.system, options)
-    plant = _plant(task, task.given(part.system, options, method))
+    system = _system_of(part, earlier)
+    _refuse(task, system, options)
+    plant = _plant(task, task.given(system, options, method))
     given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
     return given
 
@@ -130,6 +133,19 @@ def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
         given = given_of(part, method, earlier, steps)
         yield_into(steps, catalogue()[part.task].methods[method].derive(given))
     return steps
+
+
+def _system_of(part: Part, earlier: Earlier) -> Any:
+    """Return the system of a part, taken from the result of an earlier part where it refers to one."""
+    system = part.system
+    if not isinstance(system, EarlierPart):
+        return system
+    found = earlier[system.part].answers if system.part in earlier else {}
+    answers = {name: _exactly(value) for name, value in found.items()}
+    taken = system.taken(answers, _resolved("gain", system.gain, earlier))
+    if taken is None:
+        raise Unsolved("conversions/no_earlier_system", part=system.part)
+    return taken
 
 
 def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) -> None:
@@ -180,6 +196,11 @@ def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
         raise Unsolved("engine/missing_answer", answer=value.answer, part=value.part, option=option)
     found = source.answers[value.answer]
     return _as_printed(found) if isinstance(found, sp.MatrixBase) else found
+
+
+def _exactly(value: Any) -> Any:
+    """Return an expression or matrix with decimals as exact numbers; anything else as it is."""
+    return _as_printed(value) if isinstance(value, (sp.MatrixBase, sp.Expr)) else value
 
 
 def _as_printed(matrix: Any) -> Any:

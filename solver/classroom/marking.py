@@ -101,7 +101,8 @@ class Marker:
 
     def _names(self, part: Part, ours: Mapping[str, Any]) -> Any:
         problem = self.solution.problem
-        return names_for(problem.symbols, problem.parameters, dict(ours), part.system.discrete)
+        symbols, parameters = {**problem.symbols, **part.symbols}, {**problem.parameters, **part.parameters}
+        return names_for(symbols, parameters, dict(ours), part.system.discrete)
 
     def _ours(self, part: str) -> dict[str, Any]:
         """Our answers of a part by all its methods, verified ones only."""

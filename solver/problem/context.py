@@ -16,6 +16,9 @@ from solver.problem.poles import read_conjugate_list
 from solver.problem.transfer_functions import read_transfer_function
 from solver.systems import StateSpace, System
 
+Earlier = Mapping[str, tuple[Task[Any, Any], str] | None]
+"""The earlier parts with their task and first method; None for one that could not be read."""
+
 OTHER_TIME = {True: {"t": "k", "s": "z"}, False: {"k": "t", "z": "s"}}
 """By whether time is discrete: variables of the other kind of time, and the ones that take their place."""
 
@@ -31,7 +34,7 @@ class Context:
     lexicon: Lexicon
     system: System | None
     discrete: bool = False
-    earlier: Mapping[str, tuple[Task[Any, Any], str] | None] = field(default_factory=dict)
+    earlier: Earlier = field(default_factory=dict)
 
     def size(self, of: int | str | None) -> int | None:
         """Return a number of rows or columns: itself, or that of "n" states, "m" inputs, "p" outputs if known."""

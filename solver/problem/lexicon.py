@@ -124,16 +124,27 @@ def name_of(node: ScalarNode) -> str:
         raise node.fault_inside(error.message, error.at, error.length) from None
 
 
-def read_lexicon(parameters: Node | None, assume: Node | None, report: Report) -> Lexicon:
-    """Return the names that the problem declares. What is wrong with some of them goes to the report."""
+def read_lexicon(
+    parameters: Node | None, assume: Node | None, report: Report, around: Lexicon | None = None
+) -> Lexicon:
+    """Return the names that the problem declares, or a part: then those `around` it hold where it says nothing else.
+
+    What is wrong with some of them goes to the report.
+    """
     lexicon = Lexicon()
     for entry in assume if isinstance(assume, MappingNode) else ():
         with report:
             name = _declared(entry.key, lexicon.symbols)
             assumption = ASSUMPTIONS[scalar(entry.value).text]
             lexicon.symbols[name] = sp.Symbol(name, **assumption)
+    own = set(lexicon.symbols)
+    if around is not None:
+        lexicon.symbols = {**around.symbols, **lexicon.symbols}
     if isinstance(parameters, MappingNode):
         _read_values(parameters, lexicon, report)
+    if around is not None:
+        kept = {name: value for name, value in around.values.items() if name not in own}
+        lexicon.values = {**kept, **lexicon.values}
     return lexicon
 
 

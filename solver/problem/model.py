@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from solver.notation import COURSE
+from solver.systems import EarlierPart
 from solver.words import ENGLISH
 
 if TYPE_CHECKING:
@@ -45,7 +46,8 @@ class Part:
     """One question: a task by its methods, with validated options; `system` is the part's own or the problem's.
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
-    `places` tells where its task and its options stand in the file.
+    `symbols` and `parameters` are those of a part that has its own. `places` tells where its task and its options stand
+    in the file.
     """
 
     id: str
@@ -57,12 +59,16 @@ class Part:
     marks: sp.Rational | None = None
     own_system: bool = False
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
+    symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    parameters: Mapping[str, Any] = field(default_factory=dict)
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)
 
     @property
     def sources(self) -> tuple[str, ...]:
         """The earlier parts whose answers it goes on with."""
-        return tuple(dict.fromkeys(each.part for each in self.options.values() if isinstance(each, Reference)))
+        values = [*self.options.values(), getattr(self.system, "gain", None)]
+        parts = [each.part for each in values if isinstance(each, Reference)]
+        return tuple(dict.fromkeys([*([self.system.part] if isinstance(self.system, EarlierPart) else []), *parts]))
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
-OWN_KEYS = ("task", "method", "marks", "prompt", "system")
+OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume")
 IN_WORDS = {"transfer_function": "a transfer function (or A, B and C)", "matrix": "a matrix", "x0": "initial_state"}
 
 
@@ -39,16 +39,22 @@ class PartReader:
         self.catalogue = catalogue
         self.lexicon = lexicon
         self.earlier: dict[str, tuple[Task[Any, Any], str] | None] = {}
+        self.discrete: set[str] = set()
 
     def skip(self, name: str) -> Part:
         """Remember a part that can't be read, and raise a fault without words: it is reported already."""
         self.earlier[name] = None
         raise Fault
 
-    def read(self, entry: Entry, plant: PlantOf) -> Part:
-        """Return the part of an entry under `find`; raises Fault with all that is wrong with it."""
+    def read(self, entry: Entry, plant: PlantOf, common: System | None, lexicon: Lexicon) -> Part:
+        """Return the part of an entry under `find`; raises Fault with all that is wrong with it.
+
+        `common` is the system of the whole problem; the lexicon has the names of the part.
+        """
         name, node = entry.key.text, entry.value
-        context = Context(self.lexicon, plant.system, plant.discrete, dict(self.earlier))
+        if plant.discrete:
+            self.discrete.add(name)
+        context = Context(lexicon, plant.system, plant.discrete, dict(self.earlier))
         self.earlier[name] = None
         bare = {"task": Entry(ScalarNode(node.place, "task"), node)}
         mapping = node if isinstance(node, MappingNode) else MappingNode(node.place, bare)
@@ -75,8 +81,10 @@ class PartReader:
             options=options,
             prompt=scalar(mapping["prompt"]).text.strip() if "prompt" in mapping else "",
             marks=marks,
-            own_system="system" in mapping,
+            own_system="system" in mapping or plant.system != common,
             answer_marks=split,
+            symbols={} if lexicon is self.lexicon else {**lexicon.symbols, **lexicon.found},
+            parameters={} if lexicon is self.lexicon else dict(lexicon.values),
             places={entry.key.text: entry.value.place for entry in mapping},
         )
 
@@ -161,7 +169,8 @@ class _OptionsReader:
         self.part = part
         self.context = context
         self.takes = {name: option for method in methods for name, option in task.options_for(method).items()}
-        self.given = {entry.key.text for entry in part if entry.key.text not in OWN_KEYS}
+        own = {"parameters"} if isinstance(part.get("parameters"), MappingNode) else set()  # of names, not an option
+        self.given = {entry.key.text for entry in part} - {*OWN_KEYS, *own}
 
     def options(self) -> dict[str, Any]:
         """Return the options given and the defaults of the others; raises Fault with all that is wrong."""

@@ -10,9 +10,9 @@ from typing import Any
 from solver.derivation import Task
 from solver.notation import NOTATIONS
 from solver.problem.files import load
-from solver.problem.lexicon import check_used, read_lexicon
+from solver.problem.lexicon import Lexicon, check_used, read_lexicon
 from solver.problem.model import Display, Part, Problem
-from solver.problem.nodes import MappingNode, Node, ScalarNode, scalar, whole_number
+from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar, whole_number
 from solver.problem.parts import PartReader, PlantOf
 from solver.problem.shape_check import check_shape
 from solver.problem.source import InputError, Report, Source, did_you_mean
@@ -108,13 +108,14 @@ class _ProblemReader:
         node = self.section(key)
         return node.text.strip() if isinstance(node, ScalarNode) else ""
 
-    def system(self, *path: str) -> System | None:
-        """Return the system at a path; None if it is absent or wrong."""
+    def system(self, *path: str, lexicon: Lexicon | None = None, parts: PartReader | None = None) -> System | None:
+        """Return the system at a path, in the names of a part; None if it is absent or wrong."""
         node = self.section(*path)
         system: System | None = None
         if isinstance(node, MappingNode):
+            earlier, times = (parts.earlier, parts.discrete) if parts else ({}, ())
             with self.report:
-                system = read_system(node, self.lexicon)
+                system = read_system(node, lexicon or self.lexicon, earlier, times)
         return system
 
     def parts(self, common: System | None) -> list[Part]:
@@ -124,13 +125,28 @@ class _ProblemReader:
         find = self.root.get("find")
         for entry in find if isinstance(find, MappingNode) else ():
             name, system, known = entry.key.text, common, common is not None or "system" not in self.root
+            lexicon = self.lexicon_of(entry)
             if isinstance(entry.value, MappingNode) and "system" in entry.value:
-                system = self.system("find", name, "system")
+                system = self.system("find", name, "system", lexicon=lexicon, parts=reader)
                 known = system is not None
+            elif lexicon is not self.lexicon and known:
+                system = self.system("system", lexicon=lexicon)
             with self.report:
-                readable = not any(wrong.spoils_part(name) for wrong in self.misshapen)
-                parts.append(reader.read(entry, PlantOf(system, known)) if readable else reader.skip(name))
+                if any(wrong.spoils_part(name) for wrong in self.misshapen):
+                    reader.skip(name)
+                parts.append(reader.read(entry, PlantOf(system, known), common, lexicon))
+            self.lexicon.decimals |= lexicon.decimals
+            if lexicon is not self.lexicon:
+                self.lexicon.used |= lexicon.used
+                check_used(self.section("find", name, "parameters"), lexicon, self.report)
         return parts
+
+    def lexicon_of(self, entry: Entry) -> Lexicon:
+        """Return the names of a part: those of the problem, and its own, which win."""
+        parameters, assume = (self.section("find", entry.key.text, key) for key in ("parameters", "assume"))
+        if not isinstance(parameters, MappingNode) and assume is None:
+            return self.lexicon
+        return read_lexicon(parameters, assume, self.report, self.lexicon)
 
     def choice(self, key: str, known: Iterable[str], usual: str) -> str:
         """Return one of some words, or the usual one where the file says nothing."""

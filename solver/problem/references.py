@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from solver.derivation import Option
-from solver.problem.context import Context
+from solver.derivation import Option, Task
+from solver.problem.context import Context, Earlier
 from solver.problem.model import Reference
 from solver.problem.nodes import MappingNode, Node, scalar
 from solver.problem.source import Fault, did_you_mean
@@ -22,21 +22,35 @@ def _reference(option: Option, node: MappingNode, context: Context) -> Reference
     """`{from: b, answer: K}`."""
     if not option.kind.referable:
         raise node.fault(f"'{option.name}' cannot be taken from an earlier part")
+    return read_reference(node, option.answer or option.name, context.earlier)
+
+
+def earlier_part(node: Node, earlier: Earlier) -> tuple[str, Task[Any, Any], str]:
+    """Return the name of an earlier part with its task and first method; raises Fault if there is no such part."""
+    part = scalar(node).text
+    if part not in earlier:
+        note = f"earlier parts are: {', '.join(earlier)}" if earlier else "there is no earlier part"
+        raise node.fault(f"'{part}' is not an earlier part", suggestion=did_you_mean(part, earlier), note=note)
+    source = earlier[part]
+    if source is None:
+        raise Fault  # the part is wrong itself, and reported
+    return (part, *source)
+
+
+def answers_of(task: Task[Any, Any], method: str) -> tuple[str, ...]:
+    """Return the names of the answers that a task gives by a method."""
+    return tuple(name for name, each in task.answers.items() if not each.methods or method in each.methods)
+
+
+def read_reference(node: MappingNode, usual: str, earlier: Earlier) -> Reference:
+    """`{from: b, answer: K}`; without `answer` the usual one. Raises Fault where there is no such part or answer."""
     for entry in node:
         if entry.key.text not in ("from", "answer"):
             suggestion = did_you_mean(entry.key.text, ["answer"])
             raise entry.key.fault(f"unknown key '{entry.key.text}' beside 'from'", suggestion=suggestion)
-    part = scalar(node["from"]).text
-    if part not in context.earlier:
-        note = f"earlier parts are: {', '.join(context.earlier)}" if context.earlier else "there is no earlier part"
-        message = f"'{part}' is not an earlier part"
-        raise node["from"].fault(message, suggestion=did_you_mean(part, context.earlier), note=note)
-    source = context.earlier[part]
-    if source is None:
-        raise Fault  # the part is wrong itself, and reported
-    task, method = source
-    answer = scalar(node["answer"]).text if "answer" in node else option.answer or option.name
-    given = [name for name, each in task.answers.items() if not each.methods or method in each.methods]
+    part, task, method = earlier_part(node["from"], earlier)
+    answer = scalar(node["answer"]).text if "answer" in node else usual
+    given = answers_of(task, method)
     if answer not in given:
         message = f"part {part} ({task.name}) gives no '{answer}'"
         note = f"its answers are: {', '.join(given)}" + ("" if "answer" in node else "; name one by 'answer:'")

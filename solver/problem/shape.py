@@ -66,6 +66,20 @@ Matrix = Annotated[
 ]
 
 
+Taken = Annotated[
+    Annotated[Value, Tag("<value>")]
+    | Annotated[list[Row], Tag("<list>")]
+    | Annotated[dict[str, Text], Tag("<mapping>")],
+    _either("a matrix, or {from: part},"),
+]
+Parameters = Annotated[
+    Annotated[Value, Tag("<value>")]
+    | Annotated[list[Value], Tag("<list>")]
+    | Annotated[dict[str, Value], Tag("<mapping>")],
+    _either("a mapping (name: value)"),
+]
+
+
 def optional(description: str) -> Any:
     """Return a field that may be absent."""
     return Field(default=None, description=description)
@@ -125,7 +139,13 @@ def _annotation(shape: kind.Shape) -> Any:
         case kind.MappingTo():
             return dict[str, _annotation(shape.value)]  # type: ignore[misc]  # made at run time
         case _:
-            return {kind.Value: Value, kind.Values: Values, kind.Matrix: Matrix, kind.Fraction: Rational}[type(shape)]
+            return {
+                kind.Value: Value,
+                kind.Values: Values,
+                kind.Matrix: Matrix,
+                kind.Fraction: Rational,
+                kind.Gain: Taken,
+            }[type(shape)]
 
 
 def _model(declared: kind.Kind) -> type[AnySystem]:
@@ -175,6 +195,9 @@ else:
     ]
 
 
+Assumption = Literal["positive", "negative", "nonzero", "real", "complex", "integer"]
+
+
 class PartShape(BaseModel):
     """One question with its options; the other keys are options of the task."""
 
@@ -185,6 +208,8 @@ class PartShape(BaseModel):
     marks: Marks = optional("marks of the part, or of each of its answers")
     prompt: Text = optional("own wording of the question, in Markdown")
     system: System = optional("the part's own system")
+    parameters: Parameters = optional("the part's own values of symbols, which win over those of the problem")
+    assume: dict[str, Assumption] = optional("what the part knows of symbols")
 
 
 class DisplayShape(Shape):
@@ -198,7 +223,6 @@ Display = Annotated[
     Annotated[Literal["exact", "decimals", "both"], Tag("<value>")] | Annotated[DisplayShape, Tag("<mapping>")],
     _either("exact, both or {decimals: 4}"),
 ]
-Assumption = Literal["positive", "negative", "nonzero", "real", "complex", "integer"]
 Find = Annotated[
     Annotated[Text, Tag("<value>")] | Annotated[PartShape, Tag("<mapping>")],
     _either("a task's name or a mapping {task: .., ..}"),

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from solver.problem.context import Earlier
 from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, name_of
 from solver.problem.matrices import counted, expect_shape, is_flat, read_matrix
 from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
 from solver.problem.rational_functions import Rational
+from solver.problem.references import answers_of, earlier_part, read_reference
 from solver.problem.source import Report
 from solver.problem.transfer_functions import read_transfer_function
 from solver.systems import StateSpace, System, kinds
@@ -22,9 +25,14 @@ NOTHING = StateSpace(A=sp.ImmutableMatrix(0, 0, []), bare=True)
 """Stands for the system of a question that is about none."""
 
 
-def read_system(node: MappingNode, lexicon: Lexicon) -> System:
-    """Return the system of a mapping whose shape is right; raises Fault with everything else that is wrong."""
-    reader: Reader = SystemReader(node, lexicon)
+def read_system(
+    node: MappingNode, lexicon: Lexicon, earlier: Earlier = MappingProxyType({}), times: Collection[str] = ()
+) -> System:
+    """Return the system of a mapping whose shape is right; raises Fault with everything else that is wrong.
+
+    `earlier` are the parts to which it may refer, `times` those of them in discrete time.
+    """
+    reader: Reader = SystemReader(node, lexicon, earlier, times)
     kind = next(kinds()[entry.key.text] for entry in node if entry.key.text in kinds())
     system: System = kind.read(reader)
     return system
@@ -33,8 +41,10 @@ def read_system(node: MappingNode, lexicon: Lexicon) -> System:
 class SystemReader:
     """Reads what stands under the keys of a system; keeps faults until all of them are raised."""
 
-    def __init__(self, node: MappingNode, lexicon: Lexicon) -> None:
+    def __init__(self, node: MappingNode, lexicon: Lexicon, earlier: Earlier, times: Collection[str]) -> None:
         self.node = node
+        self.earlier = earlier
+        self.times = times
         self.lexicon = lexicon
         self.report = Report()
         self.discrete = "time" in node and scalar(node["time"]).text == "discrete"
@@ -104,6 +114,24 @@ class SystemReader:
         if number is not None and len(names) != number:
             raise listed.fault(f"{counted(number, key[:-1], key)} but {counted(len(names), 'name', 'names')}")
         return names
+
+    def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
+        """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
+        with self.report:
+            part, task, method = earlier_part(self.node[key], self.earlier)
+            return part, answers_of(task, method), part in self.times
+        return "", (), False
+
+    def gain(self, key: str) -> Any:
+        """Return a matrix, or the part and the answer it is taken from; None if it is absent or wrong."""
+        given = self.node.get(key)
+        if not isinstance(given, MappingNode):
+            return self.matrix(key, "row")
+        with self.report:
+            if "from" not in given:
+                raise given.fault("a matrix, or {from: part}, is expected here")
+            return read_reference(given, "K", self.earlier)
+        return None
 
     def quotient(self, key: str) -> Rational | None:
         """Return the proper quotient of polynomials under the key, None if it is wrong."""

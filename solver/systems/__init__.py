@@ -6,6 +6,7 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
+from solver.systems.earlier_part import EarlierPart
 from solver.systems.kind import Kind, System
 from solver.systems.loops import OutputFeedback, StateFeedback
 from solver.systems.state_space import StateSpace
@@ -21,4 +22,13 @@ def kinds() -> dict[str, Kind]:
     return {kind.tells: kind for kind in declared}
 
 
-__all__ = ["Kind", "OutputFeedback", "StateFeedback", "StateSpace", "System", "TransferFunction", "kinds"]
+__all__ = [
+    "EarlierPart",
+    "Kind",
+    "OutputFeedback",
+    "StateFeedback",
+    "StateSpace",
+    "System",
+    "TransferFunction",
+    "kinds",
+]

@@ -36,6 +36,11 @@ class Fraction:
 
 
 @dataclass(frozen=True, slots=True)
+class Gain:
+    """A matrix, or the answer of an earlier part, `{from: part}`."""
+
+
+@dataclass(frozen=True, slots=True)
 class ListOf:
     """A list of one item at least."""
 
@@ -49,7 +54,7 @@ class MappingTo:
     value: Shape
 
 
-Shape = Value | Values | Matrix | Fraction | ListOf | MappingTo
+Shape = Value | Values | Matrix | Fraction | Gain | ListOf | MappingTo
 """What may stand under a key, before it is known what the values mean."""
 
 
@@ -137,6 +142,12 @@ class Reader(Protocol):
 
     def quotients(self, key: str) -> Sequence[Sequence[Quotient]]:
         """Return a matrix of proper quotients of polynomials."""
+
+    def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
+        """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
+
+    def gain(self, key: str) -> Any:
+        """Return a matrix, or the part and the answer it is taken from; None if it is absent or wrong."""
 
     def complain(self, key: str, message: str, *, at_key: bool = False) -> None:
         """Keep a fault at the value of the key, or at the key itself."""
