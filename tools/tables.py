@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from solver.derivation import AnswerName, Option, Task
+from solver.notation import COURSE, spelled
 from solver.tasks import Catalogue, Declaration, catalogue
 
 ROOT = Path(__file__).parents[1]
@@ -24,7 +25,8 @@ HEAD = """\
 # Tasks
 
 Made by `make tables` from the declarations of the tasks: what each asks, its methods, options and answers. The first
-method is the default. An answer in *italics* is given where it makes sense.
+method is the default. Answers in **bold** are what the question is after; one in *italics* is given where it makes
+sense.
 """
 
 
@@ -73,7 +75,7 @@ def _about(task: Task[Any, Any]) -> Iterator[str]:
         rows = [(f"`{each.name}`", each.title, _time(each.time), each.source) for each in task.methods.values()]
         yield from [*_table(("method", "", "time", "source"), rows), ""]
     yield from [*_table(("option", "is", "means"), map(_option, task.options.values())), ""]
-    yield from [*_table(("answer", "is"), map(_answer, task.answers.values())), ""]
+    yield from [*_table(("answer", "is"), (_answer(task, each) for each in task.answers.values())), ""]
 
 
 def _time(time: str) -> str:
@@ -88,9 +90,10 @@ def _option(option: Option) -> tuple[str, str, str]:
     return f"`{option.name}`", "; ".join(facts), option.doc + _only(option.methods)
 
 
-def _answer(answer: AnswerName) -> tuple[str, str]:
+def _answer(task: Task[Any, Any], answer: AnswerName) -> tuple[str, str]:
     name = f"`{answer.name}`"
-    return f"*{name}*" if answer.optional else name, answer.doc + _only(answer.methods)
+    name = f"**{name}**" if answer.name in task.principal else f"*{name}*" if answer.optional else name
+    return name, spelled(answer.doc, COURSE) + _only(answer.methods)
 
 
 def _only(methods: tuple[str, ...]) -> str:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import sympy as sp
 
-from solver.problem.model import Part
+from solver.derivation import Task
+from solver.problem.model import Part, Reference
 from solver.systems import StateSpace
 
 Change = Callable[[Part], Part | None]
+DeclaredChange = Callable[[Any, Any], tuple[Any, Any] | None]
 
 
 def _option(part: Part, name: str, of: Callable[[Any], Any]) -> Part | None:
@@ -30,35 +31,12 @@ def _poles_reversed(part: Part) -> Part | None:
     return _option(part, "poles", lambda poles: tuple(-pole for pole in poles))
 
 
-ABOUT_CHANNELS = ("controllability", "observability", "transfer_function", "pole_placement", "observer", "response")
-
-
 def _poles_squared(part: Part) -> Part | None:
     return _option(part, "poles", lambda poles: tuple(pole**2 for pole in poles))
 
 
-def _inputs_for_outputs(part: Part) -> Part | None:
-    if part.task not in ABOUT_CHANNELS:
-        return None
-    B, C = getattr(part.system, "B", None), getattr(part.system, "C", None)
-    return None if B is None or C is None or B.cols != C.rows else _system(part, B=C.T, C=B.T)
-
-
-def _with(part: Part, option: str, word: str) -> Part | None:
-    """The question with another word for an option that has one."""
-    return None if part.options.get(option) in (None, word) else replace(part, options={**part.options, option: word})
-
-
-def _weight_reversed(part: Part) -> Part | None:
-    return _option(part, "Q", lambda Q: -Q)
-
-
 def _A_transposed(part: Part) -> Part | None:
     return _system(part, A=part.system.A.T) if isinstance(part.system, StateSpace) else None
-
-
-def _left_for_right(part: Part) -> Part | None:
-    return _A_transposed(part) if part.task == "eigenstructure" else None
 
 
 def _without_D(part: Part) -> Part | None:
@@ -71,10 +49,6 @@ def _B_reversed(part: Part) -> Part | None:
     return None if B is None else _system(part, B=-B)
 
 
-def _without_initial_state(part: Part) -> Part | None:
-    return _option(part, "initial_state", lambda x0: sp.ImmutableMatrix(sp.zeros(*x0.shape)))
-
-
 def _other_time(part: Part) -> Part | None:
     return _system(part, discrete=not part.system.discrete)
 
@@ -82,30 +56,21 @@ def _other_time(part: Part) -> Part | None:
 CHANGED: tuple[tuple[str, Change], ...] = (
     ("the poles have the wrong sign", _poles_reversed),
     ("$D$ is forgotten", _without_D),
-    ("the right side has the wrong sign: $-Q$ for $Q$", _weight_reversed),
-    ("left and right eigenvectors are exchanged", _left_for_right),
     ("$A$ is transposed", _A_transposed),
-    ("$B$ and $C$ are exchanged", _inputs_for_outputs),
-    ("it is the observable form", partial(_with, option="form", word="observable")),
-    ("it is the controllable form", partial(_with, option="form", word="controllable")),
-    (
-        "it follows the other convention: coefficients in the first row (column)",
-        partial(_with, option="convention", word="first_row"),
-    ),
-    (
-        "it follows the other convention: coefficients in the last row (column)",
-        partial(_with, option="convention", word="last_row"),
-    ),
-    (
-        "it follows the other convention: ones below the diagonal",
-        partial(_with, option="convention", word="subdiagonal"),
-    ),
-    (
-        "it follows the other convention: ones above the diagonal",
-        partial(_with, option="convention", word="superdiagonal"),
-    ),
     ("the poles are squared", _poles_squared),
     ("$B$ has the wrong sign", _B_reversed),
-    ("the initial state is forgotten", _without_initial_state),
     ("it is right for the other kind of time, discrete or continuous", _other_time),
 )
+"""What goes wrong in questions of any task; what does so in some is declared with them."""
+
+
+def declared(change: DeclaredChange, task: Task[Any, Any], part: Part) -> Part | None:
+    """Return the part as a mistake declared with its task changes it."""
+    known = {name: None if isinstance(value, Reference) else value for name, value in part.options.items()}
+    options = task.options_class.of(known)
+    changed = change(part.system, options)
+    if changed is None:
+        return None
+    system, new = changed
+    others = {name: getattr(new, name) for name in task.options if getattr(new, name) is not getattr(options, name)}
+    return replace(part, system=system, options={**part.options, **others})

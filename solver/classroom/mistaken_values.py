@@ -100,67 +100,6 @@ def _exponent_reversed(case: Case) -> Values:
         yield _map(case.ours, lambda entry: entry.xreplace({t: -t}))
 
 
-def _plus_for_minus(case: Case) -> Values:
-    """A + BK for A − BK, A + LC for A − LC."""
-    A = case.question.given.system.A
-    if case.name in ("closed_loop_A", "error_A") and case.ours.shape == A.shape:
-        yield 2 * A - case.ours
-
-
-def _other_solution(case: Case) -> Values:
-    """A solution of the Riccati equation that is not the stabilising one."""
-    if case.name == "P":
-        yield from (P for P in case.question.ours.get("solutions", ()) if case.ours != P)
-
-
-def _gain_of_other_solution(case: Case) -> Values:
-    """K = R⁻¹ Bᵀ P, L = P Cᵀ R⁻¹ of a P that is not the stabilising one."""
-    plant, R = case.question.given.system, getattr(case.question.given.options, "R", None)
-    for P in case.question.ours.get("solutions", ()):
-        if case.name == "K":
-            weight: Any = R or case.question.ours["R"]
-            yield sp.ImmutableMatrix(weight.inv() * plant.B.T * P)
-        elif case.name == "L":
-            yield sp.ImmutableMatrix(P * plant.C.T * (R or sp.eye(plant.C.rows)).inv())
-
-
-def _minus_determinant(case: Case) -> Values:
-    """det(A − λI), which is −det(λI − A) for odd n."""
-    if case.part.task == "characteristic_polynomial" and case.question.given.system.A.rows % 2:
-        yield -case.ours
-
-
-def _stacked(case: Case) -> Values:
-    """B, AB, … one below the other; C, CA, … beside each other."""
-    plant = case.question.given.system
-    if case.name == "controllability_matrix":
-        yield sp.ImmutableMatrix.vstack(*(plant.A**i * plant.B for i in range(plant.order)))
-    elif case.name == "observability_matrix":
-        yield sp.ImmutableMatrix.hstack(*(plant.C * plant.A**i for i in range(plant.order)))
-
-
-def _diagonal_entries(case: Case) -> Values:
-    """The diagonal of A for its eigenvalues."""
-    if case.name == "eigenvalues" and case.part.task in ("eigenstructure", "stability", "phase_portrait"):
-        yield list(case.question.given.system.A.diagonal())
-
-
-def _entry_by_entry(case: Case) -> Values:
-    """A function of a matrix taken of each of its entries."""
-    A = case.question.given.system.A
-    if case.part.task == "state_transition_matrix" and not case.question.given.system.discrete:
-        yield sp.ImmutableMatrix(A.applyfunc(lambda entry: sp.exp(entry * sp.Symbol("t"))))
-    elif case.part.task == "matrix_function":
-        function = case.question.given.options.function
-        yield sp.ImmutableMatrix(A.applyfunc(lambda entry: function.xreplace({sp.Symbol("A"): entry})))
-
-
-def _upside_down(case: Case) -> Values:
-    """Numerator and denominator exchanged."""
-    if case.name in ("G", "compensator") and is_scalar(case.ours):
-        yield 1 / case.ours
-
-
 def _degrees(case: Case) -> Values:
     """Angles in degrees where radians are meant."""
     for angle in (sp.acos, sp.asin, sp.atan):
@@ -191,18 +130,10 @@ def _map(value: Any, of: Callable[[Any], Any]) -> Any:
 
 
 TRANSFORMED: tuple[tuple[str, Callable[[Case], Iterable[Any]]], ...] = (
-    (r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$", _minus_determinant),
     ("the sign is reversed", _negative),
-    ("numerator and denominator are exchanged", _upside_down),
     ("it is transposed: rows and columns are exchanged", _transposed),
     ("the entries stand in reverse order", _reversed),
     ("each value counts as often as its multiplicity", _without_multiplicity),
-    ("$+$ stands where $-$ belongs: the feedback is subtracted", _plus_for_minus),
-    ("it solves the Riccati equation, but it is not the stabilising solution", _other_solution),
-    ("it comes from a solution of the Riccati equation that is not the stabilising one", _gain_of_other_solution),
-    ("$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse", _stacked),
-    ("these are the entries on the diagonal of $A$", _diagonal_entries),
-    ("the function is taken of each entry; it is a function of the matrix", _entry_by_entry),
     ("a factor 2 is missing", _half),
     ("it is twice what it should be: a factor ½ is missing", _double),
     ("the factor $t$ (or $k$) of a repeated eigenvalue is missing", _without_factor_t),

@@ -7,23 +7,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import sympy as sp
 
 from solver.classroom.entries import entrywise, is_scalar
 from solver.classroom.judging import STRANGE, Question, judge
-from solver.classroom.mistaken_questions import CHANGED, Change
+from solver.classroom.mistaken_questions import CHANGED, Change, declared
 from solver.classroom.mistaken_values import TRANSFORMED, Case
 from solver.classroom.values import Submitted
 from solver.classroom.verdicts import Verdict
-from solver.derivation import PartResult, Unsolved
+from solver.derivation import Attempt, PartResult, Task, Unsolved
 from solver.engine import given_of, solve_part
 from solver.lazy import exact
 from solver.problem.model import Part
-
-COUNTS = ("rank", "orders", "right_half_plane_roots")
-"""Answers that many mistakes lead to; yes or no, and words, are others. That one does so says nothing."""
 
 
 def what_went_wrong(
@@ -35,21 +33,38 @@ def what_went_wrong(
     earlier: Mapping[str, PartResult],
 ) -> str:
     """Return the mistake that leads to the value, in words (Markdown); "" where none of the usual ones does."""
-    if name in COUNTS or isinstance(question.ours.get(name), bool | str):
+    if question.task.answers[name].count or isinstance(question.ours.get(name), bool | str):
         return ""
     case = Case(part, question, name, question.ours.get(name), results, earlier)
     if not _telling(submitted.value):
         return ""
-    for words, values in TRANSFORMED:
-        if any(_reproduces(submitted, value) for value in _careful(values, case)):
+    for words, values in _values_of(case):
+        if any(_reproduces(submitted, value) for value in _careful(values)):
             return words
     for words, holds in ALIKE:
         if _holds(holds, submitted, case.ours):
             return words
-    for words, change in CHANGED:
+    for words, change in _changes_of(question.task):
         if _answers_changed(case, submitted, change):
             return words
     return ""
+
+
+def _values_of(case: Case) -> Iterator[tuple[str, Callable[[], Iterable[Any]]]]:
+    """Yield the mistakes in values: those that the task declares for the answer, then those of any task."""
+    attempt: Attempt[Any, Any] = Attempt(case.question.given, case.name, case.question.ours)
+    for mistake in case.question.task.mistakes:
+        if case.name in mistake.answers:
+            yield mistake.words, partial(mistake.values, attempt)
+    for words, values in TRANSFORMED:
+        yield words, partial(values, case)
+
+
+def _changes_of(task: Task[Any, Any]) -> Iterator[tuple[str, Change]]:
+    """Yield the mistakes that answer another question: those that the task declares, then those of any task."""
+    for mistake in task.mistaken_questions:
+        yield mistake.words, partial(declared, mistake.change, task)
+    yield from CHANGED
 
 
 def _telling(value: Any) -> bool:
@@ -72,10 +87,10 @@ def _right(entries: Any) -> bool:
     return bool(entries == Verdict.CORRECT)
 
 
-def _careful(values: Callable[[Case], Iterable[Any]], case: Case) -> Iterator[Any]:
+def _careful(values: Callable[[], Iterable[Any]]) -> Iterator[Any]:
     """Yield the values of a mistake that can be made here."""
     try:
-        yield from values(case)
+        yield from values()
     except (*STRANGE, exact.NotExact):  # the mistake has no meaning for this kind of value
         return
 

@@ -65,7 +65,7 @@ def _option_row(option: Option) -> tuple[str, str]:
 
 
 def _answer_row(answer: AnswerName) -> tuple[str, str]:
-    words = FORMULA.sub(lambda formula: flat(formula[1]), answer.doc)
+    words = FORMULA.sub(lambda formula: flat(formula[1]), spelled(answer.doc, COURSE))
     return answer.name, words + (" (where it makes sense)" if answer.optional else "") + _only(answer.methods)
 
 

@@ -1,6 +1,7 @@
 """Steps, claims, answers and the registration of tasks; knows no topic."""
 
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lemma
+from solver.derivation.mistakes import Attempt
 from solver.derivation.options import Option, OptionKind, Options, option
 from solver.derivation.registry import AnswerName, Given, Method, Refusal, Task, Topic
 from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResult, Status, Step, Unsolved
@@ -8,6 +9,7 @@ from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResu
 __all__ = [
     "AnswerName",
     "Answers",
+    "Attempt",
     "Check",
     "CheckStatus",
     "Claim",

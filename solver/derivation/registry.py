@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas, worded_by
+from solver.derivation.mistakes import Attempt, Mistake, MistakenQuestion
 from solver.derivation.options import Option, Options
 from solver.derivation.steps import Answers, Check
 
@@ -48,6 +49,8 @@ class Given(Generic[S_co, O_co]):
 Derive = Callable[[Given[S, O]], Derivation[Answers]]
 Judge = Callable[[Given[S, O], Answers], Iterable[Check]]
 Refuse = Callable[["System", O], Iterable[Refusal]]
+Wrong = Callable[[Attempt[S, O]], Iterable[Any]]
+Change = Callable[["System", O], "tuple[System, O] | None"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +60,8 @@ class AnswerName:
     An `optional` one is given when it makes sense. A `free` one is not determined by the question (eigenvectors: any
     scale is right); it may depend on what is given (a gain is free where there are several inputs). In an `ordered`
     list each item has its place; the items of any other may stand in any order. `vectors` says that the "columns", or
-    the "rows", of a free matrix are right or wrong each for itself.
+    the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task earn the marks
+    where a problem does not say which. A `count` is reached by many mistakes, so that none is named for it.
     """
 
     name: str
@@ -68,6 +72,8 @@ class AnswerName:
     free: bool | Callable[[Given[Any, Any]], bool] = False
     ordered: bool = False
     vectors: str = ""
+    principal: bool = False
+    count: bool = False
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""
@@ -136,6 +142,14 @@ class Task(Generic[S, O]):
         self.methods: dict[str, Method] = {}
         self.verifications: list[Verification] = []
         self.refusals: list[Callable[[System, O], Iterable[Refusal]]] = []
+        self.mistakes: list[Mistake] = []
+        self.mistaken_questions: list[MistakenQuestion] = []
+
+    @property
+    def principal(self) -> tuple[str, ...]:
+        """The answers that earn the marks: those declared so, or else all that are always given."""
+        declared = tuple(name for name, answer in self.answers.items() if answer.principal)
+        return declared or tuple(name for name, answer in self.answers.items() if not answer.optional)
 
     def given(self, system: S, values: Mapping[str, Any], method: str = "") -> Given[S, O]:
         """Return what a method works on, from the values of options by name."""
@@ -214,6 +228,29 @@ class Task(Generic[S, O]):
         options = self.options_class.of(values)
         for refuse in self.refusals:
             yield from refuse(system, options)
+
+    def mistake(self, words: str, *answers: str) -> Callable[[Wrong[S, O]], Wrong[S, O]]:
+        """Register a usual mistake in some answers: its words, and a generator of the values that it leads to.
+
+        It is named in marking where it leads to the very value submitted.
+        """
+        if unknown := set(answers) - set(self.answers) or not answers:
+            raise ValueError(f"{self.name}: a mistake needs names of answers, not {unknown}")
+
+        def register(values: Wrong[S, O]) -> Wrong[S, O]:
+            self.mistakes.append(Mistake(words, answers, values))
+            return values
+
+        return register
+
+    def mistaken_question(self, words: str) -> Callable[[Change[O]], Change[O]]:
+        """Register a usual mistake that answers another question: the system and options changed (None: not here)."""
+
+        def register(change: Change[O]) -> Change[O]:
+            self.mistaken_questions.append(MistakenQuestion(words, change))
+            return change
+
+        return register
 
     def methods_for(self, discrete: bool) -> list[str]:
         """Names of the methods for that kind of time, the default first."""

@@ -87,6 +87,12 @@ def test_every_task_is_documented_and_asked_in_a_problem(task):
 
 
 @pytest.mark.parametrize("task", catalogue().values(), ids=lambda task: task.name)
+def test_every_method_gives_an_answer_that_the_question_is_after(task):
+    for method in task.methods:
+        assert any(not task.answers[name].methods or method in task.answers[name].methods for name in task.principal)
+
+
+@pytest.mark.parametrize("task", catalogue().values(), ids=lambda task: task.name)
 def test_every_answer_has_a_judge(task):
     judged = {name for verification in task.verifications for name in verification.answers}
     assert judged == set(task.answers)

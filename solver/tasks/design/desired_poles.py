@@ -58,7 +58,7 @@ desired_poles: Task[System, StepSpecifications] = Task(
     answers=[
         AnswerName("damping_ratio", r"\sym{damping_ratio}", "the damping ratio"),
         AnswerName("natural_frequency", r"\omega_n", "the natural frequency"),
-        AnswerName("poles", "s_{1,2}", "the poles"),
+        AnswerName("poles", "s_{1,2}", "the poles", principal=True),
         AnswerName("polynomial", r"\hat{p}(s)", "the characteristic polynomial with these roots"),
     ],
     example={"overshoot": "14%", "settling_time": "2"},

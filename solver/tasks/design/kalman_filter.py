@@ -6,13 +6,27 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, lemma, option
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Refusal,
+    Step,
+    Task,
+    lemma,
+    option,
+)
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
+from solver.tasks import mistakes
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -23,7 +37,13 @@ from solver.tasks.design.riccati_checks import (
     spectrum_check,
     stabilizing_checks,
 )
-from solver.tasks.design.riccati_solutions import LISTED, listed_answers, solutions_by_equations
+from solver.tasks.design.riccati_solutions import (
+    LISTED,
+    OTHER_SOLUTION,
+    listed_answers,
+    other_solutions,
+    solutions_by_equations,
+)
 from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
@@ -55,7 +75,7 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
         AnswerName(
             "P", "P", "the covariance of the estimation error: the stabilizing solution of the Riccati equation"
         ),
-        AnswerName("L", r"\sym{L}", "the gain of the filter"),
+        AnswerName("L", r"\sym{L}", "the gain of the filter", principal=True),
         AnswerName("error_A", r"A - \sym{L}C", "the matrix of the estimation error"),
         AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues"),
         *LISTED,
@@ -183,3 +203,18 @@ def are_the_entries_of_the_equation(given: Given[WithOutput, KalmanFilterOptions
 def are_all_solutions(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
     """Every one solves the equation, none is missing or listed twice, and the words fit."""
     yield from listed_checks(_problem(given), answers)
+
+
+kalman_filter.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
+
+
+@kalman_filter.mistake("it comes from a solution of the Riccati equation that is not the stabilising one", "L")
+def gain_of_another_solution(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Iterable[Any]:
+    """L = PCᵀR⁻¹ of a P that is not the stabilizing one."""
+    C = wrong.given.system.C
+    R = given_or_identity(wrong.given.options.R, C.rows)
+    for P in wrong.answers.get("solutions", ()):
+        yield sp.ImmutableMatrix(P * C.T * R.inv())
+
+
+kalman_filter.mistake(OTHER_SOLUTION, "P")(other_solutions)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -25,6 +26,7 @@ from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
+from solver.tasks import mistakes
 from solver.tasks.design.regulator import Regulator, faulty_weights
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -36,7 +38,13 @@ from solver.tasks.design.riccati_checks import (
     spectrum_check,
     stabilizing_checks,
 )
-from solver.tasks.design.riccati_solutions import LISTED, listed_answers, solutions_by_equations
+from solver.tasks.design.riccati_solutions import (
+    LISTED,
+    OTHER_SOLUTION,
+    listed_answers,
+    other_solutions,
+    solutions_by_equations,
+)
 from solver.tasks.design.weights import (
     WeightOptions,
     cost_factor,
@@ -50,6 +58,7 @@ if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
     from solver.numeric.judges.optimal import Weights
+    from solver.systems import System
     from solver.tasks.needed import WithInput
 
 
@@ -70,7 +79,7 @@ lqr: Task[WithInput, LqrOptions] = Task(
     options=LqrOptions,
     answers=[
         AnswerName("P", "P", "the stabilizing solution of the Riccati equation"),
-        AnswerName("K", r"\sym{K}", "the gain of the feedback"),
+        AnswerName("K", r"\sym{K}", "the gain of the feedback", principal=True),
         AnswerName("u", "u", "the control law"),
         AnswerName("Q", "Q", "the weight of the state"),
         AnswerName("R", "R", "the weight of the input"),
@@ -235,3 +244,24 @@ def are_the_entries_of_the_equation(given: Given[WithInput, LqrOptions], answers
 def are_all_solutions(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """Every one solves the equation, none is missing or listed twice, and the words fit."""
     yield from listed_checks(_problem(given), answers)
+
+
+lqr.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
+
+
+@lqr.mistake("it comes from a solution of the Riccati equation that is not the stabilising one", "K")
+def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
+    """K = R⁻¹BᵀP of a P that is not the stabilizing one."""
+    R = wrong.given.options.R or wrong.answers["R"]
+    for P in wrong.answers.get("solutions", ()):
+        yield sp.ImmutableMatrix(R.inv() * wrong.given.system.B.T * P)
+
+
+lqr.mistake(OTHER_SOLUTION, "P")(other_solutions)
+
+
+@lqr.mistaken_question("the initial state is forgotten")
+def without_initial_state(system: System, options: LqrOptions) -> tuple[System, LqrOptions] | None:
+    """The cost from rest."""
+    x0 = options.initial_state
+    return None if x0 is None else (system, replace(options, initial_state=sp.ImmutableMatrix(sp.zeros(*x0.shape))))

@@ -25,6 +25,7 @@ from solver.numeric.judges import design as judges
 from solver.options.transfer_function import TransferFunctionOption
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import inverse
+from solver.tasks import mistakes
 from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
@@ -58,7 +59,7 @@ model_matching: Task[InputOutput, ModelMatchingOptions] = Task(
         AnswerName("A", "A", "system matrix of the realization used", (), True, free=True),
         AnswerName("B", "B", "its input matrix", (), True, free=True),
         AnswerName("C", "C", "its output matrix", (), True, free=True),
-        AnswerName("K", r"\sym{K}", "the gain for this realization", (), True, free=True),
+        AnswerName("K", r"\sym{K}", "the gain for this realization", (), True, free=True, principal=True),
     ],
 )
 
@@ -257,3 +258,6 @@ def turns_the_plant_into_the_target(
             lambda: judges.matched_residual(matrices, answers["K"], G, x),
             answer="K",
         )
+
+
+model_matching.mistake(mistakes.UPSIDE_DOWN, "compensator")(mistakes.upside_down)

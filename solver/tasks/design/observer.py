@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.poles import Poles
 from solver.stated.algebra import difference, product
+from solver.tasks import mistakes
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
 from solver.tasks.freedom import observer_gain_is_free
@@ -40,7 +41,7 @@ observer: Task[WithOutput, ObserverOptions] = Task(
     needs=("A", "C"),
     options=ObserverOptions,
     answers=[
-        AnswerName("L", r"\sym{L}", "the gain of the observer", free=observer_gain_is_free),
+        AnswerName("L", r"\sym{L}", "the gain of the observer", free=observer_gain_is_free, principal=True),
         AnswerName("error_A", r"A - \sym{L} C", "the matrix of the estimation error", free=observer_gain_is_free),
         AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the estimation error"),
         AnswerName(
@@ -165,3 +166,9 @@ def is_the_determinant(given: Given[WithOutput, ObserverOptions], answers: Answe
     L = sp.ImmutableMatrix(list(unknowns))
     claim = Claim(characteristic(sp.ImmutableMatrix(A - L * C), x), answers["gain_polynomial"])
     yield numeric.check_claim(claim, r"$\det(sI - A + LC)$ with unknown gain")
+
+
+observer.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+
+
+observer.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)

@@ -22,6 +22,7 @@ from solver.lazy import sympy as sp
 from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.options.poles import Poles
+from solver.tasks import mistakes
 from solver.tasks.design import observer_feedback_checks as checks
 from solver.tasks.design.full_order import observer_gain_of, observer_pole_faults
 from solver.tasks.design.output_feedback import (
@@ -80,6 +81,7 @@ observer_feedback: Task[WithBoth, ObserverFeedbackOptions] = Task(
             r"A_{\text{closed}}",
             r"the closed loop, in $(x, x - \hat{x})$; reduced: in $(\eta_{1}, \eta_{2}, \eta_{2} - \hat{\eta}_{2})$",
             free=one_of_the_gains_is_free,
+            principal=True,
         ),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop", optional=True),
         AnswerName(
@@ -87,6 +89,7 @@ observer_feedback: Task[WithBoth, ObserverFeedbackOptions] = Task(
             "G_c",
             "the compensator: the transfer function from $y$ to $u$",
             free=one_of_the_gains_is_free,
+            principal=True,
         ),
         AnswerName(
             "S1",
@@ -196,3 +199,9 @@ observer_feedback.verification("closed_loop_A")(checks.has_both_spectra)
 observer_feedback.verification("eigenvalues")(checks.are_those_of_both)
 observer_feedback.verification("compensator")(checks.closes_the_loop)
 observer_feedback.verification("S1", "S2")(checks.split_the_state)
+
+
+observer_feedback.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
+
+
+observer_feedback.mistake(mistakes.UPSIDE_DOWN, "compensator")(mistakes.upside_down)

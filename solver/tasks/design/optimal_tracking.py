@@ -58,10 +58,10 @@ optimal_tracking: Task[WithBoth, OptimalTrackingOptions] = Task(
     needs=("A", "B", "C"),
     options=OptimalTrackingOptions,
     answers=[
-        AnswerName("K", r"\sym{K}", "the gain of the feedback"),
+        AnswerName("K", r"\sym{K}", "the gain of the feedback", principal=True),
         AnswerName("F", "F", "the state of the set point, $x_{d} = Fr$", free=more_inputs_than_outputs),
         AnswerName("N", "N", "the input of the set point, $u_{d} = Nr$", free=more_inputs_than_outputs),
-        AnswerName("K_o", "K_o", "the gain of the reference", free=more_inputs_than_outputs),
+        AnswerName("K_o", "K_o", "the gain of the reference", free=more_inputs_than_outputs, principal=True),
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},
 )

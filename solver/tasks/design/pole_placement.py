@@ -11,6 +11,7 @@ from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.expression_list import ExpressionList
+from solver.tasks import mistakes
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
@@ -49,6 +50,7 @@ pole_placement: Task[WithInput, PolePlacementOptions] = Task(
             r"\sym{K}",
             "the gain of the feedback (entries that may have any value stay letters)",
             free=gain_is_free,
+            principal=True,
         ),
         AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop", free=gain_is_free),
         AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the closed loop"),
@@ -172,3 +174,9 @@ def has_the_poles(given: Given[WithInput, PolePlacementOptions], answers: Answer
             lambda: judges.shape_residual(asked.A, asked.B, row, unknowns, equations, asked.poles),
             answer="conditions",
         )
+
+
+pole_placement.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+
+
+pole_placement.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)

@@ -55,10 +55,19 @@ reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
             r"\sym{L}",
             r"the gain of the observer, $\hat{\eta}_{2} = \omega + \sym{L}y$",
             free=reduced_gain_is_free,
+            principal=True,
         ),
-        AnswerName("J", "J", r"the matrix of the error, $A_{22} - \sym{L}A_{12}$", free=reduced_gain_is_free),
-        AnswerName("N", "N", r"the gain from $y$, $A_{21} - \sym{L}A_{11} + J\sym{L}$", free=reduced_gain_is_free),
-        AnswerName("M", "M", r"the gain from $u$, $B_{2} - \sym{L}B_{1}$", free=reduced_gain_is_free),
+        AnswerName(
+            "J", "J", r"the matrix of the error, $A_{22} - \sym{L}A_{12}$", free=reduced_gain_is_free, principal=True
+        ),
+        AnswerName(
+            "N",
+            "N",
+            r"the gain from $y$, $A_{21} - \sym{L}A_{11} + J\sym{L}$",
+            free=reduced_gain_is_free,
+            principal=True,
+        ),
+        AnswerName("M", "M", r"the gain from $u$, $B_{2} - \sym{L}B_{1}$", free=reduced_gain_is_free, principal=True),
         AnswerName(
             "T",
             "T",

@@ -55,7 +55,7 @@ reference_tracking: Task[WithBoth, ReferenceTrackingOptions] = Task(
     answers=[
         AnswerName("F", "F", "the desired state for the reference, $x_{d} = Fr$", free=more_inputs_than_outputs),
         AnswerName("N", "N", "the desired input for the reference, $u_{d} = Nr$", free=more_inputs_than_outputs),
-        AnswerName("K_o", "K_o", "the gain of the reference", free=reference_gain_is_free),
+        AnswerName("K_o", "K_o", "the gain of the reference", free=reference_gain_is_free, principal=True),
         AnswerName("K", r"\sym{K}", "the gain of the feedback", (), True, free=gain_is_free),
     ],
     example={"poles": '["-3 ± 2j"]'},

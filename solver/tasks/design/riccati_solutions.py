@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Claim, Derivation, Step, lemma
+from solver.derivation import AnswerName, Answers, Attempt, Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference
@@ -201,3 +201,11 @@ def _endless(problem: Regulator, equation: exact.Riccati) -> Step:
         eigenvalue=family[1] if family else None,
         **problem.names,
     )
+
+
+OTHER_SOLUTION = "it solves the Riccati equation, but it is not the stabilising solution"
+
+
+def other_solutions(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+    """The solutions of the Riccati equation that are not the stabilizing one."""
+    yield from (P for P in wrong.answers.get("solutions", ()) if wrong.ours != P)

@@ -31,8 +31,8 @@ servo: Task[WithBoth, PoleOptions] = Task(
     needs=("A", "B", "C"),
     options=PoleOptions,
     answers=[
-        AnswerName("K", r"\sym{K}", "the gain of the states", free=several_inputs),
-        AnswerName("k_I", "k_I", "the gain of the integrated error", free=several_inputs),
+        AnswerName("K", r"\sym{K}", "the gain of the states", free=several_inputs, principal=True),
+        AnswerName("k_I", "k_I", "the gain of the integrated error", free=several_inputs, principal=True),
         AnswerName(
             "closed_loop_A",
             r"\bar{A} - \bar{B}\bar{K}",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
+from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra as judges
@@ -163,3 +163,10 @@ def has_the_values_of_the_determinant(given: Given[StateSpace, PlantOptions], an
         "numpy.linalg.det",
         lambda: judges.polynomial_residual(A, polynomial, lamda),
     )
+
+
+@characteristic_polynomial.mistake(r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$", "polynomial")
+def minus_determinant(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]:
+    """det(A − λI), which is −det(λI − A) for odd n."""
+    if wrong.given.system.A.rows % 2:
+        yield -wrong.ours

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
-from solver.lazy import exact, numeric
+from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra as judges
 from solver.stated.algebra import power, product
 from solver.stated.calculus import value_at
+from solver.tasks import mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.plant_options import PlantOptions
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
 
-    from solver.systems import StateSpace
+    from solver.systems import StateSpace, System
 
 eigenstructure: Task[StateSpace, PlantOptions] = Task(
     "eigenstructure",
@@ -26,13 +28,14 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
     needs=("A",),
     options=PlantOptions,
     answers=[
-        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
+        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity", principal=True),
         AnswerName(
             "right_eigenvectors",
             "V",
             r"right eigenvectors, $A\nu = \lambda\nu$ (chains where $A$ is defective), as columns in that order",
             free=True,
             vectors="columns",
+            principal=True,
         ),
         AnswerName(
             "left_eigenvectors",
@@ -235,3 +238,14 @@ def has_enough_eigenvectors(given: Given[StateSpace, PlantOptions], answers: Ans
         r"ranks of $A - \lambda I$",
         answers["diagonalizable"] == judges.diagonalizable(given.system.A),
     )
+
+
+eigenstructure.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)
+
+
+@eigenstructure.mistaken_question("left and right eigenvectors are exchanged")
+def transposed(system: System, options: PlantOptions) -> tuple[System, PlantOptions] | None:
+    """The question about Aᵀ."""
+    if not isinstance(system, systems.StateSpace):
+        return None
+    return replace(system, A=sp.ImmutableMatrix(system.A.T)), options

@@ -41,6 +41,7 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             "a basis of the null space, all $v$ with $Mv = 0$, as columns",
             free=True,
             vectors="columns",
+            principal=True,
         ),
         AnswerName(
             "column_space",
@@ -48,6 +49,7 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             "a basis of the column space, all $Mv$, as columns",
             free=True,
             vectors="columns",
+            principal=True,
         ),
         AnswerName(
             "row_space",
@@ -55,6 +57,7 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             "a basis of the row space, all $M^{T}w$, as columns",
             free=True,
             vectors="columns",
+            principal=True,
         ),
         AnswerName(
             "left_null_space",
@@ -62,8 +65,9 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             "a basis of the left null space, all $y$ with $M^{T}y = 0$, as columns",
             free=True,
             vectors="columns",
+            principal=True,
         ),
-        AnswerName("rank", r"\operatorname{rank} M", "the rank (with parameters: the rank in general)"),
+        AnswerName("rank", r"\operatorname{rank} M", "the rank (with parameters: the rank in general)", count=True),
     ],
 )
 

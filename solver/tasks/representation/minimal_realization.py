@@ -28,10 +28,10 @@ minimal_realization: Task[InputOutput, LoopOptions] = Task(
     needs=("transfer_function",),
     options=LoopOptions,
     answers=[
-        AnswerName("A", "A", "system matrix of the minimal realization", free=True),
-        AnswerName("B", "B", "its input matrix", free=True),
-        AnswerName("C", "C", "its output matrix", free=True),
-        AnswerName("D", "D", "$D$, as before"),
+        AnswerName("A", "A", "system matrix of the minimal realization", free=True, principal=True),
+        AnswerName("B", "B", "its input matrix", free=True, principal=True),
+        AnswerName("C", "C", "its output matrix", free=True, principal=True),
+        AnswerName("D", "D", "$D$, as before", principal=True),
         AnswerName(
             "cancelled", r"\text{cancelled}", "the modes that the transfer function does not show", optional=True
         ),

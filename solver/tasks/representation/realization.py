@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task, Unsolved, option
@@ -99,3 +100,28 @@ def has_the_form_and_the_transfer_function(
 ) -> Iterable[Check]:
     """The form by inspection, det(xI − A) and C (xI − A)⁻¹ B + D at random points; alone, what each one must be."""
     yield from realization_checks(given, answers)
+
+
+def with_form(system: System, options: RealizationOptions, *, form: str) -> tuple[System, RealizationOptions] | None:
+    """The question about another form."""
+    return None if options.form == form else (system, replace(options, form=form))
+
+
+def with_convention(
+    system: System, options: RealizationOptions, *, convention: str
+) -> tuple[System, RealizationOptions] | None:
+    """The question by another convention."""
+    return None if options.convention == convention else (system, replace(options, convention=convention))
+
+
+FOLLOWED = {
+    "first_row": "coefficients in the first row (column)",
+    "last_row": "coefficients in the last row (column)",
+    "subdiagonal": "ones below the diagonal",
+    "superdiagonal": "ones above the diagonal",
+}
+for each in ("observable", "controllable"):
+    realization.mistaken_question(f"it is the {each} form")(partial(with_form, form=each))
+for each, what in FOLLOWED.items():
+    words = f"it follows the other convention: {what}"
+    realization.mistaken_question(words)(partial(with_convention, convention=each))

@@ -14,6 +14,7 @@ from solver.numeric.judges import representation as judges
 from solver.options.channel import Channel
 from solver.stated import Stated
 from solver.stated.algebra import difference, power, product, quotient, total
+from solver.tasks import mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
 from solver.tasks.plant_options import LoopOptions
@@ -48,7 +49,7 @@ transfer_function: Task[InputOutput, TransferFunctionOptions] = Task(
     needs=("transfer_function",),
     options=TransferFunctionOptions,
     answers=[
-        AnswerName("G", "G", "the transfer function $C(sI - A)^{-1}B + D$, in lowest terms"),
+        AnswerName("G", "G", "the transfer function $C(sI - A)^{-1}B + D$, in lowest terms", principal=True),
         AnswerName("poles", "p_i", "the poles", optional=True),
         AnswerName("zeros", "z_i", "the zeros (with several inputs or outputs: the transmission zeros)", optional=True),
         AnswerName("cancelled", r"\text{cancelled}", "the modes of the system that $G$ does not show", optional=True),
@@ -240,3 +241,9 @@ def are_those_of_the_minimal_part(
         if name in answers:
             check = partial(residual, plant, list(answers[name]))
             yield numeric.check_residual(label, "orthogonal bases (50 digits)", check, answer=name)
+
+
+transfer_function.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+
+
+transfer_function.mistake(mistakes.UPSIDE_DOWN, "G")(mistakes.upside_down)

@@ -11,6 +11,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra, stability
 from solver.stated.algebra import difference, exponential, power, product
 from solver.stated.matrices import determinant, trace
+from solver.tasks import mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.stability.trajectories import portrait_of
@@ -27,7 +28,7 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
     needs=("A",),
     options=PlantOptions,
     answers=[
-        AnswerName("kind", r"\text{kind}", "the kind of equilibrium"),
+        AnswerName("kind", r"\text{kind}", "the kind of equilibrium", principal=True),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
     ],
 )
@@ -140,3 +141,6 @@ def are_the_roots(given: Given[StateSpace, PlantOptions], answers: Answers) -> I
         "numpy.linalg.det",
         lambda: linear_algebra.spectrum_residual(given.system.A, answers["eigenvalues"]),
     )
+
+
+phase_portrait.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)

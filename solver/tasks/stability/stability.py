@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +25,7 @@ from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import power, product
 from solver.stated.matrices import determinant
+from solver.tasks import mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability import checks
@@ -62,7 +63,7 @@ stability: Task[StateSpace, StabilityOptions] = Task(
     needs=("A",),
     options=StabilityOptions,
     answers=[
-        AnswerName("verdict", r"\text{verdict}", "the free motion"),
+        AnswerName("verdict", r"\text{verdict}", "the free motion", principal=True),
         AnswerName("bibo_stable", r"\text{BIBO stable}", "whether bounded inputs give bounded outputs", optional=True),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity", optional=True),
         AnswerName("P", "P", "the solution of Lyapunov's equation", ("lyapunov",), optional=True),
@@ -72,6 +73,7 @@ stability: Task[StateSpace, StabilityOptions] = Task(
             r"n_{+}",
             "the number of eigenvalues with positive real part (in discrete time: outside the unit circle)",
             ("routh",),
+            count=True,
         ),
     ],
 )
@@ -246,3 +248,12 @@ def _answers(given: Given[StateSpace, StabilityOptions], verdict: str, **further
         answers["eigenvalues"] = spectrum.eigenvalues
     answers.update(further)
     return answers
+
+
+stability.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)
+
+
+@stability.mistaken_question("the right side has the wrong sign: $-Q$ for $Q$")
+def weight_reversed(system: System, options: StabilityOptions) -> tuple[System, StabilityOptions] | None:
+    """Lyapunov's equation with +Q on its right."""
+    return None if options.Q is None else (system, replace(options, Q=sp.ImmutableMatrix(-options.Q)))

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task
+from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Refusal, Task
+from solver.lazy import sympy as sp
+from solver.tasks import mistakes
 from solver.tasks.structure.pair_checks import checks_of
 from solver.tasks.structure.pair_methods import PairOptions, by_gramian, by_pbh, by_rank, horizon_refusals
 from solver.tasks.structure.pairs import controllability_pair
@@ -32,8 +34,9 @@ controllability: Task[WithInput, PairOptions] = Task(
             "rank",
             r"\operatorname{rank} \sym{controllability_matrix}",
             "its rank (with parameters: the rank in general)",
+            count=True,
         ),
-        AnswerName("controllable", r"\text{controllable}", "whether the rank is $n$"),
+        AnswerName("controllable", r"\text{controllable}", "whether the rank is $n$", principal=True),
         AnswerName(
             "uncontrollable_modes",
             r"\lambda_{\text{uncontrollable}}",
@@ -74,3 +77,16 @@ def definite_gramian(given: Given[WithInput, PairOptions]) -> Derivation[Answers
 def by_ranks_and_defining_equations(given: Given[WithInput, PairOptions], answers: Answers) -> Iterable[Check]:
     """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
     yield from checks_of(controllability_pair(given.system), given, answers)
+
+
+controllability.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+
+
+@controllability.mistake(
+    "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse",
+    "controllability_matrix",
+)
+def stacked_the_other_way(wrong: Attempt[WithInput, PairOptions]) -> Iterable[Any]:
+    """B, AB, … one below the other."""
+    plant = wrong.given.system
+    yield sp.ImmutableMatrix.vstack(*(plant.A**i * plant.B for i in range(plant.order)))

@@ -20,7 +20,7 @@ detectability: Task[WithOutput, PlantOptions] = Task(
     needs=("A", "C"),
     options=PlantOptions,
     answers=[
-        AnswerName("detectable", r"\text{detectable}", "whether every unobservable mode is stable"),
+        AnswerName("detectable", r"\text{detectable}", "whether every unobservable mode is stable", principal=True),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the unobservable eigenvalues"),
     ],
 )

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task
+from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Refusal, Task
+from solver.lazy import sympy as sp
+from solver.tasks import mistakes
 from solver.tasks.structure.pair_checks import checks_of
 from solver.tasks.structure.pair_methods import PairOptions, by_gramian, by_pbh, by_rank, horizon_refusals
 from solver.tasks.structure.pairs import observability_pair
@@ -29,9 +31,12 @@ observability: Task[WithOutput, PairOptions] = Task(
         ),
         AnswerName("determinant", r"\det \sym{observability_matrix}", "its determinant", optional=True),
         AnswerName(
-            "rank", r"\operatorname{rank} \sym{observability_matrix}", "its rank (with parameters: the rank in general)"
+            "rank",
+            r"\operatorname{rank} \sym{observability_matrix}",
+            "its rank (with parameters: the rank in general)",
+            count=True,
         ),
-        AnswerName("observable", r"\text{observable}", "whether the rank is $n$"),
+        AnswerName("observable", r"\text{observable}", "whether the rank is $n$", principal=True),
         AnswerName(
             "unobservable_modes",
             r"\lambda_{\text{unobservable}}",
@@ -72,3 +77,16 @@ def definite_gramian(given: Given[WithOutput, PairOptions]) -> Derivation[Answer
 def by_ranks_and_defining_equations(given: Given[WithOutput, PairOptions], answers: Answers) -> Iterable[Check]:
     """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
     yield from checks_of(observability_pair(given.system), given, answers)
+
+
+observability.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+
+
+@observability.mistake(
+    "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse",
+    "observability_matrix",
+)
+def stacked_the_other_way(wrong: Attempt[WithOutput, PairOptions]) -> Iterable[Any]:
+    """C, CA, … beside each other."""
+    plant = wrong.given.system
+    yield sp.ImmutableMatrix.hstack(*(plant.C * plant.A**i for i in range(plant.order)))

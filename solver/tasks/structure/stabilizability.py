@@ -20,7 +20,9 @@ stabilizability: Task[WithInput, PlantOptions] = Task(
     needs=("A", "B"),
     options=PlantOptions,
     answers=[
-        AnswerName("stabilizable", r"\text{stabilizable}", "whether every uncontrollable mode is stable"),
+        AnswerName(
+            "stabilizable", r"\text{stabilizable}", "whether every uncontrollable mode is stable", principal=True
+        ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the uncontrollable eigenvalues"),
     ],
 )

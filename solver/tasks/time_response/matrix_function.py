@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -140,3 +141,10 @@ def is_the_function_of_the_matrix(given: Given[StateSpace, MatrixFunctionOptions
     yield numeric.check_residual(
         "$F = f(A)$", "scipy.linalg", lambda: judges.matrix_function_residual(A, f, sp.Symbol("A"), F), answer="F"
     )
+
+
+@matrix_function.mistake("the function is taken of each entry; it is a function of the matrix", "F")
+def entry_by_entry(wrong: Attempt[StateSpace, MatrixFunctionOptions]) -> Iterable[Any]:
+    """The function of each entry."""
+    f, A = wrong.given.options.function, sp.Symbol("A")
+    yield sp.ImmutableMatrix(wrong.given.system.A.applyfunc(lambda entry: f.xreplace({A: entry})))

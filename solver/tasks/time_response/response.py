@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from solver.derivation import (
@@ -16,9 +16,11 @@ from solver.derivation import (
     Task,
     option,
 )
+from solver.lazy import sympy as sp
 from solver.options.choice import Choice
 from solver.options.expression_list import ExpressionList
 from solver.options.matrix import MatrixOf
+from solver.tasks import mistakes
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.time_response import by_convolution as convolution
@@ -153,3 +155,13 @@ def limit_is_the_equilibrium(given: Given[StateSpace, ResponseOptions], answers:
 def peak_is_that_of_a_simulation(given: Given[StateSpace, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """Simulated step by step, and refined between the steps."""
     yield from peak_checks(given, answers.get("y_peak"), answers.get("t_peak"))
+
+
+response.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+
+
+@response.mistaken_question("the initial state is forgotten")
+def without_initial_state(system: System, options: ResponseOptions) -> tuple[System, ResponseOptions] | None:
+    """The response from rest."""
+    x0 = options.initial_state
+    return None if x0 is None else (system, replace(options, initial_state=sp.ImmutableMatrix(sp.zeros(*x0.shape))))

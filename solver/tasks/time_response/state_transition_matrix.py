@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -59,7 +60,7 @@ state_transition_matrix: Task[StateSpace, StateTransitionMatrixOptions] = Task(
     needs=("A",),
     options=StateTransitionMatrixOptions,
     answers=[
-        AnswerName("Phi", r"\Phi", "the state transition matrix in closed form"),
+        AnswerName("Phi", r"\Phi", "the state transition matrix in closed form", principal=True),
         AnswerName("Phi_truncated", r"\Phi_{\text{truncated}}", "the first terms of the series", ("power_series",)),
     ],
 )
@@ -264,3 +265,11 @@ def has_the_first_terms(given: Given[StateSpace, StateTransitionMatrixOptions], 
         expected = power(A, i) if i < terms else sp.ImmutableMatrix(sp.zeros(A.rows))
         says = f"coefficient of $t^{{{i}}}$ is $A^{{{i}}}/{i}!$" if i < terms else "no further terms"
         yield numeric.check_claim(Claim(coefficient, expected), says)
+
+
+@state_transition_matrix.mistake("the function is taken of each entry; it is a function of the matrix", "Phi")
+def entry_by_entry(wrong: Attempt[StateSpace, StateTransitionMatrixOptions]) -> Iterable[Any]:
+    """The exponential function of each entry."""
+    if not wrong.given.system.discrete:
+        t = sp.Symbol("t")
+        yield sp.ImmutableMatrix(wrong.given.system.A.applyfunc(lambda entry: sp.exp(entry * t)))

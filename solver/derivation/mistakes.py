@@ -1,0 +1,46 @@
+"""The usual mistakes of a task, declared with it: values they lead to, or the question they change."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from solver.derivation.options import Options
+
+if TYPE_CHECKING:
+    from solver.derivation.registry import Given
+
+S_co = TypeVar("S_co", covariant=True)
+O_co = TypeVar("O_co", bound=Options, covariant=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt(Generic[S_co, O_co]):
+    """A wrong value of the answer `name`: what is given, and our answers."""
+
+    given: Given[S_co, O_co]
+    name: str
+    answers: Mapping[str, Any]
+
+    @property
+    def ours(self) -> Any:
+        """Our value."""
+        return self.answers[self.name]
+
+
+@dataclass(frozen=True, slots=True)
+class Mistake:
+    """What went wrong, in words (Markdown), the answers where it happens, and the values that it leads to."""
+
+    words: str
+    answers: tuple[str, ...]
+    values: Callable[[Attempt[Any, Any]], Iterable[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class MistakenQuestion:
+    """What went wrong, in words (Markdown), and the question (system, options) that is answered by it, if any."""
+
+    words: str
+    change: Callable[[Any, Any], tuple[Any, Any] | None]
