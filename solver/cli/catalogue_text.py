@@ -10,6 +10,7 @@ from typing import Any
 
 from solver.derivation import AnswerName, Method, Option, Task
 from solver.formula.terminal import flat
+from solver.notation import COURSE, spelled
 from solver.tasks import Declaration, catalogue
 
 WIDTH = 100
