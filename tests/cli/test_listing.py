@@ -1,12 +1,14 @@
 """`solve tasks`, `solve new`, `solve schema`: what can be asked."""
 
 import json
+from importlib import import_module
 from pkgutil import iter_modules
 
 import pytest
 from jsonschema import Draft202012Validator
 
 import solver.options
+from solver.derivation import OptionKind
 from solver.options.channel import Channel
 from solver.options.choice import Choice
 from solver.options.expression import Expression
@@ -74,9 +76,13 @@ def test_each_kind_of_option_is_described(kind):
     assert kind.words == KINDS[kind]
 
 
-def test_no_kind_of_option_is_forgotten():
-    files = {info.name for info in iter_modules(solver.options.__path__)}
-    assert {type(kind).__module__.rpartition(".")[2] for kind in KINDS} == files
+@pytest.mark.parametrize("name", [info.name for info in iter_modules(solver.options.__path__)])
+def test_a_file_of_an_option_holds_one_kind(name):
+    module = import_module(f"solver.options.{name}")
+    kinds = [each for each in vars(module).values() if isinstance(each, type) and each.__module__ == module.__name__]
+    (kind,) = [each for each in kinds if issubclass(each, OptionKind)]
+    assert not kind.__abstractmethods__
+    assert kind.__doc__
 
 
 @pytest.mark.parametrize("name", TASKS)
