@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from solver import exact
 from solver.numeric.judges.structure import rank_falls_where
+from tests.helpers.exact_cases import companion
 from tests.helpers.strategies import systems
 from tests.helpers.tried import tried
 
@@ -104,9 +105,21 @@ def test_telling_minors_share_the_common_zeros():
         assert sp.expand(matrix[:, columns].det() - value) == 0
 
 
+x = sp.Symbol("x")
+
+
+@pytest.mark.parametrize("polynomial", [x**2 + 2 * x + 5, (x**2 + 9) * (x + 1), (x**2 + 2 * x + 5) ** 2, x**2, x - 1])
+def test_finite_gramians_of_pairs_and_repeated_roots(polynomial):
+    is_that_of_van_loan(companion(polynomial))
+
+
 @given(systems(4))
 @tried(10)
 def test_finite_gramians_are_those_of_van_loan(A):
+    is_that_of_van_loan(A)
+
+
+def is_that_of_van_loan(A):
     B = M(A.rows, 1, [1] * A.rows)
     W = exact.finite_gramian(A, B, sp.Integer(1))
     F, G, n = np.array(A, dtype=float), np.ones((A.rows, 1)), A.rows

@@ -83,6 +83,24 @@ def test_impulses_start_the_state_and_pass_through():
     assert abs(sp.N(found.x[1].subs(t, 2) - cos(4) - 2 * cos(2))) < 1e-14
 
 
+@pytest.mark.parametrize(
+    ("entry", "limit_of_y"),
+    [
+        (u(t - 1), half),
+        (u(t) - u(t - 3), 0),
+        (u(t - 2) + 3 * sp.DiracDelta(t - 1), half),
+        ((t - 1) * u(t - 1), None),
+        ((t - 1) * u(t - 1) - (t - 3) * u(t - 3), 1),
+        (u(t - 1) * exp(-t), 0),
+        (u(t - 1) * sin(t), None),
+    ],
+)
+def test_the_final_value_after_the_last_piece_has_begun(entry, limit_of_y):
+    plant = system([[0, 1], [-2, -3]], B=[0, 1], C=[[1, 0]])
+    found = exact.response(plant, None, [entry], t)
+    assert (found.y_final[0] if found.y_final is not None else None) == limit_of_y
+
+
 def image(rows, out, start):
     """The transform of out · e^{At} start."""
     return between(M([out]), M(rows), M(start))
