@@ -106,7 +106,7 @@ def claim_residual(
     whole = whole_symbols(left, right, names=integers, symbols=symbols) & symbols if symbols else symbols
     wanted = (POINTS_OF_WHOLE_NUMBERS if whole else POINTS) if symbols else 1
     stated = [formula for side in (left, right) for formula in nodes_of_stated(side)]
-    limited = [formula for formula in stated if about(formula.operation, "reach")]
+    limited = [formula for formula in stated if any(about(formula.operation, each) for each in ("reach", "admitted"))]
     known = environments or Environments()
 
     def sides(points: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
@@ -140,13 +140,18 @@ def _point_by_point(sides: Any, source: PointSource, limited: list[Stated], poin
 
 
 def _in_reach(points: Sequence[Point], limited: list[Stated]) -> list[Point]:
-    """Scale symbols that doubles can take only so far, like the t of an inversion integral: to 7 … 100 % of that."""
-    if not limited:
-        return list(points)
+    """Move symbols to where the operations have values: the s of a Laplace integral to where it converges.
+
+    Those that doubles can take only so far, like the t of an inversion integral, are scaled to 7 … 100 % of that.
+    """
     reach: dict[Any, Any] = {}
+    for formula in limited:
+        if admitted := about(formula.operation, "admitted"):
+            points = admitted(points, *formula.operands)
     environment = Environment.at(points)
     for formula in limited:
-        for symbol, largest in about(formula.operation, "reach")(environment, *formula.operands).items():
-            reach[symbol] = np.minimum(reach.get(symbol, np.inf), largest)
+        if largest_values := about(formula.operation, "reach"):
+            for symbol, largest in largest_values(environment, *formula.operands).items():
+                reach[symbol] = np.minimum(reach.get(symbol, np.inf), largest)
     scaled = [{t: point[t] / 1.5 * float(largest[p]) for t, largest in reach.items()} for p, point in enumerate(points)]
     return [{**point, **times} for point, times in zip(points, scaled, strict=True)]

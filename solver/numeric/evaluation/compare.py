@@ -32,11 +32,13 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
     if 0 in l_shape:
         return np.zeros(points), np.ones(points, dtype=bool)
     (l_value, l_size), (r_value, r_size) = _flat(left, points), _flat(right, points)
-    difference = arithmetic.size(l_value - r_value)
+    difference = np.where(l_value == r_value, 0.0, arithmetic.size(l_value - r_value))  # ∞ = ∞
     size = np.maximum(arithmetic.size(l_value), arithmetic.size(r_value))
     noise = SAFETY * arithmetic.eps * (l_size + r_size)
     scale = np.maximum(size, noise / TOLERANCE)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
+    if arithmetic is not DOUBLE:
+        residual = np.where((difference != 0) & (_infinite(l_value) | _infinite(r_value)), np.inf, residual)
     agree = difference <= TOLERANCE * size
     if arithmetic is DOUBLE and agree.all():
         return residual.max(axis=1), np.ones(points, dtype=bool)
@@ -46,6 +48,12 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
     if arithmetic is not DOUBLE and np.any(hidden):
         raise NotEvaluable("the decimals in the formula carry too few digits to judge the equality")
     return residual.max(axis=1), settled.all(axis=1)
+
+
+def _infinite(values: Array) -> Array:
+    """Where numbers of mpmath are ∞, and not just too large for doubles."""
+    with np.errstate(all="ignore"):
+        return np.asarray((values == 2 * values) & (values != 0), dtype=bool)
 
 
 def _flat(value: Value, points: int) -> tuple[Array, Array]:

@@ -42,9 +42,12 @@ def to_finite(environment: Environment, samples: Samples, a: Array, b: Array) ->
     return _with_error(coarse, fine, arithmetic)
 
 
-def to_infinity(environment: Environment, samples: Samples, a: Array) -> Value:
-    """∫ from a to ∞ on panels whose lengths double, from 1/64 to 1024; refused unless the integrand has died away."""
-    edges = np.array([0.0, *(2.0**i for i in range(-6, 11))])
+def to_infinity(environment: Environment, samples: Samples, a: Array, doublings: int = 16) -> Value:
+    """∫ from a to ∞ on panels whose lengths double, from 1/64 on; refused unless the integrand has died away.
+
+    With 16 doublings they end at a + 1024.
+    """
+    edges = np.array([0.0, *(2.0**i for i in range(-6, doublings - 5))])
     one, nodes = environment.full(1), 20 if environment.arithmetic is DOUBLE else 40
     halved = np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
     coarse, fine, last = (_panels(environment, samples, (a, one), each, nodes) for each in (edges, halved, edges[-2:]))

@@ -4,7 +4,8 @@ Such a module has `evaluate(environment, *operands)`, and as far as they apply t
 
 - `ORACLE`, the name of its algorithm for the table of checks, and how telling it is;
 - `poles(operands, s, point)` and `zeros(operands, s, point)`: arrays that hold the poles (zeros) in s, perhaps more;
-- `reach(environment, *operands)`: up to which value, at each point, doubles can take a symbol.
+- `reach(environment, *operands)`: up to which value, at each point, doubles can take a symbol;
+- `admitted(points, *operands)`: the points, moved to where the operation has a value.
 """
 
 from __future__ import annotations

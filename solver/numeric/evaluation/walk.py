@@ -92,6 +92,11 @@ def _constant(number: Any, environment: Environment) -> Value:
     return exactly(environment.arithmetic.constant("pi" if number is sp.pi else "e"), environment.arithmetic)
 
 
+@rule(type(sp.oo), type(-sp.oo))
+def _infinity(number: Any, _environment: Environment) -> Value:
+    return Value(np.inf if number == sp.oo else -np.inf, 0.0)
+
+
 @rule(type(sp.I))
 def _imaginary_unit(_: Any, environment: Environment) -> Value:
     return Value(environment.arithmetic.imaginary(), 1.0)

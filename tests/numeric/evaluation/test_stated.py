@@ -10,10 +10,12 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.values import SAFETY
 from solver.stated.algebra import exponential, power, product, quotient, total
-from solver.stated.calculus import derivative, integral, value_at
+from solver.stated.calculus import derivative, integral, partial_derivative, value_at
+from solver.stated.limits import limit
+from solver.stated.lists import sum_over, sum_over_roots
 from solver.stated.matrices import determinant, inverse, rank
-from solver.stated.transforms import inverse_laplace, inverse_z
-from tests.stated.values import A, s, t, tau, x, z
+from solver.stated.transforms import inverse_laplace, inverse_z, laplace, z_transform
+from tests.stated.values import A, k, s, t, tau, x, z
 
 
 @pytest.mark.parametrize(
@@ -28,6 +30,12 @@ from tests.stated.values import A, s, t, tau, x, z
         (derivative(sp.conjugate(x), x), "analytic"),
         (integral(1 / tau, tau, 1, sp.oo), "slowly"),
         (power(A, sp.Rational(1, 2)), "whole"),
+        (limit(sp.sin(x), x, sp.oo), "settle"),
+        (laplace(sp.exp(t**2), t, s), "too fast"),
+        (laplace(sp.exp(t), t, sp.Rational(1, 2)), "slowly"),
+        (z_transform(2**k, k, sp.Integer(1)), "slowly"),
+        (sum_over_roots(x, x, sp.sin(x)), "no polynomial"),
+        (sum_over(x, x, ()), "over nothing"),
     ],
 )
 def test_what_has_no_sound_evaluation_is_skipped_with_the_reason(formula, reason):
@@ -90,3 +98,37 @@ def test_a_rank_is_decided_with_as_many_digits_as_it_takes(matrix, right):
     formula = rank(sp.ImmutableMatrix(matrix))
     assert check_claim(Claim(formula, sp.Integer(right)), "").status is CheckStatus.PASSED
     assert check_claim(Claim(formula, sp.Integer(right + 1)), "").status is CheckStatus.FAILED
+
+
+@pytest.mark.parametrize(
+    ("formula", "right", "status"),
+    [
+        (limit(x**2 / (x + 1), x, sp.oo), sp.oo, CheckStatus.PASSED),
+        (limit(x**2 / (x + 1), x, sp.oo), -sp.oo, CheckStatus.FAILED),
+        (limit(x**2 / (x + 1), x, sp.oo), sp.Integer(10**6), CheckStatus.FAILED),
+        (limit(x / (x + 1), x, sp.oo), sp.oo, CheckStatus.FAILED),
+        (limit(1 / x, x, 0, "-"), -sp.oo, CheckStatus.PASSED),
+        (limit(1 / x, x, 0), sp.oo, CheckStatus.FAILED),
+        (limit(1 / x**2, x, 0), sp.oo, CheckStatus.PASSED),
+        (limit(sp.exp(x), x, sp.oo), sp.oo, CheckStatus.PASSED),
+        (limit(1 + sp.exp(x - 1000), x, sp.oo), sp.Integer(1), CheckStatus.FAILED),
+        (limit(sp.sign(x), x, 0), sp.Integer(0), CheckStatus.FAILED),
+        (limit(sp.cos(2 * sp.pi * x), x, sp.oo), sp.Integer(1), CheckStatus.SKIPPED),
+        (limit(1 / sp.log(x), x, sp.oo), sp.Integer(0), CheckStatus.SKIPPED),
+    ],
+)
+def test_limits_that_are_infinite_or_do_not_exist(formula, right, status):
+    assert check_claim(Claim(formula, right), "limit").status is status
+
+
+def test_a_partial_derivative_leaves_the_other_variables_where_they_are():
+    q = sp.Function("q")(t)
+    energy = q * sp.diff(q, t)
+    assert check_claim(Claim(partial_derivative(energy, q), sp.diff(q, t)), "").status is CheckStatus.PASSED
+    assert check_claim(Claim(derivative(energy, t), sp.diff(q, t) ** 2), "").status is CheckStatus.FAILED
+
+
+def test_two_unknown_functions_are_two():
+    q, p = sp.Function("q")(t), sp.Function("p")(t)
+    assert check_claim(Claim(derivative(q, t), sp.diff(p, t)), "").status is CheckStatus.FAILED
+    assert check_claim(Claim(derivative(q, t, 2), sp.diff(q, t)), "").status is CheckStatus.FAILED

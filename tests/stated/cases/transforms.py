@@ -2,9 +2,9 @@
 
 import sympy as sp
 
-from solver.stated.algebra import difference, power, product, quotient, total
+from solver.stated.algebra import difference, exponential, power, product, quotient, total
 from solver.stated.matrices import adjugate, determinant, inverse
-from solver.stated.transforms import inverse_laplace, inverse_z
+from solver.stated.transforms import inverse_laplace, inverse_z, laplace, z_transform
 from tests.stated.values import ADJ, CHI, PHI, POWER, A, F, a, k, s, t, w, z
 
 RIGHT = [
@@ -26,9 +26,21 @@ RIGHT = [
     (inverse_z(z / (z - a) ** 2, z, k), k * a ** (k - 1)),
     (inverse_z(1 / z**2, z, k), sp.KroneckerDelta(k, 2)),
     (inverse_z(product(z, total(quotient(1, z - 2), quotient(1, z - a))), z, k), 2**k + a**k),
+    (laplace(1, t, s), 1 / s),
+    (laplace(t * sp.exp(a * t), t, s), 1 / (s - a) ** 2),
+    (laplace(sp.sin(2 * t), t, s), 2 / (s**2 + 4)),
+    (laplace(exponential(product(A, t)), t, s), F.inv()),
+    (laplace(t, t, 2 + sp.I), 1 / (2 + sp.I) ** 2),
+    (product(s, laplace(sp.exp(-a * t), t, s)), s / (s + a)),
+    (z_transform(1, k, z), z / (z - 1)),
+    (z_transform(k * a**k, k, z), a * z / (z - a) ** 2),
+    (z_transform(sp.KroneckerDelta(k, 2), k, z), 1 / z**2),
+    (z_transform(power(A, k), k, z), z * (z * sp.eye(2) - A).inv()),
 ]
 
 PRINTED = [
     (inverse_laplace(1 / (s + 1), s, t), r"\mathcal{L}^{-1}\left\{\frac{1}{s + 1}\right\}"),
     (inverse_z(z / (z - 1), z, k), r"\mathcal{Z}^{-1}\left\{\frac{z}{z - 1}\right\}"),
+    (laplace(sp.exp(-t), t, s), r"\mathcal{L}\left\{e^{-t}\right\}"),
+    (z_transform(k, k, z), r"\mathcal{Z}\left\{k\right\}"),
 ]
