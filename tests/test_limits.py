@@ -8,6 +8,7 @@ import pytest
 
 from solver.derivation import Status
 from solver.document.model import Presentation
+from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.limits import Limits, Supervision, in_child, solve_within
 from solver.problem.reader import read_problem
@@ -76,6 +77,24 @@ def leaves(value):
         yield from (leaf for each in fields(value) for leaf in leaves(getattr(value, each.name)))
     else:
         yield value
+
+
+def test_a_part_that_cannot_be_worded_is_lost_and_no_other():
+    problem = read_problem(Source("<test>", problem_text("easy", "speechless", "easy")), catalogue())
+    within, here = solve_within(problem, LIMITS, Presentation()).document(), document_of(solve_problem(problem))
+    for document in (within, here):
+        before, part, after = document.parts
+        assert before.status is after.status is Status.VERIFIED
+        assert (part.status, part.answers, part.steps) == (Status.UNSOLVED, (), ())
+        assert "cannot be worded: the macro" in part.reason
+        assert "Do it." in document.html()
+
+
+def test_a_formula_that_cannot_be_drawn_loses_its_part_only():
+    text = "system: {matrix: [[1, 1], [0, 1]]}\nfind:\n  a: {task: matrix_function, function: abs(A)}\n  b: stability\n"
+    document = document_of(solve_problem(read_problem(Source("<test>", text), catalogue())))
+    assert [part.status for part in document.parts] == [Status.UNSOLVED, Status.VERIFIED]
+    assert "asymptotically stable" in document.markdown()
 
 
 def test_an_answer_whose_algebra_refers_to_functions_within_functions_is_sent():

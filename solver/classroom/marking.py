@@ -194,12 +194,15 @@ class Marker:
 
 
 def _earned(part: Part, verdicts: Mapping[str, AnswerVerdict], out_of: Fraction) -> Fraction:
-    """Return the marks of a part: each answer's own where the problem gives them, else equal ones for those submitted.
+    """Return the marks of a part: each answer's own where the problem gives them, else equal ones for those asked for.
 
-    Each answer earns in proportion to what is right in it.
+    Where the problem does not say which are asked for, they are those submitted. Each answer earns in proportion to
+    what is right in it; what is not submitted earns nothing.
     """
     if part.answer_marks:
         each = {name: _fraction(marks) for name, marks in part.answer_marks.items()}
+    elif part.asked:
+        each = {name: out_of / len(part.asked) for name in part.asked}
     else:
         each = {name: out_of / len(verdicts) for name in verdicts}
     return sum((each[name] * verdict.share for name, verdict in verdicts.items() if name in each), Fraction(0))

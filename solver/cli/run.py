@@ -10,7 +10,8 @@ import click
 
 from solver.document.formats import FORMATS
 
-DETAILS = ("brief", "full", "tutor")
+DETAILS = ("question", "key", "brief", "full", "tutor")
+CHECKS = ("none", "summary", "table")
 
 
 class FormatList(click.ParamType[tuple[str, ...]]):
@@ -56,6 +57,9 @@ class Seconds(click.FloatRange):
     "-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: beside FILE."
 )
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much is written.")
+@click.option("--checks", type=click.Choice(CHECKS), help="How checks are told. Default: none in a question or a key, "
+              "else a summary.")  # fmt: skip
+@click.option("--no-sources", is_flag=True, help="Do not name the literature.")
 @click.option("--templates", metavar="DIR",
               type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
               help="Templates that take precedence over the program's own.")  # fmt: skip
@@ -72,6 +76,8 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     formats: tuple[str, ...] | None,
     output: str | None,
     detail: str,
+    checks: str | None,
+    no_sources: bool,
     templates: Path | None,
     open_page: bool,
     time_limit: float,
@@ -84,7 +90,9 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     """
     from solver.cli.destination import Destination
     from solver.cli.solving import Request, solve_files
+    from solver.document.model import Presentation
 
     destination = Destination.named(output, formats, files)
-    request = Request(files, destination, detail, templates, open_page, time_limit, memory_limit, verbose)
+    presentation = Presentation(detail, templates, "json" in destination.formats, checks or "", not no_sources)
+    request = Request(files, destination, presentation, open_page, time_limit, memory_limit, verbose)
     ctx.exit(solve_files(request))

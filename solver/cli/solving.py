@@ -37,19 +37,11 @@ class Request:
 
     files: tuple[str, ...]
     destination: Destination
-    detail: str
-    templates: Path | None
+    presentation: Presentation
     open_page: bool
     time_limit: float
     memory_limit: int
     verbose: bool
-
-    @property
-    def presentation(self) -> Presentation:
-        """How the solutions are told."""
-        from solver.document.model import Presentation
-
-        return Presentation(self.detail, self.templates, data="json" in self.destination.formats)
 
 
 def solve_files(request: Request) -> int:
@@ -163,7 +155,7 @@ def source_of(file: str) -> Source:
 def _deliver(request: Request, file: str, document: Document) -> int:
     """Write the solution in all formats and print the summary; return the exit code."""
     for fault in dict.fromkeys(part.fault for part in document.parts if part.fault):
-        if request.templates is not None:  # ours are not the user's fault: the part is unsolved and says why
+        if request.presentation.templates is not None:  # a fault of ours leaves the part unsolved
             raise AtFault(f"cannot make the solution: {fault}")
     if request.destination.standard_output:
         content = _rendered(document, request.destination.formats[0])

@@ -15,6 +15,7 @@ from typing import Any
 from solver.derivation import Answers, Check, CheckStatus, Status
 from solver.derivation.figures import Drawing
 from solver.messages import Messages
+from solver.words import Phrase
 
 ENGLISH_WORDS = Messages()
 
@@ -23,15 +24,29 @@ ENGLISH_WORDS = Messages()
 class Presentation:
     """How a solution is told: the level of detail, and a folder of templates that come before the installed ones.
 
-    `data` asks for the values of the steps as texts, which only JSON shows. A language or notation wins over the one
-    that the problem asks for.
+    The levels are "question" (a paper), "key" (what earns the marks), "brief", "full" and "tutor". `checks` is "none",
+    "summary" or "table"; empty is what the level of detail means. `sources` says whether the literature is named.
+    `data` asks for the values of answers and steps as texts and numbers, which only JSON shows.
+    A language or notation wins over the one that the problem asks for.
     """
 
     detail: str = "full"
     templates: Path | None = None
     data: bool = False
+    checks: str = ""
+    sources: bool = True
     language: str | None = None
     notation: str | None = None
+
+    @property
+    def is_paper(self) -> bool:
+        """Whether only the question is told."""
+        return self.detail == "question"
+
+    @property
+    def shown_checks(self) -> str:
+        """How checks are told: "none", "summary" or "table"."""
+        return self.checks or ("none" if self.detail in {"question", "key"} else "summary")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +72,8 @@ class WorkAnswer:
     """One answer: its name, LaTeX of its symbol and value (no dollar signs), its meaning; `value` as sympy reads it.
 
     `equation` is LaTeX of symbol = value laid out for a page: broken over lines, or entry by entry, where it is wide.
-    `narrow` is the same entry by entry in any case.
+    `narrow` is the same entry by entry in any case. `marks` is what it earns, as text, or "" where that is not said.
+    `numeric` are its numbers in nested lists, a complex one as [re, im], where it has no symbols.
     """
 
     name: str
@@ -67,6 +83,8 @@ class WorkAnswer:
     value: str
     equation: str
     narrow: str = ""
+    marks: str = ""
+    numeric: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,11 +106,11 @@ class CheckRow:
 class Work:
     """One part by one method.
 
-    `question` and `given` (Markdown) are empty where the same part stands above with another method
-    (`again` is then True). `marks` is a number as text, or "" where the file gives none; `out_of` what it counts for.
-    `reason` (Markdown) says why a part is not verified, `unchecked` how many checks could not be made, and why.
-    `rows` is the table of checks, `checks` each of them. `symbols` are the free names of answers and steps. `fault` is
-    what is wrong with the templates, where the part could not be worded.
+    `question` and `given` are Markdown; `again` tells that they stand above, with another method. `marks` is a number
+    as text, or "" where the file gives none; `out_of` what the part counts for. `reason` (Markdown) says why a part is
+    not verified, `unchecked` how many checks could not be made, and why. `rows` is the table of checks, `checks` each
+    of them. `symbols` are the free names of answers and steps, `system` what is asked about, as sympy reads it. `fault`
+    is what is wrong with the templates, where the part could not be worded.
     """
 
     id: str
@@ -114,7 +132,13 @@ class Work:
     out_of: float = 1
     checks: tuple[Check, ...] = ()
     symbols: tuple[str, ...] = ()
+    system: Mapping[str, str] = field(default_factory=dict)
     fault: str = ""
+
+    @property
+    def named_method(self) -> str:
+        """The title of the method where it says more than the task's, and may be said."""
+        return "" if self.method_title == self.title else self.method_title
 
     @property
     def anchor(self) -> str:
@@ -146,6 +170,17 @@ class Document:
     def status(self) -> Status:
         """The worst status of the parts."""
         return Status.worst([part.status for part in self.parts])
+
+    def checks_of(self, part: Work) -> str:
+        """Return how the checks of a part are told: "none", "summary" or "table"; of a failed one as a table."""
+        shown = self.presentation.shown_checks if part.rows else "none"
+        return "table" if shown == "summary" and part.status is Status.FAILED else shown
+
+    def tally_of(self, part: Work) -> str:
+        """Return how the checks of a part ended, in words: "Checks: 5 passed, 1 skipped"."""
+        say, statuses = self.messages.say, [row.status for row in part.rows]
+        counts = [(statuses.count(status), say(status)) for status in CheckStatus]
+        return say(Phrase("Checks: {tally}", tally=", ".join(f"{count} {status}" for count, status in counts if count)))
 
     @property
     def illustrated(self) -> bool:

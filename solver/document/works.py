@@ -8,22 +8,20 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Answers, PartResult, Status, Step, Task
-from solver.document.checks import check_rows, unchecked, worded_check
+from solver.derivation import Answers, Check, Method, PartResult, Status, Step, Task
+from solver.document.checks import Say, check_rows, unchecked, worded_check
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
+from solver.document.values import numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution
 from solver.figures.sampling import drawing_of
+from solver.problem.asked import asked_of, marks_of
 from solver.problem.model import Display, Part, Problem
 from solver.render.numbers import NumberFormat
 from solver.render.plain import sympy_text
 from solver.render.prose import plain
 from solver.render.wording import WordedStep, Wording, WordingError
-from solver.stated import Stated
 from solver.tasks import catalogue
 from solver.words import Reason
-
-KNOWN = frozenset({"s", "z", "t", "k", "lamda"})
-"""Names whose meaning is fixed; they are not listed among the symbols."""
 
 
 def document_of(solution: Solution, presentation: Presentation | None = None, name: str = "") -> Document:
@@ -33,6 +31,10 @@ def document_of(solution: Solution, presentation: Presentation | None = None, na
     works = [writer.work(result, results) for result in solution.parts]
     document = writer.document(works, name, lambda: {name: result.answers for name, result in results.items()})
     return replace(document, retell=lambda told: document_of(solution, told, name))
+
+
+LEVELS = {"question": "brief", "key": "brief"}
+"""The level at which steps are worded, for levels of detail that are not one themselves."""
 
 
 class Writer:
@@ -50,9 +52,12 @@ class Writer:
         """Return the document of all parts; `name` is the problem's file, `exact` gives the exact answers."""
         problem, told = self.problem, self.presentation
         wording = self._wording(problem.display)
-        given = wording.given(problem.system) if problem.system is not None else ""
-        texts = problem.title, problem.source, problem.statement, given
-        return Document(*texts, tuple(works), told, name, wording.messages, exact)
+        system = problem.system if problem.show.system else None
+        given = "" if system is None else wording.given(system)
+        source = problem.source if told.sources and (problem.show.source or not told.is_paper) else ""
+        parts = tuple(work for work in works if not (told.is_paper and work.again))
+        texts = problem.title, source, problem.statement, given
+        return Document(*texts, parts, told, name, wording.messages, exact)
 
     def load(self, part: Part) -> None:
         """Compile the wording of a part before it is needed; raises Jinja's `TemplateError`."""
@@ -65,50 +70,55 @@ class Writer:
         Where a template is missing or wrong, or writes what cannot be drawn, the part is unsolved and says so.
         """
         part = self.parts[result.id]
-        again = result.method != part.methods[0]
+        display = self._display(part, {**earlier, part.id: result})
         try:
-            return self._worded(result, part, earlier, again=again)
+            return self._worded(result, part, display)
         except WordingError as error:
             fault = str(error)
         left = lost(result, f"its solution cannot be worded: {plain(fault)}")
         try:
-            work = self._worded(left, part, earlier, again=again)
+            work = self._worded(left, part, display)
         except WordingError:  # it is the question itself
-            work = self._worded(left, part, earlier, again=True)
+            work = self._worded(left, replace(part, prompt="–", asked=()), display)
         return replace(work, fault=fault)
 
-    def _worded(self, result: PartResult, part: Part, earlier: Earlier, *, again: bool) -> Work:
-        """Return a result in words, without the question if it was asked before. Raises WordingError."""
+    def _worded(self, result: PartResult, part: Part, display: Display) -> Work:
+        """Return a result in words. Raises WordingError."""
+        told, show = self.presentation, part.show
         task = catalogue()[result.task]
         method = task.methods[result.method]
-        wording = self._wording(self._display(part, {**earlier, part.id: result}))
-        worded = wording.words(result.steps)
+        wording = self._wording(display)
+        steps, answers, checks = _shown(result, part, told)
+        worded = wording.words(steps)
+        asked = [task.answers[name] for name in part.asked]
         return Work(
             id=result.id,
             task=result.task,
             method=result.method,
             title=wording.say(task.title),
-            method_title=wording.say(method.title),
-            source=wording.say(method.source),
+            method_title=_method_title(task, part, method, told, wording.say),
+            source=wording.say(method.source) if told.sources and (show.source or not told.is_paper) else "",
             marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
-            question="" if again else wording.question(part, loops=_loops(task, part)),
-            given=wording.given(part.system) if part.own_system and not again else "",
-            again=again,
+            question=wording.question(part, loops=_loops(task, part), asked=asked),
+            given=wording.given(part.system) if part.own_system and show.system else "",
+            again=result.method != part.methods[0],
             steps=tuple(map(self._step, worded)),
-            answers=tuple(_answers(result, wording)),
-            rows=tuple(check_rows(result, wording.say)),
+            answers=tuple(_answers(result, part, answers, wording, data=told.data)),
+            rows=tuple(check_rows(result, wording.say)) if checks else (),
             status=result.status,
             reason=wording.reason(result.reason),
-            unchecked=unchecked(result.checks, wording.say),
+            unchecked=unchecked(checks, wording.say),
             out_of=_number(part.marks) if part.marks is not None else int(not self.any_marks),
-            checks=tuple(worded_check(check, wording.say) for check in result.checks),
-            symbols=tuple(_symbols(result, worded)) if self.presentation.data else (),
+            checks=tuple(worded_check(check, wording.say) for check in checks),
+            system=texts_of(part.system) if told.data else {},
+            symbols=tuple(symbols_of(result, worded)) if told.data else (),
         )
 
     def _wording(self, display: Display) -> Wording:
         told = self.presentation
         language, notation = told.language or display.language, told.notation or display.notation
-        return Wording.of(replace(display, language=language, notation=notation), told.detail, told.templates)
+        asked_for = replace(display, language=language, notation=notation)
+        return Wording.of(asked_for, LEVELS.get(told.detail, told.detail), told.templates)
 
     def _display(self, part: Part, results: Earlier) -> Display:
         """How numbers are shown: as if decimals had been typed where a part hands decimals on, or goes on with them."""
@@ -120,7 +130,7 @@ class Writer:
         return display
 
     def _step(self, worded: WordedStep) -> WorkStep:
-        values = _values(worded.step) if self.presentation.data else {}
+        values = values_of(worded.step) if self.presentation.data else {}
         return WorkStep(
             worded.step.kind,
             worded.title,
@@ -143,13 +153,60 @@ def _loops(task: Task[Any, Any], part: Part) -> list[str]:
     return list(dict.fromkeys(loop for loop in given if loop))
 
 
-def _answers(result: PartResult, wording: Wording) -> Iterator[WorkAnswer]:
+def _method_title(task: Task[Any, Any], part: Part, method: Method, told: Presentation, say: Say) -> str:
+    """Return the title of the method; on a paper those of all that are asked for, if they may be said."""
+    if not told.is_paper:
+        return say(method.title)
+    return ", ".join(say(task.methods[name].title) for name in part.methods) if part.show.method else ""
+
+
+def _shown(
+    result: PartResult, part: Part, told: Presentation
+) -> tuple[tuple[Step, ...], Mapping[str, Any], tuple[Check, ...]]:
+    """Return the steps, the answers and the checks that are told at the level of detail.
+
+    A question is asked and no more. A key has the answers that are asked, and the steps in which they are found.
+    """
+    if told.is_paper:
+        return (), {}, ()
+    if told.detail != "key":
+        return result.steps, result.answers, result.checks
+    asked = asked_of(part, catalogue()[part.task])
+    answers = {name: value for name, value in result.answers.items() if name in asked}
+    found = [step for step in result.steps if any(_finds(step, value) for value in answers.values())]
+    return tuple(map(_alone, found or result.steps[-1:])), answers, ()
+
+
+def _finds(step: Step, value: Any) -> bool:
+    """Whether a step shows a value as something that was found."""
+    return any(each.right is value or each.right == value for each in step.claims.values())
+
+
+def _alone(step: Step) -> Step:
+    """Return a step without those below it."""
+    alone = Step(step.kind, claims=step.claims, unclaimed=step.unclaimed, **step.values)
+    alone.wording = step.wording
+    return alone
+
+
+def _answers(
+    result: PartResult, part: Part, answers: Mapping[str, Any], wording: Wording, *, data: bool
+) -> Iterator[WorkAnswer]:
     declared = catalogue()[result.task].answers
-    for name, value in result.answers.items():
+    marks = marks_of(part, catalogue()[result.task])
+    for name, value in answers.items():
         symbol = wording.symbol(declared[name])
-        equation, narrow = wording.equation(symbol, value), wording.equation(symbol, value, narrow=True)
-        doc = wording.say(declared[name].doc)
-        yield WorkAnswer(name, symbol, wording.answer(value), doc, sympy_text(value), equation, narrow)
+        yield WorkAnswer(
+            name,
+            symbol,
+            wording.answer(value),
+            wording.say(declared[name].doc),
+            sympy_text(value),
+            wording.equation(symbol, value),
+            wording.equation(symbol, value, narrow=True),
+            marks=NumberFormat("decimal", 3).text(marks[name]) if name in marks else "",
+            numeric=numbers_of(value) if data else None,
+        )
 
 
 def _number(marks: Any) -> float:
@@ -160,39 +217,6 @@ def _holds_decimals(value: Any) -> bool:
     if isinstance(value, list | tuple):
         return any(map(_holds_decimals, value))
     return bool(getattr(value, "atoms", lambda _: ())(sp.Float))
-
-
-def _values(step: Step) -> Mapping[str, Any]:
-    """Return the values of a step that are data, and what its claims found, by name."""
-    found = {name: claim.right for name, claim in step.claims.items()}
-    return {name: value for name, value in {**step.values, **found}.items() if _is_data(value)}
-
-
-def _is_data(value: Any) -> bool:
-    """Whether a value is mathematics (or a list of it) and not an object of the program."""
-    if isinstance(value, list | tuple):
-        return all(map(_is_data, value))
-    return isinstance(value, sp.Basic | sp.MatrixBase | Stated | str | int | float)
-
-
-def _symbols(result: PartResult, steps: Iterable[WordedStep]) -> list[str]:
-    """Return every free name of the answers and steps but those whose meaning is fixed, sorted."""
-    names = set(_names(result.answers.values()))
-    for step in steps:
-        for each in step.walk():
-            names.update(_names(_values(each.step).values()))
-    return sorted(names - KNOWN)
-
-
-def _names(values: Iterable[Any]) -> Iterator[str]:
-    """Yield the names of all free symbols."""
-    for value in values:
-        if isinstance(value, list | tuple):
-            yield from _names(value)
-        elif isinstance(value, Stated):
-            yield from _names(value.operands)
-        elif isinstance(value, sp.Basic | sp.MatrixBase):
-            yield from (str(symbol) for symbol in value.free_symbols)
 
 
 __all__ = ["Writer", "document_of", "lost"]

@@ -42,10 +42,20 @@ class Reference:
 
 
 @dataclass(frozen=True, slots=True)
+class Show:
+    """What a paper shows: what is given about the system, the name of the method, the literature."""
+
+    system: bool = True
+    method: bool = True
+    source: bool = True
+
+
+@dataclass(frozen=True, slots=True)
 class Part:
     """One question: a task by its methods, with validated options; `system` is the part's own or the problem's.
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
+    `asked` are the answers that the file asks for, none where it does not say. `show` is what a paper shows of it.
     `symbols` and `parameters` are those of a part that has its own. `places` tells where its task and its options stand
     in the file.
     """
@@ -61,6 +71,8 @@ class Part:
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    asked: tuple[str, ...] = ()
+    show: Show = Show()
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)
 
     @property
@@ -84,4 +96,5 @@ class Problem:
     display: Display = Display()
     parameters: Mapping[str, Any] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    show: Show = Show()
     file: Source | None = field(default=None, compare=False)

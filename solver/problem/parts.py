@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import fields, replace
 from typing import Any, NamedTuple
 
 from solver.derivation import Option, Task
 from solver.derivation.conversion import reachable
+from solver.problem.asked import answer_named, read_asked
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
-from solver.problem.model import Part
+from solver.problem.model import Part, Show
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of, scalar
 from solver.problem.references import read_option
 from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
-OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume")
+OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "answers", "show")
 IN_WORDS = {"transfer_function": "a transfer function (or A, B and C)", "matrix": "a matrix", "x0": "initial_state"}
 
 
@@ -35,9 +37,10 @@ class PlantOf(NamedTuple):
 class PartReader:
     """Reads the parts one after the other; knows the earlier ones, to which later ones may refer."""
 
-    def __init__(self, catalogue: Mapping[str, Task[Any, Any]], lexicon: Lexicon) -> None:
+    def __init__(self, catalogue: Mapping[str, Task[Any, Any]], lexicon: Lexicon, show: Show) -> None:
         self.catalogue = catalogue
         self.lexicon = lexicon
+        self.show = show
         self.earlier: dict[str, tuple[Task[Any, Any], str] | None] = {}
         self.discrete: set[str] = set()
 
@@ -69,6 +72,9 @@ class PartReader:
         with report:
             _check_needs(task, plant, reader.given, mapping["task"])
         split: dict[str, Any] = {}
+        asked: tuple[str, ...] = ()
+        with report:
+            asked = read_asked(mapping, task, methods)
         with report:
             split = _split_marks(mapping, task, methods)
             marks = sum(split.values()) if split else _marks(mapping["marks"]) if "marks" in mapping else None
@@ -83,6 +89,8 @@ class PartReader:
             marks=marks,
             own_system="system" in mapping or plant.system != common,
             answer_marks=split,
+            asked=asked,
+            show=read_show(mapping, self.show),
             symbols={} if lexicon is self.lexicon else {**lexicon.symbols, **lexicon.found},
             parameters={} if lexicon is self.lexicon else dict(lexicon.values),
             places={entry.key.text: entry.value.place for entry in mapping},
@@ -96,6 +104,16 @@ class PartReader:
                 f"there is no task '{word[:60]}'", suggestion=did_you_mean(word, self.catalogue), note=note
             )
         return self.catalogue[word]
+
+
+def read_show(holder: MappingNode, default: Show) -> Show:
+    """Return what a paper shows, as the key `show` of a problem or part says; what it leaves out is as by default."""
+    node = holder.get("show")
+    if not isinstance(node, MappingNode):
+        return default
+    said = {each.name: node.get(each.name) for each in fields(Show)}
+    truths = {name: value.truth is True for name, value in said.items() if isinstance(value, ScalarNode)}
+    return replace(default, **truths)
 
 
 def _marks(node: Node) -> Any:
@@ -113,15 +131,10 @@ def _split_marks(part: MappingNode, task: Task[Any, Any], methods: tuple[str, ..
         return {}
     if not len(node.entries):
         raise node.fault("no answer is named here; write marks: 3, or the marks of each answer: {K: 2, polynomial: 1}")
-    given = [name for name, answer in task.answers.items() if not answer.methods or set(answer.methods) & set(methods)]
     report, found = Report(), {}
     for entry in node:
         with report:
-            name = entry.key.text
-            if name not in given:
-                note = f"its answers are: {', '.join(given)}"
-                message = f"{task.name} has no answer '{name[:60]}'"
-                raise entry.key.fault(message, suggestion=did_you_mean(name, given), note=note)
+            name = answer_named(entry.key, task, methods)
             found[name] = _marks(entry.value)
     report.conclude()
     return found

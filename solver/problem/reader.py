@@ -11,9 +11,9 @@ from solver.derivation import Task
 from solver.notation import NOTATIONS
 from solver.problem.files import load
 from solver.problem.lexicon import Lexicon, check_used, read_lexicon
-from solver.problem.model import Display, Part, Problem
+from solver.problem.model import Display, Part, Problem, Show
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar, whole_number
-from solver.problem.parts import PartReader, PlantOf
+from solver.problem.parts import PartReader, PlantOf, read_show
 from solver.problem.shape_check import check_shape
 from solver.problem.source import InputError, Report, Source, did_you_mean
 from solver.problem.systems import read_system
@@ -61,6 +61,7 @@ class _ProblemReader:
         self.report = Report([wrong.diagnostic for wrong in self.misshapen])
         parameters, assume = (self.section(key) for key in ("parameters", "assume"))
         self.lexicon = read_lexicon(parameters, assume, self.report)
+        self.show = Show() if self.spoilt("show") else read_show(root, Show())
 
     def section(self, *path: str) -> Node | None:
         """Return the value at a path if it is there and its shape is right."""
@@ -96,6 +97,7 @@ class _ProblemReader:
             ),
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
+            show=self.show,
             file=self.source,
         )
 
@@ -120,7 +122,7 @@ class _ProblemReader:
 
     def parts(self, common: System | None) -> list[Part]:
         """Return the parts in order, without those that are wrong; `common` is the system of all parts."""
-        reader = PartReader(self.catalogue, self.lexicon)
+        reader = PartReader(self.catalogue, self.lexicon, self.show)
         parts: list[Part] = []
         find = self.root.get("find")
         for entry in find if isinstance(find, MappingNode) else ():

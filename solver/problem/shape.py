@@ -198,6 +198,14 @@ else:
 Assumption = Literal["positive", "negative", "nonzero", "real", "complex", "integer"]
 
 
+class ShowShape(Shape):
+    """What a paper shows."""
+
+    system: bool = Field(default=True, description="whether what is given about the system is printed")
+    method: bool = Field(default=True, description="whether the method is named")
+    source: bool = Field(default=True, description="whether the literature is named")
+
+
 class PartShape(BaseModel):
     """One question with its options; the other keys are options of the task."""
 
@@ -207,6 +215,8 @@ class PartShape(BaseModel):
     method: Values = optional("one method of the task, or several")
     marks: Marks = optional("marks of the part, or of each of its answers")
     prompt: Text = optional("own wording of the question, in Markdown")
+    answers: Values = optional("the answers that are asked for and earn the marks")
+    show: ShowShape = optional("what a paper shows of the part; false leaves out what would give it away")
     system: System = optional("the part's own system")
     parameters: Parameters = optional("the part's own values of symbols, which win over those of the problem")
     assume: dict[str, Assumption] = optional("what the part knows of symbols")
@@ -238,6 +248,7 @@ class ProblemShape(Shape):
     parameters: dict[str, Value] = optional("values of symbols that occur in the expressions")
     assume: dict[str, Assumption] = optional("what is known of symbols without a value")
     display: Display = optional("how numbers are shown")
+    show: ShowShape = optional("what a paper shows of all parts")
     language: Text = optional("the language of the solution: en, de")
     notation: Text = optional("the symbols of the solution: course (K_f, L_c, xi) or ogata (K, K_e, zeta)")
     system: System = optional("the system of all parts without their own")

@@ -21,6 +21,7 @@ MODELS: Mapping[str | int, type[BaseModel]] = {
     "<zeros_poles_gain>": shape.ZerosPolesGain,
     "<fraction>": shape.Fraction,
     "<mapping>": shape.DisplayShape,
+    "show": shape.ShowShape,
 }
 """The models by the names of alternatives, as these stand in the location of an error."""
 
@@ -29,6 +30,7 @@ EXPECTED = {
     "list_type": "a list",
     "dict_type": "a mapping (key: value)",
     "model_type": "a mapping (key: value)",
+    "bool_type": "true or false",
 }
 
 

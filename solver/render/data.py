@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Check
 
 if TYPE_CHECKING:
-    from solver.document.model import Document, Work, WorkStep
+    from solver.document.model import Document, Work, WorkAnswer, WorkStep
 
 VERSION = 1
 
@@ -37,16 +37,22 @@ def _part(part: Work) -> Data:
     data: Data = {"id": part.id, "task": part.task, "method": part.method, "status": str(part.status)}
     if part.marks:
         data["marks"] = part.out_of
+    data["out_of"] = part.out_of
     if part.reason:
         data["reason"] = part.reason
     if part.unchecked:
         data["unchecked"] = part.unchecked
-    data["answers"] = {
-        answer.name: {"value": answer.value, "latex": answer.tex, "symbol": answer.symbol} for answer in part.answers
-    }
+    data |= {"question": part.question, "system": dict(part.system)}
+    data["answers"] = {answer.name: _answer(answer) for answer in part.answers}
     data["checks"] = [_check(check) for check in part.checks]
     data["steps"] = [_step(step) for step in part.steps]
     return data
+
+
+def _answer(answer: WorkAnswer) -> Data:
+    """Return an answer; `numeric` stands only where it has no symbols."""
+    data: Data = {"value": answer.value, "latex": answer.tex, "symbol": answer.symbol}
+    return data | ({"numeric": answer.numeric} if answer.numeric is not None else {})
 
 
 def _check(check: Check) -> Data:

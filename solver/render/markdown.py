@@ -20,7 +20,7 @@ def markdown_of(document: Document) -> str:
     """Return the whole solution. Raw HTML in a user's text is made harmless."""
     lines = [f"# {plain(document.title)}", plain(document.source), _harmless(document.statement), document.given]
     for part in document.parts:
-        lines += _part(part, document.messages.say)
+        lines += _part(document, part)
     return "\n\n".join(line.strip() for line in lines if line.strip()) + "\n"
 
 
@@ -29,26 +29,33 @@ def _harmless(markdown: str) -> str:
     return _TAG.sub("< ", markdown)
 
 
-def _part(part: Work, say: Say) -> Iterator[str]:
+def _part(document: Document, part: Work) -> Iterator[str]:
+    paper, checks = document.presentation.is_paper, document.checks_of(part)
+    say = document.messages.say
     marks = f" ({plain(part.marks)} {say('mark' if part.marks == '1' else 'marks')})" if part.marks else ""
     yield f"## ({plain(part.id)}) {plain(part.title)}{marks}"
-    yield _harmless(part.question)
-    yield part.given
-    if part.method_title != part.title or part.source:
+    if not part.again:
+        yield _harmless(part.question)
+        yield part.given
+    if part.method_title and (part.named_method or part.source):
         source = f" ({plain(part.source)})" if part.source else ""
         yield f"*{say('Method:')} {plain(part.method_title)}*{source}"
-    if part.status is Status.FAILED:
+    if part.status is Status.FAILED and not paper:
         yield f"> **{say('Do not rely on this answer:')}** {part.reason}."
     yield from _steps(part.steps, "###", say)
-    if part.status is Status.UNSOLVED:
+    if part.status is Status.UNSOLVED and not paper:
         yield f"> **{say('Unsolved.')}** {part.reason}"
     if part.answers:
         yield f"### {say('Answer')}"
         for answer in part.answers:
             yield f"$$\n{answer.equation}\n$$"
-    if part.rows:
+            if answer.marks and document.presentation.detail == "key":
+                yield f"({plain(answer.marks)} {say('mark' if answer.marks == '1' else 'marks')})"
+    if checks == "table":
         yield _table(part.rows, say)
-    if part.unchecked:
+    if checks == "summary":
+        yield f"{document.tally_of(part)}."
+    if checks != "none" and part.unchecked:
         yield part.unchecked
 
 

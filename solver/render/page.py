@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Callable, Iterable
 from functools import lru_cache
 from html import escape
 from pathlib import Path
@@ -13,7 +12,6 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from solver import __version__, resources
-from solver.derivation import CheckStatus
 from solver.derivation.figures import Drawing
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
@@ -22,7 +20,7 @@ from solver.render.prose import inline_html, to_html
 from solver.words import Phrase
 
 if TYPE_CHECKING:
-    from solver.document.model import CheckRow, Document, Work
+    from solver.document.model import Document
 
 FONT = "fonts/solve-math.woff2"
 
@@ -113,18 +111,6 @@ def figure(data: Drawing) -> Markup:
     return Markup(f"<figure>{picture}<figcaption>{caption}</figcaption></figure>")  # noqa: S704 - escaped above
 
 
-def tally(checks: Iterable[CheckRow], say: Callable[[str], str]) -> str:
-    """Return how the checks of a part ended, in words: "Checks: 5 passed, 1 skipped"."""
-    statuses = [check.status for check in checks]
-    counts = [(statuses.count(status), say(status)) for status in CheckStatus]
-    return say(Phrase("Checks: {tally}", tally=", ".join(f"{count} {status}" for count, status in counts if count)))
-
-
-def of_method(part: Work) -> str:
-    """Return the title of the method where it says more than the task's."""
-    return "" if part.method_title == part.title else part.method_title
-
-
 @lru_cache
 def _environment(templates: Path | None) -> Environment:
     own = [templates / "html", templates] if templates else []
@@ -142,8 +128,6 @@ def _environment(templates: Path | None) -> Environment:
         "displayed": displayed,
         "short": short,
         "figure": figure,
-        "tally": tally,
-        "of_method": of_method,
     }
     environment.filters.update(filters)
     return environment

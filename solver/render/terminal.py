@@ -79,7 +79,7 @@ def _cells(row: CheckRow, say: Say) -> tuple[str, ...]:
 
 def heading(part: Work, say: Say) -> str:
     """Return task and method of a part in words."""
-    method = "" if part.method_title == part.title else f": {part.method_title}"
+    method = f": {part.named_method}" if part.named_method else ""
     marks = f" [{part.marks} {say('mark' if part.marks == '1' else 'marks')}]" if part.marks else ""
     return f"{part.title}{method}{marks}"
 
@@ -105,22 +105,27 @@ def text_document(document: Document, width: int = WIDTH) -> str:
     title = _plain(document.title)
     blocks = [f"{title}\n{'=' * len(title)}", _plain(document.source), to_text(document.statement, width)]
     blocks.append(to_text(document.given, width))
-    blocks += [block for part in document.parts for block in _blocks(part, width, document.messages.say)]
+    blocks += [block for part in document.parts for block in _blocks(document, part, width)]
     return "\n\n".join(block.rstrip() for block in blocks if block.strip()) + "\n"
 
 
-def _blocks(part: Work, width: int, say: Say) -> Iterator[str]:
+def _blocks(document: Document, part: Work, width: int) -> Iterator[str]:
+    say = document.messages.say
     head = f"({part.id}) {heading(part, say)}"
     yield f"{head}\n{'-' * len(head)}"
-    yield to_text(part.question, width)
-    yield to_text(part.given, width)
+    if not part.again:
+        yield to_text(part.question, width)
+        yield to_text(part.given, width)
     if part.source:
         yield f"[{part.source}]"
     yield from _step_blocks(part.steps, "", width)
     for answer in part.answers:
-        yield f"{say('Answer')}: {inline_as_text(answer.doc)}\n\n" + "\n".join(indented(answer_lines(answer, width)))
-    yield "\n".join(wrapped(verdict_of(part, say), width))
-    if part.rows:
+        marks = f" [{answer.marks}]" if answer.marks and document.presentation.detail == "key" else ""
+        head = f"{say('Answer')}: {inline_as_text(answer.doc)}{marks}"
+        yield f"{head}\n\n" + "\n".join(indented(answer_lines(answer, width)))
+    if not document.presentation.is_paper:
+        yield "\n".join(wrapped(verdict_of(part, say), width))
+    if document.checks_of(part) == "table":
         yield "\n".join(_check_lines(part.rows, say))
 
 

@@ -17,27 +17,24 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
-from jinja2 import TemplateError, TemplateNotFound, TemplateSyntaxError, pass_context
-from jinja2.runtime import Context
-from jinja2.sandbox import ImmutableSandboxedEnvironment
+from jinja2 import TemplateError, TemplateNotFound, TemplateSyntaxError
 
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import Displayed
 from solver.derivation.figures import Figure, worded_figure
 from solver.markup import math_problems
-from solver.messages import Messages, environment
+from solver.messages import Messages
 from solver.notation import COURSE, NOTATIONS, answer_symbol
 from solver.problem.model import Display, Part
 from solver.render.displays import READABLE, aligned, chain, display, entries
 from solver.render.latex import DEFAULT, tex, tex_answer
+from solver.render.macros import Macros, environment_of, macros_of
 from solver.render.numbers import NumberFormat
-from solver.render.prose import plain
-from solver.render.recording import Recorder
 from solver.render.row_operations import row_operation
 from solver.render.width import LINE, width
 from solver.stated.algebra import quotient
@@ -114,17 +111,25 @@ class Wording:
         figures = tuple(worded_figure(each, self.say) for each in step.figures)
         return WordedStep(title, markdown, self.words(step.steps), step, figures, displayed)
 
-    def question(self, part: Part, *, loops: Iterable[str] = ()) -> str:
+    def question(self, part: Part, *, loops: Iterable[str] = (), asked: Iterable[AnswerName] = ()) -> str:
         """Return the question of a part in Markdown: its own prompt, or the task's.
 
         `loops` are the lemmas that close a loop around the system before the question is asked, which is then said too.
+        `asked` are the answers that the file asks for.
         """
         if part.prompt:
             return part.prompt.strip()
-        options = {**part.options, "methods": part.methods}
+        options = {**part.options, "methods": part.methods if part.show.method else ()}
         words = self._macro(f"{part.task}/question", "question", part.system, options)
         said = "".join(self._macro(f"lemmas/{loop}", "loop_of", part.system, options) for loop in loops)
+        named = [(self._symbol_in_words(answer), self.say(answer.doc)) for answer in asked]
+        said += self._macro("lemmas/asked", "asked", named) if named else ""
         return _tidy(f"{words.strip()}\n{said.strip()}")
+
+    def _symbol_in_words(self, answer: AnswerName) -> str:
+        """Return the symbol of an answer, empty where it has a word in place of one."""
+        symbol = self.symbol(answer)
+        return "" if WORD.fullmatch(symbol) else symbol
 
     def given(self, system: System) -> str:
         """Return what is given about a system in Markdown."""
@@ -184,7 +189,7 @@ class Wording:
         for file in files:
             if file not in modules:
                 try:
-                    modules[file] = _environment(self.templates).get_template(file).make_module(self._names)
+                    modules[file] = environment_of(self.templates).get_template(file).make_module(self._names)
                 except TemplateNotFound:
                     if file == files[-1]:
                         raise
@@ -192,8 +197,8 @@ class Wording:
         return [modules[file] for file in files if modules[file] is not None]
 
     @cached_property
-    def _macros(self) -> _Macros:
-        return _macros_of(self)
+    def _macros(self) -> Macros:
+        return macros_of(self)
 
     @cached_property
     def _names(self) -> dict[str, Any]:
@@ -272,38 +277,6 @@ class Wording:
 
     def _operation(self, operation: Any) -> str:
         return row_operation(operation, self.tex)
-
-
-class _Macros:
-    """The macros that equal wordings have loaded, by file, and what notes their displays."""
-
-    def __init__(self) -> None:
-        self.modules: dict[str, Any] = {}
-        self.recorder = Recorder()
-
-
-@lru_cache(maxsize=8)
-def _macros_of(_wording: Wording) -> _Macros:
-    """Return the macros that this wording shares with its equals."""
-    return _Macros()
-
-
-@lru_cache(maxsize=8)
-def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
-    """Return the environment that finds wording files; compiled templates are shared by all wordings."""
-    found = environment(templates)
-    found.filters.update({name: _named(name) for name in ("tex", "latex", "operation", "say")}, plain=plain)
-    return found
-
-
-def _named(name: str) -> Callable[[Context, Any], str]:
-    """Return a filter that is the wording's function of that name."""
-
-    @pass_context
-    def call(context: Context, value: Any) -> str:
-        return str(context[name](value))
-
-    return call
 
 
 def _place(wording: str, macro: str) -> str:

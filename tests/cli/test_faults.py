@@ -161,10 +161,10 @@ def test_a_bug_in_one_file_does_not_stop_the_rest(solve, good, tmp_path, monkeyp
 
     original = page.render_page
 
-    def broken_for_one(view, *, name, **options):
-        if name == "good.yaml":
+    def broken_for_one(document, **options):
+        if document.name == "good.yaml":
             raise ZeroDivisionError
-        return original(view, name=name, **options)
+        return original(document, **options)
 
     monkeypatch.setattr(page, "render_page", broken_for_one)
     assert solve("good.yaml", "second.yaml").code == 1

@@ -51,8 +51,9 @@ def test_the_json_has_exactly_the_keys_that_were_promised(solve, good):
     assert list(data) == ["version", "title", "status", "symbols", "parts"]
     assert (data["version"], data["title"], data["status"]) == (1, "A small problem", "verified")
     polynomial, spectrum = data["parts"]
-    assert list(polynomial) == ["id", "task", "method", "status", "answers", "checks", "steps"]
-    assert list(spectrum) == ["id", "task", "method", "status", "marks", "answers", "checks", "steps"]
+    asked = ["out_of", "question", "system"]
+    assert list(polynomial) == ["id", "task", "method", "status", *asked, "answers", "checks", "steps"]
+    assert list(spectrum) == ["id", "task", "method", "status", "marks", *asked, "answers", "checks", "steps"]
     assert spectrum["marks"] == 2.5
     assert list(polynomial["answers"]["polynomial"]) == ["value", "latex", "symbol"]
     assert all(list(check) == ["claim", "oracle", "residual", "tolerance", "status"] for check in polynomial["checks"])

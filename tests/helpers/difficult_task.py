@@ -4,7 +4,7 @@ import faulthandler
 import os
 import signal
 
-from solver.derivation import AnswerName, Answers, Check, Task, Unsolved
+from solver.derivation import AnswerName, Answers, Check, Step, Task, Unsolved
 from solver.tasks.plant_options import PlantOptions
 
 difficult = Task(
@@ -79,6 +79,12 @@ def buggy(given):
 @method("unsolvable")
 def unsolvable(given):
     raise Unsolved("model_matching/constant_plant")
+
+
+@difficult.method("speechless", title="speechless")
+def speechless(given):
+    yield Step("without_a_macro", unclaimed="nothing is said")
+    return Answers(F=given.system.A)
 
 
 @method("unpicklable")

@@ -13,9 +13,13 @@ import pytest
 from solver import solve
 from solver.classroom import mark, read_submission
 from solver.classroom.report import render_sheet
+from solver.document.works import document_of
+from solver.engine import solve_problem
+from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.render.page import render_page
 from solver.resources import root
+from solver.tasks import catalogue
 from tests.helpers.sample_pages import SHORT, TALL, hostile, sample
 
 FLAGS = (
@@ -112,7 +116,7 @@ def barriers(visit: Visit) -> list[tuple[str, list[str]]]:
 @pytest.fixture(scope="module")
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("page") / "sample.html"
-    path.write_text(render_page(sample(), name="sample.yaml"), encoding="utf-8")
+    path.write_text(render_page(sample()), encoding="utf-8")
     return path
 
 
@@ -213,11 +217,11 @@ answers:
 def test_a_sheet_of_marked_answers_fits_and_keeps_nobody_out(
     browser: Any, tmp_path: Path, width: int, with_solution: bool
 ) -> None:
-    solution = solve(SHEET)
-    submission = read_submission(Source("answers.yaml", ANSWERS), solution.solution.problem)
-    marking = mark(solution.solution, submission)
+    solution = solve_problem(read_problem(Source("sheet.yaml", SHEET), catalogue()))
+    submission = read_submission(Source("answers.yaml", ANSWERS), solution.problem)
+    marking = mark(solution, submission)
     path = tmp_path / "sheet.html"
-    path.write_text(render_sheet(solution.solution, marking, solution.view() if with_solution else None), "utf-8")
+    path.write_text(render_sheet(solution, marking, document_of(solution) if with_solution else None), "utf-8")
     visit = Visit(browser, path, width, "light")
     assert visit.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     assert visit.page.evaluate(CUT_OFF) == []

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from itertools import pairwise
 from pathlib import Path
@@ -8,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from solver.derivation import Status
-from solver.document.model import Document
+from solver.document.model import Document, Presentation
 from solver.render.page import POLICY, drawn, render_page
 from tests.helpers.sample_pages import ATTACK, hostile, part, sample
 
@@ -52,7 +53,7 @@ class Reader(HTMLParser):
 
 @pytest.fixture(scope="module")
 def page() -> str:
-    return render_page(sample(), name="sample.yaml")
+    return render_page(replace(sample(), name="sample.yaml"))
 
 
 @pytest.fixture(scope="module")
@@ -124,7 +125,7 @@ def test_a_page_of_one_part_has_no_contents() -> None:
 
 
 def test_all_text_is_escaped() -> None:
-    page = render_page(hostile(), name=ATTACK, detail=ATTACK)
+    page = render_page(replace(hostile(), name=ATTACK, presentation=Presentation(ATTACK)))
     read = Reader(page)
     assert {tag for tag, _ in read.elements} <= TAGS
     for _, attributes in read.elements:
@@ -153,4 +154,5 @@ def test_a_formula_that_may_scroll_can_be_reached_by_keyboard(latex: str, reache
 def test_templates_of_ones_own_come_first(tmp_path: Path) -> None:
     (tmp_path / "html").mkdir()
     (tmp_path / "html" / "page.html.jinja").write_text("<p>{{ document.title }} & {{ version }}", encoding="utf-8")
-    assert render_page(hostile(), templates=tmp_path).startswith("<p>&lt;/script&gt;")
+    page = render_page(replace(hostile(), presentation=Presentation(templates=tmp_path)))
+    assert page.startswith("<p>&lt;/script&gt;")

@@ -1,0 +1,58 @@
+"""Which answers of a part are asked for and earn its marks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from solver.derivation import Task
+from solver.problem.model import Part
+from solver.problem.nodes import MappingNode, ScalarNode, SequenceNode, scalar
+from solver.problem.source import Report, did_you_mean
+
+
+def read_asked(part: MappingNode, task: Task[Any, Any], methods: Sequence[str]) -> tuple[str, ...]:
+    """Return the answers that the key `answers` of a part lists, none without it; raises Fault."""
+    if "answers" not in part:
+        return ()
+    node = part["answers"]
+    items = node.items if isinstance(node, SequenceNode) else (node,)
+    if not items:
+        raise node.fault("no answer is named here; leave out 'answers' to ask for the usual ones")
+    report, found = Report(), list[str]()
+    for item in items:
+        with report:
+            name = answer_named(scalar(item), task, methods)
+            if name in found:
+                raise item.fault(f"the answer {name} is asked for twice")
+            found.append(name)
+    report.conclude()
+    return tuple(found)
+
+
+def answer_named(node: ScalarNode, task: Task[Any, Any], methods: Sequence[str]) -> str:
+    """Return the name of an answer that one of the methods gives; raises Fault for any other."""
+    given = [name for name, answer in task.answers.items() if not answer.methods or set(answer.methods) & set(methods)]
+    if node.text not in given:
+        note = f"its answers are: {', '.join(given)}"
+        message = f"{task.name} has no answer '{node.text[:60]}'"
+        raise node.fault(message, suggestion=did_you_mean(node.text, given), note=note)
+    return node.text
+
+
+def asked_of(part: Part, task: Task[Any, Any]) -> tuple[str, ...]:
+    """Return the answers asked for: those that the part names or gives marks to, else what the task always gives."""
+    usual = tuple(
+        name
+        for name, answer in task.answers.items()
+        if not answer.optional and (not answer.methods or set(answer.methods) & set(part.methods))
+    )
+    return part.asked or tuple(part.answer_marks) or usual
+
+
+def marks_of(part: Part, task: Task[Any, Any]) -> dict[str, Any]:
+    """Return the marks of each answer asked for: as the part gives them, else equal shares of those of the part."""
+    if part.answer_marks or part.marks is None:
+        return dict(part.answer_marks)
+    asked = asked_of(part, task)
+    return dict.fromkeys(asked, part.marks / len(asked))
