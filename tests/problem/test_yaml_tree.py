@@ -179,6 +179,10 @@ def test_a_hundred_thousand_openings_are_refused(unit):
     assert any(words in found[2] for words in ("nested", "brackets", "not expected", "not read", "missing"))
 
 
+def test_no_more_than_a_hundred_faults_of_a_kind_are_listed():
+    assert len(complaints("a: 1\n" + "\tb\n" * 150)) == 100
+
+
 def test_the_depth_of_nesting_is_bounded():
     assert parse("[" * 24 + "]" * 24).plain()
     assert complaints("[" * 25 + "]" * 25) == [(1, 25, "values are nested more than 24 deep")]
