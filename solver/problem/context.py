@@ -14,7 +14,7 @@ from solver.problem.matrices import expect_shape, is_flat, read_matrix
 from solver.problem.nodes import Node
 from solver.problem.poles import read_conjugate_list
 from solver.problem.transfer_functions import read_transfer_function
-from solver.systems import StateSpace, System
+from solver.systems import EarlierPart, StateSpace, System
 
 Earlier = Mapping[str, tuple[Task[Any, Any], str] | None]
 """The earlier parts with their task and first method; None for one that could not be read."""
@@ -53,9 +53,11 @@ class Context:
 
     def names_in_the_system(self) -> tuple[list[str] | None, list[str]]:
         """Return the names of parameters, states, inputs and outputs (None: not known), and the numbers of states."""
-        if not isinstance(self.system, StateSpace):
+        if self.system is None or isinstance(self.system, EarlierPart):
             return None, []
         known = [str(symbol.name) for symbol in self.system.parameters]
+        if not isinstance(self.system, StateSpace):
+            return known, []
         known += [name for of in ("state", "input", "output") for name in self.names(of)]
         numbers = [str(number + 1) for number in range(self.system.order)]
         known += [] if self.names("state") else [f"x{number}" for number in numbers]  # states go by these names

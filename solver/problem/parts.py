@@ -19,7 +19,12 @@ from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
 OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "answers", "show")
-IN_WORDS = {"transfer_function": "a transfer function (or A, B and C)", "matrix": "a matrix", "x0": "initial_state"}
+IN_WORDS = {
+    "transfer_function": "a transfer function (or A, B and C)",
+    "matrix": "a matrix",
+    "polynomial": "a polynomial",
+    "x0": "initial_state",
+}
 
 
 class PlantOf(NamedTuple):

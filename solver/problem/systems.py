@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -141,6 +141,16 @@ class SystemReader:
         with self.report:
             return read_transfer_function(node, self.lexicon, self.discrete)
         return None
+
+    def polynomial(self, key: str) -> Sequence[sp.Expr]:
+        """Return the coefficients of a polynomial, the highest power first; none if it is wrong."""
+        with self.report:
+            found = read_transfer_function(self.node[key], self.lexicon, self.discrete, proper=False)
+            if found.denominator.degree():
+                raise self.node[key].fault("a polynomial is expected here, not a quotient")
+            scaled = found.numerator.quo_ground(found.denominator.LC())
+            return tuple(scaled.all_coeffs())
+        return ()
 
     def quotients(self, key: str) -> list[list[Rational]]:
         """Return a matrix of proper quotients of polynomials; a wrong one is missing in its row."""

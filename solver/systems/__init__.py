@@ -9,6 +9,7 @@ from pathlib import Path
 from solver.systems.earlier_part import EarlierPart
 from solver.systems.kind import Kind, System
 from solver.systems.loops import OutputFeedback, StateFeedback
+from solver.systems.polynomial import Polynomial
 from solver.systems.state_space import StateSpace
 from solver.systems.transfer_function import TransferFunction
 
@@ -26,6 +27,7 @@ __all__ = [
     "EarlierPart",
     "Kind",
     "OutputFeedback",
+    "Polynomial",
     "StateFeedback",
     "StateSpace",
     "System",

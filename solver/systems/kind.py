@@ -140,6 +140,9 @@ class Reader(Protocol):
     def quotient(self, key: str) -> Quotient | None:
         """Return the proper quotient of polynomials under the key, None if it is wrong."""
 
+    def polynomial(self, key: str) -> Sequence[Expr]:
+        """Return the coefficients of a polynomial, the highest power first; none if it is wrong."""
+
     def quotients(self, key: str) -> Sequence[Sequence[Quotient]]:
         """Return a matrix of proper quotients of polynomials."""
 

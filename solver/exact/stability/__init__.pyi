@@ -13,10 +13,12 @@ from solver.exact.stability.location import (
     stable_where,
 )
 from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
+from solver.exact.stability.root_counts import RootCounts, hurwitz_matrix, root_counts, sign_changes
 from solver.exact.stability.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 
 __all__ = [
     "Location",
+    "RootCounts",
     "RouthArray",
     "RouthRow",
     "SingularEquation",
@@ -25,6 +27,7 @@ __all__ = [
     "bilinear",
     "definiteness",
     "definiteness_of_numbers",
+    "hurwitz_matrix",
     "is_stable_polynomial",
     "location",
     "lyapunov",
@@ -32,8 +35,10 @@ __all__ = [
     "lyapunov_residual",
     "off_the_point_one",
     "polynomial_conditions",
+    "root_counts",
     "routh",
     "routh_parts",
+    "sign_changes",
     "sign_of",
     "stable_where",
 ]

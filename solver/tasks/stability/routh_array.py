@@ -36,7 +36,13 @@ def routh_array_of(A: ImmutableMatrix, *, discrete: bool) -> Derivation[Tabled]:
     if discrete:
         x = sp.Symbol("w")
         coefficients, ones = yield from _bilinear_image(coefficients, x)
-    array = exact.routh(coefficients)
+    array = yield from rows_of(exact.routh(coefficients), x)
+    return Tabled(array, ones, x)
+
+
+@lemma("routh_array")
+def rows_of(array: exact.RouthArray, x: Symbol) -> Derivation[exact.RouthArray]:
+    """The array row by row, and as a whole."""
     yield from _rows(array, x)
     width = array.matrix.cols
     powers = sp.ImmutableMatrix([_written_power(x, row.power) for row in array.rows])
@@ -50,7 +56,7 @@ def routh_array_of(A: ImmutableMatrix, *, discrete: bool) -> Derivation[Tabled]:
         special=[row.special for row in array.rows if row.special],
         epsilon=array.epsilon,
     )
-    return Tabled(array, ones, x)
+    return array
 
 
 @lemma("routh_array")

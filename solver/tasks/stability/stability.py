@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -172,7 +171,7 @@ def by_routh(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answers]:
     if None in signs:
         yield from depends_on_parameters(A, discrete=discrete)
     parts = exact.routh_parts(tabled.array.coefficients)
-    changes = _changes(signs)
+    changes = exact.sign_changes(signs)
     yield Step(
         "sign_changes",
         unclaimed="counted; the number has a check of its own",
@@ -188,10 +187,6 @@ def by_routh(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answers]:
     return (yield from _answers(given, verdict, array=tabled.array.matrix, right_half_plane_roots=sp.Integer(changes)))
 
 
-def _changes(signs: Sequence[int | None]) -> int:
-    return sum(1 for first, second in pairwise(signs) if first != second)
-
-
 def _split(tabled: Tabled, parts: Sequence[tuple[tuple[Expr, ...], int]]) -> Derivation[int]:
     """Count for each factor by an array of its own: ε must not move roots that lie symmetrically to the origin."""
     x, whole = tabled.variable, tabled.array.coefficients
@@ -199,7 +194,7 @@ def _split(tabled: Tabled, parts: Sequence[tuple[tuple[Expr, ...], int]]) -> Der
     found = []
     for c, m in parts:
         factor = sp.Add(*(a * x ** (len(c) - 1 - i) for i, a in enumerate(c)))
-        found.append((factor, m, _changes([exact.sign_of(entry) for entry in exact.routh(c).at_zero])))
+        found.append((factor, m, exact.sign_changes([exact.sign_of(entry) for entry in exact.routh(c).at_zero])))
     monic = product(sp.cancel(whole[0] / sp.Mul(*(c[0] ** m for c, m in parts))), *(power(f, m) for f, m, _ in found))
     total = sum(m * count for _, m, count in found)
     yield Step("split", claims={"factors": Claim(p, monic, "the symmetric factor")}, factors=found, total=total, x=x)

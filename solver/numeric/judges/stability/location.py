@@ -176,6 +176,9 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
             return f"the array must have {n + 1} rows and {n // 2 + 1} columns"
         small = {symbol: mp.mpf(10) ** -12 for symbol in free_symbols(array) - free_symbols(A)}
         rows = value_of(array, Environment.at([{**point, **small}], multiple(60))).value[0].tolist()
+        multiplied = rows[0][0] / coefficients[0]
+        if mp.re(multiplied) > 0 and not mp.im(multiplied):  # the array of a positive multiple of the polynomial
+            coefficients = [multiplied * c for c in coefficients]
         for i, row in enumerate(rows):
             wanted = _expected(rows, i, coefficients, mp)
             if not any(_proportional(row, each, mp) for each in wanted):

@@ -1,0 +1,251 @@
+"""How many roots of a polynomial lie in the right half plane: the Routh array, Hurwitz's determinants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Refusal,
+    Step,
+    Task,
+    option,
+)
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.numeric.judges import stability as judges
+from solver.options.names import Names
+from solver.stated.algebra import product
+from solver.stated.matrices import determinant
+from solver.tasks.plant_options import LoopOptions
+from solver.tasks.stability.routh_array import rows_of
+
+if TYPE_CHECKING:
+    from sympy import Expr, ImmutableMatrix, Symbol
+
+    from solver.systems import Polynomial, System
+
+
+@dataclass(frozen=True, kw_only=True)
+class RouthHurwitzOptions(LoopOptions):
+    """What may vary."""
+
+    parameter: tuple[str, ...] | None = option(
+        Names(), "the parameter asked for in the condition (default: all); the others stay symbols"
+    )
+
+
+routh_hurwitz: Task[Polynomial, RouthHurwitzOptions] = Task(
+    "routh_hurwitz",
+    title="Routh–Hurwitz criterion",
+    doc="Roots of a characteristic polynomial in the right half plane and on the imaginary axis, without finding them.",
+    needs=("polynomial",),
+    options=RouthHurwitzOptions,
+    answers=[
+        AnswerName("array", r"\text{array}", "the Routh array, its shorter rows filled up with zeros", ("array",)),
+        AnswerName(
+            "determinants",
+            r"\Delta_k",
+            "Hurwitz's determinants, the leading minors of the Hurwitz matrix",
+            ("hurwitz_determinants",),
+            ordered=True,
+        ),
+        AnswerName("right_half_plane_roots", r"n_{+}", "the number of roots with positive real part", optional=True),
+        AnswerName("imaginary_axis_roots", r"n_{0}", "the number of roots on the imaginary axis", optional=True),
+        AnswerName("stable", r"\text{stable}", "whether all roots lie in the open left half plane", optional=True),
+        AnswerName("condition", r"\text{condition}", "where they do", optional=True),
+    ],
+)
+
+
+@routh_hurwitz.refusal
+def has_no_such_parameter(system: System, options: RouthHurwitzOptions) -> Iterable[Refusal]:
+    """The system must have the parameters asked for."""
+    found = {str(symbol.name) for symbol in getattr(system, "parameters", ())}
+    for name in options.parameter or ():
+        if found and name not in found:
+            yield "parameter", f"{name} is no parameter of the system"
+
+
+@routh_hurwitz.method(
+    "array", title="Routh array", source="Gantmacher, The Theory of Matrices II, XV §§3–4", time="continuous"
+)
+def by_array(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation[Answers]:
+    """As many roots in the right half plane as changes of sign in the first column."""
+    x = given.system.variable
+    coefficients = yield from _positive_lead(given.system)
+    array = yield from rows_of(exact.routh(coefficients), x)
+    signs = [exact.sign_of(entry) for entry in array.at_zero]
+    answers = Answers(array=array.matrix)
+    counts = None if None in signs else exact.root_counts(coefficients)
+    if counts is not None:
+        changes = exact.sign_changes(signs)
+        yield Step(
+            "sign_changes",
+            unclaimed="counted; the number has a check of its own",
+            column=list(zip([row.entries[0] for row in array.rows], signs, strict=True)),
+            epsilon=array.epsilon,
+            changes=changes,
+            trusted=changes == counts.outside,
+        )
+        answers.update((yield from _counted(coefficients, x, counts)))
+    first = [row.computed[0] for row in array.rows]
+    answers.update((yield from _condition(given, first, special=any(row.special for row in array.rows))))
+    return answers
+
+
+@routh_hurwitz.method(
+    "hurwitz_determinants",
+    title="Hurwitz's determinants",
+    source="Gantmacher, The Theory of Matrices II, XV §6",
+    time="continuous",
+)
+def by_determinants(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation[Answers]:
+    """Stable if and only if all leading minors of the Hurwitz matrix are positive."""
+    x = given.system.variable
+    coefficients = yield from _positive_lead(given.system)
+    H = exact.hurwitz_matrix(coefficients)
+    yield Step("matrix", unclaimed="the coefficients, written row by row", H=H, x=x, p=_polynomial(coefficients, x))
+    minors = [sp.ImmutableMatrix(H[:k, :k]) for k in range(1, H.rows + 1)]
+    values = [exact.determinant(M) for M in minors]
+    claims = {
+        f"minor{k}": Claim(determinant(M), value, f"$\\Delta_{k}$")
+        for k, (M, value) in enumerate(zip(minors, values, strict=True), 1)
+    }
+    yield Step("minors", claims=claims)
+    answers = Answers(determinants=values)
+    signs = [exact.sign_of(value) for value in (coefficients[0], *values)]
+    counts = None if None in signs else exact.root_counts(coefficients)
+    if counts is not None:
+        yield Step(
+            "ratios",
+            unclaimed="counted; the number has a check of its own",
+            singular=0 in signs,
+            stable=all(sign == 1 for sign in signs),
+            outside=counts.outside,
+        )
+        answers.update((yield from _counted(coefficients, x, counts)))
+    answers.update((yield from _condition(given, [coefficients[0], *values], special=any(v == 0 for v in values))))
+    return answers
+
+
+def _positive_lead(p: Polynomial) -> Derivation[tuple[Expr, ...]]:
+    """The coefficients, the first made positive: by a change of all signs, or divided by it where it has none."""
+    lead = p.coefficients[0]
+    sign = exact.sign_of(lead)
+    if sign == 1:
+        return p.coefficients
+    factor = sp.Integer(-1) if sign == -1 else 1 / lead
+    changed = tuple(sp.cancel(c * factor) for c in p.coefficients)
+    claim = Claim(product(factor, p.expression), _polynomial(changed, p.variable), "the same roots")
+    yield Step("lead", claims={"lead": claim}, negative=sign == -1, x=p.variable)
+    return changed
+
+
+def _polynomial(coefficients: Sequence[Expr], x: Symbol) -> Expr:
+    n = len(coefficients) - 1
+    return sp.Add(*(c * x ** (n - i) for i, c in enumerate(coefficients)))
+
+
+def _counted(coefficients: Sequence[Expr], x: Symbol, counts: exact.RootCounts) -> Derivation[dict[str, Any]]:
+    """Where the roots lie; those that lie symmetrically to the origin are the roots of a factor of their own."""
+    n = len(coefficients) - 1
+    if len(counts.symmetric) > 1:
+        g, rest = (_polynomial(each, x) for each in (counts.symmetric, counts.rest))
+        p = _polynomial(coefficients, x)
+        claim = Claim(p, product(rest, g), "the factor of the symmetric roots")
+        yield Step("symmetric", claims={"factors": claim}, g=g, degree=len(counts.symmetric) - 1, rest=rest, x=x,
+                   outside=counts.outside_symmetric, on=counts.on, total=counts.outside)  # fmt: skip
+    stable = not counts.outside and not counts.on
+    yield Step("verdict", unclaimed="a consequence of the count; the answers have checks of their own", stable=stable,
+               outside=counts.outside, on=counts.on, inside=n - counts.outside - counts.on)  # fmt: skip
+    return {
+        "right_half_plane_roots": sp.Integer(counts.outside),
+        "imaginary_axis_roots": sp.Integer(counts.on),
+        "stable": stable,
+    }
+
+
+def _condition(
+    given: Given[Polynomial, RouthHurwitzOptions], positive: Sequence[Expr], *, special: bool
+) -> Derivation[dict[str, Any]]:
+    """What must be positive, solved for the parameter; nothing without parameters."""
+    parameters = given.system.parameters
+    if not parameters:
+        return {}
+    names = given.options.parameter or ()
+    wanted = [symbol for name in names for symbol in parameters if symbol.name == name]
+    condition = exact.all_positive([sp.Integer(-1)] if special else list(positive), wanted)
+    truth = "always" if condition is sp.true else "never" if condition is sp.false else ""
+    undecided = [entry for entry in positive if exact.sign_of(entry) != 1]
+    yield Step("condition", unclaimed="the answer, which has a check of its own", condition=condition, truth=truth,
+               conditions=undecided, special=special)  # fmt: skip
+    return {"condition": condition}
+
+
+def _companion(p: Polynomial) -> ImmutableMatrix:
+    """A matrix whose eigenvalues are the roots, for the oracles."""
+    n = p.degree
+    last = [-c / p.coefficients[0] for c in reversed(p.coefficients[1:])]
+    return sp.ImmutableMatrix([[int(j == i + 1) for j in range(n)] for i in range(n - 1)] + [last])
+
+
+BY_ROOTS = "numpy.linalg.eigvals of the companion matrix; on the axis with 100 digits"
+
+
+@routh_hurwitz.verification("right_half_plane_roots", "imaginary_axis_roots", "stable")
+def are_counted_by_numbers(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+    """The roots themselves, at several values of the parameters."""
+    found = judges.locations(_companion(given.system), discrete=False)
+    counts = {
+        "right_half_plane_roots": {each.outside for each in found},
+        "imaginary_axis_roots": {each.on for each in found},
+        "stable": {not each.outside and not each.on for each in found},
+    }
+    labels = {
+        "right_half_plane_roots": "the number of roots in the right half plane",
+        "imaginary_axis_roots": "the number of roots on the imaginary axis",
+        "stable": "whether all roots lie in the left half plane",
+    }
+    for name, values in counts.items():
+        if name in answers:
+            own = bool(answers[name]) if name == "stable" else answers[name]
+            yield Check.that(labels[name], BY_ROOTS, bool(values == {own}), answer=name)
+
+
+@routh_hurwitz.verification("array")
+def follows_row_by_row(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+    """The first rows from the coefficients, each further row from the two above it."""
+    fault = judges.routh_fault(_companion(given.system), answers["array"], discrete=False)
+    yield replace(Check.that("each row follows from the two above it", "mpmath", not fault), reason=fault)
+
+
+@routh_hurwitz.verification("determinants")
+def are_the_minors(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+    """Each is the determinant of a leading block, whose entry in row i, column j is a_{2j − i}, with a₀ > 0."""
+    c, n = given.system.coefficients, given.system.degree
+    a = [each * (1 if c[0].is_positive else -1 if c[0].is_negative else 1 / c[0]) for each in c]
+    found = list(answers["determinants"])
+    yield Check.that(f"there are {n} determinants", "counted", len(found) == n)
+    for k, value in enumerate(found[:n], 1):
+        rows = [[a[2 * j - i] if 0 <= 2 * j - i <= n else 0 for j in range(1, k + 1)] for i in range(1, k + 1)]
+        yield numeric.check_claim(Claim(determinant(sp.ImmutableMatrix(rows)), value), f"$\\Delta_{{{k}}}$")
+
+
+@routh_hurwitz.verification("condition")
+def holds_where_the_roots_say(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+    """At points on both sides of every edge, and at random ones, the condition is true if and only if p is stable."""
+    fault = judges.counterexample(_companion(given.system), answers["condition"], discrete=False)
+    check = Check.that(
+        "the condition holds exactly where all roots lie in the left half plane" + (f" ({fault})" if fault else ""),
+        "numpy.linalg.eigvals, beside the edges mpmath.eig",
+        not fault,
+    )
+    yield replace(check, reason=fault)
