@@ -22,16 +22,26 @@ from solver.problem.source import Source
 from solver.tasks import catalogue
 
 
-def solve(problem: str | Path, *, detail: str = "full", templates: str | Path | None = None, **limits: Any) -> Document:
+def solve(
+    problem: str | Path,
+    *,
+    detail: str = "full",
+    templates: str | Path | None = None,
+    language: str | None = None,
+    notation: str | None = None,
+    **limits: Any,
+) -> Document:
     """Solve a problem given as the path of a YAML file, or as YAML text (any text of more than one line).
 
-    With `seconds` or `megabytes` (see `solver.limits.Limits`) every part is solved in a child process that is ended at
-    the limit. Raises `solver.problem.source.InputError`, all errors with their places, if the input is at fault.
+    `language` and `notation` win over what the problem says. With `seconds` or `megabytes` (see
+    `solver.limits.Limits`) every part is solved in a child process that is ended at the limit.
+    Raises `solver.problem.source.InputError`, all errors with their places, if the input is at fault.
     """
     is_text = isinstance(problem, str) and "\n" in problem
     source = Source("<text>", str(problem)) if is_text else load(problem)
     read = read_problem(source, catalogue())
-    presentation = Presentation(detail, Path(templates) if templates else None, data=bool(limits))
+    folder = Path(templates) if templates else None
+    presentation = Presentation(detail, folder, data=bool(limits), language=language, notation=notation)
     if not limits:
         return document_of(solve_problem(read), presentation, read.name)
     from solver.limits import Limits, solve_within  # noqa: PLC0415 - most uses need no child process

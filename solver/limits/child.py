@@ -28,7 +28,7 @@ from solver.imports import postpone
 from solver.lazy import exact, numeric
 from solver.numeric import judges
 from solver.numeric.evaluation import operations
-from solver.words import Reason
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from multiprocessing.context import ForkContext, SpawnContext
@@ -216,7 +216,7 @@ class _Worker:
         self.writer: Writer | None = None
         if orders.presentation is not None:
             self.writer = Writer(orders.problem, orders.presentation)
-        self.out_of_memory = f"memory limit of {orders.limits.megabytes} MB"
+        self.out_of_memory = Phrase("memory limit of {megabytes} MB", megabytes=orders.limits.megabytes)
 
     def reply(self, unit: Unit) -> Reply:
         """Return what becomes of a unit."""

@@ -8,7 +8,7 @@ from pathlib import PurePath
 from typing import Any
 
 from solver.derivation import Task
-from solver.notation import NOTATIONS
+from solver.notation import COURSE, NOTATIONS
 from solver.problem.files import load
 from solver.problem.lexicon import Lexicon, check_used, read_lexicon
 from solver.problem.model import Display, Part, Problem, Show
@@ -20,7 +20,7 @@ from solver.problem.systems import read_system
 from solver.problem.texts import check_texts
 from solver.problem.yaml_tree import parse_yaml
 from solver.systems import System
-from solver.words import languages
+from solver.words import ENGLISH, languages
 
 MAX_DECIMALS = 30
 MODES = {"exact": "exact", "both": "both", "decimals": "decimal"}
@@ -89,12 +89,7 @@ class _ProblemReader:
             system=system,
             source=self.text("source"),
             statement=self.text("statement"),
-            display=replace(
-                display,
-                decimals_typed=self.lexicon.decimals,
-                language=self.choice("language", languages(), display.language),
-                notation=self.choice("notation", NOTATIONS, display.notation),
-            ),
+            display=replace(display, decimals_typed=self.lexicon.decimals),
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
             show=self.show,
@@ -159,16 +154,18 @@ class _ProblemReader:
         return usual
 
     def display(self) -> Display:
-        """Return how numbers are shown."""
+        """Return how the solution is shown: its numbers, language and notation."""
         node = self.section("display")
+        language = self.choice("language", languages(), ENGLISH)
+        notation = self.choice("notation", NOTATIONS, COURSE)
+        display = Display(language=language, notation=notation)
         if isinstance(node, ScalarNode):
-            return Display(MODES[node.text])
-        display = Display()
+            return replace(display, mode=MODES[node.text])
         with self.report:
             if isinstance(node, MappingNode):
                 mode = MODES[scalar(node["mode"]).text] if "mode" in node else "decimal"
                 digits = whole_number(node["decimals"], "decimals", 1, MAX_DECIMALS) if "decimals" in node else 5
-                display = Display(mode, digits)
+                display = replace(display, mode=mode, digits=digits)
         return display
 
 

@@ -17,6 +17,7 @@ from solver.stated.algebra import difference, power, total
 from solver.stated.matrices import determinant, inverse
 from solver.tasks.design.frames import Frame, Pair, Placement, Wanted, characteristic, linear_factors, movable_poles
 from solver.tasks.design.placement_methods import METHODS, matched
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -110,10 +111,10 @@ def _controllability(pair: Pair) -> Derivation[int]:
     """The matrix [b, Ab, …, Aⁿ⁻¹b], its columns, its determinant and its rank; one below n is worth a step later."""
     frame, A, b, n = pair.frame, pair.A, pair.b, pair.A.rows
     C_o = exact.controllability_matrix(A, b)
-    line = f"{'row' if frame.dual else 'column'} {{}} of the {'observ' if frame.dual else 'controll'}ability matrix"
+    line = "row {i} of the observability matrix" if frame.dual else "column {i} of the controllability matrix"
     claims = {
         f"column{i + 1}": Claim(
-            frame.times(power(frame.shown(A), i), frame.shown(b)), frame.shown(C_o[:, i]), line.format(i + 1)
+            frame.times(power(frame.shown(A), i), frame.shown(b)), frame.shown(C_o[:, i]), Phrase(line, i=i + 1)
         )
         for i in range(1, n)
     }

@@ -12,6 +12,7 @@ from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import inverse
 from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import Pair, Placement, characteristic, movable_poles
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -98,10 +99,10 @@ def by_canonical_form(pair: Pair) -> Derivation[ImmutableMatrix]:
     n = A.rows
     last = sp.ImmutableMatrix([[int(j == n - 1) for j in range(n)]])
     shown = frame.shown
-    claims = {"row1": Claim(frame.times(shown(last), inverse(shown(C_o))), shown(P[:1, :]), "row 1")}
+    claims = {"row1": Claim(frame.times(shown(last), inverse(shown(C_o))), shown(P[:1, :]), Phrase("row {i}", i=1))}
     for i in range(1, n):
         stated = frame.times(shown(P[i - 1 : i, :]), shown(A))
-        claims[f"row{i + 1}"] = Claim(stated, shown(P[i : i + 1, :]), f"row {i + 1}")
+        claims[f"row{i + 1}"] = Claim(stated, shown(P[i : i + 1, :]), Phrase("row {i}", i=i + 1))
     yield Step("canonical_rows", claims=claims, P=shown(P), **pair.flags)
     back = exact.inverse(P)
     A_c, b_c = exact.multiply(exact.multiply(P, A), back), exact.multiply(P, b)

@@ -13,6 +13,7 @@ from solver.stated import Stated
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, trace
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -94,7 +95,7 @@ def _cofactors(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) ->
         with_minors.append(product(entry, determinant(pencil.minor_submatrix(i, j))))
         if adjugate[j, i] != 0:
             multiplied.append(product(pencil[i, j], adjugate[j, i]))
-    says = f"determinant expanded along row {i + 1}"
+    says = Phrase("determinant expanded along row {row}", row=i + 1)
     if not multiplied:
         value = Claim(total(*with_minors), chi, "every minor is zero")
         return {"stated": Claim(determinant(pencil), total(*with_minors), says), "value": value}

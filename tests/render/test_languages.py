@@ -1,0 +1,219 @@
+"""A page in another language: nothing of it stays English, and nothing but its words changes."""
+
+import ast
+import html
+import json
+import re
+from dataclasses import replace
+from functools import cache
+
+import pytest
+import yaml
+
+import solver
+from solver.derivation import Status
+from solver.document.works import document_of
+from solver.engine import solve_problem
+from solver.messages import Messages
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
+from solver.resources import root
+from solver.tasks import catalogue
+from solver.words import Phrase, languages
+
+PLANT = {"A": [[1, 0, -1], [1, 2, 1], [2, 2, 3]], "B": [1, 0, 1]}
+HIDDEN = {"A": [[1, 0], [0, -2]], "B": [0, 1]}
+METHODS = ["coefficient_matching", "bass_gura", "canonical_form", "ackermann"]
+PAGES = {
+    "polynomial": {
+        "system": {"matrix": [[1, 2, 0], [3, 1, 1], [0, 2, 5]]},
+        "find": {
+            "a": {"task": "characteristic_polynomial", "method": ["determinant", "faddeev_leverrier"], "marks": 2}
+        },
+    },
+    "triangular": {"system": {"A": [[1, 2], [0, 3]]}, "find": {"a": "characteristic_polynomial"}},
+    "one": {"system": {"A": [[4]]}, "find": {"a": {"task": "characteristic_polynomial", "marks": 1}}},
+    "methods": {
+        "system": PLANT,
+        "find": {"a": {"task": "pole_placement", "method": METHODS, "poles": [-1, "-1 ± 2j"]}},
+    },
+    "specified": {
+        "system": {"A": [[0, -1], [-3, -2]], "B": [0, 1]},
+        "find": {
+            letter: {"task": "pole_placement", **given}
+            for letter, given in {
+                "a": {"overshoot": "14%", "rise_time": "1.25"},
+                "b": {"settling_time": 2, "peak_time": 1, "overshoot": "13.5%"},
+                "c": {"damping_ratio": "1/2", "natural_frequency": 2},
+                "d": {"natural_frequency": 3, "rise_time": 1},
+                "e": {"settling_time": 2, "rise_time": 1, "settling_band": "5%"},
+                "f": {"peak_time": 1, "rise_time": "0.7"},
+                "g": {"damping_ratio": 2, "natural_frequency": 1},
+                "h": {"natural_frequency": 2, "peak_time": 2},
+                "i": {"natural_frequency": 2, "settling_time": 3},
+            }.items()
+        },
+    },
+    "hidden": {
+        "system": HIDDEN,
+        "find": {
+            "a": {"task": "pole_placement", "method": METHODS, "poles": [1, -3]},
+            "b": {"task": "pole_placement", "method": METHODS, "poles": [-3]},
+            "c": {"task": "pole_placement", "poles": [-3, -4]},
+        },
+    },
+    "inputs": {
+        "system": {"A": [[0, 1, 0], [0, 0, 1], [1, 2, 3]], "B": [[0, 1], [0, 0], [1, 0]]},
+        "find": {"a": {"task": "pole_placement", "method": [*METHODS, "unity_rank"], "poles": [-1, -2, -3]}},
+    },
+    "cyclic": {
+        "system": {"A": [[1, 0], [0, 1]], "B": [[1, 0], [0, 1]]},
+        "find": {"a": {"task": "pole_placement", "poles": [-1, -2]}},
+    },
+    "structure": {
+        "system": {"A": [[0, 1], [-2, -3]], "B": [0, 1]},
+        "find": {
+            "a": {"task": "pole_placement", "poles": [-1, -3], "structure": ["p", 1]},
+            "b": {"task": "pole_placement", "poles": [-1, -3], "structure": ["p", 0]},
+        },
+    },
+    "parameters": {
+        "system": {"A": [[0, 1], ["a", 1]], "B": [0, 1]},
+        "find": {"a": {"task": "pole_placement", "poles": ["p_1", "p_2"]}, "b": "characteristic_polynomial"},
+    },
+    "discrete": {
+        "system": {"A": [[0, 1], [-2, -3]], "B": [0, 1], "time": "discrete"},
+        "find": {"a": {"task": "pole_placement", "poles": ["1/2", "1/3"]}},
+    },
+    "realized": {
+        "system": {"transfer_function": "(s + 2)/(s^2 + s + 1)"},
+        "find": {
+            "a": {"task": "pole_placement", "poles": [-2, -3]},
+            "b": {"task": "characteristic_polynomial", "gain": {"from": "a"}},
+        },
+    },
+    "nothing": {
+        "system": {"A": [[1, 0], [0, -2]], "B": [0, 0]},
+        "find": {"a": {"task": "pole_placement", "poles": [-3, -4]}},
+    },
+}
+NAMES = set(
+    "ackermann bass gura cayley hamilton leverrier kailath linear systems gantmacher numpy linalg det scipy mpmath "
+    "expm lstsq eig inv svd solve html pdf problem yaml tan cos sin arccos band basis die matrix minus pole polynom "
+    "system transformation von".split()
+)
+"""Words of both languages, and names: a title of a book, functions, authors."""
+
+
+@cache
+def solved(name):
+    text = json.dumps({"title": "T", **PAGES[name]}, ensure_ascii=False)
+    return solve_problem(read_problem(Source("q.yaml", text), catalogue()))
+
+
+def words_of(page):
+    """The words that a reader sees, or hears: text, alternative texts, labels; formulas left out."""
+    visible = re.sub(r"(?s)<(style|math|code)\b.*?</\1>", " ", page)
+    heard = re.findall(r'(?:alt|aria-label|title)="([^"]*)"', visible)
+    text = html.unescape(re.sub(r"<[^>]*>", " ", visible) + " " + " ".join(heard))
+    return {word.lower() for word in re.findall(r"[^\W\d_]{3,}", text)}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_no_english_word_remains_on_a_german_page(name):
+    document = document_of(solved(name)).told(detail="tutor")  # the one with most words
+    english = words_of(document.html())
+    german = document.told(language="de")
+    assert english & words_of(german.html()) <= NAMES
+    assert '<html lang="de">' in german.html()
+    plain = {word.lower() for word in re.findall(r"[^\W\d_]{4,}", re.sub(r"\$[^$]*\$", " ", german.markdown()))}
+    assert english & plain <= NAMES | {"left", "right", "operatorname", "begin", "end", "frac", "bmatrix", "aligned"}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_the_formulas_of_a_german_page_are_those_of_the_english_one(name):
+    document = document_of(solved(name))
+    german = document.told(language="de")
+    for ours, theirs in zip(document.parts, german.parts, strict=True):
+        assert [each.tex for each in ours.answers] == [each.tex for each in theirs.answers]
+        assert [each.kind for each in ours.steps] == [each.kind for each in theirs.steps]
+        displays = [re.findall(r"(?s)\$\$.*?\$\$", step.markdown) for step in ours.steps]
+        assert displays == [re.findall(r"(?s)\$\$.*?\$\$", step.markdown) for step in theirs.steps]
+        assert ours.status == theirs.status
+
+
+def test_the_pages_have_every_kind_of_step_that_german_words():
+    kinds = {(step.wording, step.kind) for name in PAGES for part in solved(name).parts for step in part.steps}
+    worded = {
+        (path.relative_to(root("templates") / "wording" / "de").as_posix().removesuffix(".md.jinja"), macro)
+        for path in (root("templates") / "wording" / "de").rglob("*.md.jinja")
+        for macro in re.findall(r"macro (\w+)\(v, c\)", path.read_text(encoding="utf-8"))
+    }
+    assert worded <= kinds
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_a_language_has_only_files_macros_and_phrases_that_english_has(language):
+    folder = root("templates") / "wording"
+    macros = re.compile(r"macro (\w+\([^)]*\))")
+    for path in (folder / language).rglob("*.md.jinja"):
+        english = folder / path.relative_to(folder / language)
+        assert set(macros.findall(path.read_text(encoding="utf-8"))) <= set(
+            macros.findall(english.read_text(encoding="utf-8"))
+        ), path.name
+
+
+def strings_of_the_program():
+    """Every string constant of the program, and every text of its templates."""
+    for path in (root("templates").parent / "solver").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                yield node.value
+    for kind in ("html", "latex", "wording/reasons"):
+        for path in (root("templates") / kind).glob("*.jinja"):
+            yield from re.findall(r'"([^"]*)"', path.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_every_phrase_stands_in_the_program(language):
+    said = set(strings_of_the_program())
+    spoken = {name.replace("_", " ") for name in said}
+    for path in (root("templates") / "wording" / language).rglob("phrases.yaml"):
+        phrases = yaml.safe_load(path.read_text(encoding="utf-8"))
+        assert {phrase for phrase in phrases if phrase not in said and phrase not in spoken} == set(), path
+
+
+def test_a_reason_is_told_in_the_language_and_in_english_where_it_has_no_words():
+    part = document_of(solved("nothing")).told(language="de").parts[0]
+    assert part.status is Status.UNSOLVED
+    assert part.reason == "Der Eingang wirkt gar nicht auf den Zustand."
+    system = PAGES["discrete"]["system"]
+    problem = {"system": system, "language": "de", "find": {"a": {"task": "controllability", "method": "gramian"}}}
+    unsolved = solver.solve(yaml.safe_dump(problem)).parts[0]
+    assert unsolved.reason.startswith("The Gramian over an infinite time")
+
+
+def test_a_file_says_its_language_and_notation():
+    text = yaml.safe_dump({**PAGES["triangular"], "language": "de", "notation": "ogata"})
+    display = read_problem(Source("q.yaml", text), catalogue()).display
+    assert (display.language, display.notation) == ("de", "ogata")
+    assert solver.solve(text).parts[0].title == "Charakteristisches Polynom"
+    assert solver.solve(text, language="en").parts[0].title == "Characteristic polynomial"
+
+
+@pytest.mark.parametrize(("key", "word", "suggested"), [("language", "dee", "de"), ("notation", "Ogatta", "ogata")])
+def test_an_unknown_language_or_notation_is_refused_with_a_suggestion(key, word, suggested):
+    with pytest.raises(InputError) as refused:
+        read_problem(Source("q.yaml", json.dumps({**PAGES["triangular"], key: word})), catalogue())
+    assert f"there is no {key} '{word}'" in str(refused.value)
+    assert suggested in refused.value.render()
+
+
+def test_a_phrase_is_english_text_with_a_pattern_that_a_language_words():
+    phrase = Phrase("row {i}", i=3)
+    assert phrase == "row 3"
+    german = Messages(language="de")
+    assert german.say(phrase) == "Zeile 3"
+    assert german.say(Phrase("{claim} (step {step})", claim=phrase, step=1)) == "Zeile 3 (Schritt 1)"
+    assert german.say("no phrase of ours") == "no phrase of ours"
+    assert replace(german, notation="ogata").say(r"$A - \sym{L}C$") == "$A - K_eC$"
