@@ -21,6 +21,7 @@ import click
 from solver.cli.bugs import report_bug
 from solver.cli.destination import STANDARD, AtFault, Destination, write_whole
 from solver.cli.progress import Meter
+from solver.document.formats import FORMATS
 from solver.problem.source import Diagnostic, InputError, Source
 
 if TYPE_CHECKING:
@@ -168,6 +169,8 @@ def _deliver(request: Request, file: str, document: Document) -> int:
     for format_, path in request.destination.paths(file).items():
         try:
             write_whole(path, _rendered(document, format_))
+            for name, content in FORMATS[format_].beside(document).items():
+                write_whole(path.with_name(name), content)
             written.append(path)
         except AtFault as fault:
             click.echo(f"{file}: error: {fault.format_message()}", err=True)

@@ -12,10 +12,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Format:
-    """The ending of a file of this format and what writes it; `write` may raise Jinja's `TemplateError`."""
+    """The ending of a file of this format and what writes it; `write` may raise Jinja's `TemplateError`.
+
+    `beside` gives the files that must stand beside it, by name.
+    """
 
     suffix: str
     write: Callable[[Document], bytes]
+    beside: Callable[[Document], Mapping[str, bytes]] = lambda _: {}
 
 
 def _html(document: Document) -> bytes:
@@ -30,10 +34,16 @@ def _latex(document: Document) -> bytes:
     return latex_document(document).encode()
 
 
+def _images(document: Document) -> Mapping[str, bytes]:
+    from solver.render.latex_document import files_beside  # noqa: PLC0415 - as above
+
+    return files_beside(document)
+
+
 def _pdf(document: Document) -> bytes:
     from solver.render.pdf import pdf_of  # noqa: PLC0415 - as above
 
-    return pdf_of(_latex(document).decode())
+    return pdf_of(_latex(document).decode(), files=_images(document))
 
 
 def _markdown(document: Document) -> bytes:
@@ -56,7 +66,7 @@ def _json(document: Document) -> bytes:
 
 FORMATS: Mapping[str, Format] = {
     "html": Format(".html", _html),
-    "latex": Format(".tex", _latex),
+    "latex": Format(".tex", _latex, _images),
     "pdf": Format(".pdf", _pdf),
     "md": Format(".md", _markdown),
     "json": Format(".json", _json),

@@ -15,6 +15,7 @@ from typing import Any
 from solver.derivation import Answers, Check, CheckStatus, Status
 from solver.derivation.figures import Drawing
 from solver.messages import Messages
+from solver.problem.images import Image
 from solver.words import Phrase
 
 ENGLISH_WORDS = Messages()
@@ -163,6 +164,7 @@ class Document:
     presentation: Presentation = Presentation()
     name: str = ""
     messages: Messages = ENGLISH_WORDS
+    images: Mapping[str, Image] = field(default_factory=dict)
     exact: Callable[[], Mapping[str, Answers]] = field(default=dict, compare=False)
     retell: Callable[[Presentation], Document] | None = field(default=None, compare=False)
 

@@ -57,7 +57,7 @@ class Writer:
         source = problem.source if told.sources and (problem.show.source or not told.is_paper) else ""
         parts = tuple(work for work in works if not (told.is_paper and work.again))
         texts = problem.title, source, problem.statement, given
-        return Document(*texts, parts, told, name, wording.messages, exact)
+        return Document(*texts, parts, told, name, wording.messages, problem.images, exact)
 
     def load(self, part: Part) -> None:
         """Compile the wording of a part before it is needed; raises Jinja's `TemplateError`."""

@@ -104,7 +104,7 @@ class Supervisor:
         return reply
 
     def _orders(self) -> Orders:
-        return Orders(self.problem, self.left, self.known, self.limits, self.presentation)
+        return Orders(replace(self.problem, images={}), self.left, self.known, self.limits, self.presentation)
 
     def _wait(self, start: float, child: Child, unit: Unit) -> Reply:
         """Return the child's next reply, or the reason why there is none."""

@@ -1,12 +1,14 @@
-"""Markdown with `$math$`: CommonMark with tables; no raw HTML, no images, links to the web and to mail only."""
+"""Markdown with `$math$`: CommonMark with tables; no raw HTML, links to the web and to mail only, images of files."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
+from urllib.parse import unquote
 
 from markdown_it import MarkdownIt
+from markdown_it.rules_inline import StateInline, image
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
@@ -16,6 +18,7 @@ MATH_TOKENS = {"math_inline": False, "math_inline_double": True, "math_block": T
 """The parser's tokens for formulas, and whether they are displayed."""
 
 _ALLOWED_LINK = re.compile(r"(https?://|mailto:|#)", re.IGNORECASE)
+_ALLOWED_IMAGE = re.compile(r"[^:?#\\]+")
 _HIGHEST_HEADING = 3  # the page's title and the parts have the two above
 
 
@@ -24,9 +27,20 @@ def parser() -> MarkdownIt:
     """Return the one parser."""
     found = MarkdownIt("commonmark", {"html": False}).enable("table")
     dollarmath_plugin(found, allow_labels=False, allow_digits=False, allow_blank_lines=False, double_inline=True)
-    found.disable(["image", "html_block", "html_inline"])
+    found.disable(["html_block", "html_inline"])
     found.validateLink = lambda url: bool(_ALLOWED_LINK.match(url))  # type: ignore[method-assign]  # its documented use
+    found.inline.ruler.at("image", _image)
     return found
+
+
+def _image(state: StateInline, silent: bool) -> bool:
+    """Read an image by the parser's own rule, if its address is that of a file below the folder of the text."""
+    links = state.md.validateLink
+    state.md.validateLink = lambda url: bool(_ALLOWED_IMAGE.fullmatch(url))  # type: ignore[method-assign]
+    try:
+        return image(state, silent)
+    finally:
+        state.md.validateLink = links  # type: ignore[method-assign]
 
 
 @lru_cache(maxsize=1024)
@@ -53,6 +67,16 @@ def math_problems(markdown: str) -> list[tuple[int, str]]:
                 problems.append((start + problem[0], problem[1]))
             position = start + len(formula.strip())
     return problems
+
+
+def images_in(markdown: str) -> list[str]:
+    """Return the addresses of the images of a text, as their files are named, in the order of the text."""
+    return [address_of(token) for token in _flat(tokens(markdown)) if token.type == "image"]
+
+
+def address_of(token: Token) -> str:
+    """Return the name of the file of an image's token."""
+    return unquote(str(token.attrGet("src") or ""))
 
 
 def _flat(found: Sequence[Token]) -> Iterator[Token]:

@@ -13,6 +13,7 @@ from solver.words import ENGLISH
 if TYPE_CHECKING:
     import sympy as sp
 
+    from solver.problem.images import Image
     from solver.problem.nodes import Place
     from solver.problem.source import Source
     from solver.systems import System
@@ -85,7 +86,10 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A problem file as read. `system` is None where every part brings its own; `file` is the text it was read from."""
+    """A problem file as read. `system` is None where every part brings its own.
+
+    `file` is the text it was read from, `images` are those of its texts by their addresses.
+    """
 
     name: str
     title: str
@@ -97,4 +101,5 @@ class Problem:
     parameters: Mapping[str, Any] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
     show: Show = Show()
+    images: Mapping[str, Image] = field(default_factory=dict, repr=False)
     file: Source | None = field(default=None, compare=False)

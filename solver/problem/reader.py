@@ -75,7 +75,7 @@ class _ProblemReader:
     def problem(self) -> Problem:
         """Return the problem; raises InputError."""
         system, display = self.system("system"), self.display()
-        check_texts(self.root, self.source, self.report)
+        images = check_texts(self.root, self.source, self.report)
         parts = self.parts(system)
         if not self.report.diagnostics:
             check_used(self.section("parameters"), self.lexicon, self.report)
@@ -93,6 +93,7 @@ class _ProblemReader:
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
             show=self.show,
+            images=images,
             file=self.source,
         )
 

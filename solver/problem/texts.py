@@ -1,22 +1,38 @@
-"""The texts of a problem, Markdown with `$math$`: their formulas must be of the dialect that every format can draw."""
+"""The texts of a problem, Markdown with `$math$`: formulas and images must be such that every format can show them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from urllib.parse import quote
 
-from solver.markup import math_problems
+from solver.markup import images_in, math_problems
+from solver.problem.images import Image, NoImage, load_image
 from solver.problem.nodes import MappingNode, Node, ScalarNode
 from solver.problem.source import Diagnostic, Fault, Report, Source
 
 ADVICE = "formulas stand between dollar signs; a dollar sign itself is written \\$"
 
 
-def check_texts(root: MappingNode, source: Source, report: Report) -> None:
-    """Report what is wrong with the formulas of the statement and of the parts' prompts."""
+def check_texts(root: MappingNode, source: Source, report: Report) -> dict[str, Image]:
+    """Return the images of the statement and the prompts; report what is wrong with them and with formulas."""
+    images: dict[str, Image] = {}
     for node in _texts(root):
         for offset, message in math_problems(node.text):
             with report:
-                raise _fault(node, offset, message, source)
+                raise _fault(node, offset, f"in a formula: {message}", source, ADVICE)
+        for address in images_in(node.text):
+            with report:
+                images[address] = _image(address, node, source)
+    return images
+
+
+def _image(address: str, node: ScalarNode, source: Source) -> Image:
+    """Return an image of a text; raises Fault at its place."""
+    try:
+        return load_image(address, source)
+    except NoImage as reason:
+        offset = max(node.text.find(quote(address)), node.text.find(address), 0)
+        raise _fault(node, offset, f"the image '{address[:60]}' cannot be shown: {reason}", source, "") from None
 
 
 def _texts(root: MappingNode) -> Iterator[ScalarNode]:
@@ -30,14 +46,13 @@ def _texts(root: MappingNode) -> Iterator[ScalarNode]:
             yield node
 
 
-def _fault(node: ScalarNode, offset: int, message: str, source: Source) -> Fault:
-    """Return the fault at the place of the formula: in a block (statement: |) by the line it stands on."""
-    message = f"in a formula: {message}"
+def _fault(node: ScalarNode, offset: int, message: str, source: Source, note: str) -> Fault:
+    """Return the fault at a place in a text: in a block (statement: |) by the line it stands on."""
     before, _, _ = node.text[:offset].rpartition("\n")
     number = node.text[:offset].count("\n")
     words = node.text.split("\n")[number]
     column = source.line(node.place.line + 1 + number).find(words) if node.style == "block" and words else -1
     if column < 0:
-        return node.fault_inside(message, offset, 1, note=ADVICE)
+        return node.fault_inside(message, offset, 1, note=note)
     inside = offset - len(before) - bool(number)
-    return Fault(Diagnostic(message, node.place.line + 1 + number, column + inside + 1, 1, note=ADVICE))
+    return Fault(Diagnostic(message, node.place.line + 1 + number, column + inside + 1, 1, note=note))

@@ -6,6 +6,7 @@ the filters `text` (plain), `line` (one line of Markdown) and `prose` (Markdown)
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,8 +16,9 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import __version__, resources
 from solver.derivation.figures import Drawing
+from solver.problem.images import Image
 from solver.render.prose import inline_latex, to_latex
-from solver.render.prose_latex import display_latex
+from solver.render.prose_latex import display_latex, picture_name
 from solver.render.tex_text import escaped
 
 if TYPE_CHECKING:
@@ -49,9 +51,26 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         lstrip_blocks=True,
     )
     environment.filters.update(
-        figure=_figure, text=_line_of_text, line=inline_latex, prose=to_latex, breakable=_breakable, boxed=_boxed
+        bitmaps=_bitmaps,
+        figure=_figure,
+        text=_line_of_text,
+        line=inline_latex,
+        prose=to_latex,
+        breakable=_breakable,
+        boxed=_boxed,
     )
     return environment
+
+
+def files_beside(document: Document) -> dict[str, bytes]:
+    """Return the images that the document includes, by the names of their files. TeX draws no SVG."""
+    return {image.file_name: image.content for _, image in _bitmaps(document.images)}
+
+
+def _bitmaps(images: Mapping[str, Image]) -> list[tuple[str, Image]]:
+    """Return the images that TeX can include, by their addresses as the macro `givenimage` has them."""
+    found = ((address, image) for address, image in images.items() if image.file_name.endswith((".png", ".jpg")))
+    return [(picture_name(address), image) for address, image in found]
 
 
 def _line_of_text(text: str) -> str:

@@ -8,7 +8,8 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, pass_context
+from jinja2.runtime import Context
 from markupsafe import Markup
 
 from solver import __version__, resources
@@ -80,9 +81,11 @@ def _size(width: float) -> list[str]:
     return ["wider"] if width > wider else ["wide"] if width > wide else []
 
 
-def prose(markdown: str) -> Markup:
-    """Return Markdown with `$math$` as HTML blocks."""
-    return Markup(to_html(markdown, drawn))  # noqa: S704 - `to_html` escapes all text, `drawn` all formulas
+@pass_context
+def prose(context: Context, markdown: str) -> Markup:
+    """Return Markdown with `$math$` as HTML blocks, with the images of the document."""
+    document = context.get("document")
+    return Markup(to_html(markdown, drawn, document.images if document else {}))  # noqa: S704 - `to_html` escapes all text, `drawn` all formulas
 
 
 def inline(markdown: str) -> Markup:

@@ -6,8 +6,10 @@ import os
 import shutil
 import signal
 import subprocess
+from collections.abc import Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import MappingProxyType
 
 LIMIT = 60.0
 """Seconds for all runs of TeX together."""
@@ -20,8 +22,8 @@ class PdfUnavailable(Exception):  # noqa: N818 - mostly not an error of ours: th
     """There is no PDF; the message says why and what to do."""
 
 
-def pdf_of(latex: str, seconds: float = LIMIT) -> bytes:
-    """Return the PDF of a document.
+def pdf_of(latex: str, seconds: float = LIMIT, files: Mapping[str, bytes] = MappingProxyType({})) -> bytes:
+    """Return the PDF of a document; `files` are what it includes, by name.
 
     Raises PdfUnavailable if there is no TeX, if it stops with an error, or if it takes longer than `seconds`.
     The same document gives the same bytes with the same TeX. (latexmk only runs pdflatex, so it is not needed.)
@@ -30,6 +32,8 @@ def pdf_of(latex: str, seconds: float = LIMIT) -> bytes:
     with TemporaryDirectory(prefix="solve-tex-") as folder:
         scratch = Path(folder)
         (scratch / "solution.tex").write_text(latex, encoding="utf-8")
+        for name, content in files.items():
+            (scratch / name).write_bytes(content)
         before = ""
         for _ in range(RUNS if "pdflatex" in command[0] else 1):
             _run(command, scratch, seconds)

@@ -1,22 +1,25 @@
 """Markdown with `$math$` to HTML, to LaTeX and to plain text: one parser, three writers.
 
-CommonMark with tables; no raw HTML, no images, links to the web and to mail only. Formulas pass the white list of
-`solver.formula`; one that does not is shown as the text it is, never handed on.
+CommonMark with tables; no raw HTML, links to the web and to mail only, images of the problem's own. Formulas pass the
+white list of `solver.formula`; one that does not is shown as the text it is, never handed on.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from base64 import b64encode
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from html import escape
+from types import MappingProxyType
 from typing import Any
 
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from solver.formula import find_problem
-from solver.markup import MATH_TOKENS, parser, tokens
+from solver.markup import MATH_TOKENS, address_of, parser, tokens
+from solver.problem.images import Image
 from solver.render.prose_latex import latex_of
 from solver.render.prose_text import inline_text, text_of
 
@@ -37,9 +40,9 @@ _MARKDOWN_SIGNS = re.compile(r"([\\`*_\[\]|$<>~&])")
 _AT_LINE_START = re.compile(r"^()([#+\-=])|^(\d+)([.)])(?=\s|$)")
 
 
-def to_html(markdown: str, math: Math) -> str:
-    """Return HTML; everything is escaped but the formulas, which `math` draws."""
-    return _html(tokens(markdown), math)
+def to_html(markdown: str, math: Math, images: Mapping[str, Image] = MappingProxyType({})) -> str:
+    """Return HTML; everything is escaped but the formulas, which `math` draws. Images are those of the mapping only."""
+    return _html(tokens(markdown), math, images)
 
 
 def inline_html(markdown: str, math: Math) -> str:
@@ -79,6 +82,7 @@ def _parser() -> MarkdownIt:
     found = parser()
     for kind, displayed in MATH_TOKENS.items():
         found.add_render_rule(kind, _drawer(displayed))
+    found.add_render_rule("image", _shown_image)
     return found
 
 
@@ -93,7 +97,17 @@ def _drawer(displayed: bool) -> Callable[..., str]:
     return draw
 
 
-def _html(found: list[Token], math: Math) -> str:
+def _shown_image(_renderer: Any, found: Sequence[Token], index: int, _options: Any, env: dict[str, Any]) -> str:
+    """Return an image with its bytes in it; of one that is not known the words."""
+    words = inline_text(found[index].children or [])
+    image: Image | None = env["images"].get(address_of(found[index]))
+    if image is None:
+        return escape(words)
+    content = b64encode(image.content).decode("ascii")
+    return f'<img class="given" alt="{escape(words)}" src="data:{image.media_type};base64,{content}">'
+
+
+def _html(found: list[Token], math: Math, images: Mapping[str, Image] = MappingProxyType({})) -> str:
     writer = _parser()
-    rendered: str = writer.renderer.render(found, writer.options, {"math": math})
+    rendered: str = writer.renderer.render(found, writer.options, {"math": math, "images": images})
     return rendered

@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from markdown_it.token import Token
 
 from solver.formula import GREEK_LETTERS, find_problem
+from solver.markup import address_of
 from solver.render.displays import aligned
 from solver.render.tex_text import escaped
 
@@ -52,7 +53,10 @@ _TOO_DEEP = {
 
 
 def latex_of(tokens: Sequence[Token]) -> str:
-    """Return the tokens' LaTeX, without blank lines at either end."""
+    """Return the tokens' LaTeX, without blank lines at either end.
+
+    An image is the macro `givenimage` of the document with its address and its words.
+    """
     return "".join(_write(token, tokens, index) for index, token in enumerate(tokens)).strip()
 
 
@@ -130,6 +134,15 @@ def _link(token: Token, _tokens: Sequence[Token], _index: int) -> str:
     return rf"\href{{{_address(address)}}}{{"
 
 
+def _picture(token: Token, _tokens: Sequence[Token], _index: int) -> str:
+    return rf"\givenimage{{{picture_name(address_of(token))}}}{{{_inline(token, [], 0)}}}"
+
+
+def picture_name(address: str) -> str:
+    """Return the address of an image in letters and digits, which mean nothing to TeX."""
+    return address.encode().hex()
+
+
 def _address(address: str) -> str:
     """Return a link's address (the parser has percent-encoded it) with TeX's own signs escaped."""
     return "".join(
@@ -171,6 +184,7 @@ _WRITERS: dict[str, Callable[[Token, Sequence[Token], int], str]] = {
     "fence": _block,
     "ordered_list_open": _ordered_list,
     "link_open": _link,
+    "image": _picture,
     "table_open": _table,
     "th_open": _cell,
     "td_open": _cell,

@@ -121,6 +121,8 @@ def _piece(token: Token) -> str:
         return formula.replace(" ", FIRM) if len(formula) <= LONGEST_FIRM else formula
     if token.type in {"softbreak", "hardbreak"}:
         return " " if token.type == "softbreak" else "\n"
+    if token.type == "image":
+        return f"[{inline_text(token.children or [])}]"
     return token.content
 
 
