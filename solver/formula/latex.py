@@ -26,7 +26,7 @@ from solver.formula.signs import Signs
 
 
 class LatexWriter(Visitor[str]):
-    """Writes a tree; in an index no blank stands after a comma."""
+    """Writes a tree; in an index, outside of brackets, no blank stands after a comma."""
 
     def __init__(self, index: bool = False) -> None:
         self.after_comma = "" if index else " "
@@ -81,7 +81,7 @@ class LatexWriter(Visitor[str]):
         return self.argument(node.base) + "'" * node.primes + below + above
 
     def fenced(self, node: Fenced) -> str:
-        body = node.body.accept(self)
+        body = node.body.accept(_WRITER)
         left, right = (rf"\left{node.left}", rf"\right{node.right}") if node.tall else (node.left, node.right)
         return _joined(_joined(left, body), right)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import ClassVar, Generic, TypeVar
 
 T = TypeVar("T")
 
@@ -18,6 +18,7 @@ class Node:
     """A part of a formula."""
 
     __slots__ = ()
+    __match_args__: ClassVar[tuple[str, ...]] = ()
 
     def accept(self, visitor: Visitor[T]) -> T:
         """Return what the visitor makes of this node; each kind calls its own method of the visitor."""

@@ -2,68 +2,79 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
-from solver.render.width import LINE, broken, width
+from solver.formula.building import row, separated
+from solver.formula.nodes import Fenced, Node, Operator, Row, Scripts, Space, Symbol, Table
+from solver.formula.width import LINE, broken, width
+
+NOTHING = Row()
+QUAD = Space(r"\quad")
+EQUALS = Operator("=")
 
 
 def display(tex: str) -> str:
-    """Return a formula as a displayed one in Markdown."""
+    """Return LaTeX as a displayed formula in Markdown."""
     return f"\n\n$$\n{tex}\n$$\n\n"
 
 
-def chain(sides: Sequence[str], relation: str = "=", note: str = "") -> str:
-    """Return `a = b = c` as LaTeX; aligned at the signs, and long sums broken, where it does not fit on a line.
+def chain(sides: Sequence[Row], relation: Node = EQUALS, note: Row = NOTHING) -> Row:
+    """Return `a = b = c`; aligned at the signs, and long sums broken, where it does not fit on a line.
 
     `note` stands behind the last side.
     """
-    shown = [side for side in sides if side]
-    line = f" {relation} ".join(shown) + note
+    shown = [side for side in sides if side.items]
+    line = row(separated(shown, relation), note)
     if len(shown) < 2 or width(line) <= LINE:
         return line
     first, *others = shown
     left = width(first)
     if left > LINE / 2:
-        rows = [f"&{first}"] + [f"&\\quad {row}" for side in others for row in _rows(side, relation, LINE)]
+        lines = [first, *(row(QUAD, each) for side in others for each in _lines(side, relation, LINE))]
+        cells = [(NOTHING, each) for each in lines]
     else:
-        rows = [f"&{row}" for side in others for row in _rows(side, relation, LINE - left)]
-        rows[0] = first + rows[0]
-    if len(rows) == 1:
+        cells = [(NOTHING, each) for side in others for each in _lines(side, relation, LINE - left)]
+        cells[0] = (first, cells[0][1])
+    if len(cells) == 1:
         return line
-    return aligned([*rows[:-1], rows[-1] + note])
+    cells[-1] = (cells[-1][0], row(cells[-1][1], note))
+    return aligned(cells)
 
 
 READABLE = 1.6
 """A matrix may be this many lines wide: it is shrunk, or scrolls. A wider one is listed entry by entry."""
 
-_SIMPLE_NAME = re.compile(r"(\\?[A-Za-z]+)(\([a-z]\))?\Z")
 
-
-def entry_name(name: str, index: str) -> str:
+def entry_name(name: Row, index: str) -> Row:
     r"""Return the name of an entry: \Phi_{11}(t) of \Phi(t), and [name]_{11} of any other."""
-    simple = _SIMPLE_NAME.match(name)
-    return f"{simple[1]}_{{{index}}}{simple[2] or ''}" if simple else rf"\left[{name}\right]_{{{index}}}"
+    below = row(index)
+    match name.items:
+        case (Symbol() as letter,):
+            return row(Scripts(letter, below))
+        case (Symbol() as letter, Fenced("(", Row((Symbol(),))) as argument):
+            return row(Scripts(letter, below), argument)
+    return row(Scripts(Fenced("[", name, "]", tall=True), below))
 
 
-def entries(name: str, stated: Sequence[str], cells: Sequence[Sequence[str]]) -> str:
+def entries(name: Row, stated: Sequence[Row], cells: Sequence[Sequence[Row]]) -> Row:
     """Return the entries of a matrix one under the other, Φ_{11} = ..., below Φ = `stated`."""
     single = len(cells) == 1 or len(cells[0]) == 1
-    rows = [f"{name} &= {side}" for side in stated]
-    for i, row in enumerate(cells, 1):
-        for j, cell in enumerate(row, 1):
-            index = f"{max(i, j)}" if single else f"{i}{j}" if len(cells) < 10 and len(row) < 10 else f"{i},{j}"
+    lines = [(name, row(EQUALS, side)) for side in stated]
+    for i, cells_of_row in enumerate(cells, 1):
+        for j, cell in enumerate(cells_of_row, 1):
+            index = (
+                f"{max(i, j)}" if single else f"{i}{j}" if len(cells) < 10 and len(cells_of_row) < 10 else f"{i},{j}"
+            )
             first, *others = broken(cell, LINE - width(name) - 3)
-            rows += [f"{entry_name(name, index)} &= {first}", *(rf"&\quad {line}" for line in others)]
-    return aligned(rows)
+            lines += [(entry_name(name, index), row(EQUALS, first)), *((NOTHING, row(QUAD, line)) for line in others)]
+    return aligned(lines)
 
 
-def _rows(side: str, relation: str, room: float) -> list[str]:
+def _lines(side: Row, relation: Node, room: float) -> list[Row]:
     first, *others = broken(side, room)
-    return [f"{relation} {first}", *(rf"\quad {line}" for line in others)]
+    return [row(relation, first), *(row(QUAD, line) for line in others)]
 
 
-def aligned(rows: Iterable[str]) -> str:
-    """Return rows that have their alignment signs as one block."""
-    body = " \\\\\n".join(rows)
-    return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
+def aligned(lines: Iterable[tuple[Row, ...]]) -> Row:
+    """Return lines, each in cells between which it is aligned, as one block."""
+    return row(Table("aligned", tuple(lines)))

@@ -1,8 +1,9 @@
-r"""Exact objects as LaTeX in a small dialect that MathML, TeX and people read alike.
+r"""Exact objects as formulas, in a form that MathML, TeX and people read alike.
 
-`tex` is the only way from a value to a formula. Differences from sympy's own printer: terms in the order of a person,
-`e^{-2t}`, `(t)` without `\left`, one decision about decimals (`NumberFormat`), square brackets around matrices, j for
-the imaginary unit. Sums are printed directly, term by term, without sympy's general (and slow) route.
+`formula` is the only way from a value to a formula, and `tex` its LaTeX. Differences from sympy's own printer: terms in
+the order of a person, `e^{-2t}`, `(t)` without `\left`, one decision about decimals (`NumberFormat`), square brackets
+around matrices, j for the imaginary unit. Sums are printed directly, term by term, without sympy's general (and slow)
+route.
 """
 
 from __future__ import annotations
@@ -11,13 +12,14 @@ from functools import lru_cache
 from typing import Any
 
 import sympy as sp
-from sympy.printing.latex import LatexPrinter
 
-from solver.formula.pieces import as_base, as_factor, joined, parenthesized, summed
+from solver.formula import latex
+from solver.formula.building import MINUS, as_factor, is_atom, joined, over, power, row, summed
+from solver.formula.nodes import Fenced, Number, Operator, Root, Row, Scripts, Symbol
 from solver.render.latex_objects import FUNCTIONS, ObjectPrinter
 from solver.render.numbers import NumberFormat
 from solver.render.order import ordered_terms
-from solver.render.symbols import name_tex
+from solver.render.symbols import named
 from solver.render.terms import Term, common_fraction, evaluated, like_terms_added, split
 from solver.stated import Stated, operation_named
 
@@ -26,27 +28,24 @@ REMEMBERED = 20_000
 
 
 class Printer(ObjectPrinter):
-    """Prints one value; made by `tex`. What is not overridden here is printed by sympy."""
-
-    printmethod = ""  # else sympy's π would print itself, and know nothing of decimals
+    """Prints one value; made by `formula`. What is not overridden here is printed by sympy."""
 
     def __init__(self, numbers: NumberFormat) -> None:
-        LatexPrinter.__init__(self, {"imaginary_unit": "j", "ln_notation": True, "mat_str": "bmatrix", "mat_delim": ""})
         self.numbers = numbers
-        self._memo: dict[tuple[Any, bool, str], str] = {}
+        self._memo: dict[tuple[Any, bool, str], Row] = {}
 
-    def _print(self, expr: Any, **kwargs: Any) -> str:
+    def _print(self, expr: Any) -> Row:
         if isinstance(expr, sp.Integer):
-            return str(expr.p)
+            return _integer(expr.p)
         if not isinstance(expr, sp.Expr):
-            return str(super()._print(expr, **kwargs))
+            return super()._print(expr)
         key = (expr, self._inline, self.numbers.mode)
         known = self._memo.get(key)
         if known is None:
-            known = self._memo[key] = str(super()._print(expr, **kwargs))
+            known = self._memo[key] = super()._print(expr)
         return known
 
-    def doprint_value(self, value: Any) -> str:
+    def print_value(self, value: Any) -> Row:
         """Print a value from the start; what was printed before need not be printed again, for the pages repeat it."""
         if len(self._memo) > REMEMBERED:
             self._memo.clear()
@@ -55,7 +54,7 @@ class Printer(ObjectPrinter):
 
     # Sums, products and powers
 
-    def _print_Add(self, expr: Any, _order: Any = None) -> str:
+    def _print_Add(self, expr: Any) -> Row:
         if expr.is_number:
             return self._constant_sum(expr)
         terms = list(expr.args)
@@ -63,7 +62,7 @@ class Printer(ObjectPrinter):
             terms = like_terms_added(terms)
         return summed([self._print(term) for term in ordered_terms(terms)])
 
-    def _constant_sum(self, expr: Any) -> str:
+    def _constant_sum(self, expr: Any) -> Row:
         if self.numbers.all_decimal or expr.has(sp.Float) or self._rounds(expr):
             value = evaluated(expr)
             return summed([self._print(part) for part in value.args]) if value.is_Add else self._print(value)
@@ -76,48 +75,45 @@ class Printer(ObjectPrinter):
         """Whether a number of the expression is shown rounded; then its constants are added up."""
         return self.numbers.rounds_any(expr)
 
-    def _print_Mul(self, expr: Any) -> str:
+    def _print_Mul(self, expr: Any) -> Row:
         return self._term(split(expr))
 
-    def _print_Pow(self, expr: Any) -> str:
+    def _print_Pow(self, expr: Any) -> Row:
         return self._term(split(expr))
 
-    def _print_exp(self, expr: Any, exp: Any = None) -> str:
-        exponent = expr.args[0] if exp is None else None
-        if exponent is None:
-            return f"{parenthesized(self._print(expr))}^{{{exp}}}"
-        return f"e^{{{self._exponent(exponent)}}}"
+    def _print_exp(self, expr: Any) -> Row:
+        return row(Scripts(Symbol("e"), None, self._exponent(expr.args[0])))
 
-    def _print_ExpBase(self, expr: Any, exp: Any = None) -> str:
-        return self._print_exp(expr, exp)
+    _print_ExpBase = _print_exp
 
-    def _term(self, term: Term) -> str:
+    def _term(self, term: Term) -> Row:
         """Write a product: sign, number, fraction, functions."""
         decimal = self._decimal_constant(term)  # it knows the sign of a sum of roots
-        sign = "-" if term.negative else ""
+        sign = [MINUS] if term.negative else []
         if decimal is None:
             above, below = self._constants(term)
         else:
-            above, below = [decimal] if decimal != "1" else [], []
-        j = ["j"] if term.imaginary else []
+            above, below = [decimal] if decimal != ONE else [], []
+        j = [J] if term.imaginary else []
         variables = [self._power(*factor) for factor in term.above]
         functions = [self._power(*factor) for factor in term.functions]
         if term.below:
             below += [self._power(*factor) for factor in term.below]
-            return sign + joined([self._fraction([*above, *j, *variables], below), *self._factors(functions, 2)])
+            whole = [self._fraction([*above, *j, *variables], below), *self._factors(functions, 2)]
+            return row(*sign, joined(whole))
         rest = j + variables + functions
         if below:
             if self._inline:
-                return sign + self._fraction([*above, *rest], below)
+                return row(*sign, self._fraction([*above, *rest], below))
             rest = [self._fraction(above, below), *rest]
         elif term.imaginary and term.roots and decimal is None:
             numbers = above[: -len(term.roots)]
             rest = [*numbers, *j, *above[len(numbers) :], *variables, *functions]
         else:
             rest = above + rest
-        return sign + (joined(self._factors(rest, len(rest))) or "1")
+        return row(*sign, joined(self._factors(rest, len(rest))) if rest else ONE)
 
-    def _decimal_constant(self, term: Term) -> str | None:
+    def _decimal_constant(self, term: Term) -> Row | None:
         """Return the whole constant as a decimal, if that is how it is shown."""
         number, roots = term.number, term.roots or term.roots_below
         long = number.is_Rational and self.numbers.rounds(number)
@@ -127,52 +123,52 @@ class Printer(ObjectPrinter):
             value = evaluated(number * above / sp.Mul(*(base**exponent for base, exponent in term.roots_below)))
             if value.is_Float:
                 term.negative, value = term.negative != bool(value < 0), abs(value)
-                return self.numbers.decimal(value)
+                return self.numbers.formula(value)
             return as_factor(self._print(value))
         kept = bool(roots or term.below) and not self.numbers.all_decimal and not long
         if number.is_Float or (not kept and number.is_Rational and self.numbers.shows_decimal(number)):
-            return self.numbers.decimal(number)
+            return self.numbers.formula(number)
         return None
 
-    def _constants(self, term: Term) -> tuple[list[str], list[str]]:
+    def _constants(self, term: Term) -> tuple[list[Row], list[Row]]:
         """Return the factors of the exact constant above and below the bar; 1 is left out."""
         above, below = [], [self._power(*factor) for factor in term.roots_below]
         number = term.number
         if number.is_Rational:
-            above += [str(number.p)] * (number.p != 1)
-            below = [str(number.q)] * (number.q != 1) + below
+            above += [_integer(number.p)] * (number.p != 1)
+            below = [_integer(number.q)] * (number.q != 1) + below
         else:
             above.append(self._print(number))
         return above + [self._power(*factor) for factor in term.roots], below
 
-    def _fraction(self, above: list[str], below: list[str]) -> str:
-        numerator = joined(self._factors(above, len(above))) or "1"
+    def _fraction(self, above: list[Row], below: list[Row]) -> Row:
+        numerator = joined(self._factors(above, len(above))) if above else ONE
         denominator = joined(self._factors(below, len(below)))
         if not self._inline:
-            return rf"\frac{{{numerator}}}{{{denominator}}}"
-        over = denominator if len(below) == 1 and as_base(denominator) == denominator else f"({denominator})"
-        return f"{as_factor(numerator) if len(above) == 1 else numerator}/{over}"
+            return over(numerator, denominator)
+        whole = len(below) == 1 and is_atom(denominator)
+        divisor = denominator if whole else Fenced("(", denominator, ")")
+        return row(as_factor(numerator) if len(above) == 1 else numerator, Operator("/"), divisor)
 
     @staticmethod
-    def _factors(factors: list[str], count: int) -> list[str]:
+    def _factors(factors: list[Row], count: int) -> list[Row]:
         """Put the sums among several factors in parentheses."""
         return [as_factor(factor) for factor in factors] if count > 1 else factors
 
-    def _power(self, base: Any, exponent: Any) -> str:
+    def _power(self, base: Any, exponent: Any) -> Row:
         if exponent is sp.S.One:
             return self._print(base)
         if exponent.is_Rational and exponent.p == 1 and not self._inline:
-            root = "" if exponent.q == 2 else f"[{exponent.q}]"
-            return rf"\sqrt{root}{{{self._print(base)}}}"
+            return row(Root(self._print(base), None if exponent.q == 2 else _integer(exponent.q)))
         if exponent == sp.S.Half:
-            return rf"\sqrt{{{self._print(base)}}}"
+            return row(Root(self._print(base)))
         above = self._exponent(exponent)
         name = type(base).__name__
-        if name in FUNCTIONS and FUNCTIONS[name].startswith("\\") and len(base.args) == 1 and exponent.is_Integer:
-            return rf"{FUNCTIONS[name]}^{{{above}}}{self._arguments(base)}"
-        return f"{as_base(self._print(base))}^{{{above}}}"
+        if name in FUNCTIONS and len(base.args) == 1 and exponent.is_Integer:
+            return row(Scripts(FUNCTIONS[name], None, above), self._arguments(base))
+        return power(self._print(base), above)
 
-    def _exponent(self, exponent: Any) -> str:
+    def _exponent(self, exponent: Any) -> Row:
         outside, self._inline = self._inline, True
         try:
             return self._print(exponent)
@@ -181,42 +177,51 @@ class Printer(ObjectPrinter):
 
     # Numbers and names
 
-    def _print_Integer(self, expr: Any) -> str:
-        return str(expr)
+    def _print_Integer(self, expr: Any) -> Row:
+        return _integer(int(expr))
 
-    def _print_Rational(self, expr: Any) -> str:
+    _print_int = _print_Integer
+
+    def _print_Rational(self, expr: Any) -> Row:
         if self.numbers.shows_decimal(expr):
-            return self.numbers.decimal(expr)
-        sign = "-" if expr.p < 0 else ""
-        return sign + self._fraction([str(abs(expr.p))], [str(expr.q)])
+            return self.numbers.formula(expr)
+        fraction = self._fraction([_integer(abs(expr.p))], [_integer(expr.q)])
+        return row(MINUS, fraction) if expr.p < 0 else fraction
 
-    def _print_Float(self, expr: Any) -> str:
-        return self.numbers.decimal(expr)
+    def _print_Float(self, expr: Any) -> Row:
+        return self.numbers.formula(expr)
 
-    def _print_Exp1(self, expr: Any, exp: Any = None) -> str:
-        tex = self.numbers.decimal(expr.evalf(30)) if self.numbers.all_decimal else "e"
-        return f"{tex}^{{{exp}}}" if exp else tex
+    def _print_Exp1(self, expr: Any) -> Row:
+        return self.numbers.formula(expr.evalf(30)) if self.numbers.all_decimal else row("e")
 
-    def _print_Pi(self, expr: Any) -> str:
-        return self.numbers.decimal(expr.evalf(30)) if self.numbers.all_decimal else r"\pi"
+    def _print_Pi(self, expr: Any) -> Row:
+        return self.numbers.formula(expr.evalf(30)) if self.numbers.all_decimal else row(r"\pi")
 
-    def _print_Infinity(self, _expr: Any) -> str:
-        return r"\infty"
+    def _print_Infinity(self, _expr: Any) -> Row:
+        return row(r"\infty")
 
-    def _print_NegativeInfinity(self, _expr: Any) -> str:
-        return r"-\infty"
+    def _print_NegativeInfinity(self, _expr: Any) -> Row:
+        return row(r"-\infty")
 
-    def _print_ImaginaryUnit(self, _expr: Any) -> str:
-        return "j"
+    def _print_ImaginaryUnit(self, _expr: Any) -> Row:
+        return J
 
-    def _print_Symbol(self, expr: Any, _style: str = "plain") -> str:
-        return name_tex(expr.name)
+    def _print_Symbol(self, expr: Any) -> Row:
+        return named(expr.name)
 
-    def _print_ComplexRootOf(self, expr: Any) -> str:
+    def _print_ComplexRootOf(self, expr: Any) -> Row:
         return self._print(evaluated(expr))
 
-    def _print_Stated(self, expr: Stated) -> str:
+    def _print_Stated(self, expr: Stated) -> Row:
         return operation_named(expr.operation).printer(self._print, *expr.operands)
+
+
+ONE, J = row("1"), row("j")
+
+
+def _integer(number: int) -> Row:
+    digits = Number(str(abs(number)))
+    return Row((MINUS, digits)) if number < 0 else Row((digits,))
 
 
 @lru_cache(maxsize=16)
@@ -230,21 +235,26 @@ SHORT = 100
 """A fraction of whole numbers up to this needs no decimal beside it."""
 
 
-def tex(value: Any, numbers: NumberFormat = DEFAULT) -> str:
-    """Return LaTeX (without dollar signs) of an expression, matrix, list, condition, truth value, text or formula.
+def formula(value: Any, numbers: NumberFormat = DEFAULT) -> Row:
+    """Return the formula of an expression, matrix, list, condition, truth value, text or `Stated`.
 
     A Python truth value is "yes" or "no"; a condition that sympy found true or false is "always" or "never".
     """
-    return _printer(numbers).doprint_value(value)
+    return _printer(numbers).print_value(value)
 
 
-def tex_answer(value: Any, numbers: NumberFormat = DEFAULT) -> str:
-    """Return the value of an answer as LaTeX; in the mode "both" its decimals follow, unless they say nothing new."""
-    exact = tex(value, numbers)
+def answer_formula(value: Any, numbers: NumberFormat = DEFAULT) -> Row:
+    """Return the value of an answer; in the mode "both" its decimals follow, unless they say nothing new."""
+    exact = formula(value, numbers)
     if numbers.mode != "both" or not _wants_decimal(value):
         return exact
-    decimal = tex(value, NumberFormat("decimal", numbers.digits))
-    return exact if decimal == exact else rf"{exact} \approx {decimal}"
+    decimal = formula(value, NumberFormat("decimal", numbers.digits))
+    return exact if decimal == exact else row(exact, r"\approx", decimal)
+
+
+def tex(value: Any, numbers: NumberFormat = DEFAULT) -> str:
+    """Return the formula of a value as LaTeX, without dollar signs."""
+    return latex(formula(value, numbers))
 
 
 def _wants_decimal(value: Any) -> bool:

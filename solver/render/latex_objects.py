@@ -1,84 +1,119 @@
-"""Functions, matrices, conditions and collections as LaTeX."""
+"""Functions, matrices, conditions and collections as formulas."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
-from solver.formula.pieces import parenthesized, summed
+from solver.formula import MathProblem, read
+from solver.formula.building import parenthesized, row, separated, summed, walk
+from solver.formula.nodes import (
+    Accent,
+    Fenced,
+    Fraction,
+    Function,
+    Node,
+    Operator,
+    Root,
+    Row,
+    Scripts,
+    Space,
+    Styled,
+    Symbol,
+    Table,
+    Text,
+)
 from solver.matrices import entries
 from solver.render.numbers import NumberFormat
-from solver.render.symbols import name_tex
+from solver.render.symbols import named
 
-FUNCTIONS = {
-    **{name: f"\\{name}" for name in ["sin", "cos", "tan", "sinh", "cosh", "tanh", "cot", "coth", "sec", "csc"]},
-    **{"asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "log": r"\ln", "arg": r"\operatorname{arg}"},
-    **{name: rf"\operatorname{{{name}}}" for name in ["asinh", "acosh", "atanh", "atan2", "sinc"]},
-    **{"sign": r"\operatorname{sgn}", "re": r"\operatorname{Re}", "im": r"\operatorname{Im}"},
-    **{"Heaviside": r"\mathbf{1}", "DiracDelta": r"\delta", "Min": r"\min", "Max": r"\max"},
+FUNCTIONS: dict[str, Node] = {
+    **{name: Function(name) for name in ["sin", "cos", "tan", "sinh", "cosh", "tanh", "cot", "coth", "sec", "csc"]},
+    **{"asin": Function("arcsin"), "acos": Function("arccos"), "atan": Function("arctan"), "log": Function("ln")},
+    **{name: Function(name, named=True) for name in ["arg", "asinh", "acosh", "atanh", "atan2", "sinc"]},
+    **{name: Function(each, named=True) for name, each in [("sign", "sgn"), ("re", "Re"), ("im", "Im")]},
+    **{"Heaviside": Styled(r"\mathbf", row("1")), "DiracDelta": Symbol(r"\delta")},
+    **{"Min": Function("min"), "Max": Function("max")},
 }
+_SYMPY = {"imaginary_unit": "j", "ln_notation": True, "mat_str": "bmatrix", "mat_delim": ""}
 
-_FRACTION_OF_LETTERS = re.compile(r"\\frac(\{(?:[^{}]|\{[^{}]*\})*\}\{[^{}]*[A-Za-z])")
 
+class ObjectPrinter:
+    """Prints what is made of expressions; how these are printed is the business of `latex.Printer`.
 
-class ObjectPrinter(LatexPrinter):
-    """Prints what is made of expressions; how these are printed is the business of `latex.Printer`."""
+    The method that prints an object has the name of its class, or of the nearest above that has one, after `_print_`.
+    """
 
     _inline = False  # inside an exponent fractions are written 1/2
     numbers: NumberFormat
 
+    def _print(self, expr: Any) -> Row:
+        classes = type(expr).__mro__
+        if AppliedUndef in classes:  # the class of f(t) is called f
+            classes = classes[classes.index(AppliedUndef) :]
+        for each in classes:
+            method = getattr(self, f"_print_{each.__name__}", None)
+            if method is not None:
+                return method(expr)
+        return self._by_sympy(expr)
+
+    @staticmethod
+    def _by_sympy(expr: Any) -> Row:
+        """Print what has no method here as sympy does, as far as its LaTeX is of our dialect."""
+        try:
+            return read(sp.latex(expr, **_SYMPY))
+        except MathProblem:
+            return row(Text(_words(str(expr))))
+
     # Functions
 
-    def _arguments(self, expr: Any) -> str:
+    def _arguments(self, expr: Any) -> Node:
         outside, self._inline = self._inline, False
         try:
-            return parenthesized(", ".join(self._print(argument) for argument in expr.args))
+            return parenthesized(separated([self._print(argument) for argument in expr.args], COMMA))
         finally:
             self._inline = outside
 
-    def _print_Function(self, expr: Any, exp: Any = None) -> str:
+    def _print_Function(self, expr: Any) -> Row:
         name = type(expr).__name__
-        written = FUNCTIONS.get(name) or name_tex(name)
-        return f"{written}{f'^{{{exp}}}' if exp else ''}{self._arguments(expr)}"
+        if name in FUNCTIONS:
+            return row(FUNCTIONS[name], self._arguments(expr))
+        if hasattr(LatexPrinter, f"_print_{name}"):
+            return self._by_sympy(expr)
+        return row(named(name), self._arguments(expr))
 
-    def _print_log(self, expr: Any, exp: Any = None) -> str:
-        return self._print_Function(expr, exp)
+    def _print_Heaviside(self, expr: Any) -> Row:
+        return row(FUNCTIONS["Heaviside"], parenthesized(self._print(expr.args[0])))
 
-    _print_DiracDelta = _print_re = _print_im = _print_Min = _print_Max = _print_arg = _print_Function
-
-    def _print_Heaviside(self, expr: Any, _exp: Any = None) -> str:
-        return rf"\mathbf{{1}}{parenthesized(self._print(expr.args[0]))}"
-
-    def _print_KroneckerDelta(self, expr: Any, _exp: Any = None) -> str:
+    def _print_KroneckerDelta(self, expr: Any) -> Row:
         shift = expr.args[0] - expr.args[1]
         rising = next((shift.coeff(symbol) > 0 for symbol in shift.free_symbols if symbol.name == "k"), True)
-        return rf"\delta[{self._print(shift if rising else -shift)}]"
+        return row(r"\delta", Fenced("[", self._print(shift if rising else -shift), "]"))
 
-    def _print_Abs(self, expr: Any, exp: Any = None) -> str:
-        return rf"\left|{self._print(expr.args[0])}\right|" + (f"^{{{exp}}}" if exp else "")
+    def _print_Abs(self, expr: Any) -> Row:
+        return row(Fenced("|", self._print(expr.args[0]), "|", tall=True))
 
-    def _print_Derivative(self, expr: Any) -> str:
+    def _print_Derivative(self, expr: Any) -> Row:
         function, (variable, order) = expr.expr, expr.variable_count[0]
         if len(expr.variable_count) == 1 and function.is_Function and function.args == (variable,) and order in {1, 2}:
             dot = {1: r"\dot", 2: r"\ddot"}[int(order)]
-            return rf"{dot}{{{name_tex(type(function).__name__)}}}{self._arguments(function)}"
-        return str(LatexPrinter._print_Derivative(self, expr))
+            return row(Accent(dot, named(type(function).__name__)), self._arguments(function))
+        return self._by_sympy(expr)
 
     # Matrices, conditions, collections
 
-    def _print_MatrixBase(self, expr: Any) -> str:
+    def _print_MatrixBase(self, expr: Any) -> Row:
         if 0 in expr.shape:
-            return r"\text{empty}"
+            return row(Text("empty"))
         with self._alike(expr):
-            cells = [self._cell(entry) for entry in entries(expr)]
-        rows = r" \\ ".join(" & ".join(cells[i : i + expr.cols]) for i in range(0, len(cells), expr.cols))
-        return rf"\begin{{bmatrix}}{rows}\end{{bmatrix}}"
+            cells = [_readable(self._print(entry)) for entry in entries(expr)]
+        return row(Table("bmatrix", tuple(tuple(cells[i : i + expr.cols]) for i in range(0, len(cells), expr.cols))))
 
     @contextmanager
     def _alike(self, matrix: Any) -> Iterator[None]:
@@ -91,12 +126,7 @@ class ObjectPrinter(LatexPrinter):
         finally:
             self.numbers = outside
 
-    def _cell(self, entry: Any) -> str:
-        """Print an entry; a fraction with letters below the bar is not made small, as TeX would."""
-        cell = self._print(entry)
-        return _FRACTION_OF_LETTERS.sub(r"\\dfrac\1", cell) if r"\frac" in cell else cell
-
-    def _print_PolyBase(self, expr: Any) -> str:
+    def _print_PolyBase(self, expr: Any) -> Row:
         terms = (
             sp.Mul(coefficient, *(gen**power for gen, power in zip(expr.gens, powers, strict=True)), evaluate=True)
             for powers, coefficient in expr.terms()
@@ -105,42 +135,62 @@ class ObjectPrinter(LatexPrinter):
 
     _print_Poly = _print_PolyBase
 
-    def _print_Relational(self, expr: Any) -> str:
-        signs = {"==": "=", "!=": r"\ne", "<": "<", "<=": r"\le", ">": ">", ">=": r"\ge"}
-        return f"{self._print(expr.lhs)} {signs[expr.rel_op]} {self._print(expr.rhs)}"
+    def _print_Relational(self, expr: Any) -> Row:
+        return row(self._print(expr.lhs), SIGNS[expr.rel_op], self._print(expr.rhs))
 
-    def _print_And(self, expr: Any) -> str:
+    def _print_And(self, expr: Any) -> Row:
         parts = sorted(expr.args, key=sp.default_sort_key)
         chain = _chain(parts)
         if chain is not None:
-            return " ".join(part if isinstance(part, str) else self._print(part) for part in chain)
-        return r" \text{ and } ".join(self._print(part) for part in parts)
+            return row(*(part if isinstance(part, Operator) else self._print(part) for part in chain))
+        return separated(map(self._print, parts), Text(" and "))
 
-    def _print_Or(self, expr: Any) -> str:
-        return r" \text{ or } ".join(self._print(part) for part in sorted(expr.args, key=sp.default_sort_key))
+    def _print_Or(self, expr: Any) -> Row:
+        return separated(map(self._print, sorted(expr.args, key=sp.default_sort_key)), Text(" or "))
 
-    def _print_BooleanTrue(self, _expr: Any) -> str:
-        return r"\text{always}"
+    def _print_BooleanTrue(self, _expr: Any) -> Row:
+        return row(Text("always"))
 
-    def _print_BooleanFalse(self, _expr: Any) -> str:
-        return r"\text{never}"
+    def _print_BooleanFalse(self, _expr: Any) -> Row:
+        return row(Text("never"))
 
-    def _print_bool(self, expr: Any) -> str:
-        return r"\text{yes}" if expr else r"\text{no}"
+    def _print_bool(self, expr: Any) -> Row:
+        return row(Text("yes" if expr else "no"))
 
-    def _print_NoneType(self, _expr: None) -> str:
-        return r"\text{none}"
+    def _print_NoneType(self, _expr: None) -> Row:
+        return row(Text("none"))
 
-    def _print_str(self, expr: str) -> str:
-        return rf"\text{{{_text(expr)}}}"
+    def _print_str(self, expr: str) -> Row:
+        return row(Text(_words(expr)))
 
-    def _print_list(self, expr: Any) -> str:
-        return r",\; ".join(self._print(item) for item in expr) or r"\text{none}"
+    def _print_list(self, expr: Any) -> Row:
+        return separated([self._print(item) for item in expr], COMMA, Space(r"\;")) if expr else row(Text("none"))
 
     _print_tuple = _print_Tuple = _print_list
 
-    def _print_FiniteSet(self, expr: Any) -> str:
+    def _print_FiniteSet(self, expr: Any) -> Row:
         return self._print_list(sorted(expr.args, key=sp.default_sort_key))
+
+
+COMMA = Operator(",")
+SIGNS = {sign: Operator(each) for sign, each in [("==", "="), ("!=", r"\ne"), ("<", "<"), ("<=", r"\le"), (">", ">"),
+                                                 (">=", r"\ge")]}  # fmt: skip
+
+
+def _readable(entry: Row) -> Row:
+    """Return an entry of a matrix; a fraction with letters below the bar is not made small, as TeX would."""
+    return Row(tuple(map(_displayed, entry.items)))
+
+
+def _displayed(node: Node) -> Node:
+    if isinstance(node, Fraction):
+        letters = any(isinstance(each, Symbol | Root | Function) for each in walk(node.below))
+        return replace(node, command=r"\dfrac") if letters else node
+    if isinstance(node, Fenced):
+        return replace(node, body=_readable(node.body))
+    if isinstance(node, Scripts):
+        return replace(node, base=_displayed(node.base))
+    return node
 
 
 def _chain(parts: list[Any]) -> list[Any] | None:
@@ -152,12 +202,11 @@ def _chain(parts: list[Any]) -> list[Any] | None:
     rising = [part if isinstance(part, sp.StrictLessThan | sp.LessThan) else part.reversed for part in parts]
     for first, second in (rising, rising[::-1]):
         if first.rhs == second.lhs and first.rhs.is_Symbol:
-            sign = {"<": "<", "<=": r"\le"}
-            return [first.lhs, sign[first.rel_op], first.rhs, sign[second.rel_op], second.rhs]
+            return [first.lhs, SIGNS[first.rel_op], first.rhs, SIGNS[second.rel_op], second.rhs]
     return None
 
 
-def _text(words: str) -> str:
+def _words(words: str) -> str:
     r"""Return words as they stand in \text{..}: letters, digits and plain punctuation; anything else is left out."""
     return "".join(
         letter for letter in words if (letter.isascii() and letter.isalnum()) or letter in " .,;:!?()[]+-/='*"

@@ -11,6 +11,10 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from mpmath.libmp import libmpf
 
+from solver.formula import latex
+from solver.formula.building import row
+from solver.formula.nodes import Row
+
 if TYPE_CHECKING:
     from solver.problem.model import Display
 
@@ -84,16 +88,19 @@ class NumberFormat:
             digits = max(digits, LONGEST_TYPED)  # as typed: nothing is rounded that has no more digits
         return _decimal_parts(_mpf(number), digits)
 
-    def decimal(self, number: Any) -> str:
-        r"""Return a real number as a decimal in LaTeX: `0.25`, `-1.2 \cdot 10^{-7}`, `10^{-7}`."""
+    def formula(self, number: Any) -> Row:
+        r"""Return a real number as a decimal: `0.25`, `-1.2 \cdot 10^{-7}`, `10^{-7}`."""
         digits, exponent = self.parts(number)
         if digits.endswith(("inf", "nan")):
-            return {"+inf": r"\infty", "-inf": r"-\infty"}.get(digits, r"\text{nan}")
+            return row({"+inf": r"\infty", "-inf": r"-\infty"}.get(digits, r"\text{nan}"))
         if not exponent:
-            return digits
-        if digits.lstrip("-") == "1":
-            return f"{digits[:-1]}10^{{{exponent}}}"
-        return rf"{digits} \cdot 10^{{{exponent}}}"
+            return row(digits)
+        power = rf"10^{{{exponent}}}"
+        return row(f"{digits[:-1]}{power}" if digits.lstrip("-") == "1" else rf"{digits} \cdot {power}")
+
+    def decimal(self, number: Any) -> str:
+        """Return the same as LaTeX."""
+        return latex(self.formula(number))
 
     def text(self, number: Any) -> str:
         """Return a real number as plain text: `3`, `3/4`, `0.25`, `1.2e-7`."""

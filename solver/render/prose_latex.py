@@ -9,7 +9,8 @@ from collections.abc import Callable, Sequence
 
 from markdown_it.token import Token
 
-from solver.formula import GREEK_LETTERS, find_problem
+from solver.formula import find_problem, latex, read
+from solver.formula.nodes import Table
 from solver.markup import address_of
 from solver.render.displays import aligned
 from solver.render.tex_text import escaped
@@ -74,9 +75,8 @@ def formula_latex(formula: str, displayed: bool) -> str:
     formula = formula.strip()
     if find_problem(formula) is not None:
         return rf"\texttt{{{escaped(formula)}}}"
-    for letter, name in GREEK_LETTERS.items():
-        if not formula.isascii():
-            formula = formula.replace(letter, f"\\{name} ")
+    if not formula.isascii():
+        formula = latex(read(formula))  # Greek letters become commands
     return display_latex(formula) if displayed else f"${formula}$"
 
 
@@ -86,14 +86,13 @@ TALLEST = 28
 
 def display_latex(formula: str, around: str = "") -> str:
     r"""Return a displayed formula, in the command `around` (`\boxed`); a long list of equations as several."""
-    inside = formula.removeprefix("\\begin{aligned}\n").removesuffix("\n\\end{aligned}")
-    rows = inside.split(" \\\\\n")
-    if len(rows) <= TALLEST:
-        return _display(formula, around)
-    count = -(-len(rows) // TALLEST)
-    size = -(-len(rows) // count)
-    blocks = (aligned(rows[i : i + size]) for i in range(0, len(rows), size))
-    return "".join(_display(block, around) for block in blocks)
+    match read(formula).items:
+        case (Table("aligned", rows),) if len(rows) > TALLEST:
+            count = -(-len(rows) // TALLEST)
+            size = -(-len(rows) // count)
+            blocks = (aligned(rows[i : i + size]) for i in range(0, len(rows), size))
+            return "".join(_display(latex(block), around) for block in blocks)
+    return _display(formula, around)
 
 
 def _display(formula: str, around: str) -> str:

@@ -1,25 +1,28 @@
-"""Row operations as LaTeX."""
+"""Row operations as formulas."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from solver.formula.pieces import is_sum, joined, parenthesized, summed
+from solver.formula.building import is_negative, is_sum, joined, parenthesized, row, summed, without_sign
+from solver.formula.nodes import Row
 
 
-def row_operation(operation: Any, tex: Callable[[Any], str]) -> str:
+def row_operation(operation: Any, show: Callable[[Any], Row]) -> Row:
     """Return a row operation (`exact.row_reduction`: Swap, Scale or Add); rows are counted from 1."""
-    row = f"R_{{{operation.i + 1}}}"
+    changed = row(f"R_{{{operation.i + 1}}}")
     if not hasattr(operation, "factor"):
-        return rf"{row} \leftrightarrow R_{{{operation.j + 1}}}"
+        return row(changed, rf"\leftrightarrow R_{{{operation.j + 1}}}")
     if not hasattr(operation, "j"):
-        return rf"{row} \leftarrow {_multiple(tex(operation.factor), row)}"
-    other = _multiple(tex(operation.factor), f"R_{{{operation.j + 1}}}")
-    return rf"{row} \leftarrow {summed([row, other])}"
+        return row(changed, r"\leftarrow", _multiple(show(operation.factor), changed))
+    other = _multiple(show(operation.factor), row(f"R_{{{operation.j + 1}}}"))
+    return row(changed, r"\leftarrow", summed([changed, other]))
 
 
-def _multiple(factor: str, row: str) -> str:
-    if factor in {"1", "-1"}:
-        return factor.replace("1", row)
-    return joined([factor if not is_sum(factor.removeprefix("-")) else parenthesized(factor), row])
+def _multiple(factor: Row, name: Row) -> Row:
+    if is_negative(factor) and not is_sum(without_sign(factor)):
+        return row("-", _multiple(without_sign(factor), name))
+    if factor == row("1"):
+        return name
+    return joined([row(parenthesized(factor)) if is_sum(factor) else factor, name])

@@ -1,9 +1,13 @@
-"""Names as LaTeX: Greek letters, subscripts, upright words."""
+"""Names as formulas: Greek letters, subscripts, upright words."""
 
 from __future__ import annotations
 
 import re
 from functools import lru_cache
+
+from solver.formula import read
+from solver.formula.building import row, separated
+from solver.formula.nodes import Node, Number, Operator, Row, Scripts, Styled, Symbol
 
 _SPELLED = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa mu nu xi pi rho sigma tau upsilon phi chi psi omega "
@@ -24,24 +28,27 @@ _CHUNKS = re.compile(r"(\d+)")
 
 
 @lru_cache(maxsize=2048)
-def name_tex(name: str) -> str:
-    r"""Return a name as LaTeX: `x10` is x_{10}, `omega_n` \omega_n, `Vin` \mathrm{Vin}, `K_co` K_{\mathrm{co}}."""
+def named(name: str) -> Row:
+    r"""Return a name as it is written: `x10` x_{10}, `omega_n` \omega_n, `Vin` \mathrm{Vin}, `K_co` K_{\mathrm{co}}."""
     base, *subscripts = [part for part in name.split("_") if part] or [name]
     digits = _WITH_DIGITS.match(base)
     if digits and (len(digits[1]) == 1 or digits[1] in GREEK):
         base, subscripts = digits[1], [digits[2], *subscripts]
     if not subscripts:
-        return _word(base)
-    below = ",".join(_word(part) for part in subscripts)
-    return f"{_word(base)}_{below}" if len(below) == 1 or below in GREEK.values() else f"{_word(base)}_{{{below}}}"
+        return row(_word(base))
+    below = separated([row(_word(part)) for part in subscripts], Operator(","))
+    short = len(subscripts) == 1 and (len(subscripts[0]) == 1 or subscripts[0] in GREEK)
+    return row(Scripts(_word(base), below.items[0] if short else below))
 
 
-def _word(word: str) -> str:
+def _word(word: str) -> Node:
     if word in GREEK:
-        return GREEK[word]
-    if len(word) == 1 or not word.isascii() or not word.isalnum() or word.isdigit():
-        return _escaped(word)
-    return rf"\mathrm{{{word}}}"
+        return Symbol(GREEK[word])
+    if word.isdigit() and word.isascii():
+        return Number(word)
+    if len(word) == 1 or not word.isascii() or not word.isalnum():
+        return Symbol(_escaped(word))
+    return Styled(r"\mathrm", read(word))
 
 
 def _escaped(word: str) -> str:

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import CheckStatus, Status
 from solver.formula.terminal import flat
+from solver.render.displaying import word_of
 from solver.render.prose import inline_as_text, to_text
 from solver.render.prose_text import INDENT, display_lines, fits, indented, wrapped
-from solver.render.wording import WORD
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def verdict_of(part: Work, say: Say) -> str:
 
 def answer_lines(answer: WorkAnswer, width: int = WIDTH) -> list[str]:
     """Return an answer as `symbol = value`, drawn in two dimensions where it fits, a wide matrix entry by entry."""
-    line = f"{answer.symbol} = {answer.tex}" if answer.symbol and not WORD.fullmatch(answer.symbol) else answer.equation
+    line = f"{answer.symbol} = {answer.tex}" if answer.symbol and not word_of(answer.symbol) else answer.equation
     equation = line if fits(line, width - len(INDENT)) else answer.narrow
     return [line.removeprefix(INDENT) for line in display_lines(equation, width - len(INDENT))]
 

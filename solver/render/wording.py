@@ -6,7 +6,7 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 - `value|tex`: a value as LaTeX, in the problem's number format; `value|latex`: the same as text to be compared or
   changed, the value behind it forgotten; `operation|operation`: a row operation; `text|plain`: words of a user, with
   Markdown's signs made harmless,
-- `eq(a, b, ...)`: the display a = b = ...; texts are LaTeX as they stand, anything else is printed by `tex`,
+- `eq(a, b, ...)`: the display a = b = ...; texts are LaTeX as it stands, anything else is printed as by `tex`,
 - `claim(c.name, prefix)`: both sides of a claim as a display; `align([[a, b], [c, d]])`: equations under each other,
 - `pieces([[name, value], ...])`: `name = value` for all that are not none; `fraction(p, q)`: p over q as it stands;
 - `sym.Phi`, `sym.xdot`, ...: the symbols of the notation.
@@ -14,38 +14,31 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import sympy as sp
 from jinja2 import TemplateError, TemplateNotFound, TemplateSyntaxError
 
-from solver.derivation import AnswerName, Claim, Step
+from solver.derivation import AnswerName, Step
 from solver.derivation.displayed import Displayed
 from solver.derivation.figures import Figure, worded_figure
+from solver.formula import MathProblem, latex
+from solver.formula.building import row
+from solver.formula.nodes import Row, Text
 from solver.markup import math_problems
 from solver.messages import Messages
 from solver.notation import COURSE, NOTATIONS, answer_symbol
 from solver.problem.model import Display, Part
-from solver.render.displays import READABLE, aligned, chain, display, entries
-from solver.render.latex import DEFAULT, tex, tex_answer
+from solver.render.displaying import Displaying, word_of
+from solver.render.latex import DEFAULT, answer_formula, formula
 from solver.render.macros import Macros, environment_of, macros_of
 from solver.render.numbers import NumberFormat
-from solver.render.row_operations import row_operation
-from solver.render.width import LINE, width
 from solver.stated.algebra import quotient
 from solver.systems import System
 from solver.words import ENGLISH, Reason
-
-WORD = re.compile(r"\\text\{([^{}]*)\}")
-"""An answer that has a word in place of a symbol: whether the system is stable equals nothing."""
-
-GAP = r",\qquad "
-"""Between two equations on one line."""
 
 LEVELS = ("brief", "full", "tutor")
 
@@ -129,7 +122,7 @@ class Wording:
     def _symbol_in_words(self, answer: AnswerName) -> str:
         """Return the symbol of an answer, empty where it has a word in place of one."""
         symbol = self.symbol(answer)
-        return "" if WORD.fullmatch(symbol) else symbol
+        return "" if word_of(symbol) else symbol
 
     def given(self, system: System) -> str:
         """Return what is given about a system in Markdown."""
@@ -137,11 +130,18 @@ class Wording:
 
     def tex(self, value: Any) -> str:
         """Return a value as LaTeX."""
-        return tex(value, self.numbers)
+        return latex(self.formula(value))
+
+    def formula(self, value: Any) -> Row:
+        """Return the formula of a value."""
+        return formula(value, self.numbers)
 
     def answer(self, value: Any) -> str:
         """Return the value of an answer as LaTeX, with its decimals beside it where the format says `both`."""
-        return tex_answer(self.say(value) if isinstance(value, str) else value, self.numbers)
+        return latex(self._answer(value))
+
+    def _answer(self, value: Any) -> Row:
+        return answer_formula(self.say(value) if isinstance(value, str) else value, self.numbers)
 
     def symbol(self, answer: AnswerName) -> str:
         """Return the LaTeX symbol of an answer."""
@@ -176,7 +176,15 @@ class Wording:
             raise WordingError(f"{place} is missing: there is no such file") from error
         except TemplateSyntaxError as error:
             raise WordingError(f"{place}, line {error.lineno}: {error.message}") from error
-        except (TemplateError, TypeError, ValueError, ArithmeticError, LookupError, AttributeError) as error:
+        except (
+            TemplateError,
+            MathProblem,
+            TypeError,
+            ValueError,
+            ArithmeticError,
+            LookupError,
+            AttributeError,
+        ) as error:
             raise WordingError(f"{place}: {error}") from error
 
     def load(self, wording: str) -> None:
@@ -201,82 +209,27 @@ class Wording:
         return macros_of(self)
 
     @cached_property
+    def _displaying(self) -> Displaying:
+        return Displaying(self._macros.recorder, self.formula)
+
+    @cached_property
     def _names(self) -> dict[str, Any]:
         """What macros can use."""
-        level = LEVELS.index(self.detail)
+        level, shown = LEVELS.index(self.detail), self._displaying
         return {
             **{"brief": level == 0, "full": level >= 1, "tutor": level >= 2},
-            **{"eq": self._eq, "claim": self._claim, "align": self._align, "sym": NOTATIONS[self.notation]},
-            **{"say": self.say, "tex": self._filtered, "latex": self.tex, "operation": self._operation},
-            **{"pieces": self._pieces, "fraction": quotient},
+            **{"eq": shown.eq, "claim": shown.claim, "align": shown.align, "sym": NOTATIONS[self.notation]},
+            **{"say": self.say, "tex": shown.tex, "latex": self.tex, "operation": shown.operation},
+            **{"pieces": shown.pieces, "fraction": quotient},
         }
-
-    def _filtered(self, value: Any) -> str:
-        """Print for the filter `tex`: the mark of the value."""
-        return self._macros.recorder.value(value, self.tex(value))
 
     def equation(self, symbol: str, value: Any, *, narrow: bool = False) -> str:
         """Return an answer as `symbol = value`, or `word: value`, laid out for a page; a matrix by entry if narrow."""
-        shown = self.answer(value) if isinstance(value, str) else value  # words, not LaTeX
-        word = WORD.fullmatch(symbol)
+        word = word_of(symbol)
         if word:
-            return rf"\text{{{word[1]}:}}\quad {shown if isinstance(shown, str) else self.answer(shown)}"
-        return self._laid_out([symbol, shown], self.answer, narrow=narrow)
-
-    def _laid_out(
-        self,
-        sides: Sequence[Any],
-        show: Callable[[Any], str],
-        relation: str = "=",
-        note: str = "",
-        *,
-        narrow: bool = False,
-    ) -> str:
-        """Return `a = b = ...`, broken over lines where it is long; a very wide matrix at its end entry by entry."""
-        expanded = self._macros.recorder.expanded
-        shown = [expanded(side) if isinstance(side, str) else show(side) for side in sides]
-        matrix = sides[-1]
-        listed = isinstance(matrix, sp.MatrixBase) and 0 not in matrix.shape
-        too_wide = listed and (narrow or width(shown[-1]) > READABLE * LINE)
-        if not (too_wide and shown[0] and isinstance(sides[0], str)):
-            return chain(shown, relation, expanded(note))
-        cells = [[show(entry) for entry in row] for row in matrix.tolist()]
-        return entries(shown[0], shown[1:-1], cells)
-
-    def _eq(self, *sides: Any, note: str = "", relation: str = "=") -> str:
-        shown = [side for side in sides if not isinstance(side, str) or side]
-        return self._displayed([(shown, relation)], self._laid_out(sides, self.tex, relation, note))
-
-    def _claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:
-        return self._eq(prefix, claim.left, claim.right, note=note)
-
-    def _align(self, rows: Iterable[Iterable[Any]]) -> str:
-        chains = [list(row) for row in rows]
-        lines = [" &= ".join(side if isinstance(side, str) else self.tex(side) for side in row) for row in chains]
-        return self._displayed([(row, "=") for row in chains], aligned(lines))
-
-    def _displayed(self, chains: Iterable[tuple[list[Any], str]], latex: str) -> str:
-        """Note the chains of a display (each with its relation); return the mark of the display."""
-        recorder = self._macros.recorder
-        noted = [
-            Displayed(tuple(recorder.written(side) if isinstance(side, str) else side for side in sides), relation)
-            for sides, relation in chains
-        ]
-        return recorder.display(noted, display(recorder.expanded(latex)))
-
-    def _pieces(self, named: Iterable[tuple[str, Any]]) -> str:
-        """Return `name = value` for each value that is given, as many on a line as fit."""
-        lines: list[str] = []
-        for name, value in named:
-            piece = "" if value is None else f"{name} = {self.tex(value)}"
-            if piece and lines and width(lines[-1] + GAP + piece) <= LINE:
-                lines[-1] += GAP + piece
-            elif piece:
-                lines.append(piece)
-        return "".join(map(display, lines))
-
-    def _operation(self, operation: Any) -> str:
-        return row_operation(operation, self.tex)
+            return latex(row(Text(f"{word}:"), r"\quad", self._answer(value)))
+        shown = self.answer(value) if isinstance(value, str) else value  # words, not LaTeX
+        return latex(self._displaying.laid_out([symbol, shown], self._answer, narrow=narrow))
 
 
 def _place(wording: str, macro: str) -> str:

@@ -4,7 +4,22 @@ from __future__ import annotations
 
 from typing import Any
 
-from solver.formula.pieces import as_base, as_factor, is_sum, joined, parenthesized, summed
+from solver.formula.building import (
+    as_factor,
+    is_negative,
+    is_sum,
+    joined,
+    over,
+    parenthesized,
+    row,
+    summed,
+    walk,
+    without_sign,
+)
+from solver.formula.building import (
+    power as raised,
+)
+from solver.formula.nodes import Fenced, Row, Table
 from solver.lazy import sympy as sp
 from solver.stated.declaration import Show, Stated, operation
 
@@ -40,18 +55,24 @@ def exponential(exponent: Any) -> Stated:
 
 
 @operation(product)
-def _product(show: Show, *factors: Any) -> str:
+def _product(show: Show, *factors: Any) -> Row:
     shown = [show(factor) for factor in factors if not _is_number(factor, 1)]
     if not shown:
-        return "1"
+        return row("1")
     first, *others = shown
     if not others:
         return first
-    if first == "-1":
-        return f"-{joined([as_factor(factor) for factor in others])}"
     rest = [as_factor(factor) for factor in others]
-    alone = first.startswith("-") and not is_sum(first[1:]) and not rest[0].startswith(("(-", r"\left(-"))
+    if first == row("-1"):
+        return row("-", joined(rest))
+    alone = is_negative(first) and not is_sum(without_sign(first)) and not _begins_with_minus(rest[0])
     return joined([first if alone else as_factor(first), *rest])
+
+
+def _begins_with_minus(factor: Row) -> bool:
+    """Whether a factor is a bracket that begins with a minus."""
+    first = factor.items[0]
+    return isinstance(first, Fenced) and is_negative(first.body)
 
 
 def _is_number(operand: Any, number: int) -> bool:
@@ -59,40 +80,39 @@ def _is_number(operand: Any, number: int) -> bool:
 
 
 @operation(total)
-def _total(show: Show, *terms: Any) -> str:
+def _total(show: Show, *terms: Any) -> Row:
     return summed([show(term) for term in terms if not _is_number(term, 0)])
 
 
 @operation(difference)
-def _difference(show: Show, left: Any, right: Any) -> str:
-    return f"{show(left)} - {as_factor(show(right))}"
+def _difference(show: Show, left: Any, right: Any) -> Row:
+    return row(show(left), "-", as_factor(show(right)))
 
 
 @operation(quotient)
-def _quotient(show: Show, numerator: Any, denominator: Any) -> str:
+def _quotient(show: Show, numerator: Any, denominator: Any) -> Row:
     above, below = show(numerator), show(denominator)
-    if below == "1":
+    if below == row("1"):
         return above
-    sign = ""
-    if above.startswith("-") and not is_sum(above[1:]):
-        sign, above = "-", above[1:]
-    if r"\begin{bmatrix}" in above:  # too high for a numerator
-        return rf"{sign}\frac{{1}}{{{below}}}{as_factor(above)}"
-    return rf"{sign}\frac{{{above}}}{{{below}}}"
+    if is_negative(above) and not is_sum(without_sign(above)):
+        return row("-", _quotient(lambda part: part, without_sign(above), below))
+    if any(isinstance(node, Table) for node in walk(above)):  # too high for a numerator
+        return row(over(row("1"), below), as_factor(above))
+    return over(above, below)
 
 
 @operation(power)
-def _power(show: Show, base: Any, exponent: Any) -> str:
+def _power(show: Show, base: Any, exponent: Any) -> Row:
     if exponent == 1:
         return show(base)
     if exponent == 0 and isinstance(base, sp.Symbol) and base.name[0].isupper():
-        return "I"  # a capital stands for a matrix
-    return f"{as_base(show(base))}^{{{show(exponent)}}}"
+        return row("I")  # a capital stands for a matrix
+    return raised(show(base), show(exponent))
 
 
 @operation(exponential)
-def _exponential(show: Show, exponent: Any) -> str:
-    tex = show(exponent)
-    if r"\begin" in tex:
-        return rf"\exp{parenthesized(tex)}"
-    return show(sp.exp(exponent, evaluate=False)) if isinstance(exponent, sp.Expr) else f"e^{{{tex}}}"
+def _exponential(show: Show, exponent: Any) -> Row:
+    shown = show(exponent)
+    if any(isinstance(node, Table) for node in walk(shown)):
+        return row(r"\exp", parenthesized(shown))
+    return show(sp.exp(exponent, evaluate=False)) if isinstance(exponent, sp.Expr) else raised(row("e"), shown)

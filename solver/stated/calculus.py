@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from solver.formula.pieces import as_factor, joined
+from solver.formula.building import THIN_SPACE, as_factor, over, power, row
+from solver.formula.nodes import Fenced, Operator, Row, Scripts
 from solver.stated.declaration import Binding, Printer, Show, Stated, operation
 
 
@@ -39,12 +40,13 @@ def value_at(function: Any, variable: Any, value: Any) -> Stated:
 
 
 def _derivative(sign: str) -> Printer:
-    def write(show: Show, function: Any, variable: Any, order: Any = 1) -> str:
-        x = show(variable)
+    def write(show: Show, function: Any, variable: Any, order: Any = 1) -> Row:
+        d, x = row(sign), show(variable)
         if order == 0:
             return show(function)
-        times = f"^{{{order}}}" if order != 1 else ""
-        return rf"\frac{{{sign}{times}}}{{{joined([sign, x])}{times}}}{as_factor(show(function))}"
+        times = row(str(order))
+        whole = over(d, row(d, x)) if order == 1 else over(power(d, times), row(d, power(x, times)))
+        return row(whole, as_factor(show(function)))
 
     return write
 
@@ -54,17 +56,19 @@ operation(partial_derivative)(_derivative(r"\partial"))
 
 
 @operation(integral, binding=Binding(1))
-def _integral(show: Show, integrand: Any, variable: Any, lower: Any, upper: Any) -> str:
-    return rf"\int_{{{show(lower)}}}^{{{show(upper)}}}{as_factor(show(integrand))}\,d{show(variable)}"
+def _integral(show: Show, integrand: Any, variable: Any, lower: Any, upper: Any) -> Row:
+    sign = Scripts(Operator(r"\int"), show(lower), show(upper))
+    return row(sign, as_factor(show(integrand)), THIN_SPACE, "d", show(variable))
 
 
 @operation(value_at, binding=Binding(1))
-def _value_at(show: Show, function: Any, variable: Any, value: Any) -> str:
-    return rf"\left.{as_factor(show(function))}\right|_{{{show(variable)} = {show(value)}}}"
+def _value_at(show: Show, function: Any, variable: Any, value: Any) -> Row:
+    bar = Fenced(".", as_factor(show(function)), "|", tall=True)
+    return row(Scripts(bar, row(show(variable), "=", show(value))))
 
 
-def _convolution(show: Show, left: Any, right: Any, _variable: Any) -> str:
-    return rf"{as_factor(show(left))} \ast {as_factor(show(right))}"
+def _convolution(show: Show, left: Any, right: Any, _variable: Any) -> Row:
+    return row(as_factor(show(left)), r"\ast", as_factor(show(right)))
 
 
 operation(convolution)(_convolution)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from solver.formula.pieces import parenthesized
+from solver.formula.building import parenthesized, row
+from solver.formula.nodes import Accent, Fenced, Row, Scripts
 from solver.stated.declaration import Printer, Show, Stated, operation
 
 NormKind = Literal["2", "1", "oo", "F"]
@@ -46,8 +47,8 @@ def norm(value: Any, kind: NormKind = "2") -> Stated:
 
 
 def _before(operator: str) -> Printer:
-    def write(show: Show, value: Any) -> str:
-        return f"{operator}{parenthesized(show(value))}"
+    def write(show: Show, value: Any) -> Row:
+        return row(operator, parenthesized(show(value)))
 
     return write
 
@@ -59,16 +60,16 @@ operation(phase)(_before(r"\angle"))
 
 
 @operation(conjugate)
-def _conjugate(show: Show, value: Any) -> str:
-    return rf"\overline{{{show(value)}}}"
+def _conjugate(show: Show, value: Any) -> Row:
+    return row(Accent(r"\overline", show(value)))
 
 
 @operation(absolute)
-def _absolute(show: Show, value: Any) -> str:
-    return rf"\left|{show(value)}\right|"
+def _absolute(show: Show, value: Any) -> Row:
+    return row(Fenced("|", show(value), "|", tall=True))
 
 
 @operation(norm)
-def _norm(show: Show, value: Any, kind: NormKind) -> str:
-    index = "" if kind == "2" else r"_{\infty}" if kind == "oo" else f"_{{{kind}}}"
-    return rf"\left\|{show(value)}\right\|{index}"
+def _norm(show: Show, value: Any, kind: NormKind) -> Row:
+    bars = Fenced(r"\|", show(value), r"\|", tall=True)
+    return row(bars if kind == "2" else Scripts(bars, row(r"\infty" if kind == "oo" else kind)))

@@ -10,10 +10,12 @@ from pkgutil import iter_modules
 from types import MappingProxyType
 from typing import Any
 
-Show = Callable[[Any], str]
+from solver.formula.nodes import Row
+
+Show = Callable[[Any], Row]
 """Prints an operand: an expression, a matrix, a number or a further formula."""
 
-Printer = Callable[..., str]
+Printer = Callable[..., Row]
 """Prints an operation from a `Show` and its operands."""
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from solver.formula.pieces import as_factor
+from solver.formula.building import as_factor, row
+from solver.formula.nodes import Function, Row, Scripts
 from solver.stated.declaration import Binding, Show, Stated, operation
 
 Side = Literal["", "+", "-"]
@@ -16,6 +17,7 @@ def limit(function: Any, variable: Any, value: Any, side: Side = "") -> Stated:
 
 
 @operation(limit, binding=Binding(1))
-def _limit(show: Show, function: Any, variable: Any, value: Any, side: Side) -> str:
-    goal = show(value) + (f"^{{{side}}}" if side else "")
-    return rf"\lim_{{{show(variable)} \to {goal}}}{as_factor(show(function))}"
+def _limit(show: Show, function: Any, variable: Any, value: Any, side: Side) -> Row:
+    *before, goal = show(value).items
+    reached = Scripts(goal, None, row(side)) if side else goal
+    return row(Scripts(Function("lim"), row(show(variable), r"\to", *before, reached)), as_factor(show(function)))

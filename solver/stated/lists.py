@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from solver.formula.pieces import as_factor
+from solver.formula.building import as_factor, row, separated
+from solver.formula.nodes import Fenced, Operator, Row, Scripts
 from solver.stated.declaration import Binding, Printer, Show, Stated, operation
 
 
@@ -35,16 +36,17 @@ def sum_over_roots(term: Any, variable: Any, polynomial: Any) -> Stated:
 
 
 def _from_to(sign: str) -> Printer:
-    def write(show: Show, operand: Any, index: Any, lower: Any, upper: Any) -> str:
-        return rf"{sign}_{{{show(index)} = {show(lower)}}}^{{{show(upper)}}}{as_factor(show(operand))}"
+    def write(show: Show, operand: Any, index: Any, lower: Any, upper: Any) -> Row:
+        limits = Scripts(Operator(sign), row(show(index), "=", show(lower)), show(upper))
+        return row(limits, as_factor(show(operand)))
 
     return write
 
 
 def _through(sign: str) -> Printer:
-    def write(show: Show, operand: Any, variable: Any, values: Sequence[Any]) -> str:
-        listed = ", ".join(show(value) for value in values)
-        return rf"{sign}_{{{show(variable)} \in \left\{{{listed}\right\}}}}{as_factor(show(operand))}"
+    def write(show: Show, operand: Any, variable: Any, values: Sequence[Any]) -> Row:
+        listed = Fenced(r"\{", separated(map(show, values), Operator(",")), r"\}", tall=True)
+        return row(Scripts(Operator(sign), row(show(variable), r"\in", listed)), as_factor(show(operand)))
 
     return write
 
@@ -56,5 +58,5 @@ operation(product_over, binding=Binding(1))(_through(r"\prod"))
 
 
 @operation(sum_over_roots, binding=Binding(1, within=(0, 2)))
-def _sum_over_roots(show: Show, term: Any, _variable: Any, polynomial: Any) -> str:
-    return rf"\sum_{{{show(polynomial)} = 0}}{as_factor(show(term))}"
+def _sum_over_roots(show: Show, term: Any, _variable: Any, polynomial: Any) -> Row:
+    return row(Scripts(Operator(r"\sum"), row(show(polynomial), "= 0")), as_factor(show(term)))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from solver.formula.pieces import as_base, as_factor, parenthesized
+from solver.formula.building import as_factor, is_matrix, parenthesized, power, row
+from solver.formula.nodes import Fenced, Row, Table
 from solver.stated.declaration import Printer, Show, Stated, operation
 
 
@@ -67,18 +68,14 @@ def vectorized(matrix: Any) -> Stated:
 def _named(operator: str) -> Printer:
     """An operator before a matrix: `det [..]`, `adj(..)`."""
 
-    def write(show: Show, matrix: Any) -> str:
-        return f"{operator}{_argument(show(matrix))}"
+    def write(show: Show, matrix: Any) -> Row:
+        return row(operator, _argument(show(matrix)))
 
     return write
 
 
-def _argument(tex: str) -> str:
-    return tex if _is_matrix(tex) else parenthesized(tex)
-
-
-def _is_matrix(tex: str) -> bool:
-    return as_base(tex) == tex and tex.startswith(r"\begin")
+def _argument(shown: Row) -> Row:
+    return shown if is_matrix(shown) else row(parenthesized(shown))
 
 
 operation(determinant)(_named(r"\det"))
@@ -89,39 +86,37 @@ operation(vectorized)(_named(r"\operatorname{vec}"))
 
 
 @operation(partitioned)
-def _partitioned(show: Show, matrix: Any, rows: Any, columns: Any) -> str:
+def _partitioned(show: Show, matrix: Any, rows: Any, columns: Any) -> Row:
     """Return the matrix with lines; those at its edges are left out, and brackets alone need no array."""
     whole = show(matrix)
-    body = whole.removeprefix(r"\begin{bmatrix}").removesuffix(r"\end{bmatrix}")
-    across = {i for i in rows if 0 < i < matrix.rows}
+    across = tuple(i for i in sorted(set(rows)) if 0 < i < matrix.rows)
     letters = "".join("c|" if 0 < j < matrix.cols and j in columns else "c" for j in range(1, matrix.cols + 1))
-    if body == whole or not (across or "|" in letters):
+    table = whole.items[0]
+    if not isinstance(table, Table) or not (across or "|" in letters):
         return whole
-    lines = body.split(r" \\ ")
-    ruled = r" \\ ".join(rf"\hline {line}" if i in across else line for i, line in enumerate(lines))
-    return rf"\left[\begin{{array}}{{{letters}}}{ruled}\end{{array}}\right]"
+    return row(Fenced("[", row(Table("array", table.rows, letters, across)), "]", tall=True))
 
 
 @operation(inverse)
-def _inverse(show: Show, matrix: Any) -> str:
-    return f"{as_base(show(matrix))}^{{-1}}"
+def _inverse(show: Show, matrix: Any) -> Row:
+    return power(show(matrix), row("-1"))
 
 
 @operation(transpose)
-def _transpose(show: Show, matrix: Any) -> str:
-    return f"{as_base(show(matrix))}^{{T}}"
+def _transpose(show: Show, matrix: Any) -> Row:
+    return power(show(matrix), row("T"))
 
 
 @operation(minor)
-def _minor(show: Show, matrix: Any, row: int, column: int) -> str:
-    return rf"\operatorname{{minor}}_{{{row}{column}}}{_argument(show(matrix))}"
+def _minor(show: Show, matrix: Any, i: int, j: int) -> Row:
+    return row(rf"\operatorname{{minor}}_{{{i}{j}}}", _argument(show(matrix)))
 
 
 @operation(cofactor)
-def _cofactor(show: Show, matrix: Any, row: int, column: int) -> str:
-    return rf"\operatorname{{cof}}_{{{row}{column}}}{_argument(show(matrix))}"
+def _cofactor(show: Show, matrix: Any, i: int, j: int) -> Row:
+    return row(rf"\operatorname{{cof}}_{{{i}{j}}}", _argument(show(matrix)))
 
 
 @operation(kronecker)
-def _kronecker(show: Show, left: Any, right: Any) -> str:
-    return rf"{as_factor(show(left))} \otimes {as_factor(show(right))}"
+def _kronecker(show: Show, left: Any, right: Any) -> Row:
+    return row(as_factor(show(left)), r"\otimes", as_factor(show(right)))

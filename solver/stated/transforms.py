@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from solver.formula.building import row
+from solver.formula.nodes import Fenced, Row
 from solver.stated.declaration import Binding, Printer, Show, Stated, operation
 
 
@@ -28,8 +30,8 @@ def inverse_z(image: Any, z: Any, k: Any) -> Stated:
 
 
 def _transform(letter: str) -> Printer:
-    def write(show: Show, transformed: Any, *_variables: Any) -> str:
-        return rf"{letter}\left\{{{show(transformed)}\right\}}"
+    def write(show: Show, transformed: Any, *_variables: Any) -> Row:
+        return row(letter, Fenced(r"\{", show(transformed), r"\}", tall=True))
 
     return write
 

@@ -7,13 +7,13 @@ import sympy as sp
 
 from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import FIRST_MARK, Displayed, Written
-from solver.formula import read
+from solver.formula import latex, read
+from solver.formula.width import LINE, broken, width
 from solver.notation import NOTATIONS
 from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import tex
 from solver.render.numbers import NumberFormat
-from solver.render.width import LINE, broken, width
 from solver.render.wording import Wording, WordingError
 from solver.stated.matrices import determinant
 from solver.systems import StateSpace, TransferFunction
@@ -73,7 +73,7 @@ def test_a_macro_words_a_step(templates):
     assert worded.title == r"Level of $\lambda I - A$"
     assert "FULL" in worded.markdown
     assert "$$\n\\det A = \\det\\begin{bmatrix}0 & 1 \\\\ -2 & -3\\end{bmatrix} = 2\n$$" in worded.markdown
-    assert r"x \approx \lambda\text{ !}" in worded.markdown
+    assert r"x \approx \lambda \text{ !}" in worded.markdown
     assert "a &= \\lambda \\\\\nb &= c" in worded.markdown
     assert r"\*\<b\>\* $\dot{x}$" in worded.markdown
     assert "\n\n\n" not in worded.markdown
@@ -143,21 +143,28 @@ def test_notations_have_the_same_symbols_and_change_answers():
 
 
 def test_a_long_chain_is_aligned_at_its_signs():
-    short = chain(["a", "b", "c"])
-    assert short == "a = b = c"
-    long_side = " + ".join(["xyz" * 6] * 12)
-    laid_out = chain(["a", "b", long_side], note=r"\text{ end}")
-    assert laid_out.startswith("\\begin{aligned}\na&= b")
-    assert laid_out.endswith("\\text{ end}\n\\end{aligned}")
-    assert all(width(row) < 1.2 * LINE for row in laid_out.split("\\\\\n")[1:-1])
-    read(laid_out)
+    assert latex(chain([read("a"), read("b"), read("c")])) == "a = b = c"
+    long_side = read(" + ".join(["xyz" * 6] * 12))
+    laid_out = latex(chain([read("a"), read("b"), long_side], note=read(r"\text{end}")))
+    assert laid_out.startswith("\\begin{aligned}\na &= b")
+    assert laid_out.endswith("\\text{end}\n\\end{aligned}")
+    (table,) = read(laid_out).items
+    assert all(width(line) < 1.2 * LINE for row in table.rows for line in row)
 
 
 def test_a_sum_is_broken_only_outside_of_brackets():
     matrix = tex(sp.Matrix(2, 6, lambda i, j: s + 10**6 + i + j))
-    lines = broken(f"{matrix} - {matrix} + (a - b)", LINE)
-    assert [line[0] for line in lines[1:]] == ["-", "+"]
-    assert " ".join(lines) == f"{matrix} - {matrix} + (a - b)"
+    formula = read(f"{matrix} - {matrix} + (a - b)")
+    lines = broken(formula, LINE)
+    assert [latex(line)[0] for line in lines[1:]] == ["-", "+"]
+    assert tuple(item for line in lines for item in line.items) == formula.items
+
+
+def test_a_product_of_matrices_is_broken_before_a_matrix():
+    matrix = tex(sp.Matrix(2, 6, lambda i, j: s + 10**6 + i + j))
+    first, second = broken(read(f"{matrix}{matrix}"), LINE)
+    assert latex(first) == matrix
+    assert latex(second) == rf"\cdot {matrix}"
 
 
 def test_a_matrix_too_wide_to_be_read_is_listed_by_entries():
@@ -167,8 +174,8 @@ def test_a_matrix_too_wide_to_be_read_is_listed_by_entries():
     assert answer.count("&= ") == 9
     read(answer)
     assert "bmatrix" in Wording().equation(r"\Phi(t)", sp.eye(3))
-    assert entry_name("J = V", "12") == r"\left[J = V\right]_{12}"
-    assert "v_{2} &= b" in entries("v", [], [["a"], ["b"]])
+    assert latex(entry_name(read("J = V"), "12")) == r"\left[J = V\right]_{12}"
+    assert "v_{2} &= b" in latex(entries(read("v"), [], [[read("a")], [read("b")]]))
 
 
 def test_number_formats_reach_the_templates(templates):

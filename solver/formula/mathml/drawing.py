@@ -84,7 +84,7 @@ class Drawer(Visitor[Drawing]):
 
     def space(self, node: Space) -> Drawing:
         width = WIDTHS.get(node.command, 0.0)
-        return Drawing(f'<mspace width="{width:g}em"></mspace>' if width else "", width)
+        return Drawing(f'<mspace width="{width:g}em"></mspace>' if width else "<mrow></mrow>", width)
 
     def row(self, node: Row) -> Drawing:
         """Return the row as one element."""
@@ -92,7 +92,7 @@ class Drawer(Visitor[Drawing]):
             only = node.items[0]
             if isinstance(only, Operator):
                 return operator_drawing(only.sign, "", True)
-            if not isinstance(only, Fenced):
+            if not isinstance(only, Fenced | Space):
                 return only.accept(self)
         inside = self.inside(node)
         return Drawing(f"<mrow>{inside.markup}</mrow>", inside.width)
@@ -220,8 +220,9 @@ class Drawer(Visitor[Drawing]):
             body = node.body.accept(self)
             return Drawing(f'<mrow style="{BOX}">{body.markup}</mrow>', body.width)
         letters = node.body.items if isinstance(node.body, Row) else (node.body,)
-        word = "".join(letter.name for letter in letters if isinstance(letter, Symbol) and len(letter.name) == 1)
-        if node.command == r"\mathrm" and len(word) == len(letters) > 0:  # a word, not a product
+        signs = [letter.name if isinstance(letter, Symbol) else getattr(letter, "digits", "") for letter in letters]
+        word = "".join(signs)
+        if node.command == r"\mathrm" and word.isalnum() and all(signs):  # a word, not a product
             return Drawing(f"{UPRIGHT_LETTERS}{word}</mi>", 0.5 * len(word))
         return node.body.accept(Drawer(self.tight, node.command))
 

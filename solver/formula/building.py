@@ -1,0 +1,162 @@
+"""Putting formulas together: parentheses where needed, no more, and signs that merge.
+
+Rows are what is put together; what stands in them already has the parentheses that it needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from solver.formula.nodes import (
+    Accent,
+    Fenced,
+    Fraction,
+    Node,
+    Number,
+    Operator,
+    Root,
+    Row,
+    Scripts,
+    Space,
+    Styled,
+    Symbol,
+    Table,
+)
+from solver.formula.reading import read
+from solver.formula.vocabulary import LARGE
+
+PLUS, MINUS, TIMES = Operator("+"), Operator("-"), Operator(r"\cdot")
+THIN_SPACE = Space(r"\,")
+_IN_SUMS = frozenset(map(Operator, ("+", "-", r"\pm", r"\otimes", r"\ast", r"\approx", "=")))
+
+
+def row(*parts: Node | str) -> Row:
+    """Return parts side by side; of a row what stands in it, of a text (fixed LaTeX) what is read in it."""
+    items: list[Node] = []
+    for part in parts:
+        node = read(part) if isinstance(part, str) else part
+        items.extend(node.items if isinstance(node, Row) else (node,))
+    return Row(tuple(items))
+
+
+def separated(rows: Iterable[Row], *between: Node) -> Row:
+    """Return rows side by side with something between them."""
+    parts = [part for each in rows for part in (*between, each)]
+    return row(*parts[len(between) :])
+
+
+def parenthesized(body: Row) -> Fenced:
+    """Put parentheses around, as high as what they hold."""
+    return Fenced("(", body, ")", tall=any(map(_is_tall, walk(body))))
+
+
+def walk(node: Node) -> Iterator[Node]:
+    """Yield a node and all that it is made of."""
+    yield node
+    for name in node.__match_args__:
+        yield from _nodes(getattr(node, name))
+
+
+def _nodes(value: object) -> Iterator[Node]:
+    if isinstance(value, Node):
+        yield from walk(value)
+    elif isinstance(value, tuple):
+        for each in value:
+            yield from _nodes(each)
+
+
+def _is_tall(node: Node) -> bool:
+    if isinstance(node, Operator):
+        return node.sign in LARGE
+    return isinstance(node, Fraction | Table) or (isinstance(node, Fenced) and node.tall)
+
+
+def is_sum(formula: Row) -> bool:
+    """Whether a formula must stand in parentheses as a factor: it has a sign outside of all brackets."""
+    return any(item in _IN_SUMS for item in formula.items)
+
+
+def is_negative(formula: Row) -> bool:
+    """Whether a formula begins with a minus."""
+    return formula.items[:1] == (MINUS,)
+
+
+def without_sign(formula: Row) -> Row:
+    """Return a formula without its first item, the minus."""
+    return Row(formula.items[1:])
+
+
+def as_factor(formula: Row) -> Row:
+    """Return the formula as it stands in a product."""
+    return Row((parenthesized(formula),)) if is_sum(formula) else formula
+
+
+def power(base: Row, exponent: Row) -> Row:
+    """Write a base, in parentheses unless it is an atom or a matrix, with an exponent."""
+    if not (is_atom(base) or is_matrix(base)):
+        return Row((Scripts(parenthesized(base), None, exponent),))
+    only = base.items[0]
+    if isinstance(only, Scripts):
+        return Row((Scripts(only.base, only.below, exponent),))
+    return Row((Scripts(only, None, exponent),))
+
+
+def is_atom(formula: Row) -> bool:
+    """Whether a formula is one symbol, word or number, perhaps with an index."""
+    if len(formula.items) != 1:
+        return False
+    only = formula.items[0]
+    if isinstance(only, Scripts) and only.above is None and not only.primes:
+        only = only.base
+    return isinstance(only, Symbol | Number) or (isinstance(only, Styled) and only.command == r"\mathrm")
+
+
+def is_matrix(formula: Row) -> bool:
+    """Whether a formula is a matrix and nothing else."""
+    return len(formula.items) == 1 and isinstance(formula.items[0], Table)
+
+
+def over(above: Row, below: Row) -> Row:
+    """Write a fraction."""
+    return Row((Fraction(above, below),))
+
+
+def joined(factors: Sequence[Row]) -> Row:
+    """Write factors side by side, with a dot only where two numbers meet, a thin space between words."""
+    items: list[Node] = []
+    for factor in factors:
+        if not factor.items:
+            continue
+        first = factor.items[0]
+        if items and (_first_base(first, Number) or (isinstance(first, Fraction) and _ends_in_number(items[-1]))):
+            items.append(TIMES)
+        elif items and _words_meet(items[-1], first):
+            items.append(THIN_SPACE)
+        items.extend(factor.items)
+    return Row(tuple(items))
+
+
+def _first_base(node: Node, kind: type[Node]) -> bool:
+    return isinstance(node.base if isinstance(node, Scripts) else node, kind)
+
+
+def _ends_in_number(node: Node) -> bool:
+    return isinstance(node, Number) or (isinstance(node, Scripts) and node.above is not None)
+
+
+def _words_meet(left: Node, right: Node) -> bool:
+    """Whether an upright word stands beside a letter or behind a brace, where it would not be told apart."""
+    if _first_base(right, Styled):
+        braces = isinstance(left, Fraction | Root | Styled | Table | Accent)
+        return braces or (isinstance(left, Scripts) and isinstance(left.above or left.below, Row))
+    return isinstance(left, Styled) and _first_base(right, Symbol)
+
+
+def summed(terms: Sequence[Row]) -> Row:
+    """Write terms with their signs merged: `a`, `-b` give `a - b`."""
+    items: list[Node] = []
+    for term in terms:
+        if items and not is_negative(term):
+            items.append(PLUS)
+        items.extend(term.items)
+    return Row(tuple(items)) if items else Row((Number("0"),))

@@ -1,0 +1,110 @@
+"""What macros display: equations of values and of LaTeX, noted as values while they are laid out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Claim
+from solver.derivation.displayed import Displayed
+from solver.formula import latex, read
+from solver.formula.building import row
+from solver.formula.nodes import Operator, Row, Text
+from solver.formula.width import LINE, width
+from solver.render.displays import EQUALS, NOTHING, READABLE, aligned, chain, display, entries
+from solver.render.recording import Recorder
+from solver.render.row_operations import row_operation
+
+GAP = row(r",\qquad")
+"""Between two equations on one line."""
+
+
+class Displaying:
+    """The functions `eq`, `claim`, `align` … of templates; `show` makes formulas of values."""
+
+    def __init__(self, recorder: Recorder, show: Callable[[Any], Row]) -> None:
+        self.recorder = recorder
+        self.show = show
+
+    def tex(self, value: Any) -> str:
+        """Print for the filter `tex`: the mark of the value."""
+        return self.recorder.value(value, latex(self.show(value)))
+
+    def laid_out(
+        self,
+        sides: Sequence[Any],
+        show: Callable[[Any], Row],
+        relation: str = "=",
+        note: str = "",
+        *,
+        narrow: bool = False,
+    ) -> Row:
+        """Return `a = b = ...`, broken over lines where it is long; a very wide matrix at its end entry by entry."""
+        shown = [self._side(side, show) for side in sides]
+        matrix = sides[-1]
+        listed = isinstance(matrix, sp.MatrixBase) and 0 not in matrix.shape
+        too_wide = listed and (narrow or width(shown[-1]) > READABLE * LINE)
+        if not (too_wide and shown[0].items and isinstance(sides[0], str)):
+            return chain(shown, Operator(relation) if relation else NOTHING, self._side(note, show))
+        cells = [[show(entry) for entry in line] for line in matrix.tolist()]
+        return entries(shown[0], shown[1:-1], cells)
+
+    def _side(self, side: Any, show: Callable[[Any], Row]) -> Row:
+        """Return a side of a display: a text is LaTeX with marks for values in it."""
+        if not isinstance(side, str):
+            return show(side)
+        text = self.recorder.expanded(side)
+        return read(text) if text.strip() else NOTHING
+
+    def eq(self, *sides: Any, note: str = "", relation: str = "=") -> str:
+        """Display a = b = ...; `note` stands behind the last side."""
+        shown = [side for side in sides if not isinstance(side, str) or side]
+        return self._displayed([(shown, relation)], self.laid_out(sides, self.show, relation, note))
+
+    def claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:
+        """Display both sides of a claim."""
+        return self.eq(prefix, claim.left, claim.right, note=note)
+
+    def align(self, rows: Iterable[Iterable[Any]]) -> str:
+        """Display equations under each other, each given by its sides."""
+        chains = [list(row) for row in rows]
+        lines = []
+        for first, *others in chains:
+            cells = (row(EQUALS, self._side(side, self.show)) for side in others)
+            lines.append((self._side(first, self.show), *cells))
+        return self._displayed([(sides, "=") for sides in chains], aligned(lines))
+
+    def _displayed(self, chains: Iterable[tuple[list[Any], str]], formula: Row) -> str:
+        """Note the chains of a display (each with its relation); return the mark of the display."""
+        recorder = self.recorder
+        noted = [
+            Displayed(tuple(recorder.written(side) if isinstance(side, str) else side for side in sides), relation)
+            for sides, relation in chains
+        ]
+        return recorder.display(noted, display(latex(formula)))
+
+    def pieces(self, named: Iterable[tuple[str, Any]]) -> str:
+        """Return `name = value` for each value that is given, as many on a line as fit."""
+        lines: list[Row] = []
+        for name, value in named:
+            if value is None:
+                continue
+            piece = row(name, EQUALS, self.show(value))
+            longer = row(lines[-1], GAP, piece) if lines else piece
+            if lines and width(longer) <= LINE:
+                lines[-1] = longer
+            else:
+                lines.append(piece)
+        return "".join(display(latex(line)) for line in lines)
+
+    def operation(self, operation: Any) -> str:
+        """Return a row operation as LaTeX."""
+        return latex(row_operation(operation, self.show))
+
+
+def word_of(symbol: str) -> str:
+    """Return the word that an answer has in place of a symbol, or "": whether the system is stable equals nothing."""
+    only = read(symbol).items if symbol else ()
+    return only[0].words if len(only) == 1 and isinstance(only[0], Text) else ""
