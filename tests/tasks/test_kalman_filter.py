@@ -52,6 +52,13 @@ def test_pendulum_on_a_cart_of_the_course():
     assert np.abs(floats(result.answers["P"]) - P).max() < 1e-8 * np.abs(P).max()
 
 
+@pytest.mark.parametrize(("named", "chosen"), [("Q R", False), ("Q", True), ("R", True)])
+def test_an_intensity_that_is_not_given_is_said_to_be_chosen(named, chosen):
+    result = ask("kalman_filter", PLANT, **{name: ASKED[name] for name in named.split()})
+    (step,) = [each for top in result.steps for each in top.walk() if each.kind.endswith("intensities")]
+    assert step.values["chosen"] is chosen
+
+
 def test_an_unseen_unstable_mode_is_named():
     result = ask("kalman_filter", system([[1, 0], [0, -1]], C=[[0, 1]]), **ASKED)
     assert result.status is Status.UNSOLVED

@@ -178,3 +178,12 @@ def test_an_equivalent_form_of_the_fraction_is_right():
     right = sp.apart(ask("transfer_function", COURSE).answers["G"], s)
     assert not rejected("transfer_function", COURSE, {"G": right})
     assert not rejected("transfer_function", COURSE, {"G": M([[right]])})
+
+
+@pytest.mark.parametrize("method", ["adjugate", "faddeev_leverrier"])
+def test_what_several_fractions_share_is_no_common_factor(method):
+    """Of one fraction the factor that cancels is named; of a matrix of fractions there is no such thing."""
+    for G, named in ((plant(s + 1, (s + 1) * (s + 2)), True), (plant([[1, s]], [[s + 1, s + 2]]), False)):
+        result = ask("transfer_function", G, method)
+        (step,) = [each for top in result.steps for each in top.walk() if each.kind.endswith("cancel")]
+        assert (step.values["common"] is not None) is named
