@@ -22,7 +22,8 @@ from typing import Any
 from jinja2 import FileSystemLoader, StrictUndefined, TemplateNotFound
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
-from solver.notation import COURSE, SYMBOL, spelled
+from solver.notation import SYMBOL, spelled
+from solver.symbols import COURSE
 from solver.words import ENGLISH, PHRASES, Phrase, Reason, folders, formula
 
 

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from solver.derivation import AnswerName, Option, Task
-from solver.notation import COURSE, spelled
+from solver.notation import spelled
+from solver.symbols import COURSE
 from solver.tasks import Catalogue, Declaration, catalogue
 
 ROOT = Path(__file__).parents[1]

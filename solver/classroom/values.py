@@ -18,6 +18,7 @@ from solver.problem.expressions import ExpressionError, Names, parse_alternative
 from solver.problem.expressions.tokens import is_decimal, tokenize
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 from solver.problem.source import Report
+from solver.symbols import MEANINGS, SAMPLES
 
 MAX_ENTRIES = 400
 MAX_NESTING = 12
@@ -202,7 +203,7 @@ class Reader:
 
 def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours: Any, discrete: bool) -> Names:
     """Return what names mean in an answer: symbols of the problem and of our answers, and the usual variables."""
-    usual = ("s", "z", "t", "lamda", *(("k",) if discrete or "k" not in symbols else ()))
+    usual = (*MEANINGS, *(name for name in SAMPLES if discrete or name not in symbols))
     own = {str(symbol): symbol for symbol in _symbols_of(ours)}
     known = {**symbols, **own}
     variables: dict[str, Any] = {name: sp.Symbol(name) for name in usual if name not in own}

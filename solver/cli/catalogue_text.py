@@ -10,7 +10,8 @@ from typing import Any
 
 from solver.derivation import AnswerName, Method, Option, Task
 from solver.formula.terminal import flat
-from solver.notation import COURSE, spelled
+from solver.notation import spelled
+from solver.symbols import COURSE
 from solver.tasks import Declaration, catalogue
 
 WIDTH = 100

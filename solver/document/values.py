@@ -12,10 +12,8 @@ from solver.derivation import PartResult, Step
 from solver.render.plain import sympy_text
 from solver.render.wording import WordedStep
 from solver.stated import Stated
+from solver.symbols import RESERVED
 from solver.systems import System, TransferFunction
-
-KNOWN = frozenset({"s", "z", "t", "k", "lamda"})
-"""Names whose meaning is fixed; they are not listed among the symbols."""
 
 DIGITS = 17
 """Significant digits that a double can tell apart."""
@@ -83,7 +81,7 @@ def symbols_of(result: PartResult, steps: Iterable[WordedStep]) -> list[str]:
     for step in steps:
         for each in step.walk():
             names.update(_names(values_of(each.step).values()))
-    return sorted(names - KNOWN)
+    return sorted(names - RESERVED)
 
 
 def _names(values: Iterable[Any]) -> Iterator[str]:

@@ -9,18 +9,16 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Task
-from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon
+from solver.problem.lexicon import BARRED, Lexicon
 from solver.problem.matrices import expect_shape, is_flat, read_matrix
 from solver.problem.nodes import Node
 from solver.problem.poles import read_conjugate_list
 from solver.problem.transfer_functions import read_transfer_function
+from solver.symbols import OTHER_TIME, SAMPLES
 from solver.systems import EarlierPart, StateSpace, System
 
 Earlier = Mapping[str, tuple[Task[Any, Any], str] | None]
 """The earlier parts with their task and first method; None for one that could not be read."""
-
-OTHER_TIME = {True: {"t": "k", "s": "z"}, False: {"k": "t", "z": "s"}}
-"""By whether time is discrete: variables of the other kind of time, and the ones that take their place."""
 
 
 @dataclass(frozen=True)
@@ -100,4 +98,4 @@ class Context:
     @property
     def _barred(self) -> Mapping[str, str]:
         """Names that can't stand in a value, but for the variables it is declared to have."""
-        return MEANINGS | SAMPLES if self.discrete else MEANINGS
+        return BARRED | SAMPLES if self.discrete else BARRED

@@ -20,6 +20,7 @@ from solver.problem.expressions import (
 from solver.problem.expressions.tokens import Kind, tokenize
 from solver.problem.nodes import MappingNode, Node, ScalarNode, scalar
 from solver.problem.source import Report, did_you_mean
+from solver.symbols import MEANINGS
 
 R = TypeVar("R")
 
@@ -32,16 +33,8 @@ ASSUMPTIONS: Mapping[str, Mapping[str, bool]] = {
     "integer": {"integer": True},
 }
 
-MEANINGS = {
-    "s": "s is the variable of the Laplace transform",
-    "z": "z is the variable of the z-transform",
-    "t": "t is the time",
-    "lamda": "λ stands for eigenvalues",
-    "NaN": "it is not a number",
-}
-"""Names that can't be parameters, since answers are written in them."""
-
-SAMPLES = {"k": "k counts the samples in discrete time"}
+BARRED = MEANINGS | {"NaN": "it is not a number"}
+"""Names that can't be parameters."""
 
 
 @dataclass
@@ -58,14 +51,14 @@ class Lexicon:
     used: set[str] = field(default_factory=set)
     decimals: bool = False
 
-    def expression(self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = MEANINGS) -> sp.Expr:
+    def expression(self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = BARRED) -> sp.Expr:
         """Return a value as a finite exact expression, in which the `variables` may occur and the `barred` may not."""
         value: sp.Expr = self._read(parse_expression, scalar(node), variables, barred)
         _check_finite(node, value)
         return value
 
     def fraction(
-        self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = MEANINGS
+        self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = BARRED
     ) -> tuple[sp.Expr, sp.Expr]:
         """Return a value as numerator and denominator, factors common to both kept as written."""
         sides: tuple[sp.Expr, sp.Expr] = self._read(parse_fraction, scalar(node), variables, barred)
@@ -73,7 +66,7 @@ class Lexicon:
             _check_finite(node, side)
         return sides
 
-    def alternatives(self, node: Node, barred: Mapping[str, str] = MEANINGS) -> tuple[sp.Expr, ...]:
+    def alternatives(self, node: Node, barred: Mapping[str, str] = BARRED) -> tuple[sp.Expr, ...]:
         """Return the one value, or the two of "-3 ± 2j"."""
         values: tuple[sp.Expr, ...] = self._read(parse_alternatives, scalar(node), (), barred)
         for value in values:
@@ -155,7 +148,7 @@ def _read_values(parameters: MappingNode, lexicon: Lexicon, report: Report) -> N
     for entry in parameters:
         with report:
             del read[entry.key.text]
-            barred = MEANINGS | {name: later[name] for name in read} | {entry.key.text: "it is what is defined"}
+            barred = BARRED | {name: later[name] for name in read} | {entry.key.text: "it is what is defined"}
             name = _declared(entry.key, lexicon.values)
             lexicon.values[name] = lexicon.expression(entry.value, barred=barred)
 
@@ -163,8 +156,8 @@ def _read_values(parameters: MappingNode, lexicon: Lexicon, report: Report) -> N
 def _declared(key: ScalarNode, others: Collection[str]) -> str:
     """Return the name that a key declares."""
     name = name_of(key)
-    if name in MEANINGS:
-        raise key.fault(f"'{key.text}' cannot be a parameter: {MEANINGS[name]}")
+    if name in BARRED:
+        raise key.fault(f"'{key.text}' cannot be a parameter: {BARRED[name]}")
     if name in others:
         raise key.fault(f"'{key.text}' is given twice: it is the same name as '{name}'")
     return name

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from solver.problem.lexicon import MEANINGS, Lexicon
+from solver.problem.lexicon import BARRED, Lexicon
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 from solver.problem.source import Report
 
@@ -14,7 +14,7 @@ MAX_SIZE = 12
 
 
 def read_matrix(
-    node: Node, name: str, lexicon: Lexicon, flat: str = "", barred: Mapping[str, str] = MEANINGS
+    node: Node, name: str, lexicon: Lexicon, flat: str = "", barred: Mapping[str, str] = BARRED
 ) -> sp.ImmutableMatrix:
     """Return a matrix: [[1, 2], [3, 4]], a single number for 1×1, or a flat list as a "row" or a "column" (`flat`).
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from solver.notation import COURSE
+from solver.symbols import COURSE
 from solver.systems import EarlierPart
 from solver.words import ENGLISH
 

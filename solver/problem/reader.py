@@ -8,7 +8,6 @@ from pathlib import PurePath
 from typing import Any
 
 from solver.derivation import Task
-from solver.notation import COURSE, NOTATIONS
 from solver.problem.files import load
 from solver.problem.lexicon import Lexicon, check_used, read_lexicon
 from solver.problem.model import Display, Part, Problem, Show
@@ -19,6 +18,7 @@ from solver.problem.source import InputError, Report, Source, did_you_mean
 from solver.problem.systems import read_system
 from solver.problem.texts import check_texts
 from solver.problem.yaml_tree import parse_yaml
+from solver.symbols import COURSE, NOTATIONS
 from solver.systems import System
 from solver.words import ENGLISH, languages
 

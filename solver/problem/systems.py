@@ -9,17 +9,18 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from solver.problem.context import Earlier
-from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon, name_of
+from solver.problem.lexicon import BARRED, Lexicon, name_of
 from solver.problem.matrices import counted, expect_shape, is_flat, read_matrix
 from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
 from solver.problem.rational_functions import Rational
 from solver.problem.references import answers_of, earlier_part, read_reference
 from solver.problem.source import Report
 from solver.problem.transfer_functions import read_transfer_function
+from solver.symbols import SAMPLES
 from solver.systems import StateSpace, System, kinds
 
 if TYPE_CHECKING:
-    from solver.systems.kind import Reader
+from solver.systems.kind import Reader
 
 NOTHING = StateSpace(A=sp.ImmutableMatrix(0, 0, []), bare=True)
 """Stands for the system of a question that is about none."""
@@ -55,7 +56,7 @@ class SystemReader:
     @property
     def barred(self) -> Mapping[str, str]:
         """Names that can't occur in the entries of a system."""
-        return MEANINGS | SAMPLES if self.discrete else MEANINGS
+        return BARRED | SAMPLES if self.discrete else BARRED
 
     def _sample_time(self) -> sp.Expr | None:
         if "sample_time" not in self.node:

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from solver.problem.lexicon import MEANINGS, SAMPLES, Lexicon
+from solver.problem.lexicon import Lexicon
 from solver.problem.matrices import MAX_SIZE
 from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
 from solver.problem.poles import read_conjugate_list
 from solver.problem.rational_functions import Rational, expanded_size, field_degree
 from solver.problem.source import Report, did_you_mean
+from solver.symbols import MEANINGS, SAMPLES
 
 MAX_TERMS = 500
 MAX_DEGREE = 80

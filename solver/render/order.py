@@ -16,12 +16,7 @@ from typing import Any
 import sympy as sp
 
 from solver.render.symbols import natural
-
-MAIN = frozenset({"s", "z", "lamda"})
-"""Variables of polynomials and transfer functions."""
-
-TIME = frozenset({"t", "k", "tau"})
-"""Variables of functions of time."""
+from solver.symbols import POLYNOMIAL, TIME
 
 
 def ordered_terms(terms: Iterable[Any]) -> list[Any]:
@@ -138,7 +133,7 @@ def _add_factor(rank: _Rank, factor: Any) -> None:
 
 
 def _add_symbol(rank: _Rank, symbol: Any, power: float) -> None:
-    if symbol.name in MAIN:
+    if symbol.name in POLYNOMIAL:
         rank.main_degree += power
     elif symbol.name == "t":
         rank.time_degree += power
@@ -150,7 +145,7 @@ def _add_symbol(rank: _Rank, symbol: Any, power: float) -> None:
 def _add_power(rank: _Rank, base: Any, exponent: Any) -> None:
     if not exponent.is_Rational:
         _add_rate(rank, *_logarithmic_rate(base, exponent))
-    elif base.is_Symbol and (exponent.p > 0 or base.name not in MAIN):
+    elif base.is_Symbol and (exponent.p > 0 or base.name not in POLYNOMIAL):
         _add_symbol(rank, base, float(exponent))
     elif exponent.p < 0:
         rank.fraction = 1
@@ -185,7 +180,7 @@ def _logarithmic_rate(base: Any, exponent: Any) -> tuple[float, str]:
 @lru_cache(maxsize=4096)
 def _mean_root(base: Any) -> tuple[float, str]:
     """Return the mean of the roots of a denominator in s or z: the real part, for a linear factor or a pair."""
-    variable = next((symbol for symbol in base.free_symbols if symbol.name in MAIN), None)
+    variable = next((symbol for symbol in base.free_symbols if symbol.name in POLYNOMIAL), None)
     if variable is None:
         return 0.0, ""
     if variable not in (rest := base - variable).free_symbols:  # x + c, nearly always
@@ -207,13 +202,13 @@ def _real(number: Any) -> tuple[float, str]:
 @lru_cache(maxsize=4096)
 def has_variable(expression: Any) -> bool:
     """Whether it depends on s, z, λ or t, not on parameters alone."""
-    return any(symbol.name in MAIN or symbol.name == "t" for symbol in expression.free_symbols)
+    return any(symbol.name in POLYNOMIAL or symbol.name == "t" for symbol in expression.free_symbols)
 
 
 def factor_rank(base: Any) -> tuple[Any, ...]:
     """Return a key that puts the factors of a product in order: parameters, s, t, powers, sums, e^…, cos, sin."""
     if base.is_Symbol:
-        place = 2 if base.name in MAIN else 3 if base.name == "t" else 0
+        place = 2 if base.name in POLYNOMIAL else 3 if base.name == "t" else 0
         return (place, natural(base.name))
     if base.is_Add:
         return (4, (-_mean_root(base)[0],)) if has_variable(base) else (1, ())

@@ -30,13 +30,14 @@ from solver.formula.building import row
 from solver.formula.nodes import Row, Text
 from solver.markup import math_problems
 from solver.messages import Messages
-from solver.notation import COURSE, NOTATIONS, answer_symbol
+from solver.notation import answer_symbol
 from solver.problem.model import Display, Part
 from solver.render.displaying import Displaying, word_of
 from solver.render.latex import DEFAULT, answer_formula, formula
 from solver.render.macros import Macros, environment_of, macros_of
 from solver.render.numbers import NumberFormat
 from solver.stated.algebra import quotient
+from solver.symbols import COURSE, NOTATIONS
 from solver.systems import System
 from solver.words import ENGLISH, Reason
 

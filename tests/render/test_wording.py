@@ -9,13 +9,13 @@ from solver.derivation import AnswerName, Claim, Step
 from solver.derivation.displayed import FIRST_MARK, Displayed, Written
 from solver.formula import latex, read
 from solver.formula.width import LINE, broken, width
-from solver.notation import NOTATIONS
 from solver.problem.model import Part
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import tex
 from solver.render.numbers import NumberFormat
 from solver.render.wording import Wording, WordingError
 from solver.stated.matrices import determinant
+from solver.symbols import NOTATIONS
 from solver.systems import StateSpace, TransferFunction
 
 A = sp.ImmutableMatrix([[0, 1], [-2, -3]])

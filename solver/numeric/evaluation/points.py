@@ -13,14 +13,9 @@ from sympy.matrices.matrixbase import MatrixBase
 
 from solver.matrices import entries
 from solver.stated import Stated, operation_named
+from solver.symbols import COMPLEX, CONTINUOUS
 
 SEED = 20_011  # any constant will do
-COMPLEX_NAMES = frozenset({"s", "z", "lamda", "lambda"})
-"""Symbols without assumptions that stand for complex variables."""
-
-NEVER_WHOLE = COMPLEX_NAMES | {"t"}
-"""Symbols that by convention vary continuously."""
-
 WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
 BINDS_NOTHING = (sp.Add, sp.Mul, sp.Pow, sp.Tuple, sp.ImmutableDenseMatrix)
 
@@ -66,7 +61,7 @@ def whole_symbols(*formulas: Any, names: Collection[str] = (), symbols: frozense
     if symbols is None:
         symbols = frozenset().union(*map(free_symbols, formulas))
     found = {symbol for symbol in symbols if symbol.is_integer or symbol.name in names}
-    if all(symbol.name in NEVER_WHOLE for symbol in symbols - found):
+    if all(symbol.name in CONTINUOUS for symbol in symbols - found):
         return frozenset(found)
     for formula in formulas:
         for node in nodes(formula):
@@ -133,7 +128,7 @@ class PointSource:
             return size if symbol.is_nonnegative else -size
         if symbol.is_imaginary:
             return 1j * size
-        if symbol.is_real is None and (symbol.is_complex or symbol.name in COMPLEX_NAMES):
+        if symbol.is_real is None and (symbol.is_complex or symbol.name in COMPLEX):
             return complex(self.random.uniform(-2.5, 2.5), sign * size)
         return size * sign
 
