@@ -20,7 +20,7 @@ from solver.symbols import SAMPLES
 from solver.systems import StateSpace, System, kinds
 
 if TYPE_CHECKING:
-from solver.systems.kind import Reader
+    from solver.systems.kind import Reader
 
 NOTHING = StateSpace(A=sp.ImmutableMatrix(0, 0, []), bare=True)
 """Stands for the system of a question that is about none."""
