@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from solver.document.formats import FORMATS
-from solver.notation import NOTATIONS
+from solver.symbols import NOTATIONS
 
 DETAILS = ("question", "key", "brief", "full", "tutor")
 CHECKS = ("none", "summary", "table")
