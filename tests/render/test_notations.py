@@ -1,0 +1,76 @@
+"""The symbols of a page are those of one notation: in texts, formulas, answers, labels and figures."""
+
+import re
+
+import pytest
+
+from solver.document.works import document_of
+from solver.engine import solve_problem
+from solver.notation import COURSE, NOTATIONS, spelled
+from solver.problem.files import load
+from solver.problem.reader import read_problem
+from solver.resources import root
+from solver.tasks import catalogue
+
+EXAMPLES = {path.stem: path for path in sorted((root("problems") / "examples").glob("*.yaml"))}
+OURS = re.compile(r"K_\{?f|L_\{?c|\\mathcal\{C\}_\{?o|\\mathcal\{O\}_\{?v")
+"""Symbols that only the course has."""
+
+
+def told(name):
+    document = document_of(solve_problem(read_problem(load(EXAMPLES[name]), catalogue())))
+    return document, document.told(notation="ogata")
+
+
+def captions(document):
+    figures = [figure for part in document.parts for step in part.steps for figure in step.figures]
+    return [figure.caption for figure in figures] + [
+        label for figure in figures for label in getattr(figure, "labels", {}).values()
+    ]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_an_example_is_told_in_either_notation_and_claims_the_same(name):
+    course, ogata = told(name)
+    assert OURS.search("\n".join([ogata.markdown(), *captions(ogata)])) is None
+    for ours, theirs in zip(course.parts, ogata.parts, strict=True):
+        assert (ours.status, ours.fault) == (theirs.status, theirs.fault)
+        assert [(each.name, each.tex, each.value) for each in ours.answers] == [
+            (each.name, each.tex, each.value) for each in theirs.answers
+        ]
+        assert [(each.oracle, each.residual, each.status) for each in ours.checks] == [
+            (each.oracle, each.residual, each.status) for each in theirs.checks
+        ]
+        for answer, other in zip(ours.answers, theirs.answers, strict=True):
+            declared = catalogue()[ours.task].answers[answer.name].symbol
+            assert answer.symbol == spelled(declared, COURSE)
+            if "\\sym{" in declared:
+                assert other.symbol == spelled(declared, "ogata")
+
+
+def test_the_damping_ratio_is_zeta_wherever_it_stands():
+    course, ogata = told("desired-poles")
+    assert "\\xi" in course.markdown()
+    assert "\\xi" not in ogata.markdown()
+    assert "\\zeta" in ogata.markdown()
+
+
+@pytest.mark.parametrize(
+    "path", sorted((root("templates") / "wording").rglob("*.md.jinja")), ids=lambda path: path.stem
+)
+def test_a_template_names_symbols_of_the_notation_and_does_not_spell_them(path):
+    assert OURS.search(path.read_text(encoding="utf-8")) is None
+
+
+@pytest.mark.parametrize(
+    "path", sorted((root("templates").parent / "solver" / "tasks").rglob("*.py")), ids=lambda path: path.stem
+)
+def test_a_task_names_symbols_of_the_notation_and_does_not_spell_them(path):
+    assert OURS.search(path.read_text(encoding="utf-8")) is None
+
+
+def test_a_symbol_is_spelled_with_room_for_what_follows():
+    assert {frozenset(table) for table in NOTATIONS.values()} == {frozenset(NOTATIONS[COURSE])}
+    assert spelled(r"A - B\sym{K}", "ogata") == "A - BK"
+    assert spelled(r"2\sym{damping_ratio}s", "ogata") == r"2\zeta s"
+    assert spelled(r"2\sym{damping_ratio}\omega_n", COURSE) == r"2\xi\omega_n"
