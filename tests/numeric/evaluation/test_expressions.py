@@ -9,6 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.numeric import NotEvaluable, Undefined, evaluate
+from solver.numeric.evaluation.arithmetic import DOUBLE
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
 from tests.helpers.tried import tried
 
 a, b, t, s = sp.symbols("a b t s")
@@ -138,3 +141,16 @@ def test_a_division_by_zero_has_no_value(expression):
 def test_integers_beyond_doubles_are_exact_with_more_digits():
     big = sp.Integer(10) ** 40
     assert evaluate(sp.Add(big, a, -big, evaluate=False), POINT) == pytest.approx(1.375)
+
+
+@pytest.mark.parametrize(("y", "x"), [(1, 2), (-1, 2), (1, -2), (-1, -2), (3, -1)])
+def test_a_direction_is_that_of_the_point(y, x):
+    """The arguments are symbols, or sympy would find the angle itself."""
+    assert abs(evaluate(sp.atan2(a, b), {a: y, b: x}) - math.atan2(y, x)) < 1e-15
+
+
+@pytest.mark.parametrize("spoiled", [sp.atan2((a + 10**8) - b, sp.Integer(1)), sp.atan2(a, (a + 10**8) - b)])
+def test_the_rounding_of_either_argument_of_a_direction_counts(spoiled):
+    """Of the difference of numbers near 10⁸ eight digits are left; the magnitude of the angle must tell."""
+    found = value_of(spoiled, Environment.at([{a: 0.1, b: 10.0**8}]))
+    assert DOUBLE.eps * float(np.ravel(found.magnitude)[0]) > 1e-9

@@ -47,7 +47,7 @@ def _misfit(M: Array, right: Array) -> float:
 
 
 def steady_residual(matrices: Matrices, known: Mapping[str, Any], *, discrete: bool) -> float:
-    """Return how far F or N (`known`, by name) is from one that belongs to a steady state with y = r."""
+    """Return how far F, N or both (`known`, by name) are from those of a steady state with y = r."""
     n, p, m = matrices[0].rows, matrices[2].rows, matrices[1].cols
     shapes = {"F": (n, p), "N": (m, p)}
     if any(value.shape != shapes[name] for name, value in known.items()):
@@ -55,10 +55,10 @@ def steady_residual(matrices: Matrices, known: Mapping[str, Any], *, discrete: b
     worst = 0.0
     for point in rational_points(*matrices, *known.values()):
         M, right = _steady(matrices, point, discrete=discrete)
-        if "F" in known:
-            worst = worst_of((worst, _misfit(M[:, n:], right - M[:, :n] @ _floats(known["F"], point))))
-        else:
-            worst = worst_of((worst, _misfit(M[:, :n], right - M[:, n:] @ _floats(known["N"], point))))
+        columns = {"F": M[:, :n], "N": M[:, n:]}
+        free = np.hstack([np.zeros((n + p, 0)), *(part for name, part in columns.items() if name not in known)])
+        left_over = right - sum(columns[name] @ _floats(value, point) for name, value in known.items())
+        worst = worst_of((worst, _misfit(free, left_over)))
     return worst
 
 

@@ -1,0 +1,54 @@
+"""Judges accept right answers in whatever form, and reject wrong ones however near."""
+
+from importlib import import_module
+from pkgutil import iter_modules
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from solver.numeric import TOLERANCE, ShapeMismatch
+from solver.numeric.judges import design
+from tests.numeric.judges import cases
+
+TOPICS = [each.name for each in iter_modules(cases.__path__)]
+CASES = [
+    pytest.param(topic, case, id=f"{case.judge}-{i}")
+    for topic in TOPICS
+    for i, case in enumerate(import_module(f"{cases.__name__}.{topic}").CASES)
+]
+
+
+def verdict(topic, case, answer):
+    """Whether the judge accepts an answer. Raises NotEvaluable where it refuses."""
+    arguments = case.ask(answer)
+    named = arguments[-1] if isinstance(arguments[-1], dict) and set(arguments[-1]) & KEYWORDS else {}
+    positional = arguments[:-1] if named else arguments
+    judge = getattr(import_module(f"solver.numeric.judges.{topic}"), case.judge)
+    try:
+        found = judge(*positional, **named)
+    except ShapeMismatch:  # a check of it fails
+        return False
+    return bool(found) if isinstance(found, bool | np.bool_) else found <= TOLERANCE
+
+
+KEYWORDS = {"discrete", "transposed", "above"}
+
+
+@pytest.mark.parametrize(("topic", "case"), CASES)
+def test_right_answers_are_accepted(topic, case):
+    for answer in case.accepted:
+        assert verdict(topic, case, answer), answer
+
+
+@pytest.mark.parametrize(("topic", "case"), CASES)
+def test_wrong_answers_are_rejected(topic, case):
+    for answer in case.rejected:
+        assert not verdict(topic, case, answer), answer
+
+
+def test_a_set_point_beside_the_right_one_is_measured_against_the_size_of_its_terms():
+    """x₁ is 1 by one row and 1 + d by another: at best both are off by d/2, where the terms are of size 2."""
+    d = sp.Rational(1, 1000)
+    M, condition = sp.ImmutableMatrix([[0, 1], [1, 0]]), (sp.ImmutableMatrix([[1, 0]]), sp.ImmutableMatrix([[1 + d]]))
+    assert design.set_point_residual(M, 1, [condition]) == pytest.approx(float(d) / 4, rel=1e-2)
