@@ -80,6 +80,8 @@ RIGHT = [
     ("similar", "A", "[[-1.0, 0], [0, -2]]"),
     ("stable", "P", "[[1.25, 0.25], [0.25, 0.25]]"),
     ("stable", "verdict", "Asymptotically Stable"),
+    ("stable", "verdict", "asymptotically-stable"),
+    ("stable", "verdict", "asymptotically_stable"),
     ("routh", "array", "[[1, 2], [3, 0], [2, 0]]"),
     ("range", "condition", "0 < K < 6"),
     ("range", "condition", "K > 0 and 6 - K > 0"),

@@ -1,0 +1,44 @@
+"""Answers in the spelling of sympy and of other notations, as text; brackets are matched, nothing is evaluated."""
+
+import pytest
+
+from solver.classroom.spelling import matching, respelled, split
+
+
+@pytest.mark.parametrize(
+    ("text", "ours"),
+    [
+        ("Heaviside(t - 2) + DiracDelta(t)", "step(t - 2) + delta(t)"),
+        ("arctan (x)*Abs(y)", "atan(x)*abs(y)"),
+        ("KroneckerDelta(k, 0)", "delta(k)"),
+        ("KroneckerDelta(k, )", "delta(k)"),
+        ("KroneckerDelta(0, k)", "delta( k)"),
+        ("KroneckerDelta(0)", "delta(0)"),
+        ("2*KroneckerDelta(k, 3) - KroneckerDelta(k, n + 1)", "2*delta((k) - ( 3)) - delta((k) - ( n + 1))"),
+        ("KroneckerDelta(f(k, 2), 1)", "delta((f(k, 2)) - ( 1))"),
+        ("KroneckerDelta(k", "delta(k)"),
+        ("oo - ∞ + foo", "inf - inf + foo"),
+        ("√(2) – 1", "sqrt(2) - 1"),
+    ],
+)
+def test_a_text_is_respelled(text, ours):
+    assert respelled(text) == ours
+
+
+@pytest.mark.parametrize(("text", "at", "end"), [("(a)", 0, 2), ("f(a(b)c)d", 1, 7), ("(a", 0, 2), ("([)]", 0, 3)])
+def test_where_a_bracket_is_closed(text, at, end):
+    assert matching(text, at) == end
+
+
+@pytest.mark.parametrize(
+    ("text", "pieces"),
+    [
+        ("a,b", ["a", "b"]),
+        ("f(a,b),c", ["f(a,b)", "c"]),
+        ("", []),
+        ("a,", ["a", ""]),
+        ("[1,2],[3,4]", ["[1,2]", "[3,4]"]),
+    ],
+)
+def test_a_list_is_split_outside_of_brackets(text, pieces):
+    assert split(text, ",") == pieces
