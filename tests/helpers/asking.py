@@ -8,6 +8,9 @@ import sympy as sp
 from solver.derivation import Answers, CheckStatus, PartResult
 from solver.engine import solve_part
 from solver.problem.model import Part
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.problem.template import new_problem
 from solver.systems import StateSpace
 from solver.tasks import catalogue
 
@@ -30,7 +33,15 @@ EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
     },
     "response": {"kind": "zero_state", "input": (sp.Integer(1),)},
 }
-"""Options that make a question of a task that cannot be asked without them; used where all tasks are tried."""
+"""Options that suit most plants, for tasks that cannot be asked without them; used where all tasks are tried."""
+
+
+def example_options(task: str) -> dict[str, Any]:
+    """Options with which a task can be asked: those above, or those of the file that `solve new` writes."""
+    declared = catalogue()[task]
+    if task in EXAMPLE_OPTIONS or not any(option.required for option in declared.options.values()):
+        return EXAMPLE_OPTIONS.get(task, {})
+    return dict(read_problem(Source("new.yaml", new_problem(declared)), catalogue()).parts[0].options)
 
 
 def system(rows: Any, *, discrete: bool = False, **matrices: Any) -> StateSpace:
@@ -46,7 +57,7 @@ def ask(task: str, plant: StateSpace, method: str = "", **options: Any) -> PartR
     filled = {
         name: option.default for name, option in declared.options_for(method).items() if option.default is not None
     }
-    asked = options or EXAMPLE_OPTIONS.get(task, {})
+    asked = options or example_options(task)
     return solve_part(Part("a", task, (method,), plant, {**filled, **asked}), {})[0]
 
 

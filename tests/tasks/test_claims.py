@@ -7,7 +7,7 @@ from solver.derivation import CheckStatus, Claim, Status
 from solver.numeric import check_claim
 from solver.stated import Stated
 from solver.tasks import catalogue
-from tests.helpers.asking import EXAMPLE_OPTIONS, ask, system
+from tests.helpers.asking import ask, example_options, system
 
 
 def whole(rows, *, discrete=False):
@@ -32,7 +32,7 @@ CASES = [
     for name, plant in PLANTS.items()
     for task, declared in catalogue().items()
     for method in declared.methods_for(plant.discrete)
-    if not list(declared.refused(plant, EXAMPLE_OPTIONS.get(task, {})))
+    if not list(declared.refused(plant, example_options(task)))
 ]
 
 
