@@ -23,7 +23,7 @@ pytestmark = pytest.mark.slow
 def made(tmp_path_factory):
     """A copy of the project with a new task of a new topic, and the names of the files written."""
     copy = copy_of_the_project(tmp_path_factory.mktemp("new"))
-    return copy, make_task(copy, "steady_state_error", "classical")
+    return copy, make_task(copy, "trial_task", "trial_topic")
 
 
 def changed(left, right):
@@ -37,7 +37,7 @@ def changed(left, right):
 def test_only_its_own_files_are_written(made):
     copy, written = made
     ours = {name.removeprefix(f"{copy}/") for name in changed(PROJECT, copy)}
-    folders = {"solver/tasks/classical", "templates/wording/steady_state_error"}
+    folders = {"solver/tasks/trial_topic", "templates/wording/trial_task"}
     others = {name for name in ours if not name.startswith(tuple(folders))}
     assert others == {name for name in written if not name.startswith(tuple(folders))} | MADE_ANEW
     assert len(written) == 6
@@ -48,7 +48,7 @@ def test_lint_finds_nothing(made):
 
 
 def test_all_tests_about_it_pass(made):
-    assert not complaints_of_the_meta_tests(made[0], "steady_state_error")
+    assert not complaints_of_the_meta_tests(made[0], "trial_task")
 
 
 @pytest.mark.parametrize(
