@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.poles import Poles
 from solver.tasks.design.desired_poles import NAMES, StepSpecifications, band, faults, second_order_of, specified
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -67,9 +68,12 @@ def pole_faults(system: Any, options: PoleOptions, extra: int = 0) -> Iterable[R
     allowed = _numbers_of_poles(system, options) if not extra else {system.order + extra}
     if count not in allowed:
         where = "poles" if options.poles else next(iter(specified(options)), "")
-        wanted = " or ".join(str(number) for number in sorted(allowed, reverse=True))
-        note = " (all, or those that can be moved)" if len(allowed) > 1 else ""
-        yield where, f"the closed loop has {system.order + extra} poles; give {wanted}{note}, not {count}"
+        pattern = "the closed loop has {n} poles; give {all}, not {count}"
+        if len(allowed) > 1:
+            pattern = (
+                "the closed loop has {n} poles; give {all} or {some} (all, or those that can be moved), not {count}"
+            )
+        yield where, Phrase(pattern, n=system.order + extra, all=max(allowed), some=min(allowed), count=count)
 
 
 def _numbers_of_poles(system: systems.StateSpace, options: PoleOptions) -> set[int]:

@@ -18,6 +18,7 @@ from solver.tasks.design.loop_figures import block_diagram, zero_input_response
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.freedom import gain_is_free
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -89,7 +90,10 @@ def options_fit_the_plant(system: Any, options: PolePlacementOptions) -> Iterabl
     if system.B.cols > 1:
         yield "structure", "a structure of K is for one input; this plant has more"
     elif len(structure) != n:
-        yield "structure", f"the row K has {n} entries, one for each state; {len(structure)} are given"
+        yield (
+            "structure",
+            Phrase("the row K has {n} entries, one for each state; {given} are given", n=n, given=len(structure)),
+        )
     else:
         unknowns = sorted(set().union(*(entry.free_symbols for entry in structure)) - set(system.parameters), key=str)
         if not unknowns:
