@@ -5,7 +5,20 @@ from pathlib import Path
 
 import pytest
 
-from solver.symbols import COURSE, MEANINGS, NOTATIONS, OTHER_TIME, QUANTITIES, RESERVED, SAMPLES, VARIABLES
+from solver.symbols import (
+    COMPLEX,
+    CONTINUOUS,
+    COURSE,
+    MEANINGS,
+    NOTATIONS,
+    OTHER_TIME,
+    POLYNOMIAL,
+    QUANTITIES,
+    RESERVED,
+    SAMPLES,
+    TIME,
+    VARIABLES,
+)
 
 PROJECT = Path(__file__).parents[1]
 LISTED = re.compile(r"""[{(\[]["'](?:s|z|t|k|lamda|tau)["'], ["'](?:s|z|t|k|lamda|tau)["'],""")
@@ -20,6 +33,12 @@ def test_every_variable_is_declared_once_with_its_meaning():
 
 def test_variables_of_the_two_kinds_of_time_stand_for_each_other():
     assert OTHER_TIME == {True: {"s": "z", "t": "k"}, False: {"z": "s", "k": "t"}}
+
+
+def test_variables_are_sorted_by_what_is_made_of_them():
+    assert POLYNOMIAL == COMPLEX == {"s", "z", "lamda"}
+    assert {"t", "k", "tau"} == TIME
+    assert {"s", "z", "lamda", "t"} == CONTINUOUS
 
 
 @pytest.mark.parametrize("notation", NOTATIONS)

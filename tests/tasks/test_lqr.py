@@ -11,6 +11,7 @@ from scipy.linalg import solve_continuous_are
 
 from solver import solve
 from solver.derivation import Status
+from solver.tasks.design.regulator import Regulator
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.tried import tried
 
@@ -19,6 +20,18 @@ I2 = sp.ImmutableMatrix(sp.eye(2))
 ONE = sp.ImmutableMatrix([[1]])
 UNSTABLE = system([[0, 1], [0, 1]], B=[[0], [1]], C=[[1, 0]])
 ASKED = {"Q": I2, "R": ONE, "initial_state": sp.ImmutableMatrix([1, 2])}
+
+
+def test_the_riccati_equation_is_stated_as_the_books_write_it():
+    """AᵀP + PA + Q on one side and P B R⁻¹ Bᵀ P on the other, in this order of terms and factors."""
+    A, B, Q, R, P = (
+        sp.ImmutableMatrix(rows) for rows in ([[1, 2], [3, 4]], [5, 6], [[7, 0], [0, 8]], [[9]], [[1, 0], [0, 2]])
+    )
+    problem = Regulator.of(A, B, Q, R)
+    first, second, third = problem.linear_part(P).operands
+    assert (first.operands, second.operands, third) == ((A.T, P), (P, A), Q)
+    factors = problem.quadratic_part(P).operands
+    assert (factors[0], factors[1], factors[3], factors[4]) == (P, B, B.T, P)
 
 
 def floats(M) -> np.ndarray:
