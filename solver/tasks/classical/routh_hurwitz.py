@@ -26,6 +26,7 @@ from solver.stated.algebra import product
 from solver.stated.matrices import determinant
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.routh_array import rows_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -233,7 +234,7 @@ def are_the_minors(given: Given[Polynomial, RouthHurwitzOptions], answers: Answe
     c, n = given.system.coefficients, given.system.degree
     a = [each * (1 if c[0].is_positive else -1 if c[0].is_negative else 1 / c[0]) for each in c]
     found = list(answers["determinants"])
-    yield Check.that(f"there are {n} determinants", "counted", len(found) == n)
+    yield Check.that(Phrase("there are {n} determinants", n=n), "counted", len(found) == n)
     for k, value in enumerate(found[:n], 1):
         rows = [[a[2 * j - i] if 0 <= 2 * j - i <= n else 0 for j in range(1, k + 1)] for i in range(1, k + 1)]
         yield numeric.check_claim(Claim(determinant(sp.ImmutableMatrix(rows)), value), f"$\\Delta_{{{k}}}$")

@@ -53,6 +53,7 @@ from solver.tasks.design.weights import (
     weights_as_stated,
     weights_of,
 )
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -207,7 +208,9 @@ def are_the_weights_asked_for(given: Given[WithInput, LqrOptions], answers: Answ
     Q, R = weights_as_stated(given)
     for name, stated in (("Q", Q), ("R", R)):
         if name in answers:
-            yield numeric.check_claim(Claim(stated, answers[name]), f"${name}$ as the question says", answer=name)
+            yield numeric.check_claim(
+                Claim(stated, answers[name]), Phrase("${name}$ as the question says", name=name), answer=name
+            )
 
 
 @lqr.verification("closed_loop_A")

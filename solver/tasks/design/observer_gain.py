@@ -13,6 +13,7 @@ from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import determinant
 from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import unknown_gains
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -89,7 +90,9 @@ def _what_is_seen(pair: Pair) -> Derivation[list[Expr]]:
     A, C, n = pair.A, pair.C, pair.n
     O, p = pair.observability_matrix(), pair.C.rows
     claims = {
-        f"row{k}": Claim(product(C, power(A, k)), O[k * p : (k + 1) * p, :], f"block row {k + 1} of the matrix")
+        f"row{k}": Claim(
+            product(C, power(A, k)), O[k * p : (k + 1) * p, :], Phrase("block row {k} of the matrix", k=k + 1)
+        )
         for k in range(1, n)
     }
     det, exceptions = None, []

@@ -30,6 +30,7 @@ from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import feedthrough, least_solution
 from solver.tasks.freedom import gain_is_free, more_inputs_than_outputs, reference_gain_is_free
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -196,7 +197,7 @@ def holds_the_output_at_the_reference(
         if name in answers:
             known = {name: answers[name]}
             yield numeric.check_residual(
-                f"${name}$ belongs to a steady state with $y = r$",
+                Phrase("${name}$ belongs to a steady state with $y = r$", name=name),
                 "numpy.linalg.lstsq",
                 lambda known=known: judges.steady_residual(matrices, known, discrete=plant.discrete),  # type: ignore[misc]
                 answer=name,

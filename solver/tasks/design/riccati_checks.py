@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Check, CheckStatus
 from solver.lazy import numeric
 from solver.numeric.judges import optimal as judges
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.numeric.judges.optimal import Weights
@@ -21,10 +22,16 @@ FLOATS = 1e-8
 def solution_checks(weights: Weights, P: Any, name: str = "$P$", answer: str = "P") -> Iterable[Check]:
     """P is real and symmetric and solves the Riccati equation."""
     yield numeric.check_residual(
-        f"{name} is real and symmetric", "numpy", lambda: judges.symmetry_residual(weights, P), answer=answer
+        Phrase("{name} is real and symmetric", name=name),
+        "numpy",
+        lambda: judges.symmetry_residual(weights, P),
+        answer=answer,
     )
     yield numeric.check_residual(
-        f"{name} solves the Riccati equation", "residual", lambda: judges.riccati_residual(weights, P), answer=answer
+        Phrase("{name} solves the Riccati equation", name=name),
+        "residual",
+        lambda: judges.riccati_residual(weights, P),
+        answer=answer,
     )
 
 

@@ -20,6 +20,7 @@ from solver.tasks.design.riccati import (
     riccati_of,
 )
 from solver.tasks.design.riccati_cases import cases_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -156,7 +157,7 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
                 minor = exact.determinant(block)
                 minors[-1].append((minor, exact.sign_of(minor) or 0))
                 claims[f"minor{k}_{number}"] = Claim(
-                    determinant(block), minor, f"leading minor {k} of $P_{{{number}}}$"
+                    determinant(block), minor, Phrase("leading minor {k} of $P_{{{number}}}$", k=k, number=number)
                 )
     if not minors or any(each[-1][1] == 0 for each in minors):
         reason = "definiteness is a matter of signs, not an equality; the verification judges it"

@@ -17,6 +17,7 @@ from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import feedthrough
 from solver.tasks.freedom import several_inputs
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -191,7 +192,7 @@ def has_the_poles_and_no_error(given: Given[WithBoth, PoleOptions], answers: Ans
         if value is not None:
             known = {start + j: (value[0, j] if name == "K" else -value[0, j]) for j in range(value.cols)}
             yield numeric.check_residual(
-                f"${name}$ is part of a gain that places the poles",
+                Phrase("${name}$ is part of a gain that places the poles", name=name),
                 "numpy.linalg.lstsq",
                 lambda known=known: judges.completed_residual(big, inputs, known, poles),  # type: ignore[misc]
                 answer=name,

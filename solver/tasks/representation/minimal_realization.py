@@ -16,6 +16,7 @@ from solver.tasks.representation.plants import matrices_of, numbers_of, stated_m
 from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
 from solver.tasks.representation.realization_lemmas import assembled, companion_form_of, direct_path_of
 from solver.tasks.representation.transfer_function import fractions_of, lowest_terms_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.systems import StateSpace, TransferFunction
@@ -156,7 +157,9 @@ def has_least_order_and_the_transfer_function(
     for name in ("B", "C"):
         if name in answers and n:
             reason = f"the coordinates are free, so {name} is judged with A, B and C together"
-            yield Check.skipped(f"${name}$ belongs to a minimal realization", "inspection", reason, answer=name)
+            yield Check.skipped(
+                Phrase("${name}$ belongs to a minimal realization", name=name), "inspection", reason, answer=name
+            )
 
 
 def _same_constant(given: Given[InputOutput, LoopOptions], answers: Answers) -> Check:

@@ -12,6 +12,7 @@ from solver.stated import Stated
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.calculus import derivative, value_at
 from solver.tasks.representation.realization_lemmas import assembled, plain, proper_part
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -114,7 +115,7 @@ def _residue_formulas(G: exact.TransferMatrix, modes: Sequence[exact.Mode]) -> d
             if times > 1:
                 left = product(sp.Rational(1, sp.factorial(times)), left)
             name = f"r_{{{i}}}" if m == 1 else f"r_{{{i},{j}}}"
-            claims[name] = Claim(left, plain(R), f"residue ${name}$")
+            claims[name] = Claim(left, plain(R), Phrase("residue ${name}$", name=name))
     return claims
 
 

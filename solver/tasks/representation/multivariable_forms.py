@@ -10,6 +10,7 @@ from solver.stated.algebra import product
 from solver.stated.matrices import inverse
 from solver.tasks.representation.plants import matrices_of, variable_of
 from solver.tasks.representation.realization_lemmas import assembled
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.systems import StateSpace
@@ -62,6 +63,6 @@ def _columns(A: Any, B: Any, P: Any, indices: tuple[int, ...], *, controllable: 
             vector = P[:, k] if controllable else P[k, :]
             start = B[:, i] if controllable else B[i, :]
             factors = [*[A] * power, start] if controllable else [start, *[A] * power]
-            claims[f"vector{k + 1}"] = Claim(product(*factors), vector, f"vector {k + 1} of $P$")
+            claims[f"vector{k + 1}"] = Claim(product(*factors), vector, Phrase("vector {k} of $P$", k=k + 1))
             k += 1
     return claims

@@ -12,6 +12,7 @@ from solver.numeric.judges import linear_algebra, representation
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant
 from solver.tasks.representation.plants import stated_matrix, stated_transfer, variable_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.tasks.needed import InputOutput
@@ -135,12 +136,14 @@ def _single_channel(given: Given[InputOutput, RealizationOptions], answers: Answ
     system, x, n = given.system, variable_of(given.system), order_of(given.system)
     for name, side in (("A", 0), ("B", 0), ("C", 1)):
         if name in answers and answers[name].shape[side] != n:
-            yield Check.that(f"the order is {n}, that of the denominator as given", "inspection", False, answer=name)
+            yield Check.that(
+                Phrase("the order is {n}, that of the denominator as given", n=n), "inspection", False, answer=name
+            )
             return
     if "A" in answers:
         A = answers["A"]
         yield numeric.check_residual(
-            f"$\\det({x}I - A)$ is the denominator",
+            Phrase("$\\det({x}I - A)$ is the denominator", x=x),
             "numpy.linalg.det",
             lambda: linear_algebra.polynomial_residual(A, _denominator(system), x),
             answer="A",

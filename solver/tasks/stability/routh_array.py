@@ -12,6 +12,7 @@ from solver.stated.algebra import difference, power, product, quotient
 from solver.stated.calculus import derivative, value_at
 from solver.stated.matrices import partitioned
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -110,7 +111,7 @@ def _entries(above: Sequence[Expr], row: Sequence[Expr], computed: Sequence[Expr
     for j, entry in enumerate(computed, 1):
         a, r = (each[j] if j < len(each) else sp.Integer(0) for each in (above, row))
         stated: Any = quotient(difference(product(row[0], a), product(above[0], r)), row[0])
-        claims[f"entry{j}"] = Claim(stated, entry, f"entry {j} of the row")
+        claims[f"entry{j}"] = Claim(stated, entry, Phrase("entry {j} of the row", j=j))
     return claims
 
 

@@ -38,6 +38,7 @@ from solver.tasks.stability.verdicts import (
     external_stability_of,
     location_of,
 )
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -127,7 +128,7 @@ def by_lyapunov(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answer
         signs = [exact.sign_of(minor) for minor in minors]
         definite = False if any(sign is not None and sign < 1 for sign in signs) else None if None in signs else True
         claims = {
-            f"minor{k}": Claim(determinant(sp.ImmutableMatrix(P[:k, :k])), minor, f"leading minor {k}")
+            f"minor{k}": Claim(determinant(sp.ImmutableMatrix(P[:k, :k])), minor, Phrase("leading minor {k}", k=k))
             for k, minor in enumerate(minors, 1)
         }
         yield Step("minors", claims=claims, minors=list(zip(minors, signs, strict=True)), definite=definite)

@@ -13,6 +13,7 @@ from solver.stated.lists import summation
 from solver.stated.matrices import determinant, rank, transpose
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.structure.pairs import Pair
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -85,7 +86,7 @@ def _definite(pair: Pair, W: ImmutableMatrix) -> Step:
         for k in range(1, pair.n + 1):
             minor = sp.ImmutableMatrix(W[:k, :k])
             value = sp.factor(exact.determinant(minor))
-            claims[f"minor{k}"] = Claim(determinant(minor), value, f"leading minor {k} of the Gramian")
+            claims[f"minor{k}"] = Claim(determinant(minor), value, Phrase("leading minor {k} of the Gramian", k=k))
     minors = [claims[f"minor{k}"].right for k in range(1, pair.n + 1)] if r == pair.n else []
     return Step("definite", claims=claims, W=W, minors=minors, r=r, n=pair.n, dual=pair.dual)
 

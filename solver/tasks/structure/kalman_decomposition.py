@@ -33,6 +33,7 @@ from solver.tasks.structure.pairs import controllability_pair, observability_pai
 from solver.tasks.structure.parts import parts_of
 from solver.tasks.structure.row_operations import rank_exceptions
 from solver.tasks.structure.subspaces import subspaces_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -238,7 +239,9 @@ def _new_matrices(
         return
     for name, M in found.items():
         sides = {"A": (product(T, M), product(A, T)), "B": (product(T, M), B), "C": (product(C, T), M)}
-        yield numeric.check_claim(Claim(*sides[name]), rf"$\bar{{{name}}}$ belongs to $T$", answer=name)
+        yield numeric.check_claim(
+            Claim(*sides[name]), Phrase(r"$\bar{{{name}}}$ belongs to $T$", name=name), answer=name
+        )
 
 
 def _first_part(

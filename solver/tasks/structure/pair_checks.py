@@ -14,6 +14,7 @@ from solver.stated.calculus import integral
 from solver.stated.lists import summation
 from solver.stated.matrices import determinant, transpose
 from solver.tasks.structure.pairs import Pair
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.systems import StateSpace
@@ -90,7 +91,7 @@ def _blocks(pair: Pair, matrix: Any, answer: str) -> Iterator[Check]:
     for i, name in enumerate(pair.names):
         block = pair.turned(sp.ImmutableMatrix(whole[:, i * width : (i + 1) * width]))
         stated = product(pair.other, power(pair.A, i)) if pair.dual else product(power(pair.A, i), pair.other)
-        yield numeric.check_claim(Claim(stated, block), f"block ${name}$", answer=answer)
+        yield numeric.check_claim(Claim(stated, block), Phrase("block ${name}$", name=name), answer=answer)
 
 
 def _gramian(pair: Pair, W: Any, horizon: Any) -> Iterator[Check]:

@@ -30,6 +30,7 @@ from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
 from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -111,7 +112,7 @@ def _minors(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalVa
     claims, chosen = {}, []
     for i, (columns, value) in enumerate(exact.telling_minors(whole, x), 1):
         square = pair.turned(sp.ImmutableMatrix(whole[:, columns]))
-        claims[f"minor{i}"] = Claim(determinant(square), value, f"minor {i}")
+        claims[f"minor{i}"] = Claim(determinant(square), value, Phrase("minor {i}", i=i))
         chosen.append([j + 1 for j in columns])
     return Step(
         "minors",

@@ -28,6 +28,7 @@ from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.time_response.state_transition_matrix import require_diagonalizable
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -88,7 +89,9 @@ def by_cayley_hamilton(given: Given[StateSpace, MatrixFunctionOptions]) -> Deriv
         m=m,
     )
     satisfied = {
-        f"condition{i}": Claim(_dot(each.row, found.coefficients), each.right, f"condition {i} for the coefficients")
+        f"condition{i}": Claim(
+            _dot(each.row, found.coefficients), each.right, Phrase("condition {i} for the coefficients", i=i)
+        )
         for i, each in enumerate(found.conditions, 1)
     }
     yield Step("coefficients", claims=satisfied, alpha=found.coefficients)

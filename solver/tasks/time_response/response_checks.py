@@ -13,7 +13,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
 from solver.stated.algebra import product, total
 from solver.stated.calculus import derivative, value_at
-from solver.words import formula
+from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -78,7 +78,7 @@ def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Ch
         for index, time in enumerate(span.times(t, scale)):
             if answer != "x" or index == 0:  # for x the differential equation says the same at the others
                 claim = Claim(value_at(here, t, time), value_at(wanted, t, time))
-                yield numeric.check_claim(claim, f"convolution formula{after}", answer=answer)
+                yield numeric.check_claim(claim, Phrase("convolution formula{after}", after=after), answer=answer)
             if answer == "x":
                 change = product(system.A, here)
                 if u_here is not None:

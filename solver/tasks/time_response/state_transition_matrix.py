@@ -32,6 +32,7 @@ from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -112,13 +113,19 @@ def by_power_series(given: Given[StateSpace, StateTransitionMatrixOptions]) -> D
     )
     truncated = exact.truncated_series(A, t, terms)
     series = total(*(product(t**i / sp.factorial(i), M) for i, M in enumerate(powers)))
-    yield Step("series", claims={"sum": Claim(series, truncated, f"sum of the first {terms} terms")}, terms=terms)
+    yield Step(
+        "series",
+        claims={"sum": Claim(series, truncated, Phrase("sum of the first {terms} terms", terms=terms))},
+        terms=terms,
+    )
     Phi = exact.exponential(A, t)
     yield Step(
         "recognition",
         claims={
             f"derivative{i}": Claim(
-                value_at(derivative(Phi.matrix, t, i), t, sp.Integer(0)), powers[i], f"derivative {i} at $t = 0$"
+                value_at(derivative(Phi.matrix, t, i), t, sp.Integer(0)),
+                powers[i],
+                Phrase("derivative {i} at $t = 0$", i=i),
             )
             for i in range(terms)
         },
@@ -149,7 +156,9 @@ def by_cayley_hamilton(given: Given[StateSpace, StateTransitionMatrixOptions]) -
     )
     alpha = exact.interpolation_coefficients(A, x, discrete=discrete)
     satisfied = {
-        f"condition{i}": Claim(_dot(condition.row, alpha), condition.right, f"condition {i} for the coefficients")
+        f"condition{i}": Claim(
+            _dot(condition.row, alpha), condition.right, Phrase("condition {i} for the coefficients", i=i)
+        )
         for i, condition in enumerate(conditions, 1)
     }
     yield Step("coefficients", claims=satisfied, alpha=alpha, n=n)
