@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from solver.numeric import TOLERANCE, ShapeMismatch
-from solver.numeric.judges import design
+from solver.numeric.judges import design, stability
 from tests.numeric.judges import cases
 
 TOPICS = [each.name for each in iter_modules(cases.__path__)]
@@ -29,6 +29,8 @@ def verdict(topic, case, answer):
         found = judge(*positional, **named)
     except ShapeMismatch:  # a check of it fails
         return False
+    if isinstance(found, str):  # what is wrong, in words
+        return not found
     return bool(found) if isinstance(found, bool | np.bool_) else found <= TOLERANCE
 
 
@@ -52,3 +54,22 @@ def test_a_set_point_beside_the_right_one_is_measured_against_the_size_of_its_te
     d = sp.Rational(1, 1000)
     M, condition = sp.ImmutableMatrix([[0, 1], [1, 0]]), (sp.ImmutableMatrix([[1, 0]]), sp.ImmutableMatrix([[1 + d]]))
     assert design.set_point_residual(M, 1, [condition]) == pytest.approx(float(d) / 4, rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("rows", "kind"),
+    [
+        ([[-1, 0], [0, -2]], "stable node"),
+        ([[1, 0], [0, 2]], "unstable node"),
+        ([[-1, 0], [0, 2]], "saddle"),
+        ([[-1, 2], [-2, -1]], "stable focus"),
+        ([[1, 2], [-2, 1]], "unstable focus"),
+        ([[0, 2], [-2, 0]], "center"),
+        ([[-1, 1], [0, -1]], "stable degenerate node"),
+        ([[2, 0], [0, 2]], "unstable star"),
+        ([[0, 1], [0, 0]], "shear"),
+        ([[0, 0], [0, -1]], "line of equilibria"),
+    ],
+)
+def test_phase_portraits_have_the_kind_of_the_textbooks(rows, kind):
+    assert stability.planar_kinds(sp.ImmutableMatrix(rows)) == {kind}

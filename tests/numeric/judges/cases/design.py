@@ -2,6 +2,7 @@
 
 import sympy as sp
 
+from solver.numeric.judges.optimal import Weights
 from tests.numeric.judges.cases import Case, corruptions, lists_near
 
 M = sp.ImmutableMatrix
@@ -14,6 +15,9 @@ x, k_1, k_2 = sp.symbols("x k_1 k_2")
 CHI = x**2 + 9 * x + 20
 APART = (M(sp.diag(-1, -2)), M([1, 0]))
 EVERYTHING = M([1, 0, 2])
+INTEGRATORS = Weights(M([[0, 1], [0, 0]]), M([0, 1]), M(sp.diag(1, 0)), M([[1]]))
+AT_REST = M([[0, 1, 0], [0, 0, 1], [1, 0, 0]])
+"""Two integrators hold y = 1 with x = [1; 0] and u = 0; the optimal K is [1, √2]."""
 
 CASES = [
     Case("placed_residual", lambda K: (A, B, K, POLES), (K, K.evalf(15)), tuple(corruptions(K))),
@@ -97,5 +101,23 @@ CASES = [
         lambda found: (found, [LOOP, M([[-7]])]),
         ([-7, -4, -5],),
         tuple(lists_near([-4, -5, -7])),
+    ),
+    Case(
+        "realization_residual",
+        lambda matrices: (matrices, (sp.Integer(1), x**2 + 3 * x + 2), x),
+        ((A, B, C, D), (A.T, C.T, B.T, D), (M(sp.diag(-1, -2)), M([1, 1]), M([[1, -1]]), D)),
+        ((A, -B, C, D), (A, 2 * B, C, D), (A, C.T, B.T, D), (A.T, B, C, D), (A, B, C, M([[1]])), (-A, B, C, D)),
+    ),
+    Case(
+        "matching_possible",
+        lambda target: ((x + 1, x**2 + 3 * x + 7), target, x, {"discrete": False}),
+        ((x + 1) / (x**2 + 2 * x + 5), 1 / (x + 3)),
+        ((x - 1) / (x**2 + 2 * x + 5), 1 / (x + 3) ** 2, (x + 1) / (x + 3)),
+    ),
+    Case(
+        "reference_residual_at_optimum",
+        lambda gain: (INTEGRATORS, AT_REST, 1, gain),
+        (M([[1]]), M([[sp.Float(1)]])),
+        (M([[-1]]), M([[2]]), M([[sp.sqrt(2)]]), M([[sp.Rational(1001, 1000)]]), M([[1, 1]])),
     ),
 ]
