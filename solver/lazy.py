@@ -7,21 +7,9 @@ it would use the modules.
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-
-class LazyModule:
-    """Stands for a module; the first attribute asked for imports it."""
-
-    def __init__(self, name: str) -> None:
-        self._name = name
-
-    def __getattr__(self, attribute: str) -> Any:
-        value = getattr(import_module(self._name), attribute)
-        setattr(self, attribute, value)  # so that the next look-up is an ordinary one
-        return value
-
+from solver.startup import LazyModule
 
 if TYPE_CHECKING:
     import sympy

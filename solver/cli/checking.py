@@ -13,7 +13,7 @@ from solver.classroom.answer_file import problem_named_in
 from solver.classroom.report import as_csv, as_json, print_marking, render_sheet
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.progress import Meter
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, quiet_threads, source_of
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
 from solver.document.model import Document, Presentation
 from solver.engine import Solution
 from solver.limits import Limits, Solved, Supervision, solve_within
@@ -54,7 +54,7 @@ class CheckRequest:
 
 def check_files(request: CheckRequest) -> int:
     """Mark all answer files; return the worst exit code: 1 where an answer is wrong, 2 where a file is at fault."""
-    quiet_threads()
+    settle()
     problem, answers = _told_apart(request.files)
     if request.output and request.output != STANDARD and len(answers) > 1 and Path(request.output).is_file():
         raise click.UsageError(f"{request.output} is one file; name a folder for {len(answers)} answer files.")

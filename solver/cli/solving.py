@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import gc
 import io
-import os
 import signal
 import sys
 import threading
@@ -23,13 +21,13 @@ from solver.cli.destination import STANDARD, AtFault, Destination, write_whole
 from solver.cli.progress import Meter
 from solver.document.formats import FORMATS
 from solver.problem.source import Diagnostic, InputError, Source
+from solver.startup import begin_loading, end_loading, quiet_threads
 
 if TYPE_CHECKING:
     from solver.document.model import Document, Presentation
     from solver.problem.model import Problem
 
 SOLVED, UNSOLVED, INPUT_AT_FAULT = 0, 1, 2
-SINGLE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +45,7 @@ class Request:
 
 def solve_files(request: Request) -> int:
     """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
-    quiet_threads()
+    settle()
     if len(request.files) > 1:
         from solver.limits.child import load_all_algebra
 
@@ -56,11 +54,9 @@ def solve_files(request: Request) -> int:
     return max(_guarded(request, file, meter) for file in request.files)
 
 
-def quiet_threads() -> None:
+def settle() -> None:
     """Set this process up for solving: one thread, little garbage collection, an orderly end."""
-    gc.set_threshold(100_000, 20, 20)  # importing makes many objects and no garbage: a fifth faster
-    for name in SINGLE_THREAD:  # the matrices are small, and a process with threads should not fork
-        os.environ.setdefault(name, "1")
+    quiet_threads()
     _end_orderly()
 
 
@@ -90,14 +86,12 @@ def _guarded(request: Request, file: str, meter: Meter) -> int:
     except Exception as bug:  # noqa: BLE001 - the boundary of a file: a bug in one must not stop the rest
         return report_bug(bug, file)
     finally:
-        gc.enable()
+        end_loading()
         meter.next_file()
 
 
 def _solve(request: Request, file: str, meter: Meter) -> int:
-    is_first = not gc.get_freeze_count()
-    if is_first:
-        gc.disable()  # until all is loaded, see `_rehearse` and the child: a collection takes as long as loading numpy
+    is_first = begin_loading()  # until `_rehearse` has loaded all, and the child
     import sympy.tensor.tensor  # noqa: F401 - here, so that the child has it too; the first sum needs the tensors
 
     from solver.limits import Child, Limits, Supervision, solve_within
@@ -133,8 +127,7 @@ def _rehearse(request: Request, problem: Problem) -> None:
                 _rendered(document, format_)
         if not request.destination.standard_output:
             _print_summary(document, [], file=io.StringIO(), verbose=request.verbose)
-    gc.freeze()
-    gc.enable()
+    end_loading()
 
 
 def source_of(file: str) -> Source:

@@ -5,6 +5,6 @@ Each is imported when it is first used. The stub of each topic says which names 
 
 from pathlib import Path
 
-from solver.imports import names_of_stubs
+from solver.startup import names_of_stubs
 
 __all__, __getattr__ = names_of_stubs(__name__, *sorted(Path(__file__).parent.glob("*/__init__.pyi")))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import math
 import multiprocessing
 import os
@@ -24,10 +23,10 @@ except ImportError:  # Windows
     resource = None  # type: ignore[assignment]  # checked before it is used
 
 from solver.derivation import PartResult, Status
-from solver.imports import postpone
 from solver.lazy import exact, numeric
 from solver.numeric import judges
 from solver.numeric.evaluation import operations
+from solver.startup import end_loading, postpone
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -164,8 +163,7 @@ def _live(channel: Connection) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent hears it too, and ends the child
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     load_algebra()
-    gc.freeze()  # what is loaded is no garbage; the parent may have put off collecting
-    gc.enable()
+    end_loading()  # the parent may have put off collecting garbage
     try:
         orders: Orders = channel.recv()
     except EOFError:  # the parent is gone

@@ -5,7 +5,7 @@ Each is imported when it is first used, and scipy by the functions that need it.
 
 import os
 
-from solver.imports import names_of_stub
+from solver.startup import names_of_stub
 
 # Of small matrices the threads of the linear algebra library cost ten to a hundred times what they save. It reads
 # this when numpy is first imported; a choice of the user's is respected.

