@@ -9,11 +9,11 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Answers, Check, Method, PartResult, Status, Step, Task
+from solver.derivation.figures import Drawing, Figure
 from solver.document.checks import Say, check_rows, unchecked, worded_check
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.document.values import numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution
-from solver.figures.sampling import drawing_of
 from solver.problem.asked import asked_of, marks_of
 from solver.problem.model import Display, Part, Problem
 from solver.render.numbers import NumberFormat
@@ -136,9 +136,16 @@ class Writer:
             worded.title,
             worded.markdown,
             tuple(map(self._step, worded.steps)),
-            tuple(map(drawing_of, worded.figures)),
+            tuple(map(_drawing, worded.figures)),
             {name: sympy_text(value) for name, value in values.items()},
         )
+
+
+def _drawing(figure: Figure) -> Drawing:
+    """Return a figure without expressions."""
+    from solver.figures.sampling import drawing_of  # noqa: PLC0415 - numpy comes with it; most steps have no figure
+
+    return drawing_of(figure)
 
 
 def lost(result: PartResult, reason: str) -> PartResult:
