@@ -9,6 +9,7 @@ import sympy as sp
 from solver.derivation import CheckStatus, Status
 from solver.document.model import Presentation
 from solver.document.works import document_of
+from solver.numeric import NoRule
 from solver.render.data import render_json
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
@@ -25,6 +26,13 @@ def test_the_problem_is_verified(path):
         failed = [check for check in part.checks if check.status is not CheckStatus.PASSED]
         assert part.status is Status.VERIFIED, (part.id, part.method, part.reason, failed)
         assert not failed
+
+
+@pytest.mark.parametrize(**by_problem(PROBLEMS))
+def test_no_check_is_left_out_for_want_of_a_rule(path):
+    """What can not be judged is told with its reason; that the oracle was never taught an operation is no reason."""
+    wanting = [check for part in solution_of(path).parts for check in part.checks if str(NoRule("")) in check.reason]
+    assert not wanting
 
 
 @pytest.mark.parametrize(

@@ -6,10 +6,11 @@ from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import evaluate, values_at
 from solver.numeric.evaluation.ranks import independent, rank
 from solver.numeric.evaluation.rounding import agrees_to_digits
-from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
+from solver.numeric.evaluation.values import NoRule, NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
     "TOLERANCE",
+    "NoRule",
     "NotEvaluable",
     "ShapeMismatch",
     "Undefined",

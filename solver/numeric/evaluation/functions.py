@@ -11,7 +11,7 @@ from sympy.functions.special.tensor_functions import KroneckerDelta
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from solver.numeric.evaluation.environment import Environment
-from solver.numeric.evaluation.values import NotEvaluable, Value
+from solver.numeric.evaluation.values import NoRule, NotEvaluable, Value
 from solver.numeric.evaluation.walk import exactly, floored, on_the_cut, rule, walk
 
 Slope = Callable[[Any], Any]
@@ -212,7 +212,7 @@ def _holds(condition: Any, environment: Environment) -> Any:
         return ~_holds(condition.args[0], environment)
     compare = COMPARISONS.get(condition.func)
     if compare is None:
-        raise NotEvaluable(f"no rule for the condition {condition}")
+        raise NoRule(f"the condition {condition}")
     left, right = (_real(walk(side, environment), environment) for side in condition.args)
     return compare(left, right)
 

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 from solver.numeric.evaluation import operations
 from solver.numeric.evaluation.environment import Environment
-from solver.numeric.evaluation.values import NotEvaluable, Value
+from solver.numeric.evaluation.values import NoRule, Value
 from solver.numeric.evaluation.walk import rule
 from solver.stated import Stated
 
@@ -38,7 +38,7 @@ def _module_of(operation: str) -> ModuleType:
     except ModuleNotFoundError as missing:
         if missing.name != full_name:
             raise
-        raise NotEvaluable(f"no rule for the operation {operation}") from missing
+        raise NoRule(f"the operation {operation}") from missing
 
 
 def about(operation: str, aspect: str) -> Any:

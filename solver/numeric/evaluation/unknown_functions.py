@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.operations import derivative
 from solver.numeric.evaluation.points import SEED
-from solver.numeric.evaluation.values import NotEvaluable, Value
+from solver.numeric.evaluation.values import NoRule, NotEvaluable, Value
 from solver.numeric.evaluation.walk import exactly, rule, walk
 
 WAVES = 6
@@ -61,7 +61,7 @@ def _derivative(expression: Any, environment: Environment) -> Value:
     if isinstance(function, AppliedUndef):
         counts = {variable: int(times) for variable, times in variables}
         if not set(counts) <= set(function.args) or not all(each.is_Symbol for each in counts):
-            raise NotEvaluable(f"no rule for evaluating {expression}")
+            raise NoRule(str(expression))
         return _differentiated(function, tuple(counts.get(each, 0) for each in function.args), environment)
     if len(variables) > 1:
         raise NotEvaluable("mixed derivatives of a formula are not evaluated")

@@ -19,6 +19,13 @@ class NotEvaluable(ValueError):  # noqa: N818 - a refusal with its reason, in wo
     """The oracle has no sound way of evaluating a formula; the message says why."""
 
 
+class NoRule(NotEvaluable):
+    """The oracle has never been taught what a formula holds. No problem may need such a rule; a test holds that."""
+
+    def __init__(self, what: str) -> None:
+        super().__init__(f"no rule for {what}")
+
+
 class Undefined(NotEvaluable):
     """The formula has no finite value at a point (division by zero, overflow); another point may do."""
 

@@ -13,7 +13,7 @@ from sympy.matrices.matrixbase import MatrixBase
 from solver.matrices import entries
 from solver.numeric.evaluation.arithmetic import Arithmetic
 from solver.numeric.evaluation.environment import Environment
-from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Value
+from solver.numeric.evaluation.values import SAFETY, NoRule, NotEvaluable, Value
 
 Rule = Callable[[Any, Environment], Value]
 RULES: dict[type, Rule] = {}
@@ -48,7 +48,7 @@ def _rule_of_base(cls: type) -> Rule:
         if base in RULES:
             RULES[cls] = RULES[base]
             return RULES[base]
-    raise NotEvaluable(f"no rule for evaluating {cls.__name__}")
+    raise NoRule(cls.__name__)
 
 
 def exactly(value: Any, arithmetic: Arithmetic) -> Value:
