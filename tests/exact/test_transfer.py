@@ -69,6 +69,14 @@ def test_fractions_with_parameters_are_cleared_of_fractions():
     assert all(c.is_polynomial(L, C, R) for part in sp.fraction(shown) for c in sp.Poly(part, s).all_coeffs())
 
 
+def test_residues_at_a_pair_that_is_undecided_keep_both_signs_apart():
+    """(s + b)/(s² + bs + c) at −b/2 ± δ: ½ ± b/(4δ), 2δ = √(b² − 4c); not multiplied out."""
+    b, c = sp.symbols("b c")
+    first, second = exact.modes(exact.transfer_matrix_of_fractions([[s + b]], [[s**2 + b * s + c]], s))
+    part = b / (2 * sp.sqrt(b**2 - 4 * c))
+    assert {first.residues[0][0], second.residues[0][0]} == {sp.S.Half + part, sp.S.Half - part}
+
+
 def test_the_direct_path_is_divided_out():
     G = exact.transfer_matrix_of_fractions([[2 * s**2 + 1]], [[4 * s**2 + 4]], s)
     assert G.direct == I([[sp.Rational(1, 2)]])

@@ -18,7 +18,7 @@ def decays(factor: Factor, *, discrete: bool) -> bool:
     if factor.degree == 1:
         value = factor.roots[0].value
         return bool((1 - sp.Abs(value)).is_positive if discrete else value.is_negative)
-    if factor.degree == 2 and factor.roots[0].kind != "decimal":
+    if factor.degree == 2:
         K = factor.modulus.domain
         c0, c1 = (expression(K, c) for c in factor.modulus.low)
         conditions = (1 + c1 + c0, 1 - c1 + c0, 1 - c0) if discrete else (c0, c1)

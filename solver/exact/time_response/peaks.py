@@ -80,7 +80,7 @@ def _stationary(y: sp.Expr, moving: Sequence[tuple[FactorResidues, int]], t: sp.
     """The first times at which the slope is zero, exactly: for one pair, or two real modes; None for others."""
     modes = [(root, order) for each, order in moving for root in each.factor.roots]
     slope = [sp.expand(sp.diff(y, t, i).subs(t, 0)) for i in (1, 2)]
-    if any(root.kind == "decimal" for root, _ in modes) or len(modes) > 2:
+    if len(modes) > 2:  # as all factors with decimal roots have
         return None
     if len(modes) == 2 and all(order == 1 for _, order in modes):
         (first, _), (second, _) = modes
