@@ -15,7 +15,6 @@ from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdi
 from solver.document.model import Document
 from solver.engine import Solution
 from solver.problem.model import Part
-from solver.render.numbers import NumberFormat
 from solver.render.page import rendered
 from solver.render.plain import sympy_text
 from solver.render.prose import inline_as_text
@@ -126,15 +125,19 @@ def render_sheet(
 ) -> str:
     """Return the page to hand back: values, verdicts and marks; with a document the worked solution below."""
     typed = replace(solution.problem.display, decimals_typed=True)  # a student's decimals are shown as decimals
-    wording = Wording(NumberFormat.of(typed))
+    wording = Wording.of(typed, templates=templates)
     parts = {part.id: part for part in solution.problem.parts}
     return rendered(
         "sheet.html.jinja",
         templates,
+        wording.messages,
         title=solution.problem.title,
         marking=marking,
         number=number,
-        parts=[(part, catalogue()[part.task].title, _lines(part, parts[part.id], wording)) for part in marking.parts],
+        parts=[
+            (part, wording.say(catalogue()[part.task].title), _lines(part, parts[part.id], wording))
+            for part in marking.parts
+        ],
         document=document,
     )
 
