@@ -171,7 +171,9 @@ def strings_of_the_program():
                 yield node.value
     for kind in ("html", "latex", "wording/reasons"):
         for path in (root("templates") / kind).glob("*.jinja"):
-            yield from re.findall(r'"([^"]*)"', path.read_text(encoding="utf-8"))
+            text = path.read_text(encoding="utf-8")
+            yield from re.findall(r'"([^"]*)"', text)
+            yield from re.findall(r'phrase\("([^"]*)"', text)
 
 
 @pytest.mark.parametrize("language", languages()[1:])
