@@ -22,7 +22,7 @@ from solver.formula.nodes import (
     Text,
     Visitor,
 )
-from solver.formula.signs import Signs
+from solver.formula.signs import is_prefix
 
 
 class LatexWriter(Visitor[str]):
@@ -51,17 +51,16 @@ class LatexWriter(Visitor[str]):
 
     def row(self, node: Row) -> str:
         """Return what stands in the row, without braces."""
-        written = ""
-        before: Node | None = None
-        signs = Signs()
-        for item in node.items:
+        written = before = ""
+        for place, item in enumerate(node.items):
             piece = self.argument(item)
-            if before == COMMA and not isinstance(item, Space):
+            kind = _PREFIX if is_prefix(node.items, place) else _kind(item)
+            if before == _COMMA and kind not in _SPACES:
                 written += self.after_comma
-            elif written and (_apart(before, item) or _runs_into(written, piece)):
+            elif before + kind in _APART or _runs_into(written, piece):
                 written += " "
             written += piece
-            before = _PREFIX if signs.is_prefix(item) else item
+            before = kind
         return written
 
     def argument(self, node: Node) -> str:
@@ -113,10 +112,36 @@ class LatexWriter(Visitor[str]):
         return written
 
 
-_PREFIX = Operator("")
-COMMA, COLON = Operator(","), Operator(":")
-SPACED = (v.RELATIONS | v.BINARY) - {":"}
-NARROW = frozenset((r"\,", r"\!"))
+_OPERAND, _BRACKETED, _FUNCTION, _TEXT, _INFIX, _PREFIX, _COMMA, _COLON, _OTHER = "xbft=-,:o"
+_SPACES = _WIDE, _NARROW = "sn"
+_KINDS: dict[type[Node], str] = {Fenced: _BRACKETED, Table: _BRACKETED, Function: _FUNCTION, Text: _TEXT}
+_KINDS_OF_SIGNS = {**dict.fromkeys(v.RELATIONS | v.BINARY, _INFIX), ":": _COLON, ",": _COMMA}
+
+
+def _kind(item: Node) -> str:
+    """Return what decides the blanks around an item, as a letter."""
+    if isinstance(item, Operator):
+        return _KINDS_OF_SIGNS.get(item.sign, _OTHER)
+    if isinstance(item, Space):
+        return _NARROW if item.command in {r"\,", r"\!"} else _WIDE
+    return _KINDS.get(type(item), _OPERAND)
+
+
+def _is_apart(before: str, kind: str) -> bool:
+    """Whether a blank stands between items of two kinds."""
+    if before in (_PREFIX, _NARROW) or kind in _SPACES:
+        return False
+    if before == _WIDE:
+        return True
+    if kind in {_COLON, _COMMA}:
+        return False
+    if {before, kind} & {_INFIX, _TEXT} or before == _COLON:
+        return True
+    return before == _FUNCTION and kind in {_OPERAND, _FUNCTION, _PREFIX}
+
+
+_ALL = "xbft=-,:osn"
+_APART = frozenset(before + kind for before in _ALL for kind in _ALL if _is_apart(before, kind))
 
 
 def _joined(*pieces: str) -> str:
@@ -134,25 +159,6 @@ def _runs_into(written: str, piece: str) -> bool:
     while end >= 0 and written[end].isascii() and written[end].isalpha():
         end -= 1
     return end >= 0 and written[end] == "\\"
-
-
-def _has_blanks(node: Node | None) -> bool:
-    return isinstance(node, Operator) and node.sign in SPACED
-
-
-def _apart(before: Node | None, item: Node) -> bool:
-    """Whether a blank stands between two items."""
-    if before is _PREFIX or isinstance(item, Space):
-        return False
-    if isinstance(before, Space):
-        return before.command not in NARROW
-    if item in (COLON, COMMA):
-        return False
-    if _has_blanks(before) or _has_blanks(item) or before == COLON:
-        return True
-    if isinstance(before, Function):
-        return not isinstance(item, Fenced | Table | Operator)
-    return isinstance(before, Text) or isinstance(item, Text)
 
 
 _WRITER, _IN_INDEX = LatexWriter(), LatexWriter(index=True)

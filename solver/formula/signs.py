@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from solver.formula.nodes import Function, Node, Operator, Scripts, Space
 from solver.formula.vocabulary import CLOSING
 
@@ -9,25 +11,22 @@ SIGNS = frozenset(("+", "-", r"\pm", r"\mp"))
 _ENDS_OPERAND = CLOSING | {"!", "|"}
 
 
-class Signs:
-    """Looks at the items of one row from left to right; one that goes on from before has `begun`."""
+def is_prefix(items: Sequence[Node], place: int, begun: bool = False) -> bool:
+    """Whether an item is a sign before a term: `-1`, `a = -b`.
 
-    def __init__(self, begun: bool = False) -> None:
-        self.begun = begun
-        self.last: Node | None = None  # that is no space
+    After a gap at the beginning of the row it is not, nor where the row has `begun` before its first item.
+    """
+    item = items[place]
+    if type(item) is not Operator or item.sign not in SIGNS:
+        return False
+    for i in range(place - 1, -1, -1):
+        if type(items[i]) is not Space:
+            return not _ends_operand(items[i])
+    return place == 0 and not begun
 
-    def is_prefix(self, item: Node) -> bool:
-        """Whether the next item is a sign before a term: `-1`, `a = -b`; after a gap at the beginning it is not."""
-        prefix = isinstance(item, Operator) and item.sign in SIGNS and not self._after_operand()
-        self.begun = True
-        if not isinstance(item, Space):
-            self.last = item
-        return prefix
 
-    def _after_operand(self) -> bool:
-        last = self.last.base if isinstance(self.last, Scripts) else self.last
-        if last is None:
-            return self.begun
-        if isinstance(last, Operator):
-            return last.sign in _ENDS_OPERAND
-        return not isinstance(last, Function)
+def _ends_operand(node: Node) -> bool:
+    base = node.base if isinstance(node, Scripts) else node
+    if isinstance(base, Operator):
+        return base.sign in _ENDS_OPERAND
+    return not isinstance(base, Function)

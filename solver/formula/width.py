@@ -7,7 +7,7 @@ from itertools import zip_longest
 
 from solver.formula import nodes as n
 from solver.formula.building import TIMES
-from solver.formula.signs import Signs
+from solver.formula.signs import is_prefix
 
 LINE = 76.0
 """Width, in letters, of what fits on a line of a page."""
@@ -108,10 +108,9 @@ def _filled(pieces: Sequence[n.Row], room: float, *seam: n.Node) -> list[n.Row]:
 
 def _terms(formula: n.Row) -> Iterator[n.Row]:
     """Cut a formula before each sign between two terms."""
-    signs, start = Signs(), 0
+    start = 0
     for place, item in enumerate(formula.items):
-        prefix = signs.is_prefix(item)
-        if place and not prefix and isinstance(item, n.Operator) and item.sign in {"+", "-"}:
+        if place and isinstance(item, n.Operator) and item.sign in {"+", "-"} and not is_prefix(formula.items, place):
             yield n.Row(formula.items[start:place])
             start = place
     yield n.Row(formula.items[start:])

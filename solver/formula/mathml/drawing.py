@@ -34,7 +34,7 @@ from solver.formula.nodes import (
     Text,
     Visitor,
 )
-from solver.formula.signs import Signs
+from solver.formula.signs import is_prefix
 
 MARKS = {
     **{r"\dot": "˙", r"\ddot": "¨", r"\hat": "ˆ", r"\widehat": "ˆ", r"\tilde": "˜", r"\widetilde": "˜", r"\bar": "¯"},
@@ -99,14 +99,16 @@ class Drawer(Visitor[Drawing]):
 
     def inside(self, row: Row, begun: bool = False) -> Drawing:
         """Return what stands in a row, without an element around it; one that has `begun` goes on from before."""
-        signs, upright = Signs(begun), is_relation_between_words(row.items)
-        forms = bars(row.items)
+        kinds = set(map(type, row.items))
+        upright = Text in kinds and is_relation_between_words(row.items)
+        forms = bars(row.items) if Operator in kinds or Scripts in kinds else {}
+        names = Function in kinds or Scripts in kinds
         markup, width, end = "", 0.0, ""
         before: Node | None = None
         for place, item in enumerate(row.items):
-            if thin_space_between(before, item):
+            if names and thin_space_between(before, item):
                 markup, width = markup + THIN, width + 0.167
-            form = "prefix" if signs.is_prefix(item) else forms.get(place, "")
+            form = "prefix" if is_prefix(row.items, place, begun) else forms.get(place, "")
             if isinstance(item, Space) and item.command in STYLES:
                 markup += f'<mstyle displaystyle="{STYLES[item.command]}" scriptlevel="0">'
                 end += "</mstyle>"
