@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.formula import MathProblem, find_problem, latex, nodes, read
+from solver.formula.mathml.drawing import drawn
 from solver.formula.nodes import (
     Accent,
     Fenced,
@@ -29,6 +30,8 @@ from solver.formula.nodes import (
 )
 from solver.formula.reader import DEEPEST
 from solver.formula.reading import LONGEST
+from solver.formula.terminal.drawing import box
+from solver.formula.width import width
 from tests.helpers.formula_trees import TREES
 
 GOOD = [
@@ -194,3 +197,17 @@ def _visited() -> list[_Name]:
                Scripts(X), Fenced("(", Row(), ")"), Table("matrix", ((Row(),),)), Accent(r"\dot", X),
                Stacked(r"\overset", X, X), Styled(r"\mathrm", X)]  # fmt: skip
     return [sample.accept(_Name("")) for sample in samples]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    "around", [r"\sqrt{%s}", r"\frac{x_{%s}}{1}", r"\left(%s\right)^{2}", r"\begin{bmatrix}%s\end{bmatrix}"]
+)
+def test_what_is_as_deep_as_allowed_is_drawn_by_all(around: str) -> None:
+    formula = "x"
+    while find_problem(around.replace("%s", formula)) is None:
+        formula = around.replace("%s", formula)
+    tree = read(formula)
+    assert read(latex(tree)) == tree
+    assert drawn(tree).width > 0
+    assert box(tree, display=True).width > 0
+    assert width(tree) > 0
