@@ -127,7 +127,13 @@ def collected(found: sp.Expr) -> sp.Expr:
     angles = {f.args[0] for f in found.atoms(sp.sin, sp.cos)}
     for angle in angles:
         found = trigonometric(found, angle)
-    return found if angles else sp.factor(found)
+    return found if angles else _number_multiplied_in(sp.factor(found))
+
+
+def _number_multiplied_in(factored: sp.Expr) -> sp.Expr:
+    """The expression with a number alone before a sum multiplied in: (p + q)/2 is p/2 + q/2."""
+    number, rest = factored.as_coeff_Mul()
+    return sp.Mul(number, rest) if rest.is_Add else factored
 
 
 def _linear_in(polynomial: sp.Expr, s: sp.Symbol, c: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
