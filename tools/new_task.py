@@ -78,7 +78,9 @@ WORDING = """\
 {% macro determinant(v, c) %}
 ### Determinant
 {% if full %}
-It is the product of the eigenvalues.
+The recursion of Faddeev and LeVerrier finds the coefficients of the characteristic polynomial from traces, one after
+the other; the last of them is the determinant but for its sign. The determinant is the product of the eigenvalues:
+it is zero exactly when one of them is, and then the matrix has no inverse.
 {% endif %}
 {{ claim(c.determinant, "\\\\det A") }}
 {% endmacro %}
