@@ -8,6 +8,8 @@ from typing import Any
 FIRST_MARK = 0xF0000
 """The first of the characters for private use that stand for values in a written formula."""
 
+STANDS = ":="
+
 
 @dataclass(frozen=True, slots=True)
 class Written:
@@ -19,7 +21,10 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class Displayed:
-    """A display a = b = ... of a step: each side a value (an expression, a matrix, a list, `Stated`) or `Written`."""
+    """A display a = b = ... of a step: each side a value (an expression, a matrix, a list, `Stated`) or `Written`.
+
+    The relation STANDS says that a name stands for another value from here on; nothing is shown.
+    """
 
     sides: tuple[Any, ...]
     relation: str = "="

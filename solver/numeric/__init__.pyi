@@ -2,14 +2,17 @@
 
 from solver.numeric.evaluation.claims import check_claim, check_residual, check_steps
 from solver.numeric.evaluation.compare import TOLERANCE
+from solver.numeric.evaluation.environment import Environments
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import evaluate, values_at
+from solver.numeric.evaluation.points import free_symbols
 from solver.numeric.evaluation.ranks import independent, rank
 from solver.numeric.evaluation.rounding import agrees_to_digits
 from solver.numeric.evaluation.values import NoRule, NotEvaluable, ShapeMismatch, Undefined
 
 __all__ = [
     "TOLERANCE",
+    "Environments",
     "NoRule",
     "NotEvaluable",
     "ShapeMismatch",
@@ -20,6 +23,7 @@ __all__ = [
     "check_steps",
     "equality_residual",
     "evaluate",
+    "free_symbols",
     "independent",
     "rank",
     "values_at",

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Claim
-from solver.derivation.displayed import Displayed
+from solver.derivation.displayed import STANDS, Displayed
 from solver.formula import latex, read
 from solver.formula.building import row
 from solver.formula.nodes import Operator, Row, Text
@@ -58,46 +58,57 @@ class Displaying:
         text = self.recorder.expanded(side)
         return read(text) if text.strip() else NOTHING
 
-    def eq(self, *sides: Any, note: str = "", relation: str = "=") -> str:
-        """Display a = b = ...; `note` stands behind the last side."""
-        shown = [side for side in sides if not isinstance(side, str) or side]
+    def eq(self, *sides: Any, note: str = "", relation: str = "=", holds: bool = True) -> str:
+        """Display a = b = ...; `note` stands behind the last side. Unless it `holds`, nothing is claimed."""
+        shown = [side for side in sides if holds and (not isinstance(side, str) or side)]
         return self._displayed([(shown, relation)], self.laid_out(sides, self.show, relation, note))
 
     def claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:
         """Display both sides of a claim."""
         return self.eq(prefix, claim.left, claim.right, note=note)
 
-    def align(self, rows: Iterable[Iterable[Any]]) -> str:
-        """Display equations under each other, each given by its sides."""
+    def supposed(self, unknown: Any, value: Any) -> str:
+        """Return x = value for a line of text: a case, which is supposed and not claimed."""
+        return self.recorder.display([], f"${latex(row(self.show(unknown), EQUALS, self.show(value)))}$")
+
+    def stands(self, name: str, value: Any = None) -> str:
+        """Note that a name stands for another value from here on; show nothing."""
+        return self.recorder.display([Displayed((self.recorder.written(name), value), STANDS)], "")
+
+    def align(self, rows: Iterable[Iterable[Any]], *, holds: bool = True) -> str:
+        """Display equations under each other, each given by its sides. Unless they hold, nothing is claimed."""
         chains = [list(row) for row in rows]
         lines = []
         for first, *others in chains:
             cells = (row(EQUALS, self._side(side, self.show)) for side in others)
             lines.append((self._side(first, self.show), *cells))
-        return self._displayed([(sides, "=") for sides in chains], aligned(lines))
+        return self._displayed([(sides, "=") for sides in chains if holds], aligned(lines))
 
     def _displayed(self, chains: Iterable[tuple[list[Any], str]], formula: Row) -> str:
+        return self._noted(chains, display(latex(formula)))
+
+    def _noted(self, chains: Iterable[tuple[list[Any], str]], text: str) -> str:
         """Note the chains of a display (each with its relation); return the mark of the display."""
         recorder = self.recorder
         noted = [
             Displayed(tuple(recorder.written(side) if isinstance(side, str) else side for side in sides), relation)
             for sides, relation in chains
         ]
-        return recorder.display(noted, display(latex(formula)))
+        return recorder.display(noted, text)
 
     def pieces(self, named: Iterable[tuple[str, Any]]) -> str:
         """Return `name = value` for each value that is given, as many on a line as fit."""
         lines: list[Row] = []
-        for name, value in named:
-            if value is None:
-                continue
+        known = [(name, value) for name, value in named if value is not None]
+        for name, value in known:
             piece = row(name, EQUALS, self.show(value))
             longer = row(lines[-1], GAP, piece) if lines else piece
             if lines and width(longer) <= LINE:
                 lines[-1] = longer
             else:
                 lines.append(piece)
-        return "".join(display(latex(line)) for line in lines)
+        text = "".join(display(latex(line)) for line in lines)
+        return self._noted([([name, value], "=") for name, value in known], text)
 
     def operation(self, operation: Any) -> str:
         """Return a row operation as LaTeX."""

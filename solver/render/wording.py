@@ -7,8 +7,12 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
   changed, the value behind it forgotten; `operation|operation`: a row operation; `text|plain`: words of a user, with
   Markdown's signs made harmless,
 - `eq(a, b, ...)`: the display a = b = ...; texts are LaTeX as it stands, anything else is printed as by `tex`,
+  with `holds=false`: an equality that the text itself calls false, or that holds in one case only,
 - `claim(c.name, prefix)`: both sides of a claim as a display; `align([[a, b], [c, d]])`: equations under each other,
 - `pieces([[name, value], ...])`: `name = value` for all that are not none; `fraction(p, q)`: p over q as it stands;
+- `supposed(x, value)`: the formula x = value in a line, which is supposed and not claimed;
+- `stands("A", value)`: nothing is shown; from here on the name stands for another value, as the text says; without
+  a value: for the one that is displayed next,
 - `sym.Phi`, `sym.xdot`, ...: the symbols of the notation.
 """
 
@@ -221,7 +225,7 @@ class Wording:
             **{"brief": level == 0, "full": level >= 1, "tutor": level >= 2},
             **{"eq": shown.eq, "claim": shown.claim, "align": shown.align, "sym": NOTATIONS[self.notation]},
             **{"say": self.say, "tex": shown.tex, "latex": self.tex, "operation": shown.operation},
-            **{"pieces": shown.pieces, "fraction": quotient},
+            **{"pieces": shown.pieces, "fraction": quotient, "stands": shown.stands, "supposed": shown.supposed},
         }
 
     def equation(self, symbol: str, value: Any, *, narrow: bool = False) -> str:

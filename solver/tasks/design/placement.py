@@ -26,8 +26,10 @@ __all__ = ["Placement", "closed_loop_of", "desired_polynomial_of", "place"]
 
 
 @lemma("placement")
-def desired_polynomial_of(poles: Sequence[Expr], x: Symbol, *, dual: bool = False) -> Derivation[tuple[Expr, ...]]:
-    """Π (x − pᵢ), multiplied out; returns its coefficients, highest power first."""
+def desired_polynomial_of(
+    poles: Sequence[Expr], x: Symbol, *, dual: bool = False, partial: bool = False
+) -> Derivation[tuple[Expr, ...]]:
+    """Π (x − pᵢ), multiplied out; returns its coefficients, highest power first. `partial`: there are other poles."""
     coefficients: tuple[Expr, ...] = exact.monic(poles)
     polynomial = exact.polynomial_in(x, coefficients)
     yield Step(
@@ -36,6 +38,7 @@ def desired_polynomial_of(poles: Sequence[Expr], x: Symbol, *, dual: bool = Fals
         x=x,
         poles=list(poles),
         dual=dual,
+        partial=partial,
         complex=any(pole.has(sp.I) for pole in poles),
     )
     return coefficients
@@ -62,7 +65,9 @@ def place(
     wanted = wanted or Wanted()
     frame = Frame(dual, several=(B.rows if dual else B.cols) > 1, augmented=augmented)
     plant, inputs = frame.shown(A), frame.shown(B)
-    desired = wanted.coefficients or (yield from desired_polynomial_of(poles, x, dual=frame.dual))
+    desired = wanted.coefficients or (
+        yield from desired_polynomial_of(poles, x, dual=frame.dual, partial=len(poles) < A.rows)
+    )
     reduction = yield from _one_input(frame, plant, inputs)
     loop = plant if reduction.preliminary is None else sp.ImmutableMatrix(plant - inputs * reduction.preliminary)
     b = sp.ImmutableMatrix(inputs * reduction.g)

@@ -28,6 +28,12 @@ def lyapunov_solution_of(
     unknowns = exact.lyapunov_equations(A, Q, dual=dual, discrete=discrete)
     negative = sp.ImmutableMatrix(-Q)
     written = sp.ImmutableMatrix(exact.lyapunov_residual(A, unknowns.P, sp.zeros(A.rows), dual=dual, discrete=discrete))
+    P: ImmutableMatrix | None = None
+    solvable = True
+    try:
+        P = exact.lyapunov(A, Q, dual=dual, discrete=discrete)
+    except exact.SingularEquation as singular:
+        solvable = singular.solvable
     yield Step(
         "equation",
         claims={"left": Claim(left_side(A, unknowns.P, dual=dual, discrete=discrete), written, "the left side")},
@@ -37,16 +43,11 @@ def lyapunov_solution_of(
         equations=[(written[i, j], negative[i, j]) for i in range(A.rows) for j in range(i, A.rows)],
         dual=dual,
         discrete=discrete,
+        solvable=solvable,
     )
-    try:
-        P = exact.lyapunov(A, Q, dual=dual, discrete=discrete)
-    except exact.SingularEquation as singular:
-        yield Step(
-            "singular",
-            unclaimed="the equations have no unique solution; the eigenvalues tell why",
-            solvable=singular.solvable,
-            discrete=discrete,
-        )
+    if P is None:
+        reason = "the equations have no unique solution; the eigenvalues tell why"
+        yield Step("singular", unclaimed=reason, solvable=solvable, discrete=discrete)
         return None
     yield Step(
         "solution",

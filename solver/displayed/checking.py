@@ -1,0 +1,128 @@
+"""The checks of all that a part displays, and the status that they give it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Check, CheckStatus, PartResult, Status
+from solver.derivation.displayed import STANDS, Written
+from solver.displayed.judging import Judge, frozen, listed, meaning_of, name_in, spelled
+from solver.displayed.names import VARIABLES, Names
+from solver.displayed.statements import Side, chains_of, statements
+from solver.engine import verdict
+from solver.formula import latex
+from solver.lazy import numeric
+from solver.problem.model import Part
+from solver.render.symbols import named
+from solver.render.wording import WordedStep, Wording
+from solver.systems import StateSpace, TransferFunction
+from solver.systems.loops import Loop
+from solver.tasks import catalogue
+
+
+def judged(result: PartResult, part: Part, worded: Sequence[WordedStep], wording: Wording) -> PartResult:
+    """Return a result with the checks of all that its steps display in these words, and the status they give it."""
+    declared = catalogue()[result.task].answers
+    symbols = {name: wording.symbol(declared[name]) for name in result.answers}
+    free = {name for name in result.answers if declared[name].free}
+    checks = displayed_checks(result, worded, part, symbols, free)
+    if not checks:
+        return result
+    claims = tuple(check for check in result.checks if check.step)
+    every = (*claims, *checks, *(check for check in result.checks if not check.step))
+    if result.status is Status.UNSOLVED and all(check.status is not CheckStatus.FAILED for check in checks):
+        return replace(result, checks=every)
+    status, reason = verdict(every, result.answers)
+    return replace(result, checks=every, status=status, reason=reason)
+
+
+def displayed_checks(
+    result: PartResult, worded: Sequence[WordedStep], part: Part, symbols: Mapping[str, str], free: Collection[str] = ()
+) -> tuple[Check, ...]:
+    """Return the checks of all equalities that the steps of a part display, beyond those of their claims.
+
+    `symbols` are the LaTeX symbols of the answers by name; `free` names those with many right values (the matrices of
+    a realization), whose symbols may stand for others on the way, as long as the answer is what is displayed last.
+    """
+    names = Names()
+    _give(names, part)
+    of_system = _symbols(value for known in names.fixed.values() for value in known)
+    last = _displayed_last(worded)
+    open_names = frozenset(symbols[each] for each in free if last.get(symbols.get(each)) == result.answers.get(each))
+    given = _symbols([*(value for known in names.fixed.values() for value in known), *part.options.values()])
+    for answer, symbol in symbols.items():
+        if answer in result.answers and symbol:
+            _fix(names, symbol, result.answers[answer])
+    answered = _symbols(result.answers.values())
+    names.symbols = {spelled(latex(named(symbol.name))): symbol for symbol in given | answered if symbol.name != "I"}
+    matrices = frozenset(name for name, found in names.fixed.items() if isinstance(found[0], sp.MatrixBase))
+    variables = frozenset(VARIABLES.values())
+    of_system |= variables
+    judge = Judge(names, given | variables, answered, numeric.Environments(), open_names, of_system, matrices)
+    _go_through(judge, worded)
+    return tuple(judge.checks)
+
+
+def _go_through(judge: Judge, worded: Sequence[WordedStep]) -> None:
+    """Let the judge see the displays of the steps in the order of reading."""
+    for number, step in enumerate(worded, start=1):
+        for each in step.walk():
+            judge.begin(number, f"equality displayed in “{each.title}”")
+            judge.seen |= {(frozen(claim.left), frozen(claim.right)) for claim in each.step.claims.values()}
+            for displayed in each.displayed:
+                if displayed.relation == STANDS:
+                    judge.stands(*displayed.sides)
+                    continue
+                for chain in chains_of(displayed):
+                    judge.chain(chain)
+    judge.finish()
+
+
+def _displayed_last(worded: Sequence[WordedStep]) -> dict[str | None, Any]:
+    """Return the value displayed last for each name, as it is written."""
+    return {
+        name.latex: value
+        for step in worded
+        for each in step.walk()
+        for displayed in each.displayed
+        if len(displayed.sides) == 2
+        for name, value in [displayed.sides]
+        if isinstance(name, Written) and not isinstance(value, Written)
+    }
+
+
+def _symbols(values: Iterable[Any]) -> frozenset[Any]:
+    """Return the symbols in some values, lists among them, without those that are variables anyway."""
+    found = frozenset().union(*map(numeric.free_symbols, values))
+    return frozenset(found - set(VARIABLES.values()))
+
+
+def _give(names: Names, part: Part) -> None:
+    """Let A, B, C, D, or G, stand for what is given, and Q, R, T for the options of these names."""
+    system = part.system.plant if isinstance(part.system, Loop) else part.system
+    if isinstance(system, StateSpace):
+        given = {"A": system.A, "B": system.B, "C": system.C, "D": system.D}
+        if {"input", "output"} & {name for name, value in part.options.items() if isinstance(value, int)}:
+            given = {"A": system.A}  # the channel asked about has its own column and row
+        names.fixed.update({name: [value] for name, value in given.items() if value is not None})
+    elif isinstance(system, TransferFunction):
+        value = system.matrix[0] if system.matrix.shape == (1, 1) else system.matrix
+        _fix(names, f"G({system.variable.name})", value)
+    for name, value in part.options.items():
+        if len(name) == 1 and isinstance(value, sp.MatrixBase):
+            names.fixed[name] = [value]
+
+
+def _fix(names: Names, symbol: str, value: Any) -> None:
+    """Let a symbol stand for a value in the whole part."""
+    found = statements(symbol)
+    meaning = meaning_of(Side(found[0].sides[0], ())) if found and len(found[0].sides) == 1 else None
+    if meaning is None or listed(value) or not (key := name_in(meaning)) or key in VARIABLES:
+        return
+    names.fixed.setdefault(key, []).append(value)
+    if meaning.kind == "apply" and meaning.parts[1].text in VARIABLES:
+        names.found[f"{meaning.text}()"] = (value, VARIABLES[meaning.parts[1].text])
