@@ -2,6 +2,7 @@
 
 import ast
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -105,5 +106,9 @@ def test_a_slip_is_killed_by_a_test_that_sees_it_and_survives_one_that_does_not(
         reached = Reached({test: 0.1})
         reached.lines[slip.file][slip.line].add(test)
         ((_, found[test]),) = outcomes([slip], reached, lanes=1)
+    reached = Reached({seeing: 0.1})
+    reached.lines[slip.file][slip.line].add(seeing)
+    nothing = replace(slip, after=slip.before)
+    assert [outcome for _, outcome in outcomes([slip, nothing], reached, lanes=1)] == ["killed", "survived"]
     assert found == {seeing: "killed", blind: "survived"}
     assert "50%" in table({"exact": Counter(found.values())})

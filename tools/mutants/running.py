@@ -109,9 +109,11 @@ def outcomes(mutants: Sequence[Mutant], reached: Reached, lanes: int) -> Iterato
             for sentinel, (process, mutant, lane, end) in list(running.items()):
                 if process.exitcode is None and time.monotonic() < end:
                     continue
-                yield mutant, _ended(process)
+                outcome = _ended(process)
+                shutil.copy2(ROOT / mutant.file, lane / mutant.file)
                 del running[sentinel]
                 free.append(lane)
+                yield mutant, outcome
 
 
 def _ended(process: Any) -> str:
@@ -137,7 +139,7 @@ def _copy(lane: Path) -> Path:
 
 
 def _try(mutant: Mutant, tests: Sequence[str], lane: Path, seconds: int) -> None:
-    """In the child: make the slip, run the tests, undo it; the exit code is pytest's."""
+    """In the child: make the slip and run the tests; the exit code is pytest's."""
     os.setsid()
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
     silence = os.open(os.devnull, os.O_RDWR)
