@@ -25,7 +25,7 @@ from solver.derivation import (
     Task,
     Unsolved,
 )
-from solver.derivation.conversion import composed, converted
+from solver.derivation.conversion import composed, converted, refused
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.problem.model import Part, Problem, Reference
@@ -83,7 +83,9 @@ def refusals_of(part: Part) -> list[Refusal]:
     if isinstance(part.system, EarlierPart):
         return []  # it is judged when the system is known
     known = {name: None if isinstance(value, Reference) else value for name, value in part.options.items()}
-    return list(catalogue()[part.task].refused(part.system, known))
+    task = catalogue()[part.task]
+    of_system = refused(part.system, [need for need in task.needs if need not in known])
+    return [("", of_system)] if of_system else list(task.refused(part.system, known))
 
 
 def solve_part(part: Part, earlier: Earlier) -> list[PartResult]:

@@ -37,6 +37,7 @@ class Conversion:
     target: type
     derive: Callable[[Any], Derivation[Any]]
     gives: Callable[[Provided], Iterable[str]]
+    refuses: Callable[[Any], str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,12 +54,19 @@ _COMPOSITIONS: list[Composition] = []
 
 
 def conversion(
-    source: type[S], target: type[T], *, gives: Callable[[Provided], Iterable[str]]
+    source: type[S],
+    target: type[T],
+    *,
+    gives: Callable[[Provided], Iterable[str]],
+    refuses: Callable[[S], str] = lambda _: "",
 ) -> Callable[[Callable[[S], Derivation[T]]], Callable[[S], Derivation[T]]]:
-    """Register a conversion, a lemma; `gives` tells from what the source provides what the result will."""
+    """Register a conversion, a lemma; `gives` tells from what the source provides what the result will.
+
+    `refuses` says in words why a source as the file gives it cannot be converted ("": it can).
+    """
 
     def register(derive: Callable[[S], Derivation[T]]) -> Callable[[S], Derivation[T]]:
-        _CONVERSIONS.append(Conversion(source, target, derive, gives))
+        _CONVERSIONS.append(Conversion(source, target, derive, gives, refuses))
         return derive
 
     return register
@@ -103,6 +111,12 @@ def chain_to(system: System, needs: Iterable[str]) -> tuple[Conversion, ...] | N
     """Return the shortest chain of conversions to a system that provides all that is needed; None if there is none."""
     wanted = frozenset(needs)
     return next((chain for _, has, chain in _ways(system) if wanted <= has), None)
+
+
+def refused(system: System, needs: Iterable[str]) -> str:
+    """Return in words why a system as given cannot be converted to what is needed, "" if it can."""
+    chain = chain_to(system, needs)
+    return chain[0].refuses(system) if chain else ""
 
 
 def _ways(system: System) -> Iterable[tuple[type, Provided, tuple[Conversion, ...]]]:

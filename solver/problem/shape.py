@@ -21,7 +21,7 @@ MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
 RESERVED = (
-    "lagrangian", "circuit", "functional", "polynomial_matrix", "signal_flow", "op_amp", "equations",
+    "lagrangian", "circuit", "functional", "polynomial_matrix", "signal_flow", "op_amp",
     "model",
 )  # fmt: skip
 """Kinds of system that are known but can't be read yet."""

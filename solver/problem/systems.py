@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -9,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from solver.problem.context import Earlier
+from solver.problem.equations import EquationReader
 from solver.problem.lexicon import BARRED, Lexicon, name_of
 from solver.problem.matrices import counted, expect_shape, is_flat, read_matrix
-from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
+from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode, scalar
 from solver.problem.rational_functions import Rational
 from solver.problem.references import answers_of, earlier_part, read_reference
 from solver.problem.source import Report
@@ -115,6 +117,75 @@ class SystemReader:
         if number is not None and len(names) != number:
             raise listed.fault(f"{counted(number, key[:-1], key)} but {counted(len(names), 'name', 'names')}")
         return names
+
+    @property
+    def _equations(self) -> EquationReader:
+        return EquationReader(self.lexicon, discrete=self.discrete)
+
+    def _scalars(self, key: str) -> list[ScalarNode]:
+        """The texts under a key: none, one or a list."""
+        node = self.node.get(key)
+        items = _items(node) if isinstance(node, SequenceNode) else (() if node is None else (node,))
+        found: list[ScalarNode] = []
+        for item in items:
+            with self.report:
+                found.append(scalar(item))
+        return found
+
+    def dynamic_names(self, key: str) -> list[str]:
+        """Return the names that occur with a derivative (discrete: at a sample), in the order of the file."""
+        names: dict[str, None] = {}
+        for item in self._scalars(key):
+            with self.report:
+                names.update(dict.fromkeys(self._equations.dynamic_names(item)))
+        return list(names)
+
+    def jets(self, key: str) -> tuple[tuple[str, int], ...]:
+        """Return functions of time with the orders of their derivatives; each may stand once."""
+        found: list[tuple[str, int]] = []
+        for item in self._scalars(key):
+            with self.report:
+                jet = self._equations.jet(item)
+                if jet in found:
+                    raise item.fault(f"'{item.text}' is given twice")
+                found.append(jet)
+        return tuple(found)
+
+    def relations(
+        self, key: str, functions: Sequence[str]
+    ) -> tuple[tuple[tuple[sp.Expr, sp.Expr], ...], dict[Any, Any]]:
+        """Return the sides of each equation, and the derivatives that occur by their symbols."""
+        sides, jets = [], {}
+        for item in self._scalars(key):
+            with self.report:
+                left, right, inside = self._equations.relation(item, functions)
+                sides.append((left, right))
+                jets.update(inside)
+        return tuple(sides), jets
+
+    def formulas(self, key: str, functions: Sequence[str]) -> tuple[tuple[sp.Expr, ...], dict[Any, Any]]:
+        """Return expressions in functions of time, and the derivatives that occur by their symbols."""
+        found, jets = [], {}
+        for item in self._scalars(key):
+            with self.report:
+                value, inside = self._equations.formula(item, functions)
+                found.append(value)
+                jets.update(inside)
+        return tuple(found), jets
+
+    def initial(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], sp.Expr]:
+        """Return the values of derivatives at the beginning: {x: 0, "x'": 1}, discrete {"y(0)": 0, "y(1)": 1}."""
+        node = self.node.get(key)
+        found: dict[tuple[str, int], sp.Expr] = {}
+        for entry in node if isinstance(node, MappingNode) else ():
+            with self.report:
+                text = entry.key.text
+                start = re.fullmatch(r"(\w+)\(([0-9]+)\)", text) if self.discrete else None
+                jet = (start[1], int(start[2])) if start else self._equations.jet(entry.key)
+                if jet[0] not in functions:
+                    raise entry.key.fault(f"'{text[:40]}' is no unknown of the equations")
+                found[jet] = self.lexicon.expression(entry.value, barred=self.barred)
+        return found
 
     def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
         """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from solver.formula import read
 from solver.formula.building import row, separated
-from solver.formula.nodes import Node, Number, Operator, Row, Scripts, Styled, Symbol
+from solver.formula.nodes import Accent, Node, Number, Operator, Row, Scripts, Styled, Symbol
 
 _SPELLED = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa mu nu xi pi rho sigma tau upsilon phi chi psi omega "
@@ -24,12 +24,23 @@ GREEK = {
 """Words that stand for a Greek letter. `lamda` is the spelling that is no keyword of Python."""
 
 _WITH_DIGITS = re.compile(r"([A-Za-z]+?)(\d+)\Z")
+_DERIVED = re.compile(r"(\w+?)_(dot|ddot|dddot|d[4-9]|d1[0-2])")
+"""Names of derivatives: x_dot, x_ddot, x_dddot, x_d4."""
+_SAMPLE = re.compile(r"(\w+)\((k(?:[+-]\d+)?)\)")
+"""Names of samples: y(k+1)."""
 _CHUNKS = re.compile(r"(\d+)")
 
 
 @lru_cache(maxsize=2048)
 def named(name: str) -> Row:
     r"""Return a name as it is written: `x10` x_{10}, `omega_n` \omega_n, `Vin` \mathrm{Vin}, `K_co` K_{\mathrm{co}}."""
+    sample, derived = _SAMPLE.fullmatch(name), _DERIVED.fullmatch(name)
+    if sample:
+        return row(*named(sample[1]).items, *read(f"({sample[2]})").items)
+    if derived and derived[2] in ("dot", "ddot", "dddot"):
+        return row(Accent(f"\\{derived[2]}", named(derived[1])))
+    if derived:
+        return row(Scripts(named(derived[1]), above=read(f"({derived[2][1:]})")))
     base, *subscripts = [part for part in name.split("_") if part] or [name]
     digits = _WITH_DIGITS.match(base)
     if digits and (len(digits[1]) == 1 or digits[1] in GREEK):

@@ -7,6 +7,7 @@ from importlib import import_module
 from pathlib import Path
 
 from solver.systems.earlier_part import EarlierPart
+from solver.systems.equations import Equations
 from solver.systems.kind import Kind, System
 from solver.systems.loops import OutputFeedback, StateFeedback
 from solver.systems.polynomial import Polynomial
@@ -25,6 +26,7 @@ def kinds() -> dict[str, Kind]:
 
 __all__ = [
     "EarlierPart",
+    "Equations",
     "Kind",
     "OutputFeedback",
     "Polynomial",

@@ -146,6 +146,21 @@ class Reader(Protocol):
     def quotients(self, key: str) -> Sequence[Sequence[Quotient]]:
         """Return a matrix of proper quotients of polynomials."""
 
+    def dynamic_names(self, key: str) -> Sequence[str]:
+        """Return the names that occur with a derivative (discrete: at a sample), in the order of the file."""
+
+    def jets(self, key: str) -> tuple[tuple[str, int], ...]:
+        """Return functions of time with the orders of their derivatives."""
+
+    def relations(self, key: str, functions: Sequence[str]) -> tuple[tuple[tuple[Expr, Expr], ...], dict[Any, Any]]:
+        """Return the sides of each equation, and the derivatives that occur by their symbols."""
+
+    def formulas(self, key: str, functions: Sequence[str]) -> tuple[tuple[Expr, ...], dict[Any, Any]]:
+        """Return expressions in functions of time, and the derivatives that occur by their symbols."""
+
+    def initial(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], Expr]:
+        """Return the values of derivatives at the beginning."""
+
     def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
         """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
 

@@ -38,7 +38,7 @@ BAD = [
     "system: {B: 1}\nfind: {a: stability}",
     "system: {A: 1, transfer_function: 1/s}\nfind: {a: stability}",
     "system: {A: {x: 1}}\nfind: {a: stability}",
-    "system: {equations: [x]}\nfind: {a: stability}",
+    "system: {lagrangian: [x]}\nfind: {a: stability}",
     "system: {A: 1}\nfind: {a: stabilty}",
     "system: {A: 1}\nfind: {a: {task: stabilty}}",
     "system: {A: 1}\nfind: {a: {task: stability, method: stability}}",

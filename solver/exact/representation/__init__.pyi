@@ -1,6 +1,7 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
 from solver.exact.representation.coordinates import inverse_in_full, is_singular, product_of
+from solver.exact.representation.linear_equations import Realized, is_linear, matrix_of, realized, solved_for
 from solver.exact.representation.luenberger import (
     CompanionCoordinates,
     controllable_coordinates,
@@ -27,21 +28,26 @@ __all__ = [
     "CompanionCoordinates",
     "Mode",
     "Realization",
+    "Realized",
     "TransferMatrix",
     "common_denominators",
     "controllable_coordinates",
     "controllable_realization",
     "diagonal_realization",
     "inverse_in_full",
+    "is_linear",
     "is_singular",
     "is_upper",
     "jordan_realization",
+    "matrix_of",
     "modal_realization",
     "modes",
     "observable_coordinates",
     "observable_realization",
     "product_of",
     "real_and_imaginary",
+    "realized",
+    "solved_for",
     "transfer_matrix",
     "transfer_matrix_of_fractions",
 ]

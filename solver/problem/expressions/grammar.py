@@ -197,8 +197,25 @@ class _Parser:
             primes += 1
         if primes > MAX_PRIMES:
             raise ExpressionError(f"at most {MAX_PRIMES} primes can be read", token.at, cursor.last.end - token.at)
+        if not primes and self.is_order():
+            primes = self.order()
         argument = self.group(token) if cursor.sees_adjacent("(") else None
         return Signal(token.at, cursor.last.end, token.text, primes, argument)
+
+    def is_order(self) -> bool:
+        """Whether the order of a derivative follows: x^(4) is the fourth derivative, x^4 a power."""
+        if not self.cursor.sees_adjacent("^"):
+            return False
+        opening, number, closing = [*self.cursor.after(3), *[self.cursor.tokens[-1]] * 3][:3]
+        return opening.text == "(" and number.text.isdigit() and closing.text == ")"
+
+    def order(self) -> int:
+        """Read ^(4)."""
+        digits = [self.cursor.take() for _ in range(4)][2]
+        if int(digits.text) > MAX_PRIMES:
+            message = f"derivatives are read up to order {MAX_PRIMES}"
+            raise ExpressionError(message, digits.at, digits.end - digits.at)
+        return int(digits.text)
 
     def call(self, token: Token) -> Node:
         argument = self.group(token)

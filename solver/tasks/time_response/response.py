@@ -75,7 +75,7 @@ def incomplete_question(system: System, options: ResponseOptions) -> Iterable[Re
     """What the question needs by its kind: an input for each input of the system, an initial state."""
     kind = options.kind
     if kind == "zero_input":
-        if not options.has("initial_state") and getattr(system, "x0", None) is None:
+        if not options.has("initial_state") and "initial_state" not in system.provides:
             yield "", "the zero-input response needs an initial state: initial_state"
         return
     inputs = _number_of_inputs(system)

@@ -1,0 +1,113 @@
+"""Equations in functions of time, read: their derivatives (discrete: samples) become symbols of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from solver.problem.expressions import ExpressionError, Names, parse_equation, parse_expression, uses_decimal
+from solver.problem.expressions.notation import FUNCTIONS
+from solver.problem.expressions.tokens import Kind, Token, tokenize
+from solver.problem.lexicon import Lexicon
+from solver.problem.nodes import ScalarNode
+from solver.systems.equations import Jet, jet_symbol
+
+Jets = dict[sp.Symbol, Jet]
+MAX_ORDER = 12
+
+
+class EquationReader:
+    """Reads texts in which some names are functions of time."""
+
+    def __init__(self, lexicon: Lexicon, *, discrete: bool) -> None:
+        self.lexicon = lexicon
+        self.discrete = discrete
+        self.time = sp.Symbol("k" if discrete else "t", **({"integer": True} if discrete else {"real": True}))
+
+    def dynamic_names(self, node: ScalarNode) -> Iterator[str]:
+        """Yield the names with a derivative x', x^(4) (discrete: with an argument, y(k+1)), in their order."""
+        tokens = _tokens(node)
+        for at, token in enumerate(tokens[:-1]):
+            if token.kind is Kind.NAME and token.text not in FUNCTIONS and self._is_dynamic(tokens[at + 1 : at + 5]):
+                yield token.text
+
+    def _is_dynamic(self, following: list[Token]) -> bool:
+        signs = [token.text for token in following]
+        if self.discrete:
+            return signs[:2] == ["(", "k"]
+        return signs[0] == "'" or (signs[:2] == ["^", "("] and signs[2].isdigit() and signs[3] == ")")
+
+    def relation(self, node: ScalarNode, functions: Collection[str]) -> tuple[sp.Expr, sp.Expr, Jets]:
+        """Return left and right side of an equation, or an expression and zero."""
+        if any(token.text == "=" for token in _tokens(node)):
+            left, right = self._parse(node, functions, parse_equation)
+        else:
+            left, right = self._parse(node, functions, parse_expression), sp.Integer(0)
+        jets: Jets = {}
+        return self._in_jets(left, node, jets), self._in_jets(right, node, jets), jets
+
+    def formula(self, node: ScalarNode, functions: Collection[str]) -> tuple[sp.Expr, Jets]:
+        """Return an expression."""
+        jets: Jets = {}
+        return self._in_jets(self._parse(node, functions, parse_expression), node, jets), jets
+
+    def jet(self, node: ScalarNode) -> Jet:
+        """Return the function and the order of x, x', x^(4), y(k+1)."""
+        (name, *_) = _tokens(node)
+        _, jets = self.formula(node, [name.text])
+        if name.kind is not Kind.NAME or len(jets) != 1:
+            raise node.fault("a function of time or a derivative of one is expected here: x, x', y(k+1)")
+        return next(iter(jets.values()))
+
+    def _parse(self, node: ScalarNode, functions: Collection[str], parse: Any) -> Any:
+        lexicon, t = self.lexicon, self.time
+        table = {name: sp.Function(name, real=True)(t) for name in functions}
+        values = {name: value for name, value in lexicon.values.items() if name not in table}
+        names = Names(lexicon.symbols, {str(t): t}, values, table, open=True)
+        try:
+            found = parse(node.text, names)
+        except ExpressionError as error:
+            note = f"write {error.suggestion}" if error.suggestion else ""
+            raise node.fault_inside(error.message, error.at, error.length, note=note) from None
+        lexicon.used.update(token.text for token in _tokens(node) if token.kind is Kind.NAME)
+        lexicon.decimals = lexicon.decimals or uses_decimal(node.text)
+        return found
+
+    def _in_jets(self, value: sp.Expr, node: ScalarNode, jets: Jets) -> sp.Expr:
+        """Put symbols in place of the functions of time."""
+        found: Any = value
+        for kind in (sp.Derivative, AppliedUndef):  # the derivatives first: x stands within x'
+            put: dict[Any, sp.Symbol] = {}
+            each: Any
+            for each in found.atoms(kind):
+                function, order = (each.expr, int(each.derivative_count)) if kind is sp.Derivative else (each, 0)
+                order = order or self._ahead(function, node)
+                if abs(order) > MAX_ORDER:
+                    raise node.fault(f"derivatives and samples are read up to order {MAX_ORDER}")
+                jet = (str(function.func.__name__), order)
+                put[each] = jet_symbol(jet, discrete=self.discrete)
+                jets[put[each]] = jet
+            found = found.xreplace(put)
+        if self.time in found.free_symbols and not self.discrete:
+            raise node.fault("the time t cannot stand in the equations of a system by itself")
+        for symbol in found.free_symbols - set(jets):
+            self.lexicon.found[str(symbol)] = symbol
+        return found
+
+    def _ahead(self, function: Any, node: ScalarNode) -> int:
+        """How many samples ahead: 2 for y(k+2)."""
+        ahead = sp.expand(function.args[0] - self.time)
+        if not ahead.is_Integer:
+            variable = "k, as in y(k+1)" if self.discrete else "t"
+            raise node.fault(f"a function of time is written at the time {variable}")
+        return int(ahead)
+
+
+def _tokens(node: ScalarNode) -> list[Token]:
+    try:
+        return tokenize(node.text)
+    except ExpressionError as error:
+        raise node.fault_inside(error.message, error.at, error.length) from None

@@ -1,0 +1,151 @@
+"""Differential (discrete: difference) equations as a problem gives them, with algebraic ones among them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from solver.lazy import sympy as sp
+from solver.systems.kind import Key, Kind, ListOf, MappingTo, Reader, Value, Values
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+DOTS = {0: "", 1: "_dot", 2: "_ddot", 3: "_dddot"}
+Jet = tuple[str, int]
+"""A function of time and the order of its derivative (discrete: the number of samples ahead)."""
+
+
+def jet_symbol(jet: Jet, *, discrete: bool = False) -> Symbol:
+    """Return the symbol of a derivative: x, x_dot, x_ddot, x_dddot, x_d4; discrete: x(k), x(k+1), x(k-1)."""
+    name, order = jet
+    if discrete:
+        return sp.Symbol(f"{name}(k{order:+d})" if order else f"{name}(k)", real=True)
+    return sp.Symbol(name + DOTS.get(order, f"_d{order}"), real=True)
+
+
+@dataclass(frozen=True)
+class Equations:
+    """`sides` are left and right of each equation, `jets` the derivatives that occur in them, by their symbols.
+
+    `unknowns` are the functions asked for in their order, `algebraic` those among them that are to be eliminated,
+    `inputs` the given ones; `states` are as named (none: the usual ones); `outputs` are expressions in the jets,
+    `initial` the values of jets at the beginning.
+    """
+
+    sides: tuple[tuple[Expr, Expr], ...]
+    unknowns: tuple[str, ...]
+    algebraic: tuple[str, ...] = ()
+    inputs: tuple[str, ...] = ()
+    states: tuple[Jet, ...] = ()
+    outputs: tuple[Expr, ...] = ()
+    initial: Mapping[Jet, Expr] = field(default_factory=dict)
+    jets: Mapping[Symbol, Jet] = field(default_factory=dict)
+    discrete: bool = False
+    sample_time: Expr | None = None
+
+    @property
+    def kind(self) -> str:
+        """The name of the kind that words it."""
+        return "equations"
+
+    @cached_property
+    def parameters(self) -> tuple[Symbol, ...]:
+        """The free symbols but the functions of time and their derivatives, sorted by name."""
+        written = [side for pair in self.sides for side in pair] + list(self.outputs)
+        found: set[Any] = {symbol for side in written for symbol in side.free_symbols} - set(self.jets)
+        return tuple(sorted(found, key=str))
+
+    def symbol(self, jet: Jet) -> Symbol:
+        """Return the symbol of a derivative."""
+        return jet_symbol(jet, discrete=self.discrete)
+
+    @property
+    def provides(self) -> frozenset[str]:
+        """The equations; "inputs" and "initial_state" tell what a state space made of them will have."""
+        given = {"equations", *(["inputs"] if self.inputs else []), *(["initial_state"] if self.initial else [])}
+        return frozenset(given)
+
+    @property
+    def described(self) -> str:
+        """What it is given by, in words."""
+        return "the system is given by its equations" + ("" if self.inputs else ", without inputs")
+
+    def size(self, of: str) -> int | None:
+        """Return the number of inputs "m" and outputs "p"; that of states, where they are named."""
+        return {"n": len(self.states) or None, "m": len(self.inputs), "p": len(self.outputs)}[of]
+
+    def names(self, of: str) -> tuple[str, ...]:
+        """Return the names of the "input"s."""
+        return self.inputs if of == "input" else ()
+
+
+def _read(reader: Reader) -> Equations:
+    """Return the equations; unknowns are named by their derivatives, as states or as algebraic ones."""
+    inputs = reader.names("inputs")
+    algebraic = reader.names("algebraic")
+    states = reader.jets("states")
+    named = dict.fromkeys([*reader.dynamic_names("equations"), *(name for name, _ in states), *algebraic])
+    unknowns = tuple(name for name in named if name not in inputs)
+    functions = (*unknowns, *inputs)
+    sides, jets = reader.relations("equations", functions)
+    outputs, of_outputs = reader.formulas("outputs", functions)
+    initial = reader.initial("initial", functions)
+    reader.conclude()
+    _check_numbers(reader, sides, jets, unknowns, states)
+    reader.conclude()
+    if not outputs:
+        first = jet_symbol((unknowns[0], 0), discrete=reader.discrete)
+        outputs, of_outputs = (first,), {first: (unknowns[0], 0)}
+    known = {**jets, **of_outputs}
+    return Equations(
+        tuple(sides), unknowns, algebraic, inputs, tuple(states), tuple(outputs), initial, known,
+        reader.discrete, reader.sample_time,
+    )  # fmt: skip
+
+
+def _check_numbers(
+    reader: Reader,
+    sides: tuple[tuple[Expr, Expr], ...],
+    jets: Mapping[Symbol, Jet],
+    unknowns: tuple[str, ...],
+    states: tuple[Jet, ...],
+) -> None:
+    """As many equations as unknowns, each unknown in one of them; a state is below the highest derivative."""
+    inside = {jet for symbol, jet in jets.items() if any(side.has(symbol) for pair in sides for side in pair)}
+    orders = {name: max((k for each, k in inside if each == name), default=None) for name in unknowns}
+    if not unknowns:
+        reader.complain("equations", "no unknown is found: none occurs with a derivative, or is named by 'states'")
+        return
+    for name, order in orders.items():
+        if order is None:
+            reader.complain("equations", f"there is no equation for {name}")
+    if len(sides) != len(unknowns):
+        counts = ((len(sides), "equation"), (len(unknowns), "unknown"))
+        given, wanted = (f"{n} {what}{'s' * (n != 1)}" for n, what in counts)
+        reader.complain("equations", f"{given} for {wanted} ({', '.join(unknowns)})")
+    for name, k in () if reader.discrete else states:
+        if orders.get(name) is not None and k >= (orders[name] or 0):
+            message = f"is no state: the highest derivative of {name} is of order {orders[name]}"
+            reader.complain("states", name + "'" * k + " " + message)
+
+
+EQUATIONS = Kind(
+    "equations",
+    doc="Differential equations (discrete: difference equations), with algebraic ones among them.",
+    keys=(
+        Key("equations", ListOf(Value()), "each left = right, or an expression that is zero", required=True),
+        Key("inputs", Values(), "names of the inputs"),
+        Key("outputs", Values(), "expressions; the first unknown if absent"),
+        Key("states", Values(), "the states in their order, as [x, x'] (discrete: [y(k), y(k+1)])"),
+        Key("algebraic", Values(), "unknowns without a derivative, which are eliminated"),
+        Key("initial", MappingTo(Value()), 'initial values, as {x: 0, "x\'": 1}'),
+    ),
+    read=_read,
+    example=(
+        ("equations: [\"m x'' + d x' + k x = u\"]", "x' and x'' are derivatives"),
+        ("inputs: [u]", "every other name is a parameter"),
+    ),
+)

@@ -1,0 +1,204 @@
+"""Equations in state space against scipy: algebraic unknowns, derivatives of inputs, samples, what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import scipy.signal
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from solver.derivation import CheckStatus, Status
+from solver.engine import refusals_of, solve_problem
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
+from solver.tasks import catalogue
+from solver.tasks.modelling.state_space_model import with_derivatives
+
+
+def read(system, find="state_space_model"):
+    return read_problem(Source("file.yaml", f"system: {{{system}}}\nfind: {{a: {find}}}\n"), catalogue())
+
+
+def solved(system, find="state_space_model"):
+    return solve_problem(read(system, find)).parts[0]
+
+
+def numbers(M):
+    return np.array(M.tolist(), dtype=float)
+
+
+def complaint(system):
+    with pytest.raises(InputError) as caught:
+        read(system)
+    return [f"{each.column} {each.message}" for each in caught.value.diagnostics]
+
+
+def rejected(system, **answers):
+    task, part = catalogue()["state_space_model"], read(system).parts[0]
+    checks = task.verify(task.given(part.system, {}), {name: sp.ImmutableMatrix(M) for name, M in answers.items()})
+    return any(check.status is CheckStatus.FAILED for check in checks)
+
+
+MASS = """equations: ["m x'' + d x' + k x = u"], inputs: [u]"""
+
+
+def test_a_mass_with_spring_and_damper():
+    result = solved(MASS)
+    m, d, k = sp.symbols("m d k", real=True)
+    assert result.status is Status.VERIFIED
+    assert [step.kind for step in result.steps] == ["highest", "states", "matrices"]
+    assert result.answers["A"] == sp.Matrix([[0, 1], [-k / m, -d / m]])
+    assert result.answers["B"] == sp.Matrix([0, 1 / m])
+    assert result.answers["C"] == sp.Matrix([[1, 0]])
+
+
+coefficients = st.lists(st.integers(-5, 5), min_size=1, max_size=3)
+
+
+@settings(max_examples=15)
+@given(coefficients, coefficients, st.booleans())
+def test_derivatives_of_the_input_are_realized(low, above, discrete):
+    n = len(low)
+    above = above[: n + 1]
+
+    def term(name, order):
+        return f"{name}(k+{order})" if discrete else f"{name}^({order})" if order else name
+
+    left = " + ".join([term("y", n), *(f"({c})*{term('y', i)}" for i, c in enumerate(low))])
+    right = " + ".join(f"({c})*{term('u', i)}" for i, c in enumerate(above))
+    result = solved(f"equations: ['{left} = {right}'], inputs: [u]" + (", time: discrete" if discrete else ""))
+    assert result.status is Status.VERIFIED
+    A, B, C, D = (numbers(result.answers[name]) for name in "ABCD")
+    numerator, denominator = scipy.signal.ss2tf(A, B, C, D)
+    expected = np.zeros(n + 1)
+    expected[n + 1 - len(above) :] = above[::-1]
+    assert np.allclose(denominator, [1, *low[::-1]], atol=1e-6)
+    assert np.allclose(numerator[0], expected, atol=1e-6)
+
+
+@settings(max_examples=10)
+@given(st.lists(st.integers(-4, 4), min_size=8, max_size=8))
+def test_two_coupled_unknowns_move_as_scipy_integrates_them(c):
+    system = (
+        f"equations: [\"2x'' + x' + ({c[0]})*x + ({c[1]})*z' = ({c[2]})*u\", "
+        f"\"z' + x' + ({c[3]})*z + ({c[4]})*x = ({c[5]})*u\"], "
+        f"inputs: [u], outputs: [x, ({c[6]})*z + ({c[7]})*u], states: [z, x, x']"
+    )
+    result = solved(system)
+    assert result.status is Status.VERIFIED
+    A, B, C, D = (numbers(result.answers[name]) for name in "ABCD")
+    state, u = np.array([0.7, -1.1, 0.4]), 1.3
+    z, x, dx = state
+    dz = -dx - c[3] * z - c[4] * x + c[5] * u
+    ddx = (-dx - c[0] * x - c[1] * dz + c[2] * u) / 2
+    assert np.allclose(A @ state + B[:, 0] * u, [dz, dx, ddx])
+    assert np.allclose(C @ state + D[:, 0] * u, [x, c[6] * z + c[7] * u])
+
+
+GEAR = (
+    "equations: [\"J_m omega_m' = tau - tau_g\", \"J_L omega_L' + d omega_L = r tau_g\", 'omega_m = r omega_L'], "
+    "algebraic: [omega_m, tau_g], inputs: [tau], outputs: [omega_L]"
+)
+
+
+def test_algebraic_unknowns_are_eliminated():
+    result = solved(GEAR)
+    J_m, J_L, r, d = sp.symbols("J_m J_L r d", real=True)
+    assert result.status is Status.VERIFIED
+    assert sp.cancel(result.answers["A"][0, 0] + d / (J_L + r**2 * J_m)) == 0
+    assert sp.cancel(result.answers["B"][0, 0] - r / (J_L + r**2 * J_m)) == 0
+    assert {str(name) for name in result.answers["eliminated"]} == {"omega_m", "tau_g"}
+    assert result.steps[0].kind == "eliminated"
+
+
+def test_samples_of_the_past_are_written_later():
+    result = solved("time: discrete, equations: ['y(k) = 1.5y(k-1) - 0.5y(k-2) + u(k-1)'], inputs: [u]")
+    assert result.status is Status.VERIFIED
+    numerator, denominator = scipy.signal.ss2tf(*(numbers(result.answers[name]) for name in "ABCD"))
+    assert np.allclose(denominator, [1, -1.5, 0.5])
+    assert np.allclose(numerator[0], [0, 1, 0])
+
+
+def test_every_task_about_a_plant_takes_linear_equations():
+    start = solved(MASS + ", initial: {x: 1}", "{task: response, kind: zero_input, parameters: {m: 1, d: 3, k: 2}}")
+    assert start.status is Status.VERIFIED
+    assert start.answers["y"].subs(sp.Symbol("t"), 0) == 1
+    G = solved(MASS, "transfer_function").answers["G"]
+    s, m, d, k = sp.Symbol("s"), *sp.symbols("m d k", real=True)
+    assert sp.cancel(G - 1 / (m * s**2 + d * s + k)) == 0
+    free = solved('equations: ["x1\' = -x1 + x2", "x2\' = -3x2"]', "stability")
+    assert sorted(free.answers["eigenvalues"]) == [-3, -1]
+
+
+@pytest.mark.parametrize(
+    ("system", "says"),
+    [
+        ('equations: ["x\' = y"], states: [x, y]', "1 equation for 2 unknowns (x, y)"),
+        ('equations: ["x\' = u", "x\'\' = u"], inputs: u', "2 equations for 1 unknown (x)"),
+        ("equations: [\"x' = u\", 'z = 1'], inputs: u, algebraic: [w]", "there is no equation for w"),
+        ("equations: [\"x' = -x\"], states: [x']", "x' is no state: the highest derivative of x is of order 1"),
+        ('equations: ["x\' = -x"], states: [2x]', "a function of time or a derivative of one is expected here"),
+        ("equations: ['x = 3']", "no unknown is found"),
+        ('equations: ["x^(9) = u"], inputs: u', "derivatives are read up to order 8"),
+        ('equations: ["x\' = -t x"]', "the time t cannot stand"),
+        ('equations: ["x\' = -x ="]', "one sign"),
+        ("time: discrete, equations: ['y(2k) = y(k)']", "a function of time is written at the time k"),
+        ('equations: ["x\' = -x"], initial: {z: 1}', "'z' is no unknown of the equations"),
+    ],
+)
+def test_what_is_wrong_with_equations_is_said_at_its_place(system, says):
+    found = complaint(system)
+    assert any(says in message for message in found), found
+    assert all(int(message.split()[0]) > 1 for message in found)
+
+
+def test_the_order_of_a_derivative_stands_in_parentheses():
+    model = read("equations: ['x^(4) + 2x = u'], inputs: u").system
+    assert max(k for _, k in model.jets.values()) == 4
+
+
+@pytest.mark.parametrize("task", ["state_space_model", "stability", "routh_hurwitz"])
+def test_nonlinear_equations_are_refused_by_the_file(task):
+    (part,) = read("equations: [\"x'' = sin(x) + u\"], inputs: u", task).parts
+    ((option, message),) = refusals_of(part)
+    assert option == ""
+    assert "linearization first" in message
+    (part,) = read('equations: ["x\' = x + 1"]', task).parts
+    assert refusals_of(part)
+
+
+@pytest.mark.parametrize(
+    ("system", "says"),
+    [
+        ("equations: [\"x' + z' = u\", \"x' + z' = 2x\"], inputs: u", "cannot be solved for the highest derivatives"),
+        ("equations: [\"x'' = u\"], inputs: u, states: [x]", "no states of the equations"),
+        ('equations: ["x\' = u"], inputs: u, outputs: ["u\'"]', "improper"),
+        ("time: discrete, equations: ['y(k+1) = y(k)'], outputs: ['y(k-1)']", "past samples"),
+        ("equations: ['y = 2u'], inputs: u, states: [], algebraic: [y]", "no derivative"),
+    ],
+)
+def test_what_has_no_state_space_is_unsolved(system, says):
+    result = solved(system)
+    assert result.status is Status.UNSOLVED
+    assert says in str(result.reason)
+
+
+def test_corrupted_answers_are_rejected():
+    system = "equations: [\"2x'' + 3x' + 4x = 5u\"], inputs: [u], outputs: [\"x' + 6u\"]"
+    right = {"A": [[0, 1], [-2, sp.Rational(-3, 2)]], "B": [[0], [sp.Rational(5, 2)]], "C": [[0, 1]], "D": [[6]]}
+    assert not rejected(system, **right)
+    for name, M in right.items():
+        assert not rejected(system, **{name: M})
+        for i in range(len(M)):
+            for j in range(len(M[0])):
+                wrong = [list(row) for row in M]
+                wrong[i][j] += sp.Rational(1, 100)
+                assert rejected(system, **{name: wrong}), (name, i, j)
+    assert rejected(system, A=[[1]])
+    shifted = "equations: [\"y'' + 3y' + 2y = u' + 5u\"], inputs: [u]"
+    assert with_derivatives(catalogue()["state_space_model"].given(read(shifted).system, {}))
+    assert not rejected(shifted, A=[[0, 1], [-2, -3]], B=[[0], [1]], C=[[5, 1]], D=[[0]])
+    assert rejected(shifted, A=[[0, 1], [-2, -3]], B=[[0], [1]], C=[[5, 2]], D=[[0]])
+    assert rejected(shifted, A=[[0, 1], [-2, -4]])
