@@ -17,6 +17,7 @@ from tests.helpers.tried import tried
 
 M = sp.ImmutableMatrix
 a, b, c = sp.symbols("a b c", real=True)
+x = sp.Symbol("x")
 p, less, least = sp.Symbol("p", positive=True), sp.Symbol("l", negative=True), sp.Symbol("q", nonnegative=True)
 
 
@@ -45,6 +46,19 @@ def test_the_pencil_loses_rank_exactly_at_hidden_modes(A, data):
     for found in exact.pencil_ranks(A, B):
         assert sp.expand(found.unreached * found.pencil) == sp.zeros(found.unreached.rows, A.rows + 1)
         assert found.unreached.rows == A.rows - found.rank
+
+
+@pytest.mark.parametrize("hidden", [x**2 + 2 * x + 5, x**2 - 2, x**3 - x - 1])
+def test_what_is_not_reached_of_a_pair_is_told_row_by_row(hidden):
+    """A block that the input does not touch, in other coordinates: every root has its row w, w [λI − A, B] = 0."""
+    block, n = companion(hidden), sp.degree(hidden) + 1
+    T = sp.Matrix(n, n, lambda i, j: int(i == j) + int(i == j + 1))
+    A, B = M(T * sp.diag(block, -1) * T.inv()), M(T * sp.Matrix([0] * (n - 1) + [1]))
+    low = [found for found in exact.pencil_ranks(A, B) if found.rank < n]
+    assert len(low) == n - 1
+    for found in low:
+        assert found.unreached.rows == 1
+        assert max(abs(sp.N(entry, 20)) for entry in found.unreached * found.pencil) < 1e-15
 
 
 @pytest.mark.parametrize(
@@ -103,9 +117,6 @@ def test_telling_minors_share_the_common_zeros():
     assert reduce(sp.gcd, values).monic() == sp.Poly(a * (a - 1), a, domain="QQ")
     for columns, value in chosen:
         assert sp.expand(matrix[:, columns].det() - value) == 0
-
-
-x = sp.Symbol("x")
 
 
 @pytest.mark.parametrize("polynomial", [x**2 + 2 * x + 5, (x**2 + 9) * (x + 1), (x**2 + 2 * x + 5) ** 2, x**2, x - 1])
