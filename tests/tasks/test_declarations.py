@@ -39,6 +39,14 @@ def test_a_method_without_a_name_has_the_task_s(declared):
     assert found.methods == ("root_locus",)
 
 
+@pytest.mark.parametrize(
+    ("written", "name"), [('title="By hand"', "root_locus"), ('name="by_hand"', "by_hand"), ('"by_hand"', "by_hand")]
+)
+def test_a_method_is_named_first_or_by_the_word(declared, written, name):
+    text = f'root_locus = Task("root_locus", title="x")\n\n\n@root_locus.method({written})\ndef draw(given): ...\n'
+    assert declared(text).methods == (name,)
+
+
 def test_a_file_without_a_declaration_declares_nothing(declared):
     assert declared('"""It speaks of Task(...) only."""\n') is None
 
