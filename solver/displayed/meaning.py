@@ -159,6 +159,8 @@ class Writer:
         return value_at(body, variable, number)
 
     def _of_function(self, body: Any, variable: Any, argument: Any) -> Any:
+        if argument == sp.oo:
+            raise Unreadable("a value at infinity")
         if argument == variable:
             return body
         if shape_of(argument) == SCALAR:
