@@ -138,8 +138,7 @@ class Writer:
         function = self.names.value(f"{name.text}()")
         if function is not None:
             return self._of_function(function[0], function[1], self.formula(argument))
-        known = self.names.value(key_of(meaning))
-        if known is not None:
+        if (known := self.names.value(key_of(meaning))) is not None:
             return known
         if argument.kind == "number":
             return self._at_number(self._name(name, None), argument.text)
