@@ -17,6 +17,7 @@ from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdi
 from solver.derivation import Answers, PartResult, Status
 from solver.engine import Solution, given_of, solve_part
 from solver.limits import Exceeded, Limits, call_within
+from solver.problem.asked import asked_of
 from solver.problem.model import Part, Reference
 from solver.problem.nodes import Node
 from solver.problem.source import Fault, InputError, Report
@@ -121,7 +122,7 @@ class Marker:
         for name, verdict in self._judged(part, ours, values).items():
             verdicts[name] = verdict
         ordered = {name: verdicts[name] for name in submitted}
-        marks = _earned(part, ordered, out_of)
+        marks = _earned(part, ours, ordered, out_of)
         undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
         note = f"nothing is earned for {', '.join(undecided)}, which could not be judged" if undecided else ""
         return PartVerdict(part.id, part.task, ordered, marks, out_of, note or ("" if submitted else "not answered"))
@@ -193,18 +194,17 @@ class Marker:
         return self._question(part, earlier, ours)
 
 
-def _earned(part: Part, verdicts: Mapping[str, AnswerVerdict], out_of: Fraction) -> Fraction:
+def _earned(part: Part, ours: Mapping[str, Any], verdicts: Mapping[str, AnswerVerdict], out_of: Fraction) -> Fraction:
     """Return the marks of a part: each answer's own where the problem gives them, else equal ones for those asked for.
 
-    Where the problem does not say which are asked for, they are those submitted. Each answer earns in proportion to
-    what is right in it; what is not submitted earns nothing.
+    Those asked for are what the part names, else the principal answers of its task that this question has. Each earns
+    in proportion to what is right in it; what is not submitted earns nothing, and so does what was not asked for.
     """
     if part.answer_marks:
         each = {name: _fraction(marks) for name, marks in part.answer_marks.items()}
-    elif part.asked:
-        each = {name: out_of / len(part.asked) for name in part.asked}
     else:
-        each = {name: out_of / len(verdicts) for name in verdicts}
+        asked = part.asked or [name for name in asked_of(part, catalogue()[part.task]) if name in ours]
+        each = {name: out_of / len(asked) for name in asked}
     return sum((each[name] * verdict.share for name, verdict in verdicts.items() if name in each), Fraction(0))
 
 

@@ -41,13 +41,10 @@ def answer_named(node: ScalarNode, task: Task[Any, Any], methods: Sequence[str])
 
 
 def asked_of(part: Part, task: Task[Any, Any]) -> tuple[str, ...]:
-    """Return the answers asked for: those that the part names or gives marks to, else what the task always gives."""
-    usual = tuple(
-        name
-        for name, answer in task.answers.items()
-        if not answer.optional and (not answer.methods or set(answer.methods) & set(part.methods))
-    )
-    return part.asked or tuple(part.answer_marks) or usual
+    """Return the answers asked for: those that the part names or gives marks to, else the task's principal ones."""
+    methods = {name: set(answer.methods or part.methods) for name, answer in task.answers.items()}
+    principal = tuple(name for name in task.principal if methods[name] & set(part.methods))
+    return part.asked or tuple(part.answer_marks) or principal
 
 
 def marks_of(part: Part, task: Task[Any, Any]) -> dict[str, Any]:

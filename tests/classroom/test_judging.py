@@ -102,10 +102,10 @@ def test_decimals_must_be_right_to_the_last_digit_written():
     assert verdict(PLANT, "a", "eigenvalues", "[3.4495, -1.4496]").verdict == "wrong"
 
 
-def test_marks_are_split_equally_in_proportion_to_what_is_right():
+def test_marks_are_split_over_the_principal_answers_in_proportion_to_what_is_right():
     found = marked(PLANT, "answers: {b: {K: [13, 9], polynomial: s^2+6s+13}}")["b"]
     assert found.answers["K"].entries == [["correct", "wrong"]]
-    assert (found.marks, found.out_of) == (3 * (1 / 2 + 1) / 2, 3)
+    assert (found.marks, found.out_of) == (3 / 2, 3)  # the gain is what the task is after; the rest earns nothing
     assert marked(PLANT, "answers: {a: {diagonalizable: yes}}")["b"].note == "not answered"
 
 
@@ -116,7 +116,7 @@ def test_a_later_part_is_followed_through_with_the_students_own_gain():
     found = marked(PLANT, "answers: {b: {K: [10, 5]}, c: {eigenvalues: ['-3/2 ± j sqrt(31)/2']}}")
     right = found["c"].answers["eigenvalues"]
     assert (right.verdict, right.follows, right.note) == ("correct", True, "right with your own answer of part b")
-    assert found["c"].marks == 2
+    assert found["c"].marks == 1  # the eigenvectors, asked for too, were not submitted
 
 
 def test_an_earlier_answer_that_makes_the_later_question_trivial_is_not_followed():

@@ -10,7 +10,7 @@ title: A plant
 system: {A: [[1, 2], [3, 1]], B: [0, 1]}
 find:
   a: {task: characteristic_polynomial, marks: 1}
-  b: {task: eigenstructure, marks: 2}
+  b: {task: eigenstructure, marks: 2, answers: diagonalizable}
 """
 RIGHT = "student: A-17\nanswers: {a: {polynomial: x}, b: {diagonalizable: yes}}\n".replace("x", "lamda^2-2lamda-5")
 WRONG = "student: =1+1\nanswers: {a: {polynomial: lamda^2+2lamda-5}, b: {diagonalizable: no}}\n"
