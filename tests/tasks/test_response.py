@@ -204,6 +204,9 @@ def test_an_unstable_mode_that_the_output_does_not_see_is_remarked_on():
     assert result.status is Status.VERIFIED, result.reason
     assert result.answers["y_final"] == 1
     assert result.steps[-1].values["hidden"] == [1]
+    step = {"input": (sp.Integer(1),), "initial_state": sp.ImmutableMatrix([1, 3])}
+    assert not rejected("response", plant, {"y_final": sp.Integer(1)}, **step)
+    assert rejected("response", plant, {"y_final": sp.Integer(3)}, **step)
 
 
 def test_an_integrator_with_a_fading_input_has_a_limit():

@@ -6,7 +6,7 @@ They judge what a closed form says about the limit and the peak of the output.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -23,6 +23,8 @@ NODES = 10
 MOST_STEPS = 60_000
 FLOOR = 1e-3
 """Numbers smaller than this are compared absolutely."""
+SEEN = 1e-10
+"""States are seen by the output where a singular value of the observability matrix is not below this, relatively."""
 SETTLED = 32.0
 """In units of the slowest time constant."""
 
@@ -100,8 +102,9 @@ def _in_numbers(point: Mapping[Any, complex], matrices: Sequence[Any], inputs: A
 def final_output(simulation: Simulation, *, discrete: bool) -> Array:
     """Return lim y (p×1): the equilibrium of a stable system for the limit of its input, else what y settles to.
 
-    Raises NotEvaluable.
+    States that the output does not see are left out: they may grow without end. Raises NotEvaluable.
     """
+    simulation = _seen(simulation)
     eigenvalues = np.linalg.eigvals(simulation.A)
     margin = 1 - np.max(np.abs(eigenvalues)) if discrete else -np.max(eigenvalues.real)
     if margin < 1e-9:
@@ -117,6 +120,24 @@ def final_output(simulation: Simulation, *, discrete: bool) -> Array:
     n = len(simulation.A)
     x = np.linalg.solve((np.eye(n) if discrete else np.zeros((n, n))) - simulation.A, simulation.B @ constant)
     return np.asarray(simulation.C @ x + simulation.D @ constant)
+
+
+def _seen(simulation: Simulation) -> Simulation:
+    """Return the system that has the same output and no unobservable states.
+
+    The rows of V span those of the observability matrix, which A leaves in their span: V A = (V A Vᵀ) V.
+    """
+    A, n = simulation.A, len(simulation.A)
+    scale = max(float(np.max(np.abs(A), initial=0.0)), 1.0)
+    rows = [simulation.C]
+    for _ in range(n - 1):
+        rows.append(rows[-1] @ A / scale)
+    _, sizes, basis = np.linalg.svd(np.vstack(rows))
+    rank = int(np.sum(sizes > SEEN * np.max(sizes, initial=0.0)))
+    V = basis[:rank]
+    if rank in {0, n} or float(np.max(np.abs(V @ A - V @ A @ V.T @ V))) > SEEN * scale:
+        return simulation
+    return replace(simulation, A=V @ A @ V.T, B=V @ simulation.B, C=simulation.C @ V.T, x0=V @ simulation.x0)
 
 
 def _settled(simulation: Simulation, *, discrete: bool) -> Array:
