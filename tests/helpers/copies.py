@@ -52,7 +52,7 @@ def make_task(copy: Path, name: str, topic: str) -> list[str]:
 def complaints_of_the_meta_tests(copy: Path, name: str) -> str:
     """What the meta-tests, and the tests of every task that try this one, say in the copy; "" if all pass."""
     words = f"{name} or {name.replace('_', '-')}"
-    quiet = ("pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist")
+    quiet = ("pytest", "-q", "-p", "no:cacheprovider", "-n", "0")
     for which in (WHOLE, ["-k", words, "-m", "not slow", *OF_THE_TASK]):
         done = run(copy, *quiet, *which)
         if done.returncode:
