@@ -94,4 +94,6 @@ def shaped(value: Any, of: Any, *, keep: bool = False) -> Any:
         return [[of(value[i, j]) for j in range(value.cols)] for i in range(value.rows)]
     if isinstance(value, list):
         return [shaped(item, of, keep=keep) if isinstance(item, sp.MatrixBase) else of(item) for item in value]
+    if isinstance(value, dict):
+        return {name if keep else str(name): of(item) for name, item in value.items()}
     return of(value) if keep and isinstance(value, sp.Basic) else (value if keep else of(value))

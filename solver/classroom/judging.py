@@ -12,6 +12,8 @@ from solver.classroom.entries import all_right, entrywise, shaped, word_of
 from solver.classroom.values import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import Answers, Check, CheckStatus, Given, Task
+from solver.notation import spelled
+from solver.symbols import COURSE
 
 STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
 """What a verification may raise on a value of a form it was never meant for."""
@@ -178,7 +180,7 @@ def _complaint(value: Any, failed: list[Check]) -> str:
     """What the value does not satisfy, in the words of the table of checks."""
     if isinstance(value, bool):
         return "the opposite is true"
-    words = dict.fromkeys(f"“{check.claim}”" for check in failed if check.claim)
+    words = dict.fromkeys(f"“{spelled(check.claim, COURSE)}”" for check in failed if check.claim)
     return f"it fails the check{'s' if len(words) > 1 else ''} " + " and ".join(words) if words else ""
 
 

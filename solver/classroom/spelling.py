@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from solver.problem.nodes import Node, ScalarNode, SequenceNode
+from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
 
 FUNCTIONS = {"Heaviside": "step", "DiracDelta": "delta", "Abs": "abs", "KroneckerDelta": "delta", "arccos": "acos",
              "arcsin": "asin", "arctan": "atan", "heaviside": "step", "dirac": "delta"}  # fmt: skip
@@ -65,12 +65,14 @@ def split(text: str, separator: str | re.Pattern[str]) -> list[str]:
 
 
 def unfolded(node: Node) -> Node:
-    """Return the lists that a text holds, "Matrix([[1, 2]])" or "[1, 2]", as lists; any other node as it is."""
+    """Return the lists or the mapping that a text holds, "Matrix([[1, 2]])" or "{x: 1}"; other nodes as they are."""
     if not isinstance(node, ScalarNode):
         return node
     text = node.text.strip()
     if found := _MATRIX.match(text):
         text = "[]" if _EMPTY.match(found[1]) else found[1].strip()
+    if text.startswith("{") and matching(text, 0) == len(text) - 1:
+        return _mapped(node, text[1:-1])
     return _listed(node, text, 0) if text.startswith("[") and text.endswith("]") else node
 
 
@@ -79,6 +81,16 @@ def _listed(node: ScalarNode, text: str, depth: int) -> Node:
     if depth < 3 and text.startswith("[") and matching(text, 0) == len(text) - 1:
         return SequenceNode(node.place, tuple(_listed(node, item, depth + 1) for item in split(text[1:-1], ",")))
     return unfolded(ScalarNode(node.place, text)) if text.startswith(("Matrix(", "Immutable")) else _leaf(node, text)
+
+
+def _mapped(node: ScalarNode, text: str) -> Node:
+    """The entries "name: value" of a text, as far as they are such; the node where one is not."""
+    pairs = [split(item, ":") for item in split(text, ",")]
+    if any(len(pair) != 2 for pair in pairs):
+        return node
+    entries = {name.strip(): _leaf(node, value.strip()) for name, value in pairs}
+    named = {name: Entry(ScalarNode(node.place, name), value) for name, value in entries.items()}
+    return MappingNode(node.place, named)
 
 
 def _leaf(node: ScalarNode, text: str) -> ScalarNode:

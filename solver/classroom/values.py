@@ -16,7 +16,7 @@ import sympy as sp
 from solver.classroom.spelling import matching, respelled, split, unfolded
 from solver.problem.expressions import ExpressionError, Names, parse_alternatives, parse_equation, parse_expression
 from solver.problem.expressions.tokens import is_decimal, tokenize
-from solver.problem.nodes import Node, ScalarNode, SequenceNode
+from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.problem.source import Report
 from solver.symbols import MEANINGS, SAMPLES
 
@@ -72,7 +72,15 @@ class Reader:
             return self._set(node, ours)
         if isinstance(ours, sp.MatrixBase):
             return self._matrix(node, ours)
-        return self._expression(_only(node))
+        return self._mapping(node) if isinstance(ours, Mapping) else self._expression(_only(node))
+
+    def _mapping(self, node: Node) -> tuple[Any, Any]:
+        """Names with their values."""
+        if not isinstance(node, MappingNode):
+            raise node.fault("names with their values are expected here, such as {x: 1, y: 2}")
+        read = {self._expression(entry.key)[0]: self._expression(entry.value) for entry in node}
+        values, forms = ({name: pair[i] for name, pair in read.items()} for i in (0, 1))
+        return values, forms
 
     def _set(self, node: Node, ours: Any) -> tuple[Any, Any]:
         """A list; or all real numbers, in a word, where values of a parameter are asked for."""

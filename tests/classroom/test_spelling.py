@@ -2,7 +2,8 @@
 
 import pytest
 
-from solver.classroom.spelling import matching, respelled, split
+from solver.classroom.spelling import matching, respelled, split, unfolded
+from solver.problem.nodes import MappingNode, Place, ScalarNode
 
 
 @pytest.mark.parametrize(
@@ -42,3 +43,10 @@ def test_where_a_bracket_is_closed(text, at, end):
 )
 def test_a_list_is_split_outside_of_brackets(text, pieces):
     assert split(text, ",") == pieces
+
+
+def test_a_mapping_in_a_text_is_read_as_one():
+    node = unfolded(ScalarNode(Place(), "{v: r*w, i: [1, 2]}"))
+    assert isinstance(node, MappingNode)
+    assert node.plain() == {"v": "r*w", "i": "[1, 2]"}
+    assert isinstance(unfolded(ScalarNode(Place(), "{v}")), ScalarNode)
