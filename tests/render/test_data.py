@@ -58,6 +58,9 @@ def test_every_answer_is_read_back_as_it_was(path):
 
 def same(read, value):
     """Whether two values agree, symbols by name and decimals to 12 digits."""
+    if isinstance(value, dict):
+        read = {str(name): each for name, each in read.items()}
+        return read.keys() == set(map(str, value)) and all(same(read[str(name)], each) for name, each in value.items())
     if isinstance(value, list | tuple):
         return len(read) == len(value) and all(map(same, read, value))
     if isinstance(value, str):

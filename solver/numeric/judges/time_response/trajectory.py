@@ -123,21 +123,37 @@ def final_output(simulation: Simulation, *, discrete: bool) -> Array:
 
 
 def _seen(simulation: Simulation) -> Simulation:
-    """Return the system that has the same output and no unobservable states.
+    """Return the system that has the same output without states that nothing excites or no output sees."""
+    moved = simulation.x0.reshape(len(simulation.A), -1)
+    if simulation.inputs is not None:
+        moved = np.hstack([moved, simulation.B])
+    excited = _restricted(simulation, _invariant(simulation.A, moved))
+    return _restricted(excited, _invariant(excited.A.T, excited.C.T))
 
-    The rows of V span those of the observability matrix, which A leaves in their span: V A = (V A Vᵀ) V.
+
+def _restricted(simulation: Simulation, basis: Array) -> Simulation:
+    """Return the system in coordinates along the columns of an orthonormal basis (n×r); as it is where r = n."""
+    if basis.shape[0] == basis.shape[1]:
+        return simulation  # turned round, a multiple eigenvalue would be blurred
+    V = basis.T
+    A, B, C = V @ simulation.A @ basis, V @ simulation.B, simulation.C @ basis
+    return replace(simulation, A=A, B=B, C=C, x0=V @ simulation.x0)
+
+
+def _invariant(A: Array, start: Array) -> Array:
+    """Return an orthonormal basis of the least subspace that A leaves in itself and that holds the columns of `start`.
+
+    The whole space where rounding leaves the least one undecided.
     """
-    A, n = simulation.A, len(simulation.A)
+    n = len(A)
     scale = max(float(np.max(np.abs(A), initial=0.0)), 1.0)
-    rows = [simulation.C]
+    columns = [start]
     for _ in range(n - 1):
-        rows.append(rows[-1] @ A / scale)
-    _, sizes, basis = np.linalg.svd(np.vstack(rows))
-    rank = int(np.sum(sizes > SEEN * np.max(sizes, initial=0.0)))
-    V = basis[:rank]
-    if rank in {0, n} or float(np.max(np.abs(V @ A - V @ A @ V.T @ V))) > SEEN * scale:
-        return simulation
-    return replace(simulation, A=V @ A @ V.T, B=V @ simulation.B, C=simulation.C @ V.T, x0=V @ simulation.x0)
+        columns.append(A @ columns[-1] / scale)
+    basis, sizes, _ = np.linalg.svd(np.hstack(columns))
+    V = basis[:, : int(np.sum(sizes > SEEN * np.max(sizes, initial=0.0)))]
+    decided = V.shape[1] > 0 and float(np.max(np.abs(A @ V - V @ (V.T @ A @ V)))) <= SEEN * scale
+    return np.asarray(V if decided else np.eye(n))
 
 
 def _settled(simulation: Simulation, *, discrete: bool) -> Array:
