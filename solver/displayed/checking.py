@@ -22,6 +22,7 @@ from solver.render.wording import WordedStep, Wording
 from solver.systems import StateSpace, TransferFunction
 from solver.systems.loops import Loop
 from solver.tasks import catalogue
+from solver.words import Phrase
 
 
 def judged(result: PartResult, part: Part, worded: Sequence[WordedStep], wording: Wording) -> PartResult:
@@ -71,7 +72,7 @@ def _go_through(judge: Judge, worded: Sequence[WordedStep]) -> None:
     """Let the judge see the displays of the steps in the order of reading."""
     for number, step in enumerate(worded, start=1):
         for each in step.walk():
-            judge.begin(number, f"equality displayed in “{each.title}”")
+            judge.begin(number, Phrase("equality displayed in “{title}”", title=each.title))
             judge.seen |= {(frozen(claim.left), frozen(claim.right)) for claim in each.step.claims.values()}
             for displayed in each.displayed:
                 if displayed.relation == STANDS:

@@ -17,6 +17,7 @@ from solver.numeric.evaluation.points import PointSource, first_points, free_sym
 from solver.numeric.evaluation.stated import Oracle, about
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined, Value
 from solver.stated import Stated
+from solver.words import Phrase
 
 POINTS = 3
 POINTS_OF_WHOLE_NUMBERS = 5
@@ -55,10 +56,10 @@ def check_claim(
     try:
         residual, digits = claim_residual(claim.left, claim.right, integers, environments)
     except ShapeMismatch as mismatch:
-        return Check(label, oracle, None, None, CheckStatus.FAILED, str(mismatch), judges)
+        return Check(label, oracle, None, None, CheckStatus.FAILED, mismatch.reason, judges)
     except NotEvaluable as refusal:
-        return Check.skipped(label, oracle, str(refusal), answer=answer)
-    by = oracle if digits == DOUBLE.digits else f"{oracle} ({digits} digits)"
+        return Check.skipped(label, oracle, refusal.reason, answer=answer)
+    by = oracle if digits == DOUBLE.digits else Phrase("{oracle} ({digits} digits)", oracle=oracle, digits=digits)
     return Check.within(label, by, residual, TOLERANCE, answer=answer)
 
 
@@ -72,12 +73,12 @@ def check_residual(
     try:
         return Check.within(label, oracle, residual(), tolerance, answer=answer)
     except ShapeMismatch as mismatch:
-        return replace(Check.that(label, oracle, False, answer=answer), reason=str(mismatch))
+        return replace(Check.that(label, oracle, False, answer=answer), reason=mismatch.reason)
     except (ZeroDivisionError, np.linalg.LinAlgError):
         reason = "a matrix that must have an inverse is singular"
         return replace(Check.that(label, oracle, False, answer=answer), reason=reason)
     except NotEvaluable as refusal:
-        return Check.skipped(label, oracle, str(refusal), answer=answer)
+        return Check.skipped(label, oracle, refusal.reason, answer=answer)
 
 
 def oracle_of(claim: Claim) -> str:

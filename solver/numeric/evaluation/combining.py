@@ -6,13 +6,14 @@ import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Arithmetic
 from solver.numeric.evaluation.values import ShapeMismatch, Value, shape_of
+from solver.words import Phrase
 
 
 def multiply(left: Value, right: Value, arithmetic: Arithmetic) -> Value:
     """Return the product of matrices, or of a scalar and anything."""
     if left.is_matrix and right.is_matrix:
         if left.value.shape[2] != right.value.shape[1]:
-            raise ShapeMismatch(f"a product of matrices {size_in_words(left)} and {size_in_words(right)}")
+            raise _misfit("a product of matrices {left} and {right}", left, right)
         magnitude = arithmetic.size(left.value) @ right.magnitude + left.magnitude @ arithmetic.size(right.value)
         return Value(left.value @ right.value, magnitude)
     left, right = aligned(left, right)
@@ -37,6 +38,10 @@ def _deepened(scalar: Value, depth: int) -> Value:
     return Value(scalar.value[axes], magnitude[axes] if np.ndim(magnitude) else magnitude)
 
 
+def _misfit(pattern: str, left: Value, right: Value) -> ShapeMismatch:
+    return ShapeMismatch(Phrase(pattern, left=size_in_words(left), right=size_in_words(right)))
+
+
 def size_in_words(value: Value) -> str:
     """Return `2×3` of matrices 2×3."""
     return "×".join(map(str, shape_of(value))) or "1×1"
@@ -45,6 +50,6 @@ def size_in_words(value: Value) -> str:
 def add(left: Value, right: Value) -> Value:
     """Return the sum; raises ShapeMismatch unless the shapes agree (1×1 and a scalar do)."""
     if (shape_of(left) or (1, 1)) != (shape_of(right) or (1, 1)):
-        raise ShapeMismatch(f"a sum of matrices {size_in_words(left)} and {size_in_words(right)}")
+        raise _misfit("a sum of matrices {left} and {right}", left, right)
     left, right = aligned(left, right)
     return Value(np.add(left.value, right.value), left.magnitude + right.magnitude)

@@ -14,6 +14,7 @@ import numpy as np
 
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array, multiple
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, filled, shape_of
+from solver.words import Phrase
 
 TOLERANCE = 1e-9
 QUIET = 1e-10
@@ -28,7 +29,8 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
     """Return the largest residual at each point (P,), and whether that settles it (P,) or takes more digits."""
     l_shape, r_shape = shape_of(left) or (1, 1), shape_of(right) or (1, 1)
     if l_shape != r_shape:
-        raise ShapeMismatch(f"the shapes differ: {'×'.join(map(str, l_shape))} and {'×'.join(map(str, r_shape))}")
+        sizes = ["×".join(map(str, shape)) for shape in (l_shape, r_shape)]
+        raise ShapeMismatch(Phrase("the shapes differ: {left} and {right}", left=sizes[0], right=sizes[1]))
     if 0 in l_shape:
         return np.zeros(points), np.ones(points, dtype=bool)
     (l_value, l_size), (r_value, r_size) = _flat(left, points), _flat(right, points)
@@ -98,7 +100,7 @@ def _with_many_digits(sides: Sides, point: Point) -> tuple[float, int]:
             left, right = sides([point], arithmetic)
             residual, settled = residuals(left, right, 1, arithmetic)
         except (ZeroDivisionError, OverflowError) as trouble:
-            raise Undefined(f"the formula is not defined here ({trouble})") from trouble
+            raise Undefined(Phrase("the formula is not defined here ({trouble})", trouble=str(trouble))) from trouble
         if settled[0] or residual[0] > TOLERANCE:  # more digits would change nothing
             break
     if np.isnan(residual[0]):

@@ -15,6 +15,7 @@ from solver.numeric.evaluation.arithmetic import DOUBLE, multiple
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import SAFETY, Undefined, Value
 from solver.numeric.evaluation.walk import walk
+from solver.words import Phrase
 
 
 def evaluate(expression: Any, point: Mapping[Any, complex], *, tolerance: float = 1e-12) -> Any:
@@ -40,7 +41,7 @@ def value_of(expression: Any, environment: Environment) -> Value:
             result = walk(expression, environment)
             finite = bool(np.isfinite(environment.arithmetic.approximate(result.value)).all())
     except (ZeroDivisionError, OverflowError) as trouble:
-        raise Undefined(f"the formula is not defined here ({trouble})") from trouble
+        raise Undefined(Phrase("the formula is not defined here ({trouble})", trouble=str(trouble))) from trouble
     if not finite and environment.arithmetic is DOUBLE:
         raise Undefined("the formula has no finite value here")
     return result

@@ -13,6 +13,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import NoRule, NotEvaluable, Value
 from solver.numeric.evaluation.walk import exactly, floored, on_the_cut, rule, walk
+from solver.words import Phrase
 
 Slope = Callable[[Any], Any]
 
@@ -63,7 +64,7 @@ def _entire(expression: Any, environment: Environment) -> Value:
 def _cut(expression: Any, environment: Environment) -> Value:
     name, slope = CUT[expression.func]
     if len(expression.args) != 1:
-        raise NotEvaluable(f"{name} of two arguments is not evaluated")
+        raise NotEvaluable(Phrase("{name} of two arguments is not evaluated", name=name))
     argument = walk(expression.args[0], environment)
     if name == "log" and np.any(environment.arithmetic.size(argument.value) == 0):
         raise ZeroDivisionError("log 0")
@@ -212,7 +213,7 @@ def _holds(condition: Any, environment: Environment) -> Any:
         return ~_holds(condition.args[0], environment)
     compare = COMPARISONS.get(condition.func)
     if compare is None:
-        raise NoRule(f"the condition {condition}")
+        raise NoRule(Phrase("the condition {condition}", condition=str(condition)))
     left, right = (_real(walk(side, environment), environment) for side in condition.args)
     return compare(left, right)
 

@@ -10,6 +10,7 @@ from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import ShapeMismatch, Undefined, Value, shape_of
 from solver.numeric.evaluation.walk import walk
+from solver.words import Phrase
 
 
 def square(operand: Any, environment: Environment) -> Value:
@@ -19,7 +20,7 @@ def square(operand: Any, environment: Environment) -> Value:
         result = environment.stack([result], (1, 1))
     rows, columns = shape_of(result)
     if rows != columns:
-        raise ShapeMismatch(f"a matrix {rows}×{columns} is not square")
+        raise ShapeMismatch(Phrase("a matrix {rows}×{columns} is not square", rows=rows, columns=columns))
     if environment.arithmetic is DOUBLE and not np.isfinite(result.value).all():
         raise Undefined("the matrix is not finite here")
     return result

@@ -23,6 +23,7 @@ from solver.numeric.evaluation.stated import about
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Value
 from solver.numeric.evaluation.walk import walk
 from solver.stated import Stated
+from solver.words import Phrase
 
 EPS = 2.0**-52
 
@@ -93,7 +94,7 @@ def poles_of(image: Any, s: Any, point: Environment) -> list[Array]:
 def _poles_of_stated(image: Stated, s: Any, point: Environment) -> list[Array]:
     of_operation = about(image.operation, "poles")
     if of_operation is None:
-        raise NotEvaluable(f"the poles of the operation {image.operation} are not known")
+        raise NotEvaluable(Phrase("the poles of the operation {operation} are not known", operation=image.operation))
     found: list[Array] = of_operation(image.operands, s, point)
     return found
 
@@ -109,7 +110,7 @@ def zeros_of(formula: Any, s: Any, point: Environment) -> Array:
         return _zeros_of_rational(sp.S.One * formula, s, point)
     of_operation = about(formula.operation, "zeros")
     if of_operation is None:
-        raise NotEvaluable(f"the zeros of the operation {formula.operation} are not known")
+        raise NotEvaluable(Phrase("the zeros of the operation {operation} are not known", operation=formula.operation))
     found: Array = of_operation(formula.operands, s, point)
     return found
 
@@ -139,7 +140,8 @@ def _pencil(matrix: Stated) -> Any:
         terms = [_pencil(each) if isinstance(each, Stated) else each for each in parts]
         if all(isinstance(each, MatrixBase) for each in terms):
             return terms[0] - terms[1] if matrix.operation == "difference" else sum(terms[1:], terms[0])
-    raise NotEvaluable(f"the zeros of the determinant of the operation {matrix.operation} are not known")
+    unknown = "the zeros of the determinant of the operation {operation} are not known"
+    raise NotEvaluable(Phrase(unknown, operation=matrix.operation))
 
 
 def _zeros_of_polynomial_matrix(M: Array) -> Array:
@@ -165,11 +167,11 @@ def _denominators(expression: Any, s: Any) -> set[Any]:
     if isinstance(expression, sp.Pow):
         base, exponent = expression.args
         if not exponent.is_Integer:
-            raise NotEvaluable(f"{expression} is not rational in {s}")
+            raise NotEvaluable(Phrase("{expression} is not rational in {s}", expression=str(expression), s=str(s)))
         return _denominators(base, s) | ({base} if exponent < 0 else set())
     if isinstance(expression, sp.Add | sp.Mul):
         return set().union(*(_denominators(argument, s) for argument in expression.args))
-    raise NotEvaluable(f"{expression.func.__name__} of {s} is not rational")
+    raise NotEvaluable(Phrase("{function} of {s} is not rational", function=expression.func.__name__, s=str(s)))
 
 
 Polynomial = list[Value]
@@ -214,7 +216,7 @@ def rational(expression: Any, s: Any, point: Environment) -> tuple[Polynomial, P
         result = _power(numerator, abs(int(expression.exp))), _power(denominator, abs(int(expression.exp)))
         return result if expression.exp > 0 else result[::-1]
     if not isinstance(expression, sp.Add | sp.Mul):
-        raise NotEvaluable(f"{expression.func.__name__} of {s} is not rational")
+        raise NotEvaluable(Phrase("{function} of {s} is not rational", function=expression.func.__name__, s=str(s)))
     numerator, denominator = rational(expression.args[0], s, point)
     for argument in expression.args[1:]:
         p, q = rational(argument, s, point)

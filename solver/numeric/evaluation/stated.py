@@ -21,6 +21,7 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import NoRule, Value
 from solver.numeric.evaluation.walk import rule
 from solver.stated import Stated
+from solver.words import Phrase
 
 
 class Oracle(NamedTuple):
@@ -38,7 +39,7 @@ def _module_of(operation: str) -> ModuleType:
     except ModuleNotFoundError as missing:
         if missing.name != full_name:
             raise
-        raise NoRule(f"the operation {operation}") from missing
+        raise NoRule(Phrase("the operation {operation}", operation=operation)) from missing
 
 
 def about(operation: str, aspect: str) -> Any:

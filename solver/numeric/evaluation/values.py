@@ -11,26 +11,36 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from solver.words import Phrase
+
 SAFETY = 64.0
 """Errors above SAFETY · ε · magnitude are not explained by rounding."""
 
 
-class NotEvaluable(ValueError):  # noqa: N818 - a refusal with its reason, in words
-    """The oracle has no sound way of evaluating a formula; the message says why."""
+class _Told(ValueError):  # noqa: N818 - what is wrong is the formula, or what is known of it, not the program
+    """An error that carries its reason, a text or a phrase."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(reason)
+        self.reason = reason
+
+
+class NotEvaluable(_Told):
+    """The oracle has no sound way of evaluating a formula; the reason says why."""
 
 
 class NoRule(NotEvaluable):
     """The oracle has never been taught what a formula holds. No problem may need such a rule; a test holds that."""
 
     def __init__(self, what: str) -> None:
-        super().__init__(f"no rule for {what}")
+        super().__init__(Phrase("no rule for {what}", what=what))
 
 
 class Undefined(NotEvaluable):
     """The formula has no finite value at a point (division by zero, overflow); another point may do."""
 
 
-class ShapeMismatch(ValueError):  # noqa: N818 - the formula is wrong, not the program
+class ShapeMismatch(_Told):
     """A formula joins matrices whose shapes do not fit."""
 
 

@@ -14,6 +14,7 @@ from solver.matrices import entries
 from solver.numeric.evaluation.arithmetic import Arithmetic
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import SAFETY, NoRule, NotEvaluable, Value
+from solver.words import Phrase
 
 Rule = Callable[[Any, Environment], Value]
 RULES: dict[type, Rule] = {}
@@ -59,7 +60,7 @@ def exactly(value: Any, arithmetic: Arithmetic) -> Value:
 @rule(sp.Symbol)
 def _symbol(symbol: Any, environment: Environment) -> Value:
     if symbol not in environment.values:
-        raise NotEvaluable(f"no value for the symbol {symbol.name}")
+        raise NotEvaluable(Phrase("no value for the symbol {name}", name=symbol.name))
     return exactly(environment.values[symbol], environment.arithmetic)
 
 

@@ -244,8 +244,9 @@ def are_the_minors(given: Given[Polynomial, RouthHurwitzOptions], answers: Answe
 def holds_where_the_roots_say(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if p is stable."""
     fault = judges.counterexample(_companion(given.system), answers["condition"], discrete=False)
+    says = "the condition holds exactly where all roots lie in the left half plane"
     check = Check.that(
-        "the condition holds exactly where all roots lie in the left half plane" + (f" ({fault})" if fault else ""),
+        Phrase("{claim} ({fault})", claim=says, fault=fault) if fault else says,
         "numpy.linalg.eigvals, beside the edges mpmath.eig",
         not fault,
     )

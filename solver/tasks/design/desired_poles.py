@@ -27,6 +27,7 @@ from solver.options.choice import Choice
 from solver.options.number import Number
 from solver.tasks.design.frames import linear_factors
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -152,7 +153,7 @@ def meets_the_specifications(given: Given[System, StepSpecifications], answers: 
 
     for name, formula, values in _judged(answers):
         yield numeric.check_residual(
-            f"{name.replace('_', ' ')} meets the specifications",
+            Phrase("{name} meets the specifications", name=name.replace("_", " ")),
             "mpmath, bisection",
             lambda formula=formula, values=values: residual(formula, values),  # type: ignore[misc]  # bound here
             answer=name,

@@ -15,6 +15,7 @@ from solver.stated import Stated
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
 from solver.tasks.design.plants import Plant, measuring
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from solver.tasks.needed import WithInput
 
 BLOCKS = ("A11", "A12", "A21", "A22", "B1", "B2")
+BLOCK = r"${letter}_{{{index}}}$ is the block of the plant in $(\eta_1, \eta_2)$"
 
 
 def puts_the_measured_first(given: Given[WithInput, ReducedObserverOptions], answers: Answers) -> Iterable[Check]:
@@ -109,7 +111,9 @@ def estimates_what_is_not_measured(
         if name in answers:
             claim = Claim(answers[name], getattr(blocks, name))
             yield numeric.check_claim(
-                claim, f"${name[0]}_{{{name[1:]}}}$ is the block of the plant in $(\\eta_1, \\eta_2)$", answer=name
+                claim,
+                Phrase(BLOCK, letter=name[0], index=name[1:]),
+                answer=name,
             )
     yield from _spectra(blocks, given.options.poles, answers)
     gain = blocks.only_gain(given.options.poles)
@@ -159,7 +163,7 @@ def _drives(blocks: _Blocks, L: Any, answers: Answers) -> Iterator[Check]:
     M = forward if plant.plain else difference(forward, product(N, plant.D))
     for name, wanted in {"J": J, "N": N, "M": M}.items():
         if name in answers:
-            label = f"${name}$ leaves the error alone"
+            label = Phrase("${name}$ leaves the error alone", name=name)
             yield numeric.check_claim(Claim(answers[name], wanted), label, answer=name)
     if "B_combined" in answers:
         lower = sp.ImmutableMatrix(answers["B_combined"][n:, :])

@@ -10,7 +10,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product
 from solver.stated.calculus import value_at
-from solver.words import formula
+from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -76,10 +76,8 @@ def _steps(case: Any, P: ImmutableMatrix, solutions: Sequence[ImmutableMatrix]) 
             Step("factors", claims=claims, equation=equation, values=values),
             *(_factor(value, steps) for value, steps in parts),
         ]
-    claims = {
-        f"root{i}": Claim(value_at(equation, x, value), sp.Integer(0), f"${formula(x)}$ put into its equation")
-        for i, value in enumerate(values, 1)
-    }
+    says = Phrase("${x}$ put into its equation", x=formula(x))
+    claims = {f"root{i}": Claim(value_at(equation, x, value), sp.Integer(0), says) for i, value in enumerate(values, 1)}
     if case.kind == "substitute":
         return [Step("substitute", claims=claims, equation=equation, x=x, value=values[0]), *following[0]]
     none = "" if claims else "there is no root to put in"

@@ -40,8 +40,8 @@ def stabilizing_checks(weights: Weights, P: Any, loop: str) -> Iterable[Check]:
     checks = list(solution_checks(weights, P))
     yield from checks
     if all(check.status is not CheckStatus.FAILED for check in checks):
-        yield holds(f"${loop}$ has all eigenvalues in the open left half plane", "numpy.linalg.eigvals",
-                    lambda: judges.stabilizes(weights, P), "P")  # fmt: skip
+        label = Phrase("${loop}$ has all eigenvalues in the open left half plane", loop=loop)
+        yield holds(label, "numpy.linalg.eigvals", lambda: judges.stabilizes(weights, P), "P")
 
 
 def holds(label: str, oracle: str, question: Any, answer: str) -> Check:
@@ -53,7 +53,7 @@ def holds(label: str, oracle: str, question: Any, answer: str) -> Check:
     except numeric.Undefined:
         return Check.that(label, oracle, False, answer=answer)
     except numeric.NotEvaluable as refusal:
-        return Check.skipped(label, oracle, str(refusal), answer=answer)
+        return Check.skipped(label, oracle, refusal.reason, answer=answer)
 
 
 def gain_check(weights: Weights, K: Any, answer: str, label: str) -> Check:
@@ -92,7 +92,7 @@ def listed_checks(weights: Weights, answers: Any) -> Iterable[Check]:
     words = answers.get("definiteness")
     if solutions is not None:
         for number, P in enumerate(solutions, 1):
-            yield from solution_checks(weights, P, f"solution {number}", "solutions")
+            yield from solution_checks(weights, P, Phrase("solution {number}", number=number), "solutions")
         distinct = holds("no solution is listed twice", "numpy", lambda: judges.all_distinct(weights, solutions),
                          "solutions")  # fmt: skip
         yield distinct

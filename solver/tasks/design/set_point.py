@@ -13,6 +13,7 @@ from solver.numeric.judges import design as judges
 from solver.stated import Stated
 from solver.stated.algebra import product, total
 from solver.stated.matrices import determinant, inverse, transpose
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -47,7 +48,7 @@ def set_point_checks(plant: Any, answers: Answers, K: ImmutableMatrix | None = N
         )
     if len(conditions) > 1:
         yield numeric.check_residual(
-            f"${', '.join(conditions)}$ belong to the same set point",
+            Phrase("${conditions}$ belong to the same set point", conditions=", ".join(conditions)),
             "numpy.linalg.lstsq",
             lambda: judges.set_point_residual(M, p, list(conditions.values())),
         )

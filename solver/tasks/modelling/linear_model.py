@@ -10,6 +10,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -127,7 +128,7 @@ def _solved_for_the_highest(model: Equations) -> Derivation[tuple[dict[Symbol, E
     if found is None:
         raise Unsolved("equations/not_solvable")
     claims = {
-        f"equation{i}": Claim(left.xreplace(found), right.xreplace(found), f"equation {i}")
+        f"equation{i}": Claim(left.xreplace(found), right.xreplace(found), Phrase("equation {i}", i=i))
         for i, (left, right) in enumerate(model.sides, 1)
     }
     yield Step("highest", claims=claims, equations=model.sides, found=list(found.items()), discrete=model.discrete)

@@ -10,7 +10,7 @@ from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Opt
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.tasks.modelling.linear_model import is_linear, state_space_of
-from solver.words import formula
+from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
     from solver.systems import Equations, System
@@ -84,4 +84,5 @@ def hold_along_the_equations(given: Given[Equations, StateSpaceModelOptions], an
     sides = [left - right for left, right in model.sides]
     for symbol, value in dict(answers["eliminated"]).items():
         residual = judges.eliminated_residual(sides, dict(model.jets), sp.Symbol(str(symbol), real=True), value)
-        yield Check.within(f"${formula(symbol)}$ put into the equations", "numpy.linalg.lstsq", residual, 1e-8)
+        label = Phrase("${symbol}$ put into the equations", symbol=formula(symbol))
+        yield Check.within(label, "numpy.linalg.lstsq", residual, 1e-8)

@@ -102,7 +102,8 @@ def _kept(A: Any, B: Any, C: Any, found: exact.Decomposition, part: str) -> Deri
     """The first part of a decomposition, which is all that the transfer function needs."""
     n, r = A.rows, found.orders[0]
     matrix = exact.controllability_matrix(A, B) if part == "controllable" else _observability_matrix(A, C)
-    claims = {"rank": Claim(rank(matrix), sp.Integer(r), f"rank of the {part[:-2]}ility matrix")}
+    says = "rank of the controllability matrix" if part == "controllable" else "rank of the observability matrix"
+    claims = {"rank": Claim(rank(matrix), sp.Integer(r), says)}
     if r == n:
         yield Step("complete", claims=claims, part=part, n=n, matrix=matrix)
         return A, B, C
@@ -139,24 +140,24 @@ def has_least_order_and_the_transfer_function(
     wanted = {"A": (n, n), "B": (n, inputs), "C": (outputs, n), "D": (outputs, inputs)}
     fits = {name: answers[name].shape == shape for name, shape in wanted.items() if name in answers}
     for name, fit in fits.items():
-        label = f"${name}$ is {wanted[name][0]}×{wanted[name][1]}, of the least order"
+        rows, columns = wanted[name]
+        label = Phrase("${name}$ is {rows}×{columns}, of the least order", name=name, rows=rows, columns=columns)
         yield Check.that(label, "orthogonal bases (50 digits)", fit, answer=name)
     if not all(fits.values()):
         return
     if "D" in answers:
         yield numeric.check_claim(Claim(answers["D"], at_infinity(given.system)), r"$D = G(\infty)$", answer="D")
     if "A" in answers and n:
-        label = "the eigenvalues of $A$ are the poles"
-        A = answers["A"]
+        says, A = "the eigenvalues of $A$ are the poles", answers["A"]
         yield numeric.check_residual(
-            label, "orthogonal bases (50 digits)", lambda: judges.characteristic_residual(plant, A), answer="A"
+            says, "orthogonal bases (50 digits)", lambda: judges.characteristic_residual(plant, A), answer="A"
         )
     if {"A", "B", "C"} <= answers.keys():
         yield _same_constant(given, answers) if n == 0 else same_transfer(given, answers)
         return
     for name in ("B", "C"):
         if name in answers and n:
-            reason = f"the coordinates are free, so {name} is judged with A, B and C together"
+            reason = Phrase("the coordinates are free, so {name} is judged with A, B and C together", name=name)
             yield Check.skipped(
                 Phrase("${name}$ belongs to a minimal realization", name=name), "inspection", reason, answer=name
             )

@@ -16,6 +16,7 @@ from solver.tasks.representation.multivariable_forms import companion_coordinate
 from solver.tasks.representation.realization_checks import realization_checks
 from solver.tasks.representation.realization_lemmas import companion_form_of, direct_path_of
 from solver.tasks.representation.transfer_function import fractions_of, transfer_function_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.systems import System
@@ -121,7 +122,7 @@ FOLLOWED = {
     "superdiagonal": "ones above the diagonal",
 }
 for each in ("observable", "controllable"):
-    realization.mistaken_question(f"it is the {each} form")(partial(with_form, form=each))
+    realization.mistaken_question(Phrase("it is the {each} form", each=each))(partial(with_form, form=each))
 for each, what in FOLLOWED.items():
-    words = f"it follows the other convention: {what}"
+    words = Phrase("it follows the other convention: {what}", what=what)
     realization.mistaken_question(words)(partial(with_convention, convention=each))

@@ -45,7 +45,7 @@ def same_transfer(given: Given[InputOutput, Options], answers: Answers) -> Check
     D = answers.get("D", at_infinity(given.system))
     A, B, C = (sp.ImmutableMatrix(answers[name]) for name in "ABC")
     found = systems.StateSpace(A, B, C, sp.ImmutableMatrix(D), discrete=given.system.discrete)
-    label = f"$C({x}I - A)^{{-1}}B + D = G({x})$ at random points"
+    label = Phrase("$C({x}I - A)^{{-1}}B + D = G({x})$ at random points", x=x)
     return numeric.check_claim(Claim(stated_transfer(found, x), stated_matrix(given.system)), label)
 
 
@@ -75,9 +75,10 @@ def _misfits(answers: Answers, outputs: int, inputs: int) -> Iterator[Check]:
     """Failed checks of matrices whose shapes fit neither the plant nor each other."""
     order = next((answers[name].shape[side] for name, side in (("A", 0), ("B", 0), ("C", 1)) if name in answers), 0)
     wanted = {"A": (order, order), "B": (order, inputs), "C": (outputs, order), "D": (outputs, inputs)}
-    for name, shape in wanted.items():
-        if name in answers and answers[name].shape != shape:
-            yield Check.that(f"${name}$ is {shape[0]}×{shape[1]}", "inspection", False, answer=name)
+    for name, (rows, columns) in wanted.items():
+        if name in answers and answers[name].shape != (rows, columns):
+            label = Phrase("${name}$ is {rows}×{columns}", name=name, rows=rows, columns=columns)
+            yield Check.that(label, "inspection", False, answer=name)
 
 
 def _form_in_words(given: Given[InputOutput, RealizationOptions]) -> str:
@@ -85,12 +86,13 @@ def _form_in_words(given: Given[InputOutput, RealizationOptions]) -> str:
     above = given.options.convention == "superdiagonal"
     if shape_of(given.system) != (1, 1) and given.options.form in ("controllable", "observable"):
         rows = "columns" if given.options.form == "observable" else "rows"
-        return f"$A$ has companion blocks: all {rows} but one a channel pass on a state"
+        return Phrase("$A$ has companion blocks: all {lines} but one a channel pass on a state", lines=rows)
+    place = "first" if first else "last"
     return {
-        "controllable": f"$A$ is a companion matrix, coefficients in the {'first' if first else 'last'} row",
-        "observable": f"$A$ is a companion matrix, coefficients in the {'first' if first else 'last'} column",
+        "controllable": Phrase("$A$ is a companion matrix, coefficients in the {place} row", place=place),
+        "observable": Phrase("$A$ is a companion matrix, coefficients in the {place} column", place=place),
         "diagonal": "$A$ is diagonal",
-        "jordan": f"$A$ is in Jordan form, ones {'above' if above else 'below'} the diagonal",
+        "jordan": Phrase("$A$ is in Jordan form, ones {side} the diagonal", side="above" if above else "below"),
         "modal": "$A$ has real blocks of order one and two, and chains of them",
     }[given.options.form]
 
@@ -155,14 +157,15 @@ def _single_channel(given: Given[InputOutput, RealizationOptions], answers: Answ
     unit, coefficients = ("B", "C") if form == "controllable" else ("C", "B")
     if unit in answers:
         place = 0 if first else n - 1
-        label = f"${unit}$ has a one at the {'first' if first else 'last'} place, else zeros"
+        word = "first" if first else "last"
+        label = Phrase("${unit}$ has a one at the {place} place, else zeros", unit=unit, place=word)
         yield Check.that(label, "inspection", representation.is_unit_vector(answers[unit], place), answer=unit)
     if coefficients in answers:
         listed = list(answers[coefficients])
         rising = listed[::-1] if first else listed
         top = total(*(product(c, x**k) for k, c in enumerate(rising)))
         claim = Claim(total(quotient(top, _denominator(system)), at_infinity(system)), stated_matrix(system))
-        label = f"${coefficients}$ holds the coefficients of the numerator"
+        label = Phrase("${coefficients}$ holds the coefficients of the numerator", coefficients=coefficients)
         yield numeric.check_claim(claim, label, answer=coefficients)
 
 
@@ -173,15 +176,16 @@ def _alone(given: Given[InputOutput, RealizationOptions], answers: Answers, *, s
     for name in ("B", "C"):
         if name not in answers:
             continue
-        label = f"${name}$ belongs to a realization of the form"
+        label = Phrase("${name}$ belongs to a realization of the form", name=name)
         if answers[name].is_zero_matrix and not stated_is_zero(given.system):
             yield Check.that(label, "inspection", False, answer=name)
         else:
-            reason = f"the states may be scaled and ordered freely, so {name} is judged with A, B and C together"
+            free = "the states may be scaled and ordered freely, so {name} is judged with A, B and C together"
+            reason = Phrase(free, name=name)
             yield Check.skipped(label, "inspection", reason, answer=name)
     if not siso and "A" in answers:
-        reason = "with several inputs or outputs the order is free, so A is judged with B and C"
-        yield Check.skipped("$A$ has the poles of $G$", "inspection", reason, answer="A")
+        together = "with several inputs or outputs the order is free, so A is judged with B and C"
+        yield Check.skipped("$A$ has the poles of $G$", "inspection", together, answer="A")
 
 
 def stated_is_zero(system: Any) -> bool:

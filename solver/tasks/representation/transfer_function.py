@@ -26,6 +26,7 @@ from solver.tasks.representation.plants import (
     stated_transfer,
     variable_of,
 )
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -222,7 +223,7 @@ def has_the_values_of_the_formula(
 ) -> Iterable[Check]:
     """G(s) = C (sI − A)⁻¹ B + D at random s, the inverse by numpy."""
     plant = chosen_channel(given)
-    label = f"$G({variable_of(plant)}) = C({variable_of(plant)}I - A)^{{-1}}B + D$ at random points"
+    label = Phrase("$G({x}) = C({x}I - A)^{{-1}}B + D$ at random points", x=variable_of(plant))
     yield numeric.check_claim(Claim(stated_matrix(plant), answers["G"]), label)
 
 

@@ -27,6 +27,7 @@ from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.routh_array import routh_array_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -165,8 +166,9 @@ def holds_where_the_eigenvalues_say(
 ) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if A is stable."""
     fault = judges.counterexample(given.system.A, answers["condition"], discrete=given.system.discrete)
+    says = "the condition holds exactly where all eigenvalues are inside"
     check = Check.that(
-        "the condition holds exactly where all eigenvalues are inside" + (f" ({fault})" if fault else ""),
+        Phrase("{claim} ({fault})", claim=says, fault=fault) if fault else says,
         "numpy.linalg.eigvals, beside the edges mpmath.eig",
         not fault,
     )

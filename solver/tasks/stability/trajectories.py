@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation.figures import Curve, Mark, Plot
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -27,7 +28,7 @@ def portrait_of(A: ImmutableMatrix, Phi: ImmutableMatrix, t: Symbol, kind: str) 
     u = sp.Symbol("u")
     curves = [*_lines(A, u), *_trajectories(A, Phi, t, u, kind)]
     return Plot(
-        f"Phase portrait: {kind}",
+        Phrase("Phase portrait: {kind}", kind=kind),
         "x_{1}",
         "x_{2}",
         u,

@@ -84,7 +84,7 @@ kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
             AnswerName(
                 f"{name}_{suffix}",
                 rf"{name}_{{{suffix}}}" if len(suffix) > 1 else f"{name}_{suffix}",
-                f"${name}$ of the {words} part",
+                Phrase("${name}$ of the {words} part", name=name, words=words),
                 optional=True,
                 free=True,
             )
@@ -233,7 +233,7 @@ def _new_matrices(
         yield from _one_by_one(
             found,
             {name: name for name in found},
-            r"some $T$ leads to $\bar{{{}}}$",
+            lambda name: Phrase(r"some $T$ leads to $\bar{{{name}}}$", name=name),
             lambda those: judges.coordinates_residual(part, (A, B, C), those),
         )
         return
@@ -249,14 +249,15 @@ def _first_part(
 ) -> Iterator[Check]:
     """The first blocks of T⁻¹A₀T, T⁻¹B₀, C₀T; without T that they are those in some coordinates."""
     part, plant = given.options.part, _matrices(given)
-    names = {name: f"{name}_{SUFFIXES[part]}" for name in "ABC" if f"{name}_{SUFFIXES[part]}" in answers}
+    suffix = SUFFIXES[part]
+    names = {name: f"{name}_{suffix}" for name in "ABC" if f"{name}_{suffix}" in answers}
     found = {name: answers[whole] for name, whole in names.items()}
     k = judges.kalman_orders(part, *plant)[0] if found else 0
     if T is None or k == 0:
         yield from _one_by_one(
             found,
             names,
-            f"${{}}_{{{{{SUFFIXES[part]}}}}}$ is of that part, in some coordinates",
+            lambda name: Phrase("${name}_{{{part}}}$ is of that part, in some coordinates", name=name, part=suffix),
             lambda those: judges.visible_part_residual(part, plant, those),
         )
         return
@@ -264,17 +265,20 @@ def _first_part(
     E = sp.ImmutableMatrix(sp.eye(A.rows)[:k, :])
     sides = {"A": (E, inverse(T), A, T, E.T), "B": (E, inverse(T), B), "C": (C, T, E.T)}
     for name, M in found.items():
-        says = f"${name}_{{{SUFFIXES[part]}}}$ is the first block"
+        says = Phrase("${name}_{{{part}}}$ is the first block", name=name, part=suffix)
         yield numeric.check_claim(Claim(product(*sides[name]), M), says, answer=names[name])
 
 
 def _one_by_one(
-    found: Mapping[str, Any], names: Mapping[str, str], says: str, residual: Callable[[Mapping[str, Any]], float]
+    found: Mapping[str, Any],
+    names: Mapping[str, str],
+    says: Callable[[str], str],
+    residual: Callable[[Mapping[str, Any]], float],
 ) -> Iterator[Check]:
     """Each matrix together with those found right before it, so that one wrong matrix spoils no other."""
     right: dict[str, Any] = {}
     for name, M in found.items():
         together = {**right, name: M}
-        check = _check(says.format(name), names[name], partial(residual, together))
+        check = _check(says(name), names[name], partial(residual, together))
         right = together if check.status is CheckStatus.PASSED else right
         yield check

@@ -85,7 +85,8 @@ def _blocks(pair: Pair, matrix: Any, answer: str) -> Iterator[Check]:
     n, width = pair.n, pair.width
     shape = (n * width, n) if pair.dual else (n, n * width)
     if matrix.shape != shape:
-        yield Check.that(rf"the matrix is {shape[0]} × {shape[1]}", "shape", False, answer=answer)
+        label = Phrase("the matrix is {rows} × {columns}", rows=shape[0], columns=shape[1])
+        yield Check.that(label, "shape", False, answer=answer)
         return
     whole = pair.turned(matrix)
     for i, name in enumerate(pair.names):
@@ -97,7 +98,7 @@ def _blocks(pair: Pair, matrix: Any, answer: str) -> Iterator[Check]:
 def _gramian(pair: Pair, W: Any, horizon: Any) -> Iterator[Check]:
     """The Lyapunov equation, the integral or the sum that W satisfies."""
     if W.shape != (pair.n, pair.n):
-        yield Check.that(rf"$W$ is {pair.n} × {pair.n}", "shape", False, answer="gramian")
+        yield Check.that(Phrase(r"$W$ is {n} × {n}", n=pair.n), "shape", False, answer="gramian")
         return
     F, G = pair.F, pair.G
     Ft, Gt = transpose(F), transpose(G)

@@ -60,7 +60,7 @@ def checks_of(given: Given[StateSpace, ResponseOptions], value: Any, answer: str
     try:
         yield from judge(truth, column, answer)
     except numeric.NotEvaluable as refusal:
-        yield Check.skipped("the response at several times", "scipy.linalg.expm", str(refusal), answer=answer)
+        yield Check.skipped("the response at several times", "scipy.linalg.expm", refusal.reason, answer=answer)
 
 
 def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Check]:
@@ -74,7 +74,7 @@ def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Ch
         u_here = span.smooth(u, t) if u is not None else None
         convolution = judges.convolution_formula(system.A, system.B, truth.x0, u, t, span, spans[:number])
         wanted = convolution if answer == "x" else truth.output(convolution, u_here)
-        after = f" after $t = {formula(span.start)}$" if number else ""
+        after = Phrase(" after $t = {at}$", at=formula(span.start)) if number else ""
         for index, time in enumerate(span.times(t, scale)):
             if answer != "x" or index == 0:  # for x the differential equation says the same at the others
                 claim = Claim(value_at(here, t, time), value_at(wanted, t, time))
@@ -84,7 +84,7 @@ def _interval_by_interval(truth: Truth, column: Any, answer: str) -> Iterable[Ch
                 if u_here is not None:
                     change = total(change, product(system.B, u_here))
                 claim = Claim(value_at(derivative(here, t), t, time), value_at(change, t, time))
-                yield numeric.check_claim(claim, rf"$\dot{{x}} = A x + B u${after}", answer=answer)
+                yield numeric.check_claim(claim, Phrase(r"$\dot{{x}} = A x + B u${after}", after=after), answer=answer)
     if answer == "x":
         start = total(truth.x0, *(product(system.B, w) for at, w in _impulses(truth) if at == 0))
         first = spans[0].smooth(column, t)
@@ -104,7 +104,7 @@ def _impulses_in_y(truth: Truth, y: Any) -> Iterable[Check]:
     for at in {*stated, *passing}:
         zero = sp.ImmutableMatrix(sp.zeros(y.rows, 1))
         expected = product(truth.system.D, passing[at]) if at in passing else zero
-        label = f"impulse in $y$ at $t = {formula(at)}$"
+        label = Phrase("impulse in $y$ at $t = {at}$", at=formula(at))
         yield numeric.check_claim(Claim(stated.get(at, zero), expected), label, answer="y")
 
 
@@ -116,7 +116,7 @@ def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]
     wanted = judges.samples(system.A, system.B, truth.x0, truth.inputs, k, last)
     pairs = [(value.xreplace({k: sp.Integer(i)}), x if answer == "x" else truth.output(x, u)) for i, x, u in wanted]
     yield numeric.check_residual(
-        f"the recursion $x(k + 1) = A x(k) + B u(k)$ for $k = 0, \\ldots, {last - 1}$",
+        Phrase("the recursion $x(k + 1) = A x(k) + B u(k)$ for $k = 0, \\ldots, {last}$", last=last - 1),
         "recursion",
         lambda: judges.residual_of_pairs(pairs),
         answer=answer,

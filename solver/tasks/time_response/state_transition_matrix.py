@@ -272,7 +272,7 @@ def has_the_first_terms(given: Given[StateSpace, StateTransitionMatrixOptions], 
     for i in range(terms + 1):
         coefficient = value_at(derivative(truncated, t, i), t, sp.Integer(0))
         expected = power(A, i) if i < terms else sp.ImmutableMatrix(sp.zeros(A.rows))
-        says = f"coefficient of $t^{{{i}}}$ is $A^{{{i}}}/{i}!$" if i < terms else "no further terms"
+        says = Phrase("coefficient of $t^{{{i}}}$ is $A^{{{i}}}/{i}!$", i=i) if i < terms else "no further terms"
         yield numeric.check_claim(Claim(coefficient, expected), says)
 
 

@@ -128,6 +128,6 @@ def _plot(asked: Question) -> Plot | None:
     several = len(y) > 1
     outputs = [Curve(each, f"y_{{{i}}}" if several else "y", style=style) for i, each in enumerate(smooth.flat(), 1)]
     marks = (Mark(found.y_peak.time, found.y_peak.value, r"y_{\text{peak}}"),) if found.y_peak else ()
-    caption = "States and output" + ("s" if several else "")
+    caption = "States and outputs" if several else "States and output"
     letter = "k" if asked.discrete else "t"
     return Plot(caption, letter, "", t, sp.Integer(0), stop, (*states, *outputs), marks)

@@ -10,6 +10,7 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.poles import poles_of, zeros_of
 from solver.numeric.evaluation.values import ShapeMismatch, Value, shape_of
 from solver.numeric.evaluation.walk import walk, whole_power
+from solver.words import Phrase
 
 
 def evaluate(environment: Environment, numerator: Any, denominator: Any) -> Value:
@@ -17,7 +18,7 @@ def evaluate(environment: Environment, numerator: Any, denominator: Any) -> Valu
     divisor = walk(denominator, environment)
     if divisor.is_matrix:
         if shape_of(divisor) != (1, 1):
-            raise ShapeMismatch(f"a quotient by a matrix {size_in_words(divisor)}")
+            raise ShapeMismatch(Phrase("a quotient by a matrix {size}", size=size_in_words(divisor)))
         divisor = Value(divisor.value[:, 0, 0], divisor.magnitude[:, 0, 0])
     return multiply(
         walk(numerator, environment), whole_power(divisor, -1, environment.arithmetic), environment.arithmetic

@@ -15,6 +15,7 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.stated import Oracle
 from solver.numeric.evaluation.values import NotEvaluable, Undefined, Value
 from solver.numeric.evaluation.walk import walk
+from solver.words import Phrase
 
 ORACLE = Oracle(75, "mpmath.polyroots")
 
@@ -24,7 +25,7 @@ def evaluate(environment: Environment, term: Any, variable: Any, polynomial: Any
     try:
         _, factors = sp.Poly(polynomial, variable).sqf_list()
     except sp.PolynomialError as trouble:
-        raise NotEvaluable(f"roots of what is no polynomial in {variable}") from trouble
+        raise NotEvaluable(Phrase("roots of what is no polynomial in {variable}", variable=str(variable))) from trouble
     arithmetic = environment.arithmetic
     found = []
     for factor, multiplicity in factors:

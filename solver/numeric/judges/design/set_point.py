@@ -15,6 +15,7 @@ from solver.numeric.evaluation.points import admissible, free_symbols
 from solver.numeric.evaluation.values import ShapeMismatch, Undefined
 from solver.numeric.judges.design.tracking import least_squares
 from solver.numeric.judges.optimal.regulator import Weights, optima
+from solver.words import Phrase
 
 Condition = tuple[Any, Any]
 """Rows L and a value V with L [F; N] = V."""
@@ -52,7 +53,7 @@ def _gap(M: Array, p: int, conditions: Sequence[tuple[Array, Array]]) -> float:
     target = np.vstack([np.zeros((M.shape[0] - p, p)), np.eye(p)])
     for L, V in conditions:
         if V.shape != (L.shape[0], p):
-            raise ShapeMismatch(f"it must be {L.shape[0]}×{p}")
+            raise ShapeMismatch(Phrase("it must be {rows}×{columns}", rows=L.shape[0], columns=p))
         if not np.all(np.isfinite(V)):
             return float("inf")
     stacked = np.vstack([M, *(L for L, _ in conditions)])

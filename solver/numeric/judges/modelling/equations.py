@@ -18,6 +18,14 @@ from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 
 TRIALS = 3
+SAYS = {
+    "A": "the derivative of the state at a random state",
+    "B": "the derivative of the state at random inputs",
+    "C": "the output at a random state",
+    "D": "the output at random inputs",
+}
+"""What is compared in the judging of each matrix by derivatives."""
+
 Jet = tuple[str, int]
 
 
@@ -125,9 +133,7 @@ def _by_derivatives(numbers: _Numbers, found: Mapping[str, Array], random: Rando
             M = found.get(name)
             if M is not None:
                 fits = M.shape == (len(wanted), len(values))
-                what = "derivative of the state" if name in "AB" else "output"
-                source = "a random state" if of == "AC" else "random inputs"
-                yield name, f"the {what} at {source}", _distance(M @ values, wanted) if fits else np.inf
+                yield name, SAYS[name], _distance(M @ values, wanted) if fits else np.inf
 
 
 def _distance(found: Array, wanted: Array) -> float:

@@ -18,6 +18,7 @@ from solver.numeric.evaluation.compare import Point, worst_of
 from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
+from solver.words import Phrase
 
 TRIES = 40
 
@@ -101,10 +102,11 @@ def hurwitz(matrix: Array) -> bool:
 def matrix_at(formula: Any, point: Point, shape: tuple[int, int]) -> Array:
     """Return a real matrix at a point; raises ShapeMismatch for another shape, NotEvaluable for unknown symbols."""
     if getattr(formula, "shape", (1, 1)) != shape:
-        raise ShapeMismatch(f"it must be {shape[0]}×{shape[1]}")
+        raise ShapeMismatch(Phrase("it must be {rows}×{columns}", rows=shape[0], columns=shape[1]))
     unknown = free_symbols(formula) - set(point)
     if unknown:
-        raise ShapeMismatch(f"it holds {', '.join(sorted(map(str, unknown)))}, which the question does not")
+        listed = ", ".join(sorted(map(str, unknown)))
+        raise ShapeMismatch(Phrase("it holds {unknown}, which the question does not", unknown=listed))
     value = evaluate(formula, point)
     return np.reshape(_real(value), shape)
 

@@ -17,13 +17,14 @@ from solver.numeric.evaluation.values import ShapeMismatch
 from solver.numeric.judges.optimal.regulator import Optimum, Weights, hurwitz, matrix_at, optima, relative, worst
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse, transpose
+from solver.words import Phrase
 
 
 def riccati_residual(weights: Weights, P: Any) -> float:
     """Return the largest entrywise relative difference in AᵀP + PA + Q = P B R⁻¹ Bᵀ P, P exact or in decimals."""
     A, B, Q, R = weights
     if getattr(P, "shape", None) != Q.shape:
-        raise ShapeMismatch(f"P must be {Q.rows}×{Q.cols}")
+        raise ShapeMismatch(Phrase("P must be {rows}×{columns}", rows=Q.rows, columns=Q.cols))
     linear = total(product(transpose(A), P), product(P, A), Q)
     quadratic = product(P, B, inverse(R), transpose(B), P)
     return equality_residual(linear, quadratic, [optimum.point for optimum in optima(weights, (P,))])

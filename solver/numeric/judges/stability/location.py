@@ -20,6 +20,7 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Undefined, filled
+from solver.words import Phrase
 
 STABLE, MARGINAL, UNSTABLE = "asymptotically stable", "marginally stable", "unstable"
 POINTS = 16
@@ -173,7 +174,7 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
         coefficients = _polynomial(A, point, discrete=discrete)
         n = len(coefficients) - 1
         if array.shape != (n + 1, n // 2 + 1):
-            return f"the array must have {n + 1} rows and {n // 2 + 1} columns"
+            return Phrase("the array must have {rows} rows and {columns} columns", rows=n + 1, columns=n // 2 + 1)
         small = {symbol: mp.mpf(10) ** -12 for symbol in free_symbols(array) - free_symbols(A)}
         rows = value_of(array, Environment.at([{**point, **small}], multiple(60))).value[0].tolist()
         multiplied = rows[0][0] / coefficients[0]
@@ -182,7 +183,7 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
         for i, row in enumerate(rows):
             wanted = _expected(rows, i, coefficients, mp)
             if not any(_proportional(row, each, mp) for each in wanted):
-                return f"row {i + 1} does not follow from the rows above it"
+                return Phrase("row {row} does not follow from the rows above it", row=i + 1)
     return ""
 
 

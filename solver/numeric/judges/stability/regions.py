@@ -15,6 +15,7 @@ from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import SEED, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, Undefined
 from solver.numeric.judges.stability.location import STABLE, located
+from solver.words import Phrase
 
 RANDOM_POINTS = 40
 PAIRS = 2
@@ -36,7 +37,8 @@ def counterexample(A: Any, condition: Any, *, discrete: bool) -> str:
     symbols = sorted(free_symbols(A), key=str)
     strange = sorted(map(str, free_symbols(condition) - set(symbols)))
     if strange:
-        return f"the condition has {', '.join(strange)} in it, which is no parameter of the system"
+        listed = ", ".join(strange)
+        return Phrase("the condition has {strange} in it, which is no parameter of the system", strange=listed)
     tried = _Trial(A, condition, discrete)
     if not symbols:
         return tried.disagreement({})
@@ -92,7 +94,11 @@ class _Trial:
         where = ", ".join(f"{symbol} = {sp.N(value, 6)}" for symbol, value in point.items())
         found = "asymptotically stable" if stable else "not asymptotically stable"
         says = "has no truth value" if claimed is None else "holds" if claimed else "does not hold"
-        return f"for {where} the system is {found}, but the condition {says}" if where else f"the system is {found}"
+        return (
+            Phrase("for {where} the system is {found}, but the condition {says}", where=where, found=found, says=says)
+            if where
+            else Phrase("the system is {found}", found=found)
+        )
 
 
 def _admissible(point: Rational) -> bool:

@@ -24,6 +24,7 @@ from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.ranks import rank, rank_at
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.linear_algebra.eigen import spectrum_residual
+from solver.words import Phrase
 
 DIGITS = 50
 ZERO = mpmath.mpf(10) ** -25
@@ -191,7 +192,7 @@ def _roots(f: Any, x: Any) -> list[Any]:
     """The distinct roots of the numerator of a rational function, with 60 digits."""
     above, _ = sp.fraction(sp.together(f))
     if not above.is_polynomial(x):
-        raise NotEvaluable(f"the condition is not rational in {x}")
+        raise NotEvaluable(Phrase("the condition is not rational in {x}", x=str(x)))
     p = sp.Poly(above, x)
     if p.degree() < 1:
         return []

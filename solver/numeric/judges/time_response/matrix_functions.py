@@ -15,6 +15,7 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import PointSource, free_symbols, whole_symbols
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable
+from solver.words import Phrase
 
 POINTS = 4
 MOST_BLURRED = 1e-5
@@ -107,7 +108,7 @@ def _elementary(function: Any) -> Callable[[Array], Array]:
         sp.acos: lambda X: np.pi / 2 * np.eye(len(X)) - _arcsine(X),
     }
     if function not in known:
-        raise NotEvaluable(f"no algorithm for the function {function.__name__} of a matrix")
+        raise NotEvaluable(Phrase("no algorithm for the function {function} of a matrix", function=function.__name__))
     return known[function]
 
 
