@@ -22,6 +22,7 @@ from typing import Any
 from jinja2 import FileSystemLoader, StrictUndefined, TemplateNotFound
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
+from solver.compiled import kept
 from solver.notation import SYMBOL, spelled
 from solver.symbols import COURSE
 from solver.words import ENGLISH, PHRASES, Phrase, Reason, folders, formula
@@ -31,6 +32,7 @@ def environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
     """Return an environment that finds the files of macros."""
     return ImmutableSandboxedEnvironment(
         loader=FileSystemLoader(folders(templates)),
+        bytecode_cache=kept(templates),
         undefined=StrictUndefined,
         auto_reload=False,  # templates do not change while a program runs
         autoescape=False,  # this is Markdown; HTML is escaped where it is made, in `render.prose`

@@ -15,6 +15,7 @@ from jinja2 import FileSystemLoader, StrictUndefined
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver import __version__, resources
+from solver.compiled import kept
 from solver.derivation.figures import Drawing
 from solver.problem.images import Image
 from solver.render.prose import inline_latex, to_latex
@@ -45,6 +46,7 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         comment_start_string=r"\#{",
         comment_end_string="}",
         loader=FileSystemLoader([*own, resources.root("templates") / "latex"]),
+        bytecode_cache=kept(templates),
         undefined=StrictUndefined,
         autoescape=False,  # this is TeX; every text passes a filter that escapes for TeX
         trim_blocks=True,

@@ -13,6 +13,7 @@ from jinja2.runtime import Context
 from markupsafe import Markup
 
 from solver import __version__, resources
+from solver.compiled import kept
 from solver.derivation.figures import Drawing
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
@@ -120,6 +121,7 @@ def _environment(templates: Path | None) -> Environment:
     environment = Environment(
         loader=FileSystemLoader([*own, resources.root("templates") / "html"]),
         autoescape=True,
+        bytecode_cache=kept(templates),
         undefined=StrictUndefined,
         auto_reload=False,  # templates do not change while a program runs
         trim_blocks=True,
