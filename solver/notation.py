@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from solver.symbols import COURSE, NOTATIONS
+from solver.symbols import NOTATIONS
 
 SYMBOL = r"\sym{"
 """How a phrase of the program names a symbol of the notation: `$A - B\\sym{K}$`."""
@@ -24,6 +24,5 @@ def spelled(text: str, notation: str) -> str:
 
 
 def answer_symbol(name: str, declared: str, notation: str) -> str:
-    """Return the symbol of an answer: what the task declares, or the notation's own where that is another one."""
-    table = NOTATIONS[notation]
-    return table[name] if notation != COURSE and name in table else declared or table.get(name, "")
+    r"""Return the symbol of an answer: what the task declares (with `\sym{K}` for a quantity), or that of its name."""
+    return declared or NOTATIONS[notation].get(name, "")

@@ -73,6 +73,7 @@ QUANTITIES = (
     Quantity("L", "L_c", {"ogata": "K_e"}),
     Quantity("controllability_matrix", r"\mathcal{C}_o", {"ogata": "M"}),
     Quantity("observability_matrix", r"\mathcal{O}_v", {"ogata": "N"}),
+    Quantity("hidden_states", "N", {"ogata": "Z"}),
     Quantity("damping_ratio", r"\xi", {"ogata": r"\zeta"}),
     Quantity("integrator", r"\xi"),
 )

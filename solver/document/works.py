@@ -10,6 +10,7 @@ import sympy as sp
 
 from solver.derivation import Answers, Check, Method, PartResult, Status, Step, Task
 from solver.derivation.figures import Drawing, Figure
+from solver.displayed import judged
 from solver.document.checks import Say, check_rows, unchecked, worded_check
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.document.values import numbers_of, symbols_of, texts_of, values_of
@@ -90,6 +91,10 @@ class Writer:
         wording = self._wording(display)
         steps, answers, checks = _shown(result, part, told)
         worded = wording.words(steps)
+        # The status of the engine says what the mathematics is worth; the one that is told, what the page displays too.
+        # A key is judged with the steps that it leaves out: they say what its names stand for.
+        result = judged(result, part, wording.words(result.steps) if told.detail == "key" else worded, wording)
+        checks = result.checks if checks else ()
         asked = [task.answers[name] for name in part.asked]
         return Work(
             id=result.id,

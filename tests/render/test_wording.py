@@ -138,8 +138,9 @@ def test_what_is_given_is_shown():
 
 def test_notations_have_the_same_symbols_and_change_answers():
     assert {frozenset(table) for table in NOTATIONS.values()} == {frozenset(NOTATIONS["course"])}
-    K = AnswerName("K", "K_f", "")
+    K = AnswerName("K", r"\sym{K}", "")
     assert (Wording().symbol(K), Wording(notation="ogata").symbol(K)) == ("K_f", "K")
+    assert Wording(notation="ogata").symbol(AnswerName("A", r"\bar{A}", "")) == r"\bar{A}"  # a task's own symbol
 
 
 def test_a_long_chain_is_aligned_at_its_signs():
