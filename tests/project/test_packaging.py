@@ -62,7 +62,7 @@ def installed(environment, *what):
 
 
 def files(kind):
-    return len([path for path in (ROOT / kind).rglob("*") if path.is_file()])
+    return len([path for path in (ROOT / kind).rglob("*") if path.is_file() and path.parent.name != "__pycache__"])
 
 
 def works(environment, home):
