@@ -43,7 +43,8 @@ def solve(
     folder = Path(templates) if templates else None
     presentation = Presentation(detail, folder, data=bool(limits), language=language, notation=notation)
     if not limits:
-        return document_of(solve_problem(read), presentation, read.name)
+        solved = solve_problem(read, messages=presentation.messages(read.display))
+        return document_of(solved, presentation, read.name)
     from solver.limits import Limits, solve_within  # noqa: PLC0415 - most uses need no child process
 
     return solve_within(read, Limits(**limits), presentation).document(read.name)

@@ -28,6 +28,7 @@ from solver.derivation import (
 from solver.derivation.conversion import composed, converted, refused
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.messages import Messages
 from solver.problem.model import Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
 from solver.systems import EarlierPart, System
@@ -58,18 +59,22 @@ class Solution:
         return Status.worst([part.status for part in self.parts])
 
 
-def solve_problem(problem: Problem, runner: Runner | None = None) -> Solution:
+def solve_problem(problem: Problem, runner: Runner | None = None, messages: Messages | None = None) -> Solution:
     """Solve all parts, here or by a runner that keeps limits. An unsolved part says why and stops no other.
 
-    Raises InputError, with the places in the file, where a task finds a question wrong as it is asked.
+    Raises InputError, with the places in the file and in the words of `messages` (None: those of the problem's
+    language), where a task finds a question wrong as it is asked.
     """
-    results = (runner or solve_parts)(problem)
+    results = runner(problem) if runner else solve_parts(problem, messages=messages)
     return Solution(problem, tuple(result for of_part in results for result in of_part))
 
 
-def solve_parts(problem: Problem, earlier: Earlier | None = None) -> Iterator[list[PartResult]]:
+def solve_parts(
+    problem: Problem, earlier: Earlier | None = None, messages: Messages | None = None
+) -> Iterator[list[PartResult]]:
     """Solve the parts not yet among the earlier results, in order; parts may use the answers of earlier ones."""
-    refuse(problem, {part.id: refusals_of(part) for part in problem.parts})
+    said = messages or Messages(language=problem.display.language)
+    refuse(problem, {part.id: refusals_of(part, said) for part in problem.parts})
     known = dict(earlier or {})
     for part in problem.parts:
         if part.id not in known:
@@ -78,14 +83,15 @@ def solve_parts(problem: Problem, earlier: Earlier | None = None) -> Iterator[li
             yield results
 
 
-def refusals_of(part: Part) -> list[Refusal]:
-    """Return what the task finds wrong with the question, without the options taken from earlier parts."""
+def refusals_of(part: Part, messages: Messages) -> list[Refusal]:
+    """Return what the task finds wrong with the question, without the options taken from earlier parts, in words."""
     if isinstance(part.system, EarlierPart):
         return []  # it is judged when the system is known
     known = {name: None if isinstance(value, Reference) else value for name, value in part.options.items()}
     task = catalogue()[part.task]
     of_system = refused(part.system, [need for need in task.needs if need not in known])
-    return [("", of_system)] if of_system else list(task.refused(part.system, known))
+    faults = [("", of_system)] if of_system else task.refused(part.system, known)
+    return [(option, messages.reason(fault)) for option, fault in faults]
 
 
 def solve_part(part: Part, earlier: Earlier) -> list[PartResult]:
@@ -152,8 +158,8 @@ def _system_of(part: Part, earlier: Earlier) -> Any:
 
 def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) -> None:
     """Refuse what could not be judged before, since it was taken from an earlier part."""
-    for _, message in task.refused(system, options):
-        raise Unsolved("engine/refused", message=message)
+    for _, fault in task.refused(system, options):
+        raise Unsolved("engine/refused", fault=fault)
 
 
 def _plant(task: Task[Any, Any], given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:

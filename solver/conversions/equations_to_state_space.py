@@ -8,6 +8,7 @@ from solver.derivation import Derivation
 from solver.derivation.conversion import Provided, conversion
 from solver.systems import Equations, StateSpace
 from solver.tasks.modelling.linear_model import is_linear, state_space_of
+from solver.words import Reason
 
 
 def _gives(has: Provided) -> Iterable[str]:
@@ -16,9 +17,9 @@ def _gives(has: Provided) -> Iterable[str]:
     return ("A", "C", *of_inputs, *(("initial_state", "x0") if "initial_state" in has else ()))
 
 
-def _refuses(model: Equations) -> str:
+def _refuses(model: Equations) -> Reason | None:
     """Nonlinear equations have no A, B, C, D."""
-    return "" if is_linear(model) else "the equations are not linear; ask for their linearization first"
+    return None if is_linear(model) else Reason("equations/linearize_first")
 
 
 @conversion(Equations, StateSpace, gives=_gives, refuses=_refuses)

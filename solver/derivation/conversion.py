@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from solver.derivation.lemmas import Derivation
 from solver.derivation.steps import Unsolved
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from solver.systems import System
@@ -37,7 +38,7 @@ class Conversion:
     target: type
     derive: Callable[[Any], Derivation[Any]]
     gives: Callable[[Provided], Iterable[str]]
-    refuses: Callable[[Any], str]
+    refuses: Callable[[Any], Reason | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,11 +59,11 @@ def conversion(
     target: type[T],
     *,
     gives: Callable[[Provided], Iterable[str]],
-    refuses: Callable[[S], str] = lambda _: "",
+    refuses: Callable[[S], Reason | None] = lambda _: None,
 ) -> Callable[[Callable[[S], Derivation[T]]], Callable[[S], Derivation[T]]]:
     """Register a conversion, a lemma; `gives` tells from what the source provides what the result will.
 
-    `refuses` says in words why a source as the file gives it cannot be converted ("": it can).
+    `refuses` says why a source as the file gives it cannot be converted (None: it can).
     """
 
     def register(derive: Callable[[S], Derivation[T]]) -> Callable[[S], Derivation[T]]:
@@ -113,10 +114,10 @@ def chain_to(system: System, needs: Iterable[str]) -> tuple[Conversion, ...] | N
     return next((chain for _, has, chain in _ways(system) if wanted <= has), None)
 
 
-def refused(system: System, needs: Iterable[str]) -> str:
-    """Return in words why a system as given cannot be converted to what is needed, "" if it can."""
+def refused(system: System, needs: Iterable[str]) -> Reason | None:
+    """Return why a system as given cannot be converted to what is needed, None if it can."""
     chain = chain_to(system, needs)
-    return chain[0].refuses(system) if chain else ""
+    return chain[0].refuses(system) if chain else None
 
 
 def _ways(system: System) -> Iterable[tuple[type, Provided, tuple[Conversion, ...]]]:

@@ -16,6 +16,7 @@ from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas
 from solver.derivation.mistakes import Attempt, Mistake, MistakenQuestion
 from solver.derivation.options import Option, Options
 from solver.derivation.steps import Answers, Check
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from solver.systems import System
@@ -24,7 +25,7 @@ S = TypeVar("S")
 O = TypeVar("O", bound=Options)
 S_co = TypeVar("S_co", covariant=True)
 O_co = TypeVar("O_co", bound=Options, covariant=True)
-Refusal = tuple[str, str]
+Refusal = tuple[str, Reason]
 """The option at fault ("" for the question as a whole) and what is wrong with it, in words."""
 
 
@@ -214,7 +215,7 @@ class Task(Generic[S, O]):
             yield from verification.checks(given, answers)
 
     def refusal(self, refuse: Refuse[O]) -> Refuse[O]:
-        """Register what makes a question wrong as the file asks it: yields (option or "", message) for each fault.
+        """Register what makes a question wrong as the file asks it: yields (option or "", reason) for each fault.
 
         It is called within limits before anything is solved, without the values of options taken from an
         earlier part (`options.later`), and again when these are known. The fault is told at the place of the

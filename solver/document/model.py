@@ -16,6 +16,7 @@ from solver.derivation import Answers, Check, CheckStatus, Status
 from solver.derivation.figures import Drawing
 from solver.messages import Messages
 from solver.problem.images import Image
+from solver.problem.model import Display
 from solver.words import Phrase
 
 ENGLISH_WORDS = Messages()
@@ -38,6 +39,10 @@ class Presentation:
     sources: bool = True
     language: str | None = None
     notation: str | None = None
+
+    def messages(self, display: Display) -> Messages:
+        """Return how reasons and phrases are worded for a problem with this display."""
+        return Messages(self.templates, self.language or display.language, self.notation or display.notation)
 
     @property
     def is_paper(self) -> bool:

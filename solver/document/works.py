@@ -121,8 +121,8 @@ class Writer:
 
     def _wording(self, display: Display) -> Wording:
         told = self.presentation
-        language, notation = told.language or display.language, told.notation or display.notation
-        asked_for = replace(display, language=language, notation=notation)
+        messages = told.messages(display)
+        asked_for = replace(display, language=messages.language, notation=messages.notation)
         return Wording.of(asked_for, LEVELS.get(told.detail, told.detail), told.templates)
 
     def _display(self, part: Part, results: Earlier) -> Display:

@@ -208,12 +208,14 @@ class _Worker:
     """Does units in the child; `known` has the first result of each part so far."""
 
     def __init__(self, orders: Orders) -> None:
-        from solver.document.works import Writer  # noqa: PLC0415 - the parent does not need it
+        from solver.document.model import Presentation  # noqa: PLC0415 - the parent does not need it
+        from solver.document.works import Writer  # noqa: PLC0415 - as above
 
         self.known = {name: sent.result() for name, sent in orders.known.items()}
         self.writer: Writer | None = None
         if orders.presentation is not None:
             self.writer = Writer(orders.problem, orders.presentation)
+        self.messages = (orders.presentation or Presentation()).messages(orders.problem.display)
         self.out_of_memory = Phrase("memory limit of {megabytes} MB", megabytes=orders.limits.megabytes)
 
     def reply(self, unit: Unit) -> Reply:
@@ -222,7 +224,7 @@ class _Worker:
 
         try:
             if not unit.method:
-                return Reply(refusals=tuple(refusals_of(unit.part)))
+                return Reply(refusals=tuple(refusals_of(unit.part, self.messages)))
             return Reply(sent=self._solved(unit))
         except MemoryError:
             return Reply(failure=self.out_of_memory, exhausted=True)

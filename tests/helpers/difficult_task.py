@@ -108,7 +108,7 @@ def of_some_matrices(system, options):
     while system.A[0, 0] == -2:
         pass
     if system.A[0, 0] == -1:
-        yield "", "it begins with -1"
+        yield "", Reason("limits/ended", {"words": "it begins with -1"})
 
 
 def problem_text(*methods, matrix="[[1, 2], [3, 4]]"):

@@ -8,7 +8,7 @@ import pytest
 from solver.resources import root
 
 SOLVER = root("templates").parent / "solver"
-ROOMS = ("conversions", "displayed", "numeric")
+ROOMS = ("conversions", "displayed", "numeric", "tasks")
 NOT_TOLD = ("declarations.py", "tasks/__init__.py")
 """What these say is read by who writes a task, and stays English."""
 

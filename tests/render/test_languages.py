@@ -195,6 +195,33 @@ def test_a_reason_is_told_in_the_language_and_in_english_where_it_has_no_words()
     assert unsolved.reason.startswith("The Gramian over an infinite time")
 
 
+@pytest.mark.parametrize(
+    ("plant", "options", "english", "german"),
+    [
+        (PLANT, {"poles": [-1]}, "the closed loop has 3 poles; give 3, not 1",
+         "der geschlossene Kreis hat 3 Pole; geben Sie 3 an, nicht 1"),
+        (HIDDEN, {"poles": [-1, -2, -3]}, "give 2 or 1 (all, or those that can be moved), not 3",
+         "geben Sie 2 oder 1 an (alle oder die, die sich verschieben lassen), nicht 3"),
+        (PLANT, {}, "say where the poles are to be", "geben Sie an, wo die Pole liegen sollen"),
+        (HIDDEN, {"overshoot": "14%"}, "two specifications fix a pair of poles; only the overshoot is given",
+         "zwei Vorgaben legen ein Polpaar fest; gegeben ist nur Überschwingweite"),
+        (HIDDEN, {"poles": [-1, -2], "structure": ["p"]}, "the row K has 2 entries", "die Zeile K hat 2 Elemente"),
+        (HIDDEN, {"poles": [-1, -2], "structure": [1, 0]}, "holds no symbol", "keinen gesuchten Buchstaben"),
+        ({**HIDDEN, "time": "discrete"}, {"overshoot": "14%", "rise_time": 1}, "for continuous time; give poles",
+         "für zeitkontinuierliche Systeme; geben Sie Pole vor"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("limits", [{}, {"seconds": 60}])
+def test_what_is_wrong_with_a_question_is_told_in_its_language(plant, options, english, german, limits):
+    problem = {"system": plant, "find": {"a": {"task": "pole_placement", **options}}}
+    for language, words in (("en", english), ("de", german)):
+        with pytest.raises(InputError) as refused:
+            solver.solve(yaml.safe_dump({**problem, "language": language}), **limits)
+        assert words in str(refused.value)
+    with pytest.raises(InputError, match=re.escape(german)):
+        solver.solve(yaml.safe_dump(problem), language="de", **limits)
+
+
 def test_a_file_says_its_language_and_notation():
     text = yaml.safe_dump({**PAGES["triangular"], "language": "de", "notation": "ogata"})
     display = read_problem(Source("q.yaml", text), catalogue()).display

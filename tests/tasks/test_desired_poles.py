@@ -88,7 +88,7 @@ def test_symbols_stay_symbols():
     ],
 )
 def test_specifications_that_cannot_be_met_are_refused_in_words(options, says):
-    assert any(says in message for _, message in catalogue()["desired_poles"].refused(NOTHING, options))
+    assert any(says in str(message) for _, message in catalogue()["desired_poles"].refused(NOTHING, options))
     assert ask("desired_poles", NOTHING, **options, settling_band="2%").status is Status.UNSOLVED
 
 

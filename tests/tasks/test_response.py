@@ -291,7 +291,7 @@ def test_inputs_without_a_rational_transform_are_refused_by_name(u, says):
     ],
 )
 def test_what_the_question_lacks_is_said_from_the_file(plant, options, says):
-    messages = [message for _, message in catalogue()["response"].refused(plant, options)]
+    messages = [str(message) for _, message in catalogue()["response"].refused(plant, options)]
     assert any(says in message for message in messages), messages
 
 

@@ -70,6 +70,6 @@ def test_a_singular_matrix_is_refused():
     for T in (M([[1, 2], [2, 4]]), M([[sp.Symbol("a"), sp.Symbol("a")], [1, 1]])):
         ((option, message),) = task.refused(PLANT, {"T": sp.ImmutableMatrix(T)})
         assert option == "T"
-        assert "singular" in message
+        assert "singular" in str(message)
     ((_, message),) = task.refused(PLANT, {"T": sp.ImmutableMatrix(sp.eye(3))})
-    assert "3×3" in message
+    assert "3×3" in str(message)

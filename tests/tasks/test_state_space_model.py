@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Status
 from solver.engine import refusals_of, solve_problem
+from solver.messages import Messages
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
@@ -162,11 +163,11 @@ def test_the_order_of_a_derivative_stands_in_parentheses():
 @pytest.mark.parametrize("task", ["state_space_model", "stability", "routh_hurwitz"])
 def test_nonlinear_equations_are_refused_by_the_file(task):
     (part,) = read("equations: [\"x'' = sin(x) + u\"], inputs: u", task).parts
-    ((option, message),) = refusals_of(part)
+    ((option, message),) = refusals_of(part, Messages())
     assert option == ""
     assert "linearization first" in message
     (part,) = read('equations: ["x\' = x + 1"]', task).parts
-    assert refusals_of(part)
+    assert refusals_of(part, Messages(language="de"))
 
 
 @pytest.mark.parametrize(

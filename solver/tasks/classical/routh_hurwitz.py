@@ -26,7 +26,7 @@ from solver.stated.algebra import product
 from solver.stated.matrices import determinant
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.routh_array import rows_of
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -72,7 +72,7 @@ def has_no_such_parameter(system: System, options: RouthHurwitzOptions) -> Itera
     found = {str(symbol.name) for symbol in getattr(system, "parameters", ())}
     for name in options.parameter or ():
         if found and name not in found:
-            yield "parameter", f"{name} is no parameter of the system"
+            yield "parameter", Reason("stability/no_parameter", {"name": name})
 
 
 @routh_hurwitz.method(

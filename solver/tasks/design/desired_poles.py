@@ -84,7 +84,7 @@ def faults(options: StepSpecifications) -> Iterable[Refusal]:
     try:
         exact.second_order(given, band(options))
     except exact.Inconsistent as finding:
-        yield next(iter(given), ""), str(finding)
+        yield next(iter(given), ""), finding.reason
 
 
 @lemma("second_order")

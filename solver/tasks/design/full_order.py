@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation import Claim, Derivation, Refusal, Step, Unsolved, lemma
 from solver.derivation.figures import Diagram
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from solver.systems import StateSpace
 
 
-def observer_pole_faults(system: StateSpace, poles: Sequence[Expr], option: str = "poles") -> Iterator[tuple[str, str]]:
+def observer_pole_faults(system: StateSpace, poles: Sequence[Expr], option: str = "poles") -> Iterator[Refusal]:
     """What is wrong with the number of poles of an observer of full order."""
     if system.C is None:
         return
     n, seen = system.order, exact.reachable_order(system.A.T, system.C.T)
-    if fault := number_fault(poles, f"n = {n}", n, seen):
+    if fault := number_fault(poles, n, seen):
         yield option, fault
 
 

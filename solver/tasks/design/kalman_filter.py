@@ -45,6 +45,7 @@ from solver.tasks.design.riccati_solutions import (
     solutions_by_equations,
 )
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -88,7 +89,7 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
 def wrong_intensities(_system: Any, options: KalmanFilterOptions) -> Iterable[Refusal]:
     """Intensities that are not symmetric and definite as they must be."""
     if not options.has("Q") and not options.has("R"):
-        yield "", "say how strong the noise is: give Q (on x') and R (on y)"
+        yield "", Reason("regulators/no_noise")
     yield from faulty_weights(options.Q, options.R)
 
 

@@ -53,7 +53,7 @@ from solver.tasks.design.weights import (
     weights_as_stated,
     weights_of,
 )
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -100,7 +100,7 @@ def wrong_weights(system: Any, options: LqrOptions) -> Iterable[Refusal]:
     yield from faulty_state_weight(system, options)
     factor = options.cost_factor
     if factor is not None and factor.is_positive is False:
-        yield "cost_factor", "cost_factor must be positive"
+        yield "cost_factor", Reason("regulators/not_positive", {"name": "cost_factor"})
 
 
 @lqr.method("riccati", title="Riccati equation", source="Lecture note, section 5.3", time="continuous")

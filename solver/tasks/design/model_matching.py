@@ -31,6 +31,7 @@ from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import variable
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -69,13 +70,14 @@ def one_input_and_output(system: Any, options: ModelMatchingOptions) -> Iterable
     """The plant has one input and one output, the target the plant's variable."""
     target, other = options.target, sp.Symbol("s" if system.discrete else "z")
     if target is not None and target.has(other):
-        yield "target", f"the target is a function of {variable(system)}, as the plant is, not of {other}"
+        names = {"variable": str(variable(system)), "other": str(other)}
+        yield "target", Reason("model_matching/other_variable", names)
     if isinstance(system, systems.TransferFunction):
         single = system.matrix.shape == (1, 1)
     else:
         single = system.B is None or system.C is None or (system.B.cols, system.C.rows) == (1, 1)
     if not single:
-        yield "", "model matching is done for one input and one output"
+        yield "", Reason("model_matching/several_channels")
 
 
 def _fraction(system: Any, x: Symbol) -> tuple[Expr, Expr]:

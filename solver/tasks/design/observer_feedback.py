@@ -46,6 +46,7 @@ from solver.tasks.design.reduced_order import (
 )
 from solver.tasks.freedom import one_of_the_gains_is_free
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -109,9 +110,9 @@ def what_the_file_shows(system: System, options: ObserverFeedbackOptions) -> Ite
     """Both or neither of poles and gain, for the feedback and for the observer; wrong numbers or shapes."""
     for poles, gain in (("poles", "gain"), ("observer_poles", "observer_gain")):
         if options.has(poles) and options.has(gain):
-            yield gain, f"give '{poles}' or '{gain}', not both"
+            yield gain, Reason("observers/poles_and_gain", {"poles": poles, "gain": gain})
         elif not options.has(poles) and not options.has(gain):
-            yield "", f"it needs '{poles}' or '{gain}'"
+            yield "", Reason("observers/poles_or_gain", {"poles": poles, "gain": gain})
     if isinstance(system, systems.StateSpace) and system.B is not None and system.C is not None:
         yield from _faults_of_numbers(system, options)
 
@@ -122,21 +123,21 @@ def _faults_of_numbers(system: Any, options: ObserverFeedbackOptions) -> Iterato
     if options.poles is not None:
         reached = exact.reachable_order(plant.A, plant.B)
         if len(options.poles) not in (n, reached):
-            part = "" if reached == n else f" (or the {reached} of the controllable part)"
-            yield "poles", f"{len(options.poles)} poles are given; the state feedback needs n = {n}{part}"
+            numbers = {"given": len(options.poles), "n": n, "reached": reached}
+            yield "poles", Reason("observers/poles_of_the_feedback", numbers)
     reduced = options.reduced
     rows = n - plant.p if reduced else n
     if L is not None and L.shape != (rows, plant.p):
-        yield "observer_gain", f"it must be {rows}×{plant.p}, not {L.rows}×{L.cols}"
+        yield "observer_gain", Reason("observers/size_of_the_gain", {"wanted": (rows, plant.p), "given": L.shape})
     if not reduced:
         if poles is not None:
             yield from observer_pole_faults(system, poles, "observer_poles")
         return
     wrong = measurement_fault(plant)
-    if wrong:
+    if wrong is not None:
         yield "reduced", wrong
     elif poles is not None:
-        yield from (("observer_poles", words) for _, words in pole_faults(plant, poles))
+        yield from (("observer_poles", fault) for _, fault in pole_faults(plant, poles))
 
 
 @observer_feedback.method(source="Lecture note, sections 4.4 and 4.5")

@@ -13,7 +13,7 @@ from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import determinant
 from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import unknown_gains
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -137,13 +137,15 @@ def require_decay(modes: Sequence[Expr], pair: tuple[str, ...], *, discrete: boo
         raise Unsolved("observers/error_grows", pair=pair, mode=growing, discrete=discrete)
 
 
-def number_fault(poles: Sequence[Expr], order: str, own: int, seen: int) -> str:
-    """What is wrong with the number of poles; right are `own`, the order of the observer, and the `seen` among them."""
+def number_fault(poles: Sequence[Expr], own: int, seen: int, outputs: int = 0) -> Reason | None:
+    """What is wrong with the number of poles; right are `own`, the order of the observer, and the `seen` among them.
+
+    The order is n, less the number of `outputs` where these are measured states.
+    """
     if len(poles) in (own, seen):
-        return ""
-    part = "" if seen == own else f" (or the {seen} of the observable part)"
-    given = f"{len(poles)} pole{' is' if len(poles) == 1 else 's are'} given"
-    return f"{given}; the observer has order {order} and needs as many{part}"
+        return None
+    numbers = {"given": len(poles), "order": own, "seen": seen, "outputs": outputs}
+    return Reason("observers/number_of_poles", numbers)
 
 
 def decays(mode: Expr, *, discrete: bool) -> bool | None:

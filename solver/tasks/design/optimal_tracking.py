@@ -31,6 +31,7 @@ from solver.tasks.design.riccati_checks import FLOATS, gain_check
 from solver.tasks.design.set_point import equations_of_rest, reference_gain, set_point_checks, set_point_of
 from solver.tasks.freedom import more_inputs_than_outputs
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -72,11 +73,11 @@ def wrong_weights(system: Any, options: OptimalTrackingOptions) -> Iterable[Refu
     """Weights and gain together, neither, or weights that are not definite or not for this kind of time."""
     weights = [name for name in ("Q", "R") if options.has(name)]
     if options.has("gain") and weights:
-        yield "gain", f"the gain is given twice: by itself, and by the weight {weights[0]}"
+        yield "gain", Reason("regulators/gain_and_weight", {"weight": weights[0]})
     if not options.has("gain") and not weights:
-        yield "", "say how K is found: give the weights Q and R, or the gain"
+        yield "", Reason("regulators/no_gain")
     if not options.has("gain") and weights and system.discrete:
-        yield weights[0], "the optimal gain is found in continuous time only; in discrete time give the gain"
+        yield weights[0], Reason("regulators/discrete_gain")
     yield from faulty_weights(options.Q, options.R)
 
 

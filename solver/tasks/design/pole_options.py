@@ -12,7 +12,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.poles import Poles
 from solver.tasks.design.desired_poles import NAMES, StepSpecifications, band, faults, second_order_of, specified
-from solver.words import Phrase
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -53,14 +53,11 @@ def pole_faults(system: Any, options: PoleOptions, extra: int = 0) -> Iterable[R
     """Return what is wrong with the poles asked for; `extra` states (integrators) come to those of the plant."""
     if specified(options):
         if getattr(system, "discrete", False):
-            yield (
-                next(iter(specified(options))),
-                "specifications of a step response are for continuous time; give poles",
-            )
+            yield next(iter(specified(options))), Reason("placement/specifications_in_discrete_time")
             return
         yield from faults(options)
     elif not any(options.has(name) for name in ("poles", *NAMES)):
-        yield "", "say where the poles are to be: 'poles', or two specifications of the step response"
+        yield "", Reason("placement/no_poles")
     unknown = options.later & {"poles", *NAMES}
     count = len(options.poles or ()) + 2 * bool(specified(options))
     if unknown or not count or not isinstance(system, systems.StateSpace) or system.B is None:
@@ -68,12 +65,8 @@ def pole_faults(system: Any, options: PoleOptions, extra: int = 0) -> Iterable[R
     allowed = _numbers_of_poles(system, options) if not extra else {system.order + extra}
     if count not in allowed:
         where = "poles" if options.poles else next(iter(specified(options)), "")
-        pattern = "the closed loop has {n} poles; give {all}, not {count}"
-        if len(allowed) > 1:
-            pattern = (
-                "the closed loop has {n} poles; give {all} or {some} (all, or those that can be moved), not {count}"
-            )
-        yield where, Phrase(pattern, n=system.order + extra, all=max(allowed), some=min(allowed), count=count)
+        numbers = {"n": system.order + extra, "all": max(allowed), "some": min(allowed), "count": count}
+        yield where, Reason("placement/number_of_poles", numbers)
 
 
 def _numbers_of_poles(system: systems.StateSpace, options: PoleOptions) -> set[int]:

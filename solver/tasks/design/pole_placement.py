@@ -18,7 +18,7 @@ from solver.tasks.design.loop_figures import block_diagram, zero_input_response
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.freedom import gain_is_free
-from solver.words import Phrase
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -88,18 +88,15 @@ def options_fit_the_plant(system: Any, options: PolePlacementOptions) -> Iterabl
         return
     n = system.order
     if system.B.cols > 1:
-        yield "structure", "a structure of K is for one input; this plant has more"
+        yield "structure", Reason("placement/structure_for_one_input")
     elif len(structure) != n:
-        yield (
-            "structure",
-            Phrase("the row K has {n} entries, one for each state; {given} are given", n=n, given=len(structure)),
-        )
+        yield "structure", Reason("placement/size_of_the_structure", {"n": n, "given": len(structure)})
     else:
         unknowns = sorted(set().union(*(entry.free_symbols for entry in structure)) - set(system.parameters), key=str)
         if not unknowns:
-            yield "structure", "the structure holds no symbol to find"
+            yield "structure", Reason("placement/nothing_to_find")
         elif any(sp.diff(entry, a, b) != 0 for entry in structure for a in unknowns for b in unknowns):
-            yield "structure", "each entry of the structure must be linear in the symbols to find"
+            yield "structure", Reason("placement/structure_not_linear")
 
 
 def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Derivation[Answers]:

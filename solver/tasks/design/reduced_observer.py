@@ -106,10 +106,10 @@ def what_the_file_shows(system: System, options: ReducedObserverOptions) -> Iter
     try:
         plant = measuring(system, measured)
     except Unsolved as fault:
-        yield "measured", str(fault)
+        yield "measured", fault.reason
         return
     wrong = measurement_fault(plant)
-    if wrong:
+    if wrong is not None:
         yield "measured" if measured else "", wrong
     elif options.poles is not None:
         yield from pole_faults(plant, options.poles)
@@ -119,10 +119,9 @@ def what_the_file_shows(system: System, options: ReducedObserverOptions) -> Iter
 def by_partition(given: Given[WithInput, ReducedObserverOptions]) -> Derivation[Answers]:
     """Split off what is measured; A22 − L A12 gets the poles; J, N, M follow from the error equation."""
     plant = measuring(given.system, given.options.measured)
-    for fault in filter(
-        None, (measurement_fault(plant), *(words for _, words in pole_faults(plant, given.options.poles)))
-    ):
-        raise Unsolved("engine/refused", message=fault)
+    faults = [measurement_fault(plant), *(fault for _, fault in pole_faults(plant, given.options.poles))]
+    for fault in filter(None, faults):
+        raise Unsolved("engine/refused", fault=fault)
     parts = yield from partition_of(plant)
     design = yield from reduced_gain_of(parts, given.options.poles, discrete=plant.discrete)
     J, N, M = yield from observer_matrices_of(parts, design.L, plant)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation import Claim, Derivation, Refusal, Step, lemma
 from solver.derivation.figures import Diagram
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -14,26 +14,27 @@ from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, partitioned
 from solver.tasks.design.observer_gain import Gain, Pair, gain_of, number_fault
 from solver.tasks.design.plants import Plant
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
 
-def measurement_fault(plant: Plant) -> str:
-    """What is wrong with the outputs of an observer of reduced order, in words; empty if nothing is."""
+def measurement_fault(plant: Plant) -> Reason | None:
+    """What is wrong with the outputs of an observer of reduced order; None if nothing is."""
     p = plant.p
     if len(exact.independent_columns(plant.C)) < p:
-        return "the measured quantities are not independent: leave out those that the others determine"
+        return Reason("observers/dependent_outputs")
     if p == plant.n:
-        return "all states are measured, so there is nothing to estimate"
-    return ""
+        return Reason("observers/all_measured")
+    return None
 
 
-def pole_faults(plant: Plant, poles: Sequence[Expr]) -> Iterator[tuple[str, str]]:
+def pole_faults(plant: Plant, poles: Sequence[Expr]) -> Iterator[Refusal]:
     """A number of poles that fits neither the unmeasured states nor those of them that the output shows."""
     n, p = plant.n, plant.p
     seen = exact.reachable_order(plant.A.T, plant.C.T)
-    if fault := number_fault(poles, f"n − p = {n} − {p} = {n - p}", n - p, seen - p):
+    if fault := number_fault(poles, n - p, seen - p, p):
         yield "poles", fault
 
 

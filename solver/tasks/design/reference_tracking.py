@@ -30,7 +30,7 @@ from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import feedthrough, least_solution
 from solver.tasks.freedom import gain_is_free, more_inputs_than_outputs, reference_gain_is_free
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -69,7 +69,7 @@ def a_gain_or_poles(system: Any, options: ReferenceTrackingOptions) -> Iterable[
     if not options.has("gain"):
         yield from pole_faults(system, options)
     elif options.poles:
-        yield "poles", "the gain is given, so the poles are; leave out one of the two"
+        yield "poles", Reason("placement/gain_and_poles")
 
 
 @reference_tracking.method(source="Lecture note, sections 3.2 and 5.4")

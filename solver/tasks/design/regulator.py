@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import product, total
 from solver.stated.matrices import inverse
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -91,14 +92,14 @@ def faulty_weights(Q: ImmutableMatrix | None, R: ImmutableMatrix | None, own: st
     """Yield what is wrong with the weights Q (by the name `own`) and R as the file gives them."""
     if Q is not None and Q.rows == Q.cols:
         if Q != Q.T:
-            yield own, f"{own} must be symmetric"
+            yield own, Reason("regulators/not_symmetric", {"name": own})
         elif _word(Q) not in {None, "positive definite", "positive semidefinite"}:
-            yield own, f"{own} must be positive semidefinite; it is {_word(Q)}"
+            yield own, Reason("regulators/not_semidefinite", {"name": own, "word": _word(Q)})
     if R is not None and R.rows == R.cols:
         if R != R.T:
-            yield "R", "R must be symmetric"
+            yield "R", Reason("regulators/not_symmetric", {"name": "R"})
         elif _word(R) not in {None, "positive definite"}:
-            yield "R", f"R must be positive definite; it is {_word(R)}"
+            yield "R", Reason("regulators/not_definite", {"name": "R", "word": _word(R)})
 
 
 def _word(M: Any) -> str | None:

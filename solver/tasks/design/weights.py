@@ -15,6 +15,7 @@ from solver.stated.algebra import product
 from solver.stated.matrices import transpose
 from solver.tasks.design.regulator import faulty_weights, given_or_identity
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -44,22 +45,22 @@ def faulty_state_weight(system: System, options: WeightOptions) -> Iterable[Refu
     """Faults of the weight of the state: given twice or not at all, of the wrong size or sign."""
     ways = [name for name in ("Q", "output_weight", "tolerances") if options.has(name)]
     if not ways and not options.has("R"):
-        yield "", "say what is weighed: give Q and R, or output_weight, or tolerances"
+        yield "", Reason("regulators/nothing_weighed")
     for other in ways[1:]:
-        yield other, f"the weight of the state is given twice, by {ways[0]} and by {other}"
+        yield other, Reason("regulators/weighed_twice", {"ways": (ways[0], other)})
     W: Any = options.output_weight
     C: Any = getattr(system, "C", None)
     if W is not None and C is None:
-        yield "output_weight", "output_weight needs outputs, and the system has no C"
+        yield "output_weight", Reason("regulators/no_outputs")
     elif W is not None:
         p = C.rows
         if W.shape not in {(1, 1), (p, p)}:
-            yield "output_weight", f"output_weight must be a number or {p}×{p}, one row and column for each output"
+            yield "output_weight", Reason("regulators/size_of_output_weight", {"p": p})
         else:
             yield from faulty_weights(W, None, "output_weight")
     tolerances = options.tolerances
     if tolerances is not None and any(x.is_positive is False for x in tolerances.flat()):
-        yield "tolerances", "tolerances must be positive"
+        yield "tolerances", Reason("regulators/not_positive", {"name": "tolerances"})
 
 
 def weights_as_stated(given: Given[WithInput, WeightOptions]) -> tuple[Any, ImmutableMatrix]:

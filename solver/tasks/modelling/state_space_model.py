@@ -10,7 +10,7 @@ from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Opt
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.tasks.modelling.linear_model import is_linear, state_space_of
-from solver.words import Phrase, formula
+from solver.words import Phrase, Reason, formula
 
 if TYPE_CHECKING:
     from solver.systems import Equations, System
@@ -49,7 +49,7 @@ state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
 def is_not_linear(system: System, options: StateSpaceModelOptions) -> Iterable[Refusal]:  # noqa: ARG001 - no options
     """A, B, C, D are those of linear equations."""
     if system.kind == "equations" and not is_linear(system):  # type: ignore[arg-type]  # of that kind
-        yield "", "the equations are not linear; ask for their linearization first"
+        yield "", Reason("equations/linearize_first")
 
 
 @state_space_model.method(source="Ogata, Modern Control Engineering, §§2–4 and 2–5")

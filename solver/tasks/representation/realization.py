@@ -16,7 +16,7 @@ from solver.tasks.representation.multivariable_forms import companion_coordinate
 from solver.tasks.representation.realization_checks import realization_checks
 from solver.tasks.representation.realization_lemmas import companion_form_of, direct_path_of
 from solver.tasks.representation.transfer_function import fractions_of, transfer_function_of
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from solver.systems import System
@@ -59,11 +59,11 @@ def of_a_convention_of_another_form(_system: System, options: RealizationOptions
     """A convention belongs to the companion forms or to the chains."""
     form, convention = options.form, options.convention
     if form in COMPANION and convention in ("subdiagonal", "superdiagonal"):
-        yield "convention", f"{convention} is about chains (jordan, modal); the {form} form takes last_row or first_row"
+        yield "convention", Reason("realization/convention_of_chains", {"convention": convention, "form": form})
     if form not in COMPANION and convention == "first_row":
-        yield "convention", f"first_row is about companion forms; the {form} form takes subdiagonal or superdiagonal"
+        yield "convention", Reason("realization/convention_of_companions", {"form": form})
     if form == "diagonal" and convention in ("subdiagonal", "superdiagonal"):
-        yield "convention", f"a diagonal form has no chains, so {convention} says nothing about it"
+        yield "convention", Reason("realization/no_chains", {"convention": convention})
 
 
 @realization.method(source="Lecture note, section 1.10; Kailath, Linear Systems, section 2.1")

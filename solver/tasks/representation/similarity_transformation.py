@@ -14,6 +14,7 @@ from solver.stated.algebra import difference, product, quotient
 from solver.stated.matrices import adjugate, determinant, inverse
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.representation.plants import matrices_of, stated_transfer, variable_of
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -52,9 +53,9 @@ def of_a_matrix_that_is_no_change_of_coordinates(
     if T is None:
         return
     if T.rows != T.cols or n not in (None, T.rows):
-        yield "T", f"T is {T.rows}×{T.cols}, but x = T ξ needs a square matrix as large as A"
+        yield "T", Reason("representation/size_of_T", {"rows": T.rows, "columns": T.cols})
     elif exact.is_singular(T):
-        yield "T", "T is singular (its determinant is zero), so x = T ξ is no change of coordinates"
+        yield "T", Reason("representation/singular_T")
 
 
 @similarity_transformation.method(source="Lecture note, equation (1.14.2)")

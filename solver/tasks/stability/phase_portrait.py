@@ -15,6 +15,7 @@ from solver.tasks import mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.stability.trajectories import portrait_of
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -38,9 +39,9 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
 def has_no_plane(system: System, options: PlantOptions) -> Iterable[Refusal]:  # noqa: ARG001 - no options
     """There must be two states, in continuous time."""
     if system.discrete:
-        yield "", "a phase portrait is drawn for continuous time; here time is discrete"
+        yield "", Reason("phase_portrait/discrete_time")
     elif (order := getattr(system, "order", 2)) != 2:
-        yield "", f"a phase portrait needs two states, the system has {order}"
+        yield "", Reason("phase_portrait/number_of_states", {"n": order})
 
 
 @phase_portrait.method(source="Lecture note, section 1.15.2")

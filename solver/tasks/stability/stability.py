@@ -38,7 +38,7 @@ from solver.tasks.stability.verdicts import (
     external_stability_of,
     location_of,
 )
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -88,11 +88,11 @@ def is_no_right_side(system: System, options: StabilityOptions) -> Iterable[Refu
     if Q is None or Q.rows != Q.cols or Q.rows != getattr(system, "order", Q.rows):
         return
     if Q != Q.T:
-        yield "Q", "Q must be symmetric"
+        yield "Q", Reason("stability/weight_not_symmetric")
     elif Q.is_zero_matrix:
-        yield "Q", "Q must not be zero"
+        yield "Q", Reason("stability/weight_zero")
     elif exact.definiteness(Q) not in (None, "positive definite", "positive semidefinite"):
-        yield "Q", "Q must be positive definite, or at least semidefinite"
+        yield "Q", Reason("stability/weight_not_definite")
 
 
 @stability.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")

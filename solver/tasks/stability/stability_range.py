@@ -27,7 +27,7 @@ from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.routh_array import routh_array_of
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -60,7 +60,7 @@ def has_no_such_parameter(system: System, options: StabilityRangeOptions) -> Ite
     found = {str(symbol.name) for symbol in getattr(system, "parameters", ())}
     for name in options.parameters or ():
         if found and name not in found:
-            yield "parameters", f"{name} is no parameter of the system"
+            yield "parameters", Reason("stability/no_parameter", {"name": name})
 
 
 @stability_range.method("routh", title="Routh's criterion", source="Gantmacher, The Theory of Matrices II, XV §4")

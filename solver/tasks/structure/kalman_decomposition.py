@@ -33,7 +33,7 @@ from solver.tasks.structure.pairs import controllability_pair, observability_pai
 from solver.tasks.structure.parts import parts_of
 from solver.tasks.structure.row_operations import rank_exceptions
 from solver.tasks.structure.subspaces import subspaces_of
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -101,9 +101,9 @@ def needs_input_or_output(system: System, options: KalmanDecompositionOptions) -
     """What is controllable depends on B, what is observable on C."""
     part = options.part
     if part != "observable" and getattr(system, "B", True) is None:
-        yield "part", "what is controllable depends on the input: B is needed"
+        yield "part", Reason("structure/needs_input")
     if part != "controllable" and getattr(system, "C", True) is None:
-        yield "part", "what is observable depends on the output: C is needed"
+        yield "part", Reason("structure/needs_output")
 
 
 @kalman_decomposition.method(source="Lecture note, section 2.4")

@@ -15,6 +15,7 @@ from solver.tasks.structure.hidden_part import hidden_modes_of
 from solver.tasks.structure.pairs import Pair
 from solver.tasks.structure.pbh_test import deficient_eigenvalues_of
 from solver.tasks.structure.rank_test import Rank, rank_in_short, rank_of
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -42,9 +43,9 @@ def horizon_refusals(system: System, options: PairOptions) -> Iterable[Refusal]:
         return
     if system.discrete:
         if not (horizon.is_Integer and 0 < horizon <= LONGEST):
-            yield "horizon", f"in discrete time the horizon is a number of steps, a whole number from 1 to {LONGEST}"
+            yield "horizon", Reason("gramian/number_of_steps", {"longest": LONGEST})
     elif horizon.is_positive is False or horizon.is_finite is False or horizon.has(sp.I):
-        yield "horizon", "the horizon must be a positive, finite time (leave it out for an infinite one)"
+        yield "horizon", Reason("gramian/no_time")
 
 
 def by_rank(pair: Pair) -> Derivation[Answers]:

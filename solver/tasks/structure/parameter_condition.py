@@ -30,7 +30,7 @@ from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
 from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -67,19 +67,19 @@ def matrices_and_one_parameter(system: System, options: ParameterConditionOption
     wanted = options.property
     other = "C" if wanted == "unobservable" else "B"
     if getattr(system, other, True) is None:
-        yield "property", f"whether the plant is {wanted} depends on {other}, which is not given"
+        yield "property", Reason("parameter_condition/needs_matrix", {"wanted": wanted, "matrix": other})
     names = options.parameter
     if names and len(names) > 1:
-        yield "parameter", "one parameter is asked for at a time; the others are taken as general"
+        yield "parameter", Reason("parameter_condition/one_at_a_time")
     if options.has("gain") or not hasattr(system, "parameters"):
         return
     known = [str(symbol.name) for symbol in system.parameters]
     if not known:
-        yield "", "the plant has no parameter: all its entries are numbers"
+        yield "", Reason("parameter_condition/only_numbers")
     elif names and names[0] not in known:
-        yield "parameter", f"'{names[0]}' is no parameter of the plant; it has {', '.join(known)}"
+        yield "parameter", Reason("parameter_condition/unknown", {"name": names[0], "known": known})
     elif not names and len(known) > 1:
-        yield "", f"say by 'parameter' which one is asked for: {', '.join(known)}"
+        yield "", Reason("parameter_condition/say_which", {"known": known})
 
 
 @parameter_condition.method(source="Lecture note, 2.6 example 6")

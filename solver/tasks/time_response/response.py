@@ -28,6 +28,7 @@ from solver.tasks.time_response import by_transform as transform
 from solver.tasks.time_response.question import Question
 from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks
 from solver.tasks.time_response.whole_response import put_together
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -76,16 +77,15 @@ def incomplete_question(system: System, options: ResponseOptions) -> Iterable[Re
     kind = options.kind
     if kind == "zero_input":
         if not options.has("initial_state") and "initial_state" not in system.provides:
-            yield "", "the zero-input response needs an initial state: initial_state"
+            yield "", Reason("response/no_initial_state")
         return
     inputs = _number_of_inputs(system)
     if not inputs:
-        yield "", "the response to an input needs the matrix B"
+        yield "", Reason("response/no_input_matrix")
     elif not options.has("input"):
-        yield "", f"the {kind.replace('_', '-')} response needs an input: an expression in t (discrete time: in k)"
+        yield "", Reason("response/no_input", {"zero_state": kind == "zero_state"})
     elif options.input is not None and len(options.input) != inputs:
-        count, given = f"{inputs} input{'s' if inputs > 1 else ''}", len(options.input)
-        yield "input", f"the system has {count}, but {given} {'are' if given > 1 else 'is'} given"
+        yield "input", Reason("response/number_of_inputs", {"inputs": inputs, "given": len(options.input)})
 
 
 def _number_of_inputs(system: System) -> int:
