@@ -6,6 +6,7 @@ import signal
 
 from solver.derivation import AnswerName, Answers, Check, Step, Task, Unsolved
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 difficult = Task(
     "difficult",
