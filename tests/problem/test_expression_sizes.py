@@ -3,6 +3,8 @@
 from fractions import Fraction
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from solver.problem.expressions.size import (
     CONSTANTS,
@@ -37,6 +39,37 @@ def test_the_inverse_of_a_complex_number_has_the_square_of_its_size_below():
     below = 1023**2 + 1021**2
     assert inverse(z).bits >= below.bit_length()
     assert abs(inverse(z).estimate - 1 / complex(1023, 1021)) < 1e-15
+
+
+FRACTIONS = st.builds(Fraction, st.integers(1, 5000), st.integers(1, 5000))
+
+
+@given(st.lists(FRACTIONS, min_size=1, max_size=6), st.sampled_from([CONSTANTS["j"], SYMBOL]), st.integers(1, 4))
+def test_like_terms_have_a_common_denominator(fractions, unit, n):
+    terms = [("+", times([of_number(each), unit])) for each in fractions]
+    together = sum(fractions)
+    assert plus(terms).bits >= bits_of(together)
+    assert plus(terms).below >= together.denominator.bit_length() - 1
+    assert integer_power(plus(terms), n).bits >= bits_of(together**n)
+    assert inverse(plus(terms)).bits >= bits_of(1 / together)
+
+
+@given(FRACTIONS, FRACTIONS, FRACTIONS, FRACTIONS)
+def test_a_quotient_of_complex_numbers_is_made_real_below(a, b, c, d):
+    def size(re, im):
+        return plus([("+", of_number(re)), ("+", times([of_number(im), CONSTANTS["j"]]))])
+
+    quotient = times([size(a, b), inverse(size(c, d))])
+    norm = c**2 + d**2
+    assert quotient.bits >= max(bits_of((a * c + b * d) / norm), bits_of((b * c - a * d) / norm))
+
+
+def test_whole_coefficients_do_not_grow_in_nested_sums():
+    nested = SYMBOL
+    for _ in range(30):
+        nested = plus([("+", times([nested, SYMBOL])), ("+", of_number(Fraction(7)))])
+    assert nested.below == 0
+    assert nested.bits < 100
 
 
 @pytest.mark.parametrize(("n", "bits", "reach"), [(1, 6, 2.0), (5, 30, 10.0), (0, 6, 0.0)])

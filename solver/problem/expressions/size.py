@@ -19,7 +19,8 @@ _NODES = 1000
 class Size:
     """Upper bounds for one part of an expression.
 
-    `bits`: of the numerators and denominators that may occur in it;
+    `bits`: of a numerator and a denominator that may occur in it; `below`: of the denominator alone, 0 for whole
+    numbers;
     `value`: the number itself, where it is rational; `constant`: whether it holds no symbol; `estimate`: roughly its
     value where it is constant, None where that is not known; `weight`: the sum of the sizes of its coefficients,
     which are what exponents are made of; `reach`: the weight of the largest exponent of e in it;
@@ -33,6 +34,7 @@ class Size:
     weight: float = 1.0
     reach: float = 0.0
     logs: bool = False
+    below: int = 0
 
     @property
     def magnitude(self) -> float:
@@ -57,7 +59,8 @@ def of_number(value: Fraction) -> Size:
     """Return the size of a rational number."""
     estimate = attempt(lambda: complex(float(value)))
     weight = math.inf if estimate is None else abs(estimate)
-    return Size(bits_of(value), value=value, constant=True, estimate=estimate, weight=weight)
+    below = 0 if value.denominator == 1 else value.denominator.bit_length()
+    return Size(bits_of(value), value=value, constant=True, estimate=estimate, weight=weight, below=below)
 
 
 def of_constant(estimate: complex, bits: int = 0) -> Size:
@@ -80,12 +83,13 @@ def of_value(value: Any) -> Size:
     if value.is_Rational:
         return of_number(Fraction(int(value.p), int(value.q)))
     parts = list(islice(_parts(value), _NODES))
-    bits = sum(bits_of(Fraction(int(part.p), int(part.q))) for part in parts if part.is_Rational)
+    numbers = [Fraction(int(part.p), int(part.q)) for part in parts if part.is_Rational]
+    bits, below = sum(map(bits_of, numbers)), sum(of_number(number).below for number in numbers)
     constant = not value.free_symbols
     estimate = attempt(lambda: complex(value)) if constant else None
     weight = max(1.0, abs(estimate)) if estimate is not None else _power(2.0, bits)
     logs = any(type(part).__name__ == "log" for part in parts)
-    return Size(bits, None, constant, estimate, weight, weight, logs)
+    return Size(bits, None, constant, estimate, weight, weight, logs, below)
 
 
 def _parts(value: Any) -> Iterator[Any]:
@@ -107,14 +111,16 @@ def plus(terms: Sequence[tuple[str, Size]]) -> Size:
     estimate = sum(numbers) if known and constant and len(numbers) == len(terms) else None
     if estimate is not None and abs(estimate) < _NOISE * max(map(abs, numbers)):
         estimate = None  # the terms cancel: what is left may be rounding noise
+    below = sum(size.below for size in sizes)  # over a common denominator: j/3 + j/7 is 10j/21
     return Size(
-        max(size.bits for size in sizes) + len(terms).bit_length(),
+        max(size.bits - 2 * size.below for size in sizes) + 2 * below + len(terms).bit_length(),
         None,
         constant,
         estimate,
         sum(size.weight for size in sizes),
         max(size.reach for size in sizes),
         any(size.logs for size in sizes),
+        below,
     )
 
 
@@ -134,6 +140,7 @@ def times(sizes: Sequence[Size]) -> Size:
         math.prod(size.weight for size in sizes),
         sum(size.reach for size in sizes),
         any(size.logs for size in sizes),
+        sum(size.below for size in sizes),
     )
 
 
@@ -141,10 +148,12 @@ def inverse(size: Size) -> Size:
     """Return the size of 1/x, x not the number zero."""
     if size.value:
         return of_number(1 / size.value)
-    estimate = size.estimate
+    estimate, above = size.estimate, size.bits - size.below
+    below = 2 * above + 2 if size.constant else above  # d/(a + jb) is d(a - jb)/(a² + b²)
     return replace(
         size,
-        bits=2 * size.bits + 2 if size.constant else size.bits,  # 1/(a + jb) is (a - jb)/(a² + b²)
+        bits=(size.bits if size.constant else size.below) + below,
+        below=below,
         estimate=attempt(lambda: 1 / estimate) if estimate is not None else None,
         weight=_power(2.0, size.bits),
     )
@@ -161,6 +170,7 @@ def integer_power(base: Size, n: int) -> Size:
     return replace(
         base,
         bits=bits,
+        below=base.below * n,
         value=None,
         estimate=attempt(lambda: estimate**n) if estimate is not None else None,
         weight=_power(base.weight, n),
@@ -180,6 +190,7 @@ def power(base: Size, exponent: Size) -> Size:
         _power(max(base.weight, 1.0), growth),
         base.reach * growth,
         base.logs or exponent.logs,
+        base.bits * growth,
     )
 
 
@@ -198,6 +209,7 @@ def function(name: str, argument: Size, evaluate: Callable[[complex], complex]) 
         weight if name == "log" else max(weight, argument.weight),
         max(argument.weight, argument.reach) if name in ("exp", "sinh", "cosh") else argument.reach,
         argument.logs or name == "log",
+        argument.bits,
     )
 
 
