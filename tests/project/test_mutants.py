@@ -1,19 +1,33 @@
 """The tool that makes slips in the program: which ones, in a sample that stays, and whether a test's eye is seen."""
 
 import ast
+import builtins
+import importlib
+import multiprocessing
+import os
+import subprocess
+import sys
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from tools.mutants.__main__ import candidates, equivalents, sample, table
+from tools.mutants.__main__ import candidates, equivalents, sample, sample_of_each, table
+from tools.mutants.noting import MEMORY, Program
 from tools.mutants.operators import mutants_of
-from tools.mutants.reached import Reached
+from tools.mutants.reached import Reached, Record, read
 from tools.mutants.running import chosen_for, outcomes
 
 ROOT = Path(__file__).parents[2]
 ROUTH = ROOT / "solver" / "exact" / "stability" / "routh.py"
+
+
+def reached_by(slip, seconds):
+    """What is known when these tests run the line of a slip, and no others."""
+    ran = np.full((len(seconds), 1), 0b10000000, dtype=np.uint8)
+    return Reached(seconds, [Record([*seconds], {slip.file: (0, [(slip.line, slip.line)])}, ran)])
 
 
 def slips(tmp_path, code):
@@ -66,6 +80,83 @@ def test_a_sample_keeps_its_members_when_lines_move(tmp_path):
     assert before != sample(before, 3, seed=2) or len(before) < 2
 
 
+def test_a_sample_of_each_has_so_many_of_every_folder():
+    chosen = sample_of_each(candidates([ROOT / "solver" / "exact", ROOT / "solver" / "options"]), 3, seed=1)
+    counts = Counter(each.place for each in chosen)
+    assert counts["options"] == counts["exact/stability"] == counts["exact/linear_algebra"] == 3
+
+
+WATCHED = """\
+import os
+
+
+def f(x):
+    "A text is no statement."
+    if x > 0:
+        y = [
+            x,
+            1,
+        ]
+    elif x < 0:
+        y = []
+    else:
+        def g():
+            return 2
+        y = [g()]
+    for _ in y:
+        try:
+            x = 1 / x
+        except ZeroDivisionError:
+            pass
+    return y
+"""
+
+
+@pytest.mark.parametrize("forked", [False, True])
+@pytest.mark.parametrize(
+    ("x", "ran"),
+    [
+        (1, {6, 7, 17, 18, 19, 22}),
+        (-1, {6, 11, 12, 17, 22}),
+        (0, {6, 11, 14, 15, 16, 17, 18, 19, 21, 22}),
+    ],
+)
+def test_a_statement_that_runs_is_noted_in_forked_processes_too(tmp_path, monkeypatch, x, ran, forked):
+    (tmp_path / "watched_for_slips.py").write_text(WATCHED, encoding="utf-8")
+    program = Program(tmp_path)
+    monkeypatch.setattr(sys, "meta_path", [*sys.meta_path])
+    monkeypatch.setattr(builtins, MEMORY, None, raising=False)
+    monkeypatch.syspath_prepend(str(tmp_path))
+    program.watch("watched_for_slips")
+    module = importlib.import_module("watched_for_slips")
+    program.ran()
+    if forked:
+        process = multiprocessing.get_context("fork").Process(target=module.f, args=(x,))
+        process.start()
+        process.join()
+    else:
+        module.f(x)
+    lines = {first for (first, _), did in zip(program.lines, program.ran(), strict=True) if did}
+    assert lines == ran
+    assert not any(program.ran())
+
+
+def test_what_a_run_of_tests_writes_down_is_read(tmp_path):
+    code = "import sys, tools.mutants.reached as r; from pathlib import Path; r.FOLDER = Path(sys.argv[1]); "
+    code += "import pytest; sys.exit(pytest.main([*sys.argv[2:]], plugins=[r]))"
+    test = "tests/exact/test_routh.py::test_a_leading_zero_is_refused"
+    command = [sys.executable, "-c", code, str(tmp_path), "-q", "-p", "no:cacheprovider", "-n", "0", test]
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
+    subprocess.run(command, cwd=ROOT, env={**environment, "PYTHONPATH": str(ROOT)}, check=True, capture_output=True)
+    reached = read(tmp_path)
+    assert [*reached.seconds] == [test]
+    assert reached.seconds[test] > 0
+    statements = [line for line in range(1, 200) if reached.tests_of("solver/exact/stability/routh.py", line)]
+    assert statements
+    assert reached.tests_of_file("solver/exact/stability/routh.py") == {test}
+    assert not reached.tests_of_file("solver/cli/__init__.py")
+
+
 def test_the_program_with_a_slip_is_still_python():
     for each in sample(candidates([ROOT / "solver"]), 100, seed=1):
         changed = each.applied((ROOT / each.file).read_bytes())
@@ -90,9 +181,7 @@ def test_own_tests_come_first_and_the_quick_ones_of_each_function_before_its_oth
         "tests/exact/t.py::b[2]": 2,
         "tests/exact/t.py::c": 3,
     }
-    reached = Reached(dict(seconds))
-    reached.lines[slip.file][slip.line] |= set(seconds)
-    order = [test.rpartition(":")[2] for test in chosen_for(slip, reached)]
+    order = [test.rpartition(":")[2] for test in chosen_for(slip, reached_by(slip, seconds))]
     assert order == ["b[1]", "c", "b[2]", "a"]
 
 
@@ -103,12 +192,9 @@ def test_a_slip_is_killed_by_a_test_that_sees_it_and_survives_one_that_does_not(
     seeing, blind = f"{folder}textbook_arrays[coefficients0-rows0]", f"{folder}a_leading_zero_is_refused"
     found = {}
     for test in (seeing, blind):
-        reached = Reached({test: 0.1})
-        reached.lines[slip.file][slip.line].add(test)
-        ((_, found[test]),) = outcomes([slip], reached, lanes=1)
-    reached = Reached({seeing: 0.1})
-    reached.lines[slip.file][slip.line].add(seeing)
+        ((_, found[test]),) = outcomes([slip], reached_by(slip, {test: 0.1}), lanes=1)
     nothing = replace(slip, after=slip.before)
+    reached = reached_by(slip, {seeing: 0.1})
     assert [outcome for _, outcome in outcomes([slip, nothing], reached, lanes=1)] == ["killed", "survived"]
     assert found == {seeing: "killed", blind: "survived"}
     assert "50%" in table({"exact": Counter(found.values())})

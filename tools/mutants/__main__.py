@@ -13,6 +13,8 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable
 from pathlib import Path
 
+import pytest
+
 from tools.mutants.operators import Mutant, mutants_of
 from tools.mutants.reached import FOLDER, ROOT, read
 from tools.mutants.running import OUTCOMES, outcomes
@@ -40,21 +42,38 @@ def sample(mutants: list[Mutant], number: int, seed: int) -> list[Mutant]:
     return sorted(mutants, key=lambda each: hashlib.sha256(f"{seed} {each.key}".encode()).digest())[:number]
 
 
+def sample_of_each(mutants: list[Mutant], number: int, seed: int) -> list[Mutant]:
+    """So many of every place in the program."""
+    places = sorted({each.place for each in mutants})
+    return [each for place in places for each in sample([m for m in mutants if m.place == place], number, seed)]
+
+
+def is_recorded() -> bool:
+    """Whether it is known which statements each test runs, and no file has changed since."""
+    files = [path for folder in ("solver", "tests") for path in (ROOT / folder).rglob("*.py")]
+    records = [path.stat().st_mtime for path in FOLDER.glob("*.npz")]
+    return bool(records) and max(path.stat().st_mtime for path in files) < min(records)
+
+
 def record(paths: list[str]) -> None:
-    """Run the quick tests once to see which lines they run; what was known before is forgotten."""
-    shutil.rmtree(FOLDER, ignore_errors=True)
-    command = [sys.executable, "-m", "pytest", "-q", "-n", "2", "-m", "not slow", "-p", "tools.mutants.reached", *paths]
-    subprocess.run(command, cwd=ROOT, check=True, stdout=sys.stderr)
+    """Run these tests, or all that are quick and forget what was known, to see which statements each runs."""
+    if not paths:
+        shutil.rmtree(FOLDER, ignore_errors=True)
+    command = [sys.executable, "-m", "pytest", "-q", "-n", "2", "--dist", "loadgroup", "-m", "not slow"]
+    command += ["-p", "tools.mutants.reached", *paths]
+    code = subprocess.run(command, cwd=ROOT, check=False, stdout=sys.stderr).returncode
+    if code not in {pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED}:  # what fails tells nothing of a slip
+        raise SystemExit("the tests could not be run")
 
 
 def table(found: dict[str, Counter[str]]) -> str:
     """The counts by room."""
-    lines = [f"{'room':<14}{'slips':>12}" + "".join(f"{word:>12}" for word in OUTCOMES) + f"{'seen':>7}"]
+    lines = [f"{'room':<24}{'slips':>12}" + "".join(f"{word:>12}" for word in OUTCOMES) + f"{'seen':>7}"]
     for room in [*sorted(found), "all"]:
         counts = sum(found.values(), Counter()) if room == "all" else found[room]
         lost = sum(counts[word] for word in LOST)
         cells = "".join(f"{value:>12}" for value in (counts.total(), *(counts[word] for word in OUTCOMES)))
-        lines.append(f"{room:<14}{cells}{1 - lost / max(1, counts.total()):>7.0%}")
+        lines.append(f"{room:<24}{cells}{1 - lost / max(1, counts.total()):>7.0%}")
     return "\n".join(lines)
 
 
@@ -63,20 +82,23 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tools.mutants", description=__doc__)
     parser.add_argument("paths", nargs="*", type=Path, default=[ROOT / "solver"], help="files and folders of solver/")
     parser.add_argument("--sample", type=int, default=60, help="how many slips are made (60)")
+    parser.add_argument("--each", type=int, help="how many are made in every folder, instead of --sample")
     parser.add_argument("--seed", type=int, default=1, help="which ones (1)")
     parser.add_argument("--lanes", type=int, default=2, help="how many at the same time (2)")
     parser.add_argument("--least", type=float, default=0.0, help="the share that must be seen, e.g. 0.9")
     parser.add_argument(
-        "--record", nargs="*", metavar="TESTS", help="run these tests first to see which lines they run"
+        "--record", nargs="*", metavar="TESTS", help="run these tests first to see what they run, the others are known"
     )
     options = parser.parse_args()
-    if options.record is not None or not FOLDER.exists():
-        record(options.record or ["tests"])
-    chosen = sample(candidates(path.resolve() for path in options.paths), options.sample, options.seed)
+    if options.record is not None or not is_recorded():
+        record(options.record or [])
+    possible = candidates(path.resolve() for path in options.paths)
+    choose, number = (sample_of_each, options.each) if options.each else (sample, options.sample)
+    chosen = choose(possible, number, options.seed)
     found: dict[str, Counter[str]] = defaultdict(Counter)
     start = time.monotonic()
     for mutant, outcome in outcomes(chosen, read(), options.lanes):
-        found[mutant.room][outcome] += 1
+        found[mutant.place][outcome] += 1
         if outcome in LOST:
             where = f"{mutant.file}:{mutant.line} {mutant.function}"
             print(f"{outcome}: {where}: {mutant.before!r} -> {mutant.after!r} ({mutant.kind})", flush=True)

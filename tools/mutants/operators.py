@@ -40,6 +40,11 @@ class Mutant:
         return Path(self.file).parts[1].removesuffix(".py")
 
     @property
+    def place(self) -> str:
+        """The room, and the folder in it."""
+        return "/".join(Path(self.file).parts[1:-1][:2]) or self.room
+
+    @property
     def key(self) -> str:
         """A number that depends on what is changed, not on where it stands: a sample keeps its members."""
         text = "\n".join((self.file, self.function, self.kind, self.before, self.after))

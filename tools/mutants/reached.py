@@ -1,4 +1,4 @@
-"""A plugin for pytest that writes down which lines of the program each test runs, and how long the test takes.
+"""A plugin for pytest that writes down which statements of the program each test runs, and how long the test takes.
 
 `python -m pytest -p tools.mutants.reached` leaves one file a worker in `build/reached/`; `read` puts them together.
 """
@@ -7,86 +7,113 @@ from __future__ import annotations
 
 import json
 import os
-import time
-from collections import defaultdict
-from collections.abc import Iterator
+import resource
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import coverage
+import numpy as np
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from tools.mutants.noting import ROOT, program
+
 FOLDER = ROOT / "build" / "reached"
+Lines = Sequence[Sequence[int]]
+
+
+@dataclass
+class Record:
+    """What one worker wrote down."""
+
+    tests: list[str]
+    files: dict[str, tuple[int, Lines]]
+    """By file: the number of its first statement, and first and last line of each."""
+    ran: np.ndarray[Any, np.dtype[np.uint8]]
+    """A row of bits for each test, one for each statement."""
+
+    def tests_of(self, file: str, line: int) -> set[str]:
+        """The tests that run the innermost statement on this line."""
+        number, lines = self.files.get(file, (0, ()))
+        around = [i for i, (first, last) in enumerate(lines) if first <= line <= last]
+        return self._tests(number + max(around, key=lambda i: lines[i][0])) if around else set()
+
+    def tests_of_file(self, file: str) -> set[str]:
+        """The tests that run any statement of the file."""
+        number, lines = self.files.get(file, (0, ()))
+        return set().union(*(self._tests(number + i) for i in range(len(lines))))
+
+    def _tests(self, number: int) -> set[str]:
+        column = self.ran[:, number // 8] >> (7 - number % 8) & 1
+        return {self.tests[i] for i in np.flatnonzero(column)}
 
 
 @dataclass
 class Reached:
-    """What is known of the tests: seconds of each that passed, and the tests that run a line of a file."""
+    """What is known of the tests: seconds of each that passed, and what they run."""
 
     seconds: dict[str, float] = field(default_factory=dict)
-    lines: dict[str, dict[int, set[str]]] = field(default_factory=lambda: defaultdict(lambda: defaultdict(set)))
+    records: list[Record] = field(default_factory=list)
 
-    def tests_of(self, file: str, first: int, last: int) -> set[str]:
-        """The tests that run one of these lines."""
-        lines = self.lines.get(file, {})
-        return {test for line in range(first, last + 1) for test in lines.get(line, ()) if test in self.seconds}
+    def tests_of(self, file: str, line: int) -> set[str]:
+        """The tests that run the innermost statement on this line."""
+        return set().union(*(each.tests_of(file, line) for each in self.records)) & self.seconds.keys()
 
     def tests_of_file(self, file: str) -> set[str]:
-        """The tests that run any line of the file in a test."""
-        return {test for tests in self.lines.get(file, {}).values() for test in tests if test in self.seconds}
+        """The tests that run any statement of the file inside a function."""
+        return set().union(*(each.tests_of_file(file) for each in self.records)) & self.seconds.keys()
 
 
 def read(folder: Path = FOLDER) -> Reached:
     """Put together what all workers wrote down."""
     reached = Reached()
-    for times in folder.glob("*.json"):
-        reached.seconds.update(json.loads(times.read_text(encoding="utf-8")))
-        data = coverage.CoverageData(str(times.with_suffix(".lines")))
-        data.read()
-        for file in data.measured_files():
-            name = Path(file).relative_to(ROOT).as_posix()
-            for line, tests in data.contexts_by_lineno(file).items():
-                reached.lines[name][line].update(filter(None, tests))
+    for written in sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime):
+        record = json.loads(written.read_text(encoding="utf-8"))
+        reached.seconds.update(record["seconds"])
+        ran = np.load(written.with_suffix(".npz"))["ran"]
+        reached.records.append(Record(record["tests"], record["files"], ran))
     return reached
 
 
 class Recorder:
-    """Switches the context of the measurement at each test."""
+    """Asks after each test what ran."""
 
     def __init__(self, worker: str) -> None:
         self.file = FOLDER / f"{worker}-{os.getpid()}.json"
         self.seconds: dict[str, float] = {}
-        self.failed: set[str] = set()
-        lines = str(self.file.with_suffix(".lines"))
-        self.coverage = coverage.Coverage(lines, source=[str(ROOT / "solver")], config_file=False, messages=False)
-        self.coverage.start()
+        self.ran: dict[str, np.ndarray[Any, np.dtype[np.uint8]]] = {}
+        program().watch()
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
-        """Run one test in its own context; a slow one is not for slips."""
+        """Run one test and note it; a slow one is not for slips."""
         if item.get_closest_marker("slow"):
             return (yield)
         name = item.nodeid.partition("@")[0]  # xdist names the group of a test there
-        self.coverage.switch_context(name)
-        start = time.process_time()
+        program().ran()
+        start = _seconds()
         result = yield
-        self.seconds[name] = time.process_time() - start
-        self.coverage.switch_context("")
+        self.seconds[name] = _seconds() - start
+        self.ran[name] = np.packbits(np.frombuffer(program().ran(), dtype=np.uint8))
         return result
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        """Remember what does not pass: it can tell nothing of a slip."""
+        """Forget what does not pass: it can tell nothing of a slip."""
         if not report.passed:
-            self.failed.add(report.nodeid.partition("@")[0])
+            self.seconds.pop(report.nodeid.partition("@")[0], None)
 
     def pytest_sessionfinish(self) -> None:
         """Write down what was seen."""
-        self.coverage.stop()
-        self.coverage.save()
-        passed = {test: seconds for test, seconds in self.seconds.items() if test not in self.failed}
-        self.file.write_text(json.dumps(passed), encoding="utf-8")
+        files = program().files()
+        text = {"seconds": self.seconds, "tests": [*self.ran], "files": files}
+        self.file.write_text(json.dumps(text), encoding="utf-8")
+        np.savez_compressed(self.file.with_suffix(".npz"), ran=np.array([*self.ran.values()], dtype=np.uint8))
+
+
+def _seconds() -> float:
+    """The processor's time of this process and of those it started."""
+    both = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(each.ru_utime + each.ru_stime for each in both)
 
 
 def pytest_configure(config: Any) -> None:

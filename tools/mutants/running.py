@@ -40,7 +40,7 @@ def own_tests(room: str) -> str:
 
 def chosen_for(mutant: Mutant, reached: Reached) -> list[str]:
     """The tests that run the line (where it runs on import, the file): those of its room and then all others."""
-    direct = reached.tests_of(mutant.file, mutant.line, mutant.last_line) or reached.tests_of_file(mutant.file)
+    direct = reached.tests_of(mutant.file, mutant.line) or reached.tests_of_file(mutant.file)
     own = {test for test in direct if test.startswith(own_tests(mutant.room))}
     return [*_within_budget(own, reached), *_within_budget(direct - own, reached)]
 
@@ -100,11 +100,11 @@ def outcomes(mutants: Sequence[Mutant], reached: Reached, lanes: int) -> Iterato
                 if not tests:
                     yield mutant, "not reached"
                     continue
-                seconds = 30 + 5 * sum(reached.seconds[test] for test in tests)
+                seconds = 20 + 3 * sum(reached.seconds[test] for test in tests)
                 lane = free.pop()
                 process = FORK.Process(target=_try, args=(mutant, tests, lane, int(seconds)))
                 process.start()
-                running[process.sentinel] = (process, mutant, lane, time.monotonic() + 4 * seconds)
+                running[process.sentinel] = (process, mutant, lane, time.monotonic() + 3 * seconds)
             wait(list(running), timeout=1)
             for sentinel, (process, mutant, lane, end) in list(running.items()):
                 if process.exitcode is None and time.monotonic() < end:
