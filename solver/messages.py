@@ -66,6 +66,10 @@ class Messages:
                 return " ".join(str(macro(reason.values)).split())
         raise LookupError(f"the macro {name!r} of templates/wording/reasons/{wording}.md.jinja is missing")
 
+    def told(self, what: Reason | str) -> str:
+        """Return a reason or a phrase in words."""
+        return self.reason(what) if isinstance(what, Reason) else self.say(what)
+
     def say(self, text: str) -> str:
         r"""Return a phrase in the language and with the symbols of the notation, which it names as `\sym{K}`.
 

@@ -12,11 +12,12 @@ from solver.classroom.entries import all_right, entrywise, shaped, word_of
 from solver.classroom.values import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import Answers, Check, CheckStatus, Given, Task
-from solver.notation import spelled
-from solver.symbols import COURSE
+from solver.words import Reason
 
 STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
 """What a verification may raise on a value of a form it was never meant for."""
+
+TO_THE_DIGITS = Reason("marking/to_the_digits")
 
 MOST_VECTORS = 5
 """Larger matrices with many right values are judged as a whole only."""
@@ -63,14 +64,14 @@ def _fails(checks: list[Check] | None) -> bool:
 def _misfit(name: str, each: Submitted, question: Question) -> AnswerVerdict | None:
     """What needs no check: a value that is not finite; a matrix of the wrong shape, where the question has one."""
     ours: Any = question.ours.get(name)
-    reason = ""
+    reason = None
     both = isinstance(ours, sp.MatrixBase) and isinstance(each.value, sp.MatrixBase)
     if _infinite(each.value) and not _infinite(ours):
-        reason = "it is not finite"
+        reason = Reason("marking/not_finite")
     elif both and each.value.shape != ours.shape and 0 not in ours.shape:
-        reason = f"it must be {ours.rows}×{ours.cols}; this one is {each.value.rows}×{each.value.cols}"
+        reason = Reason("marking/size", {"wanted": ours.shape, "given": each.value.shape})
     entries = shaped(each.value, lambda _: str(Verdict.WRONG))
-    return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=entries) if reason else None
+    return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=entries) if reason is not None else None
 
 
 def _infinite(value: Any) -> bool:
@@ -103,18 +104,18 @@ def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) ->
     entries = entrywise(each, question.ours.get(name), ordered=declared.ordered)
     by_digits = not failed or (bool(each.decimals) and not (free and len(fitting) > 1))
     if entries is not None and all_right(entries) and by_digits:
-        return _correct(name, each, "right to the digits written" if each.decimals and failed else "")
+        return _correct(name, each, TO_THE_DIGITS if each.decimals and failed else "")
     crashed = checks is None and not free and entries is not None
     if failed or crashed or (own and not _some_skipped(own)):
         if each.decimals and free and _within_rounding(question, name, each, fitting, failed):
-            return _correct(name, each, "right to the digits written")
+            return _correct(name, each, TO_THE_DIGITS)
         entries = _vectors(question, name, each) if free else entries
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
     if not free and (strange := _strangers(each, question)):
-        reason = f"the question knows no {', '.join(strange)}"
+        reason = Reason("marking/unknown_symbols", {"names": strange})
         return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=shaped(each.value, lambda _: "wrong"))
-    reason = next((check.reason for check in own if check.reason), "the check cannot decide about it")
-    return AnswerVerdict(name, Verdict.NOT_JUDGED, each.value, reason)
+    undecided = next((check.reason for check in own if check.reason), "the check cannot decide about it")
+    return AnswerVerdict(name, Verdict.NOT_JUDGED, each.value, undecided)
 
 
 def _strangers(each: Submitted, question: Question) -> list[str]:
@@ -167,7 +168,7 @@ def _replaceable(question: Question, name: str, own: Any, ours: Any, *, transpos
     return found
 
 
-def _correct(name: str, each: Submitted, note: str = "") -> AnswerVerdict:
+def _correct(name: str, each: Submitted, note: Reason | str = "") -> AnswerVerdict:
     entries = shaped(each.value, lambda _: str(Verdict.CORRECT))
     return AnswerVerdict(name, Verdict.CORRECT, each.value, note=note, entries=entries)
 
@@ -176,12 +177,12 @@ def _some_skipped(checks: Iterable[Check]) -> bool:
     return any(check.status is CheckStatus.SKIPPED for check in checks)
 
 
-def _complaint(value: Any, failed: list[Check]) -> str:
+def _complaint(value: Any, failed: list[Check]) -> Reason | str:
     """What the value does not satisfy, in the words of the table of checks."""
     if isinstance(value, bool):
-        return "the opposite is true"
-    words = dict.fromkeys(f"“{spelled(check.claim, COURSE)}”" for check in failed if check.claim)
-    return f"it fails the check{'s' if len(words) > 1 else ''} " + " and ".join(words) if words else ""
+        return Reason("marking/opposite")
+    claims = list(dict.fromkeys(check.claim for check in failed if check.claim))
+    return Reason("marking/failed_checks", {"claims": claims}) if claims else ""
 
 
 def _within_rounding(

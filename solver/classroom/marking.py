@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import sympy as sp
@@ -17,26 +18,29 @@ from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdi
 from solver.derivation import Answers, PartResult, Status
 from solver.engine import Solution, given_of, solve_part
 from solver.limits import Exceeded, Limits, call_within
+from solver.messages import Messages
 from solver.problem.asked import asked_of
 from solver.problem.model import Part, Reference
 from solver.problem.nodes import Node
 from solver.problem.source import Fault, InputError, Report
 from solver.tasks import catalogue
+from solver.words import Reason
 
 Values = dict[str, Submitted]
 
 
-def mark(solution: Solution, submission: Submission) -> Marking:
-    """Return the marking of a submission to a solved problem.
+def mark(solution: Solution, submission: Submission, templates: Path | None = None) -> Marking:
+    """Return the marking of a submission to a solved problem, in the language and notation of the problem.
 
-    Raises InputError with everything in the file that cannot be read.
+    A folder of templates comes before the installed ones. Raises InputError with everything in the file that cannot
+    be read.
     """
-    return Marker(solution, submission).marking()
+    return Marker(solution, submission, templates).marking()
 
 
-def mark_within(solution: Solution, submission: Submission, limits: Limits) -> Marking:
+def mark_within(solution: Solution, submission: Submission, limits: Limits, templates: Path | None = None) -> Marking:
     """Return the marking, judged in a child process; a part that meets a limit is not judged, the others are."""
-    marker = Marker(solution, submission)
+    marker = Marker(solution, submission, templates)
     try:
         marking: Marking = call_within(limits, marker.marking)
     except Exceeded:
@@ -47,7 +51,9 @@ def mark_within(solution: Solution, submission: Submission, limits: Limits) -> M
 class Marker:
     """Marks the parts in order; `values` holds what was submitted for earlier ones."""
 
-    def __init__(self, solution: Solution, submission: Submission) -> None:
+    def __init__(self, solution: Solution, submission: Submission, templates: Path | None = None) -> None:
+        display = solution.problem.display
+        self.messages = Messages(templates, display.language, display.notation)
         self.solution = solution
         self.submission = submission
         self.results: dict[str, list[PartResult]] = {}
@@ -70,13 +76,13 @@ class Marker:
         try:
             verdict: PartVerdict = call_within(limits, self.part, part)
         except Exceeded as limit:
-            verdict = self.unjudged(part, str(limit))
+            verdict = self.unjudged(part, limit.reason)
         self.judged[part.id] = verdict.answers
         return verdict
 
-    def unjudged(self, part: Part, reason: str) -> PartVerdict:
+    def unjudged(self, part: Part, limit: str) -> PartVerdict:
         """Return the part as it is where judging it met a limit."""
-        submitted = self.submission.answers.get(part.id, {})
+        submitted, reason = self.submission.answers.get(part.id, {}), self.messages.say(limit)
         answers = {name: AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason) for name in submitted}
         return PartVerdict(part.id, part.task, answers, Fraction(0), self._out_of(part), reason)
 
@@ -124,8 +130,11 @@ class Marker:
         ordered = {name: verdicts[name] for name in submitted}
         marks = _earned(part, ours, ordered, out_of)
         undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
-        note = f"nothing is earned for {', '.join(undecided)}, which could not be judged" if undecided else ""
-        return PartVerdict(part.id, part.task, ordered, marks, out_of, note or ("" if submitted else "not answered"))
+        said: Reason | str = "" if submitted else "not answered"
+        if undecided:
+            said = Reason("marking/nothing_earned", {"names": undecided})
+        worded = {name: verdict.worded(self.messages) for name, verdict in ordered.items()}
+        return PartVerdict(part.id, part.task, worded, marks, out_of, self.messages.told(said))
 
     def _any_marks(self) -> bool:
         return any(part.marks is not None for part in self.solution.problem.parts)
@@ -134,10 +143,9 @@ class Marker:
         """There is no answer of ours of this name to read and judge the value by."""
         for result in self.results[part.id]:
             if result.status is not Status.VERIFIED:
-                return AnswerVerdict(
-                    name, Verdict.NOT_JUDGED, reason=f"our own solution is {result.status}: {result.reason}"
-                )
-        return AnswerVerdict(name, Verdict.NOT_JUDGED, reason="the solution has no such answer for this system")
+                reason = Reason("marking/no_solution", {"status": str(result.status), "why": result.reason})
+                return AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason)
+        return AnswerVerdict(name, Verdict.NOT_JUDGED, reason=Reason("marking/no_such_answer"))
 
     def _judged(self, part: Part, ours: Mapping[str, Any], values: Values) -> dict[str, AnswerVerdict]:
         """Judge the values of a part, and those that are wrong again with the student's earlier answers."""
@@ -151,7 +159,7 @@ class Marker:
             followed = judge(own, {name: values[name] for name in wrong})
             for name, verdict in followed.items():
                 if verdict.verdict is Verdict.CORRECT:
-                    note = f"right with your own answer of part {', '.join(self._sources(part))}"
+                    note = Reason("marking/with_your_own_answer", {"parts": self._sources(part)})
                     verdicts[name] = replace(verdict, note=note, follows=True)
         for name, verdict in verdicts.items():
             if verdict.verdict is Verdict.WRONG:

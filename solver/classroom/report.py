@@ -12,14 +12,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
+from solver.document.checks import Say
 from solver.document.model import Document
 from solver.engine import Solution
+from solver.messages import Messages
 from solver.problem.model import Part
 from solver.render.page import rendered
 from solver.render.plain import sympy_text
 from solver.render.prose import inline_as_text
 from solver.render.wording import Wording
 from solver.tasks import catalogue
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -54,7 +57,7 @@ def _part_data(part: PartVerdict) -> dict[str, Any]:
 def _answer_data(answer: AnswerVerdict) -> dict[str, Any]:
     data: dict[str, Any] = {"verdict": str(answer.verdict)}
     for key, text in (("reason", answer.reason), ("note", answer.note)):
-        data |= {key: text} if text else {}
+        data |= {key: str(text)} if text else {}
     data |= {"follows": True} if answer.follows else {}
     data |= {"value": _shown(answer.value)} if answer.value is not None else {}
     return data | ({"entries": answer.entries} if isinstance(answer.entries, list) else {})
@@ -69,45 +72,56 @@ def number(marks: Fraction) -> int | float:
     return int(marks) if marks.denominator == 1 else round(float(marks), 2)
 
 
-def print_marking(marking: Marking, name: str, console: Console) -> None:
+def print_marking(marking: Marking, name: str, console: Console, messages: Messages) -> None:
     """Print the verdicts of one answer file."""
     from rich.text import Text  # noqa: PLC0415 - rich is needed only to print
 
     who = f"{name} ({marking.student})" if marking.student else name
-    console.rule(f"{who}: {number(marking.marks)} of {number(marking.out_of)}", align="left", style="dim")
+    say = messages.say
+    console.rule(f"{who}: {say(earned(marking))}", align="left", style="dim")
     for part in marking.parts:
         head = Text(f"{part.id}  ", style="bold")
         note = f" ({part.note})" if part.note else ""
-        head.append(f"{catalogue()[part.task].title}: {number(part.marks)} of {number(part.out_of)}{note}")
+        head.append(f"{say(catalogue()[part.task].title)}: {say(earned(part))}{note}")
         console.print(head)
         for answer in part.answers.values():
             line = Text(f"    {SIGNS[answer.verdict]} ", style=COLOURS[answer.verdict])
-            line.append(f"{answer.name}: {answer.verdict}{_words(answer)}", style="default")
+            line.append(f"{answer.name}: {say(answer.verdict)}{_words(answer, say)}", style="default")
             console.print(line)
 
 
-def _words(answer: AnswerVerdict) -> str:
+def earned(marked: Marking | PartVerdict) -> Phrase:
+    """Return how many marks are earned: "2 of 3"."""
+    return Phrase("{marks} of {out_of}", marks=number(marked.marks), out_of=number(marked.out_of))
+
+
+def _words(answer: AnswerVerdict, say: Say) -> str:
     """What is said of a verdict in a line of text."""
-    said = [inline_as_text(each) for each in (answer.reason, answer.note) if each]
-    places = "; ".join(wrong_places(answer))
-    said += [f"wrong at {places}"] if places else []
-    return f" – {'; '.join(said)}" if said else ""
+    said = "; ".join(inline_as_text(each) for each in _remarks(answer, say))
+    return f" – {said}" if said else ""
 
 
-def wrong_places(answer: AnswerVerdict) -> list[str]:
+def _remarks(answer: AnswerVerdict, say: Say) -> list[str]:
+    """Return what is said of a verdict (Markdown): the reason, the note, the places of what is wrong."""
+    places = "; ".join(say(place) for place in wrong_places(answer))
+    wrong = say(Phrase("wrong at {places}", places=places)) if places else ""
+    return [said for said in (str(answer.reason), str(answer.note), wrong) if said]
+
+
+def wrong_places(answer: AnswerVerdict) -> list[Phrase]:
     """The places of wrong entries, counted from 1, where some entries are right: "row 1, column 2", or "column 2"."""
     entries = answer.entries
     if answer.verdict is not Verdict.WRONG or not isinstance(entries, list) or answer.share == 0:
         return []
     if not entries or not isinstance(entries[0], list):
-        return [f"item {i}" for i, each in enumerate(entries, 1) if each == Verdict.WRONG]
+        return [Phrase("item {i}", i=i) for i, each in enumerate(entries, 1) if each == Verdict.WRONG]
     wrong = [(i, j) for i, row in enumerate(entries, 1) for j, each in enumerate(row, 1) if each == Verdict.WRONG]
     rows, columns = ([place[of] for place in wrong] for of in (0, 1))
     if all(columns.count(j) == len(entries) > 1 for j in columns):
-        return [f"column {j}" for j in dict.fromkeys(columns)]
+        return [Phrase("column {j}", j=j) for j in dict.fromkeys(columns)]
     if all(rows.count(i) == len(entries[0]) > 1 for i in rows):
-        return [f"row {i}" for i in dict.fromkeys(rows)]
-    return [f"row {i}, column {j}" for i, j in wrong]
+        return [Phrase("row {i}", i=i) for i in dict.fromkeys(rows)]
+    return [Phrase("row {i}, column {j}", i=i, j=j) for i, j in wrong]
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,9 +161,8 @@ def _lines(part: PartVerdict, asked: Part, wording: Wording) -> list[Line]:
     lines = []
     for answer in part.answers.values():
         tex = "" if answer.value is None else wording.equation(wording.symbol(declared[answer.name]), answer.value)
-        places = "; ".join(wrong_places(answer))
-        words = map(_sentence, [answer.reason, answer.note, f"wrong at {places}" if places else ""])
-        lines.append(Line(answer.name, tex, str(answer.verdict), tuple(filter(None, words))))
+        words = tuple(map(_sentence, _remarks(answer, wording.say)))
+        lines.append(Line(answer.name, tex, str(answer.verdict), words))
     return lines
 
 

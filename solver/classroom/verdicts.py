@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from fractions import Fraction
 from typing import Any
+
+from solver.messages import Messages
+from solver.words import Reason
 
 
 class Verdict(StrEnum):
@@ -20,18 +23,23 @@ class Verdict(StrEnum):
 class AnswerVerdict:
     """The verdict of one submitted value.
 
-    `value` is what was submitted, as read (None if it could not be read). `reason` says, in words (Markdown with
-    $math$), what is wrong or why it is not judged; `note` is any other remark. `entries` has the shape of a matrix or
-    list and holds "correct" or "wrong". `follows` is true where it is right with the student's own earlier answer.
+    `value` is what was submitted, as read (None if it could not be read). `reason` says what is wrong or why it is not
+    judged; `note` is any other remark. Of a marking they are in words (Markdown with $math$). `entries` has the shape
+    of a matrix or list and holds "correct" or "wrong". `follows` is true where it is right with the student's own
+    earlier answer.
     """
 
     name: str
     verdict: Verdict
     value: Any = None
-    reason: str = ""
-    note: str = ""
+    reason: Reason | str = ""
+    note: Reason | str = ""
     entries: Any = None
     follows: bool = False
+
+    def worded(self, messages: Messages) -> AnswerVerdict:
+        """Return the verdict with its reason and note in words."""
+        return replace(self, reason=messages.told(self.reason), note=messages.told(self.note))
 
     @property
     def share(self) -> Fraction:
@@ -54,7 +62,7 @@ def _flat(entries: Any) -> list[Any]:
 
 @dataclass(frozen=True, slots=True)
 class PartVerdict:
-    """The verdicts of one part, with the marks earned `out_of` those it carries."""
+    """The verdicts of one part, in words, with the marks earned `out_of` those it carries."""
 
     id: str
     task: str

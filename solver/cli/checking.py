@@ -17,11 +17,13 @@ from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settl
 from solver.document.model import Document, Presentation
 from solver.engine import Solution
 from solver.limits import Limits, Solved, Supervision, solve_within
+from solver.messages import Messages
 from solver.problem.nodes import MappingNode
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.problem.yaml_tree import parse_yaml
 from solver.tasks import catalogue
+from solver.words import Phrase
 
 SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt"}
 
@@ -100,7 +102,7 @@ class _Desk:
             name = problem or self._named(source, file)
             submission = read_submission(source, self._solution(name).problem)
             with self.meter.file(file):
-                marking = mark_within(self.solutions[name], submission, self.request.limits)
+                marking = mark_within(self.solutions[name], submission, self.request.limits, self.request.templates)
         except InputError as error:
             click.echo(error.render(), err=True)
             self.rows.append((file, None))
@@ -147,7 +149,8 @@ class _Desk:
             return
         path = self._path(file, format_)
         write_whole(path, content.encode())
-        click.echo(f"{file}: {_total(marking)}; wrote {path}")
+        said = self._messages(name).say
+        click.echo(f"{file}: {said(_total(marking))}; {said(Phrase('wrote {path}', path=path))}")
 
     def _content(self, format_: str, name: str, file: str, marking: Marking) -> str:
         if format_ == "json":
@@ -162,8 +165,13 @@ class _Desk:
         to_terminal = self.request.output is None and sys.stdout.isatty()
         console = Console(highlight=False, width=None if to_terminal else WIDTH, force_terminal=to_terminal)
         with console.capture() as captured:
-            print_marking(marking, file, console)
+            print_marking(marking, file, console, self._messages(name))
         return captured.get()
+
+    def _messages(self, name: str) -> Messages:
+        """How a marking is worded: in the language and notation of the problem."""
+        display = self.solutions[name].problem.display
+        return Messages(self.request.templates, display.language, display.notation)
 
     def _path(self, file: str, format_: str) -> Path:
         """Where the marking of a file goes: as named, into the folder named, or beside the answers."""
@@ -176,7 +184,7 @@ class _Desk:
         return place / name if folder else place
 
 
-def _total(marking: Marking) -> str:
+def _total(marking: Marking) -> Phrase:
     from solver.classroom.report import number
 
-    return f"{number(marking.marks)} of {number(marking.out_of)} marks"
+    return Phrase("{marks} of {out_of} marks", marks=number(marking.marks), out_of=number(marking.out_of))

@@ -22,6 +22,7 @@ from solver.cli.progress import Meter
 from solver.document.formats import FORMATS
 from solver.problem.source import Diagnostic, InputError, Source
 from solver.startup import begin_loading, end_loading, quiet_threads
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.document.model import Document, Presentation
@@ -204,7 +205,9 @@ def _tell_what_is_wrong(document: Document) -> None:
 
     for part in document.parts:
         if part.status is not Status.VERIFIED:
-            click.echo(f"part {part.id} ({part.method}): {part.status}: {part.reason}", err=True)
+            say = document.messages.say
+            head = say(Phrase("part {id} ({method})", id=part.id, method=part.method))
+            click.echo(f"{head}: {say(part.status)}: {part.reason}", err=True)
 
 
 def _print_summary(document: Document, written: list[Path], *, verbose: bool, file: TextIO | None = None) -> None:
@@ -215,7 +218,7 @@ def _print_summary(document: Document, written: list[Path], *, verbose: bool, fi
     console = Console(file=file, highlight=False, width=None if sys.stdout.isatty() else WIDTH, soft_wrap=False)
     print_summary(document, console, verbose=verbose)
     for path in written:
-        click.echo(f"wrote {path}")
+        click.echo(document.messages.say(Phrase("wrote {path}", path=path)))
 
 
 def _open(written: list[Path]) -> None:

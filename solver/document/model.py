@@ -241,8 +241,9 @@ class Document:
 
     def _repr_html_(self) -> str:
         """The page in a frame of its own, so that its style and the notebook's do not mix."""
+        title = escape(self.messages.say("Worked solution"))
         frame = 'style="width: 100%; height: 40rem; border: 0" sandbox=""'
-        return f'<iframe {frame} title="Worked solution" srcdoc="{escape(self.html())}"></iframe>'
+        return f'<iframe {frame} title="{title}" srcdoc="{escape(self.html())}"></iframe>'
 
     def _repr_markdown_(self) -> str:
         return self.markdown()

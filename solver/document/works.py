@@ -22,7 +22,7 @@ from solver.render.plain import sympy_text
 from solver.render.prose import plain
 from solver.render.wording import WordedStep, Wording, WordingError
 from solver.tasks import catalogue
-from solver.words import Reason
+from solver.words import Phrase, Reason
 
 
 def document_of(solution: Solution, presentation: Presentation | None = None, name: str = "") -> Document:
@@ -76,7 +76,7 @@ class Writer:
             return self._worded(result, part, display)
         except WordingError as error:
             fault = str(error)
-        left = lost(result, f"its solution cannot be worded: {plain(fault)}")
+        left = lost(result, Phrase("its solution cannot be worded: {fault}", fault=plain(fault)))
         try:
             work = self._worded(left, part, display)
         except WordingError:  # it is the question itself

@@ -9,10 +9,15 @@ from pickle import PickleError
 from typing import Any
 
 from solver.limits.child import Limits, as_bug, cause_of_death, new_context, restrict
+from solver.words import Phrase
 
 
 class Exceeded(Exception):  # noqa: N818 - a limit was met; no error of the program
-    """The call was ended, or died; the message says why, in words."""
+    """The call was ended, or died; the reason, a phrase, says why."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(reason)
+        self.reason = reason
 
 
 def call_within(limits: Limits, function: Callable[..., Any], *arguments: Any) -> Any:
@@ -24,7 +29,7 @@ def call_within(limits: Limits, function: Callable[..., Any], *arguments: Any) -
     its_end.close()
     try:
         if not channel.poll(limits.seconds):
-            raise Exceeded(f"time limit of {limits.seconds:g} s")
+            raise Exceeded(Phrase("time limit of {seconds} s", seconds=f"{limits.seconds:g}"))
         answered, result = channel.recv()
     except (EOFError, OSError):
         process.join(1.0)
@@ -46,7 +51,7 @@ def _call(channel: Connection, limits: Limits, function: Callable[..., Any], arg
     try:
         channel.send((True, function(*arguments)))
     except MemoryError:
-        channel.send((False, f"memory limit of {limits.megabytes} MB"))
+        channel.send((False, Phrase("memory limit of {megabytes} MB", megabytes=limits.megabytes)))
     except (RecursionError, PickleError):
         channel.send((False, "its result is nested too deeply"))
     except Exception as bug:  # noqa: BLE001 - the boundary of a call: a bug in one must not lose the others

@@ -154,7 +154,8 @@ def new_context() -> ForkContext | SpawnContext:
 def cause_of_death(code: int | None) -> str:
     """Return how a process ended that gave no result, in words."""
     if code is not None and code < 0:
-        return f"its computation was ended by the system (signal {signal.Signals(-code).name})"
+        name = signal.Signals(-code).name
+        return Phrase("its computation was ended by the system (signal {signal})", signal=name)
     return "its computation ended unexpectedly"
 
 
@@ -249,7 +250,7 @@ def as_bug(bug: Exception) -> str:
     """Return a bug of the program in words; the traceback goes to standard error if SOLVE_DEBUG is set."""
     if os.environ.get("SOLVE_DEBUG"):
         traceback.print_exception(bug)
-    return f"internal error: {type(bug).__name__}: {bug}; please report it"
+    return Phrase("internal error: {bug}; please report it", bug=f"{type(bug).__name__}: {bug}")
 
 
 def restrict(limits: Limits, units: int) -> None:
