@@ -26,9 +26,10 @@ from solver.derivation import (
     Unsolved,
 )
 from solver.derivation.conversion import composed, converted, refused
-from solver.lazy import exact, numeric
+from solver.lazy import exact, noted_calls, numeric
 from solver.lazy import sympy as sp
 from solver.messages import Messages
+from solver.postconditions import check_calls
 from solver.problem.model import Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
 from solver.systems import EarlierPart, System
@@ -108,9 +109,10 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     reason: Reason | None = None
     checks: tuple[Check, ...] = ()
     try:
-        given = given_of(part, method, earlier, steps)
-        answers = yield_into(steps, task.methods[method].derive(given))
-        checks = (*numeric.check_steps(steps), *task.verify(given, answers))
+        with noted_calls(steps) as calls:
+            given = given_of(part, method, earlier, steps)
+            answers = yield_into(steps, task.methods[method].derive(given))
+        checks = (*numeric.check_steps(steps), *check_calls(calls, steps), *task.verify(given, answers))
         status, reason = verdict(checks, answers)
     except (Unsolved, exact.NotExact) as refusal:
         status, reason = Status.UNSOLVED, refusal.reason

@@ -1,0 +1,42 @@
+"""Matrices of plants with integrators and at rest, one input in place of several, model matching."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Claim
+from solver.postconditions.structure import krylov
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import rank
+
+
+def of_added(found: Any, *terms: Any) -> Iterator[Claim]:
+    """The sum."""
+    yield Claim(total(*terms), found)
+
+
+def of_at_rest(found: Any, A: Any, *, discrete: bool) -> Iterator[Claim]:
+    """A, in discrete time A − I."""
+    yield Claim(difference(A, sp.ImmutableMatrix(sp.eye(A.rows))) if discrete else total(A), found)
+
+
+def of_direction(found: Any, A: Any, B: Any) -> Iterator[Claim]:
+    """(A − B K₀, B g) reaches as much as (A, B); which K₀ and g do is a free choice."""
+    if found is not None:
+        K0 = found.preliminary
+        loop = A if K0 is None else sp.ImmutableMatrix(A - B * K0)
+        yield Claim(rank(krylov(loop, sp.ImmutableMatrix(B * found.g))), rank(krylov(A, B)))
+
+
+def of_matching(found: Any, numerator: Any, denominator: Any, target: Any, x: Any) -> Iterator[Claim]:
+    """What is asked of the closed loop: degrees, zeros, and the compensator that would do the same."""
+    above, below = sp.fraction(sp.cancel(target))
+    degrees = [sp.degree(below, x) - sp.degree(above, x), sp.degree(denominator, x) - sp.degree(numerator, x)]
+    own = sorted(map(sp.Integer, found.relative_degrees)), sorted(map(sp.Integer, degrees))
+    yield Claim(sp.ImmutableMatrix([own[0]]), sp.ImmutableMatrix([own[1]]))
+    yield Claim(sp.Integer(found.order), sp.Integer(sp.degree(denominator, x)))
+    yield Claim(product(found.compensator, numerator), product(target, denominator))
+    yield Claim(found.hidden, product(*(x - zero for zero in found.hidden_zeros)))

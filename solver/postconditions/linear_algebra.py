@@ -1,0 +1,77 @@
+"""Spectra and linear equations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Check, Claim
+from solver.stated import Stated
+from solver.stated.algebra import difference, power, product, total
+from solver.stated.calculus import value_at
+from solver.stated.matrices import determinant, rank
+
+
+def of_spectrum(found: Any, A: Any) -> Iterator[Claim]:
+    """det(xI − A) = Π (x − λᵢ)^mᵢ; each root is σ + δ or σ + jω, and those of a factor make it up."""
+    x = sp.Symbol("lamda")
+    yield Claim(determinant(pencil(A, x)), factors(found.roots, x))
+    yield Claim(determinant(pencil(A, x)), product(*(x - value for value in found.eigenvalues)))
+    for root in found.roots:
+        yield of_root(root)
+    for factor in found.factors:
+        yield from of_factor(factor)
+
+
+def of_root(root: Any) -> Claim:
+    """σ + δ, or σ + jω."""
+    shift = root.shift * sp.I if root.value.has(sp.I) else root.shift
+    return Claim(total(root.sigma, shift), root.value)
+
+
+def of_multiply(found: Any, A: Any, B: Any) -> Iterator[Claim]:
+    """The product."""
+    yield Claim(product(A, B), found)
+
+
+def pencil(A: Any, x: Any) -> Stated:
+    """The matrix xI − A as stated."""
+    return difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), A)
+
+
+def factors(roots: Iterable[Any], x: Any) -> Stated:
+    """Π (x − λᵢ)^mᵢ as stated."""
+    return product(*(power(x - root.value, root.multiplicity) for root in roots))
+
+
+def of_solve_affine(found: Any, M: Any, right: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[Claim | Check]:
+    """M v = r for the values, whatever the free unknowns are; as many are free as the rank leaves."""
+    free = [unknowns[j] for j in found.free if 0 <= j < len(unknowns)]
+    values = sp.ImmutableMatrix(found.values)
+    if not found.residue:
+        yield Claim(product(M, values), sp.ImmutableMatrix(list(right)))
+    yield Claim(rank(M), sp.Integer(M.cols - len(found.free)))
+    own = all(found.values[unknowns.index(x)] == x for x in free)
+    others = set(unknowns) - set(free)
+    says = "the free unknowns"
+    yield Check.that(says, "counted", own and len(free) == len(found.free) and not others & values.free_symbols)
+
+
+def of_taylor(found: Sequence[Any], function: Any, t: Any, terms: int) -> Iterator[Claim]:
+    """The derivatives at zero, over factorials; terms that are zero may be left out."""
+    slopes = [function]
+    for _ in range(terms - 1):
+        slopes.append(sp.diff(slopes[-1], t))
+    at_zero = [value_at(slope, t, sp.Integer(0)) for slope in slopes]
+    yield Claim(total(*(product(at, t**i / sp.factorial(i)) for i, at in enumerate(at_zero))), total(*found))
+
+
+def of_factor(factor: Any) -> Iterator[Claim]:
+    """An irreducible factor is the product of its roots' own."""
+    x = sp.Symbol("lamda")
+    yield Claim(factor.polynomial(x), product(*(x - root.value for root in factor.roots)))
+    for root in factor.roots:
+        yield of_root(root)
+        yield Claim(sp.Integer(root.multiplicity), sp.Integer(factor.multiplicity))

@@ -1,0 +1,44 @@
+"""Riccati equations: their cases, and whether a solution is exact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Check, Claim
+from solver.stated.algebra import product
+
+
+def of_case_split(found: Any, equations: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[Claim | Check]:
+    """Every end solves the equations; the roots of an equation are all that it has, its factors make it up."""
+    for end in found.ends() if found is not None else ():
+        there = [equation.xreplace(dict(end)) for equation in equations]
+        yield Claim(sp.ImmutableMatrix(there), sp.ImmutableMatrix(sp.zeros(len(there), 1)))
+        yield Check.that("every unknown", "counted", set(end) == set(unknowns))
+    if found is not None:
+        yield from _complete(found)
+
+
+def _complete(case: Any) -> Iterator[Claim | Check]:
+    if case.kind == "roots" and case.condition is None:
+        p = sp.Poly(case.equation, case.unknown)
+        if p.degree() == len(case.values):
+            yield Claim(case.equation, product(p.LC(), *(case.unknown - value for value in case.values)))
+        elif not p.free_symbols_in_domain:
+            count = len({complex(root) for root in sp.Poly(p, case.unknown).nroots(n=30) if abs(sp.im(root)) < 1e-12})
+            yield Check.that("real roots", "sympy.nroots", count == len(case.values))
+    if case.kind == "factors":
+        rest = sp.cancel(case.equation / sp.Mul(*case.values))
+        yield Check.that("factors of an equation", "sympy.cancel", not rest.free_symbols & case.equation.free_symbols)
+    if case.kind in ("roots", "factors"):
+        yield Check.that("cases", "counted", len(case.following) == len(case.values))
+    for each in case.following:
+        yield from _complete(each)
+
+
+def of_riccati(found: Any, *_: Any) -> Iterator[Check]:
+    """A solution is exact where it holds no decimals."""
+    first = found.stabilizing
+    yield Check.that("exactness", "decimals", bool(first.P.has(sp.Float)) != bool(first.exact))

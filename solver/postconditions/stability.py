@@ -1,0 +1,120 @@
+"""Signs, how often they change, Routh arrays, where eigenvalues lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.derivation import Check, CheckStatus, Claim
+from solver.lazy import numeric
+from solver.postconditions.linear_algebra import of_root, of_spectrum
+from solver.stated.algebra import difference, product, quotient, total
+from solver.stated.complex_numbers import absolute, real_part
+
+TINY = sp.Rational(1, 10**30)
+"""Stands for an ε that goes to zero."""
+
+
+def of_sign_of(found: int | None, x: Any) -> Iterator[Claim | Check]:
+    """x is its sign times its absolute value; nothing is said of a sign that is not known."""
+    if found is not None:
+        yield from _has_sign(x, found)
+
+
+def _has_sign(x: Any, sign: int) -> Iterator[Claim | Check]:
+    yield Claim(product(sp.Integer(sign), absolute(x)), x)
+    if sign:
+        is_zero = numeric.check_claim(Claim(x, sp.Integer(0)), "").status is CheckStatus.PASSED
+        yield Check.that("a sign", "random points", abs(sign) == 1 and not is_zero)
+
+
+def of_sign_changes(found: int, signs: Sequence[int | None]) -> Iterator[Check]:
+    """So many signs differ from the one before."""
+    yield Check.that("changes of sign", "counted", sum(a != b for a, b in pairwise(signs)) == found)
+
+
+def of_routh(found: Any, polynomial: Any) -> Iterator[Claim | Check]:
+    """The coefficients in two rows, each further row by its determinants; ε and auxiliary polynomials."""
+    given = polynomial.all_coeffs() if isinstance(polynomial, sp.Poly) else list(polynomial)
+    rows, n = found.rows, len(given) - 1
+    yield Claim(sp.ImmutableMatrix([given]), sp.ImmutableMatrix([found.coefficients]))
+    says = "the rows of a Routh array"
+    yield Check.that(says, "counted", [row.power for row in rows] == list(range(n, -1, -1)))
+    width = n // 2 + 1
+    yield Claim(sp.ImmutableMatrix([_filled(row.entries, width) for row in rows]), found.matrix)
+    yield Claim(sp.ImmutableMatrix([[row.entries[0] for row in rows]]), sp.ImmutableMatrix([found.first_column]))
+    for i, row in enumerate(rows):
+        computed = sp.ImmutableMatrix([_filled(row.computed, width)])
+        if i < 2:
+            yield Claim(sp.ImmutableMatrix([_filled(given[i::2], width)]), computed)
+        else:
+            above, last = (_filled(each.entries, width + 1) for each in rows[i - 2 : i])
+            for j in range(width):
+                crossed = difference(product(last[0], above[j + 1]), product(above[0], last[j + 1]))
+                yield Claim(quotient(crossed, last[0]), computed[j])
+        yield from _replaced(row, rows[i - 1].entries if i else (), computed, width, found.epsilon)
+    for value, row in zip(found.at_zero, rows, strict=True):
+        yield from _limit(value, row.entries[0], found.epsilon)
+
+
+def _replaced(row: Any, above: Any, computed: Any, width: int, epsilon: Any) -> Iterator[Claim | Check]:
+    """The entries are those computed, but ε for a zero pivot, a derivative for a row of zeros."""
+    own = _filled(row.entries, width)
+    if row.special == "zeros":
+        own_power = row.power + 1
+        yield Claim(sp.ImmutableMatrix([_filled(row.auxiliary, width)]), sp.ImmutableMatrix([_filled(above, width)]))
+        slopes = [(own_power - 2 * i) * c for i, c in enumerate(_filled(above, width)) if own_power > 2 * i]
+        yield Claim(sp.ImmutableMatrix([_filled(slopes, width)]), sp.ImmutableMatrix([own]))
+        yield Claim(computed, sp.ImmutableMatrix(sp.zeros(1, width)))
+    elif row.special == "pivot":
+        yield Claim(computed[0], sp.Integer(0))
+        yield Claim(sp.ImmutableMatrix([[epsilon, *computed[1:]]]), sp.ImmutableMatrix([own]))
+    else:
+        yield Claim(computed, sp.ImmutableMatrix([own]))
+
+
+def _limit(value: Any, entry: Any, epsilon: Any) -> Iterator[Claim | Check]:
+    """What decides the sign of an entry as ε goes to zero has its sign for a tiny ε."""
+    if epsilon is None or epsilon not in entry.free_symbols:
+        yield Claim(entry, value)
+        return
+    there = entry.xreplace({epsilon: TINY})
+    if not there.free_symbols:
+        yield Check.that("signs for small ε", "sympy.N", sp.sign(sp.N(there, 60)) == sp.sign(sp.N(value, 60)))
+
+
+def _filled(entries: Sequence[Any], width: int) -> list[Any]:
+    return [*entries, *[sp.Integer(0)] * (width - len(entries))][:width]
+
+
+def of_location(found: Any, A: Any, *, discrete: bool) -> Iterator[Claim | Check]:
+    """The eigenvalues, Re λ or |λ| of each, and on which side it is."""
+    yield from of_spectrum(found.spectrum, A)
+    pairs = [(each.root.value, each.root.multiplicity) for each in found.placed]
+    yield Claim(
+        sp.ImmutableMatrix(pairs), sp.ImmutableMatrix([(r.value, r.multiplicity) for r in found.spectrum.roots])
+    )
+    for each in found.placed:
+        yield of_root(each.root)
+        value = each.root.value
+        measure = absolute(value) if discrete else real_part(value)
+        if each.measure is not None:
+            yield Claim(measure, each.measure)
+        if each.position is not None:
+            excess = total(measure, sp.Integer(-1)) if discrete else measure
+            yield from _has_sign(excess, each.position)
+
+
+def of_is_stable_polynomial(found: bool | None, coefficients: Sequence[Any], *, discrete: bool) -> Iterator[Check]:
+    """All roots inside, where the coefficients are numbers."""
+    if found is None or any(getattr(c, "free_symbols", None) for c in coefficients):
+        return
+    roots = np.roots([float(sp.N(c)) for c in coefficients])
+    sizes = abs(roots) - 1 if discrete else roots.real
+    says = "all roots inside" if found else "a root that is not inside"
+    near = bool(np.any(abs(sizes) < 1e-6))
+    yield Check.that(says, "numpy.roots", near or bool(np.all(sizes < 0)) == bool(found))

@@ -1,0 +1,89 @@
+"""What must hold of a kernel's result holds of the right one, and of none that is a little wrong."""
+
+import pytest
+import sympy as sp
+
+from solver import exact
+from solver.derivation import CheckStatus
+from solver.lazy import Call
+from solver.postconditions import check_calls, postcondition_of
+from tools.corrupted_kernels.changes import changes
+
+s, t, K = sp.symbols("s t K")
+A = sp.ImmutableMatrix([[0, 1, 0], [0, 0, 1], [-6, -11, -6]])
+HIDDEN = sp.ImmutableMatrix([[-1, 0, 0], [0, -2, 0], [0, 0, -2]])
+B, ONES, SECOND = (sp.ImmutableMatrix(column) for column in ([0, 0, 1], [1, 1, 1], [1, 1, 3]))
+TURNING = sp.ImmutableMatrix([[0, 1], [-5, -2]])
+SINGULAR = sp.ImmutableMatrix([[0, 2, 2], [1, 1, 0], [2, 4, 2]])
+FACTOR = exact.spectrum(TURNING).factors[0]
+EPSILON = (1, 1, 2, 2, 3)
+
+CALLS = {
+    "controllability_matrix": [(A, B), (HIDDEN, ONES)],
+    "reachable_order": [(A, B), (HIDDEN, ONES)],
+    "rank": [(SINGULAR,), (sp.ImmutableMatrix([[K, 1], [1, K]]),)],
+    "independent_columns": [(SINGULAR,)],
+    "row_reduction": [(SINGULAR,), (A,)],
+    "hidden_part": [(HIDDEN, SECOND), (A, B)],
+    "pencil_ranks": [(HIDDEN, SECOND), (TURNING, sp.ImmutableMatrix([0, 1]))],
+    "spectrum": [(A,), (TURNING,), (HIDDEN,)],
+    "multiply": [(A, B)],
+    "solve_affine": [(sp.ImmutableMatrix([[1, 1], [2, 2]]), (s, 2 * s), sp.symbols("x1 x2"))],
+    "taylor": [(sp.exp(-2 * t), t, 4), (sp.sin(t), t, 4)],
+    "sign_of": [(sp.Integer(3),), (sp.sqrt(2) - 2,), (sp.Integer(0),), (sp.Symbol("a", positive=True),)],
+    "sign_changes": [([1, -1, 0, 1],)],
+    "routh": [(EPSILON,), ((1, 2, 3, 4, 5),), ((1, 1, 2, 2),), ((1, 3, K, 6),)],
+    "resolvent_cancels": [(HIDDEN,), (TURNING,)],
+    "shifted": [(sp.ImmutableMatrix([sp.exp(-t)]), t, sp.Integer(2))],
+    "read_inputs": [((sp.Heaviside(t - 2) * t, sp.DiracDelta(t)), t)],
+    "added": [(A, A)],
+    "at_rest": [(A,)],
+    "location": [(A,), (TURNING,), (sp.ImmutableMatrix([[0, 1], [-1, 0]]),)],
+    "is_stable_polynomial": [((sp.Integer(1), sp.Integer(2), sp.Integer(sign * 3)),) for sign in (1, -1)],
+    "decays": [(FACTOR,)],
+    "constant_root": [(FACTOR,), (exact.spectrum(sp.ImmutableMatrix([[0]])).factors[0],)],
+    "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
+}
+TIMED = ("read_inputs", "at_rest", "location", "is_stable_polynomial", "decays", "constant_root")
+"""Kernels that want to know whether time is discrete."""
+
+FREE = {
+    "location": (".critical", ".spectrum.exceptions"),
+    "spectrum": (".exceptions",),
+    "solve_affine": (".conditions", ".residue"),
+    "read_inputs": (".generator",),
+    "matching": (".numerator", ".denominator", ".target", ".missing", ".gain", ".possible", ".desired", ".compensator"),
+}
+"""What is judged elsewhere, by the steps that show it."""
+
+MOST = 40
+"""Changes that are tried of a result."""
+
+CASES = [pytest.param(name, arguments, id=f"{name}-{i}") for name in CALLS for i, arguments in enumerate(CALLS[name])]
+
+
+def statuses(name, arguments, result):
+    named = {"discrete": False} if name in TIMED else {}
+    return {check.status for check in check_calls([Call(name, arguments, named, result, 1)], [])}
+
+
+@pytest.mark.parametrize(("name", "arguments"), CASES)
+def test_it_holds_of_the_right_result_and_of_none_that_is_a_little_wrong(name, arguments):
+    result = getattr(exact, name)(*arguments, **({"discrete": False} if name in TIMED else {}))
+    assert statuses(name, arguments, result) <= {CheckStatus.PASSED}
+    judged = [each for each in changes(result) if not any(free in each.what for free in FREE.get(name, ()))]
+    judged = judged[:: len(judged) // MOST + 1]
+    survived = [each.what for each in judged if not _is_seen(name, arguments, each.made)]
+    assert judged or result is None
+    assert not survived
+
+
+def _is_seen(name, arguments, made):
+    try:
+        return CheckStatus.FAILED in statuses(name, arguments, made())
+    except (ValueError, IndexError, KeyError, TypeError, AttributeError, sp.ShapeError):
+        return True
+
+
+def test_of_other_kernels_nothing_is_said():
+    assert postcondition_of("tidy") is None

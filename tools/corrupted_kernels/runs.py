@@ -1,0 +1,194 @@
+"""Solving a part with the result of one call of a kernel changed."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import pickle
+import signal
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from solver import exact
+from solver.derivation import PartResult, Status
+from solver.document.model import Presentation, Work
+from solver.document.works import Writer
+from solver.engine import Earlier, solve_part
+from solver.problem.files import load
+from solver.problem.model import Part
+from solver.problem.reader import read_problem
+from solver.tasks import catalogue
+from tools.corrupted_kernels.changes import Change, changes
+
+SECONDS = 20
+"""CPU time after which a solution counts as ended: a changed value can send an algorithm astray."""
+CAUGHT = ("failed", "unsolved", "crashed", "ended")
+SURVIVED, SAME = "survived", "no effect"
+KERNELS = sorted(name for name in exact.__all__ if inspect.isfunction(getattr(exact, name)))
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a part whose kernel was corrupted; `shown` says how the page differs, where it survived."""
+
+    problem: str
+    part: str
+    task: str
+    method: str
+    kernel: str
+    call: int
+    change: str
+    became: str
+    shown: str = ""
+
+    @property
+    def key(self) -> str:
+        """The case in one line."""
+        return f"{self.problem} {self.part} {self.method}: {self.kernel}#{self.call} {self.change}"
+
+
+class Ended(BaseException):
+    """The time of a solution is over."""
+
+
+@dataclass
+class Calls:
+    """The calls of kernels by the tasks: their results, and which one is to be changed."""
+
+    results: dict[str, list[Any]] = field(default_factory=lambda: defaultdict(list))
+    target: tuple[str, int] | None = None
+    change: Change | None = None
+
+    def wrapped(self, name: str, kernel: Callable[..., Any]) -> Callable[..., Any]:
+        """The kernel, with its results noted or changed."""
+
+        def called(*arguments: Any, **named: Any) -> Any:
+            result = kernel(*arguments, **named)
+            number = len(self.results[name])
+            self.results[name].append(result)
+            return self.change.made() if self.change and self.target == (name, number) else result
+
+        return called
+
+
+@contextmanager
+def watched(calls: Calls) -> Iterator[None]:
+    """Within it the tasks see kernels whose calls are noted."""
+    kernels = {name: getattr(exact, name) for name in KERNELS}
+    for name, kernel in kernels.items():
+        setattr(exact, name, calls.wrapped(name, kernel))
+    try:
+        yield
+    finally:
+        for name, kernel in kernels.items():
+            setattr(exact, name, kernel)
+
+
+def outcomes(path: Path, most: int, presentation: Presentation) -> list[Outcome]:
+    """What becomes of a problem's parts, with at most so many changes of each call; made in a process of its own."""
+    read_end, write_end = os.pipe()
+    child = os.fork()
+    if not child:
+        os.close(read_end)
+        with os.fdopen(write_end, "wb") as pipe:
+            pickle.dump(list(_outcomes(path, most, presentation)), pipe)
+        os._exit(0)
+    os.close(write_end)
+    with os.fdopen(read_end, "rb") as pipe:
+        found: list[Outcome] = pickle.load(pipe)  # noqa: S301 - our own child
+    os.waitpid(child, 0)
+    return found
+
+
+def _outcomes(path: Path, most: int, presentation: Presentation) -> Iterator[Outcome]:
+    problem = read_problem(load(path), catalogue())
+    writer = Writer(problem, presentation)
+    known: dict[str, PartResult] = {}
+    for part in problem.parts:
+        for method in part.methods:
+            by_method = replace(part, methods=(method,))
+            calls = Calls()
+            with watched(calls):
+                result, work = _solved(by_method, known, writer)
+            known.setdefault(part.id, result)
+            if work.status is not Status.VERIFIED:
+                continue
+            for name, number, change in _cases(f"{path.stem} {part.id} {method}", calls, most):
+                changed = Calls(target=(name, number), change=change)
+                became, shown = _corrupted(by_method, known, writer, changed, work)
+                yield Outcome(path.stem, part.id, part.task, method, name, number, change.what, became, shown)
+
+
+def _cases(seed: str, calls: Calls, most: int) -> Iterator[tuple[str, int, Change]]:
+    """Some changes of every call, always the same ones."""
+    for name, results in calls.results.items():
+        for number, result in enumerate(results):
+
+            def order(change: Change, place: str = f"{seed} {name} {number}") -> bytes:
+                return sha256(f"{place} {change.what}".encode()).digest()
+
+            for change in sorted(changes(result), key=order)[:most]:
+                yield name, number, change
+
+
+def _solved(part: Part, known: Earlier, writer: Writer) -> tuple[PartResult, Work]:
+    result = solve_part(part, known)[0]
+    return result, writer.work(result, known)
+
+
+def _corrupted(part: Part, known: Earlier, writer: Writer, calls: Calls, right: Work) -> tuple[str, str]:
+    """What becomes of the part, and how its page differs."""
+    try:
+        with limited(), watched(calls):
+            _, work = _solved(part, known, writer)
+    except Ended:
+        return "ended", ""
+    except Exception:  # noqa: BLE001 - the part is lost, as it is in the child process of the program
+        return "crashed", ""
+    if work.status is Status.FAILED:
+        return "failed", ""
+    if work.status is not Status.VERIFIED:
+        return "unsolved", ""
+    differing = difference(right, work)
+    return (SURVIVED, differing) if differing else (SAME, "")
+
+
+@contextmanager
+def limited() -> Iterator[None]:
+    """Within it, what takes too long is ended."""
+
+    def end(*_: object) -> None:
+        raise Ended
+
+    signal.signal(signal.SIGVTALRM, end)
+    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+
+
+def difference(right: Work, other: Work) -> str:
+    """The first lines in which two pages differ; nothing where they show the same."""
+    for before, after in zip(_lines(right), _lines(other), strict=False):
+        if before != after:
+            return f"{before!r} -> {after!r}"
+    return "" if len(_lines(right)) == len(_lines(other)) else "more or fewer lines"
+
+
+def _lines(work: Work) -> list[str]:
+    """What a page shows of a part, line by line: its steps with their figures, its answers."""
+    steps = [each for step in work.steps for each in step.walk()]
+    texts = [line for step in steps for line in (step.title, *step.markdown.splitlines(), *map(repr, step.figures))]
+    return [*texts, *(f"{answer.symbol} = {answer.tex}" for answer in work.answers), work.reason]
+
+
+def all_outcomes(paths: Iterable[Path], most: int, presentation: Presentation) -> Iterator[Outcome]:
+    """What becomes of some problems, one after another."""
+    for path in paths:
+        yield from outcomes(path, most, presentation)
