@@ -213,7 +213,7 @@ def _answers(
             symbol,
             wording.answer(value),
             wording.say(declared[name].doc),
-            sympy_text(value),
+            sympy_text(value) if data else "",
             wording.equation(symbol, value),
             wording.equation(symbol, value, narrow=True),
             marks=NumberFormat("decimal", 3).text(marks[name]) if name in marks else "",
