@@ -11,6 +11,7 @@ import time
 import tomllib
 from collections import Counter, defaultdict
 from collections.abc import Iterable
+from itertools import zip_longest
 from pathlib import Path
 
 import pytest
@@ -43,9 +44,10 @@ def sample(mutants: list[Mutant], number: int, seed: int) -> list[Mutant]:
 
 
 def sample_of_each(mutants: list[Mutant], number: int, seed: int) -> list[Mutant]:
-    """So many of every place in the program."""
+    """So many of every place in the program, one of each before the next."""
     places = sorted({each.place for each in mutants})
-    return [each for place in places for each in sample([m for m in mutants if m.place == place], number, seed)]
+    chosen = [sample([each for each in mutants if each.place == place], number, seed) for place in places]
+    return [each for turn in zip_longest(*chosen) for each in turn if each is not None]
 
 
 def is_recorded() -> bool:

@@ -80,6 +80,7 @@ class Recorder:
 
     def __init__(self, worker: str) -> None:
         self.file = FOLDER / f"{worker}-{os.getpid()}.json"
+        self.names: dict[str, str] = {}
         self.seconds: dict[str, float] = {}
         self.ran: dict[str, np.ndarray[Any, np.dtype[np.uint8]]] = {}
         program().watch()
@@ -89,7 +90,7 @@ class Recorder:
         """Run one test and note it; a slow one is not for slips."""
         if item.get_closest_marker("slow"):
             return (yield)
-        name = item.nodeid.partition("@")[0]  # xdist names the group of a test there
+        name = self.names[item.nodeid] = _name(item)
         program().ran()
         start = _seconds()
         result = yield
@@ -100,7 +101,7 @@ class Recorder:
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Forget what does not pass: it can tell nothing of a slip."""
         if not report.passed:
-            self.seconds.pop(report.nodeid.partition("@")[0], None)
+            self.seconds.pop(self.names.get(report.nodeid, ""), None)
 
     def pytest_sessionfinish(self) -> None:
         """Write down what was seen."""
@@ -108,6 +109,12 @@ class Recorder:
         text = {"seconds": self.seconds, "tests": [*self.ran], "files": files}
         self.file.write_text(json.dumps(text), encoding="utf-8")
         np.savez_compressed(self.file.with_suffix(".npz"), ran=np.array([*self.ran.values()], dtype=np.uint8))
+
+
+def _name(item: pytest.Item) -> str:
+    """The name of a test, without the group that xdist puts at its end."""
+    marker = item.get_closest_marker("xdist_group")
+    return item.nodeid.removesuffix(f"@{marker.args[0]}") if marker else item.nodeid
 
 
 def _seconds() -> float:

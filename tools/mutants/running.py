@@ -24,8 +24,8 @@ from tools.mutants.reached import ROOT, Reached
 
 COPIED = ("solver", "templates", "problems", "tests", "tools", "docs", "pyproject.toml")
 LIBRARIES = ("sympy", "numpy", "scipy.linalg", "mpmath", "hypothesis", "pydantic", "jinja2", "control")
-BUDGET = 15.0
-"""So many seconds of tests are run for one slip, the quickest first, each test function before its next case."""
+BUDGET, BUDGET_ELSEWHERE = 12.0, 6.0
+"""So many seconds of tests of its room, and of others, are run for one slip: one case of each function first."""
 FORK = multiprocessing.get_context("fork")
 NO_TESTS = int(pytest.ExitCode.NO_TESTS_COLLECTED)
 KILLED, KILLED_ELSEWHERE = 1, 101
@@ -42,14 +42,14 @@ def chosen_for(mutant: Mutant, reached: Reached) -> list[str]:
     """The tests that run the line (where it runs on import, the file): those of its room and then all others."""
     direct = reached.tests_of(mutant.file, mutant.line) or reached.tests_of_file(mutant.file)
     own = {test for test in direct if test.startswith(own_tests(mutant.room))}
-    return [*_within_budget(own, reached), *_within_budget(direct - own, reached)]
+    return [*_within(BUDGET, own, reached), *_within(BUDGET_ELSEWHERE, direct - own, reached)]
 
 
-def _within_budget(tests: Iterable[str], reached: Reached) -> list[str]:
+def _within(budget: float, tests: Iterable[str], reached: Reached) -> list[str]:
     chosen, spent = [], 0.0
     for test in _one_of_each_first(tests, reached):
         spent += reached.seconds[test]
-        if spent > BUDGET and chosen:
+        if spent > budget and chosen:
             break
         chosen.append(test)
     return chosen
