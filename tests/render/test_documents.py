@@ -128,6 +128,27 @@ def test_a_solution_compiles_and_nothing_runs_off_the_page(solution, detail, tmp
     assert not re.findall(r"Overfull \\hbox \((?!0\.)\d+", log)
 
 
+LANGUAGE = r"""\ProvidesLanguage{ngerman}
+\LdfInit{ngerman}{captionsngerman}
+\newlanguage\l@ngerman
+\StartBabelCommands*{ngerman}{captions}\EndBabelCommands
+\ldf@finish{ngerman}
+"""
+
+
+@pytest.mark.parametrize(("definition", "penalty"), [("", 10000), (LANGUAGE, 50)])
+@pytest.mark.usefixtures("tex")
+def test_a_german_document_is_hyphenated_as_german_or_not_at_all(solution, definition, penalty, tmp_path):
+    latex = latex_document(document_of(solution, Presentation(language="de")))
+    assert "babel" not in latex_document(document_of(solution))
+    if definition:
+        (tmp_path / "ngerman.ldf").write_text(definition, encoding="utf-8")
+    elif subprocess.run(["kpsewhich", "ngerman.ldf"], check=False, capture_output=True).stdout:
+        pytest.skip("this TeX knows German")
+    shown = latex.replace(r"\begin{document}", r"\begin{document}\typeout{penalty=\the\hyphenpenalty.}")
+    assert f"penalty={penalty}." in log_of(shown, tmp_path)
+
+
 @pytest.mark.usefixtures("tex")
 def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
     latex = latex_document(document_of(troubled))
