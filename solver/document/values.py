@@ -51,7 +51,7 @@ def numbers_of(value: Any) -> Any:
     Truth values, words and what is not finite are no numbers.
     """
     if isinstance(value, sp.MatrixBase):
-        return _all([[numbers_of(entry) for entry in row] for row in value.tolist()]) if value.rows else None
+        return _all([_all([numbers_of(entry) for entry in row]) for row in value.tolist()]) if value.rows else None
     if isinstance(value, list | tuple):
         return _all([numbers_of(each) for each in value]) if value else None
     if isinstance(value, Mapping):

@@ -17,6 +17,8 @@ from solver.systems.equations import Jet, jet_symbol
 
 Jets = dict[sp.Symbol, Jet]
 MAX_ORDER = 12
+BINDING = ("*", "/", "^")
+"""Operators after which a sign belongs to the operand: x^-1."""
 
 
 class EquationReader:
@@ -48,6 +50,14 @@ class EquationReader:
             left, right = self._parse(node, functions, parse_expression), sp.Integer(0)
         jets: Jets = {}
         return self._in_jets(left, node, jets), self._in_jets(right, node, jets), jets
+
+    def written(self, node: ScalarNode, functions: Collection[str]) -> tuple[tuple[sp.Expr, ...], ...]:
+        """Return the terms of the left and of the right side of a relation that is read, in the order of the text."""
+        sides: tuple[list[sp.Expr], list[sp.Expr]] = ([], [])
+        for side, sign, text in _terms(node):
+            value = self._parse(ScalarNode(node.place, text), functions, parse_expression)
+            sides[side].append(sign * self._in_jets(value, node, {}))
+        return tuple(tuple(term for term in terms if term != 0) for terms in sides)
 
     def formula(self, node: ScalarNode, functions: Collection[str]) -> tuple[sp.Expr, Jets]:
         """Return an expression."""
@@ -104,6 +114,21 @@ class EquationReader:
             variable = "k, as in y(k+1)" if self.discrete else "t"
             raise node.fault(f"a function of time is written at the time {variable}")
         return int(ahead)
+
+
+def _terms(node: ScalarNode) -> Iterator[tuple[int, int, str]]:
+    """Yield the terms of an equation: 0 or 1 for the left or right side, the sign, and the text without it."""
+    side, sign, start, depth, before = 0, 1, 0, 0, ""
+    for token in _tokens(node):
+        depth += (token.text == "(") - (token.text == ")")
+        inside, before = depth or before in BINDING, token.text
+        if token.kind is not Kind.END and (inside or token.text not in {"+", "-", "="}):
+            continue
+        if text := node.text[start : token.at].strip():
+            yield side, sign, text
+            sign = 1
+        side += token.text == "="
+        sign, start = -sign if token.text == "-" else sign, token.end
 
 
 def _tokens(node: ScalarNode) -> list[Token]:

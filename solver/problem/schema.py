@@ -74,7 +74,8 @@ def _part(task: Task[Any, Any], common: Schema) -> Schema:
     properties["task"] = {"const": task.name, "description": task.doc}
     if list(task.methods) != [task.name]:
         properties["method"] = _methods(task)
-    properties |= {name: _option(option) for name, option in task.options.items()}
+    own = {name: _option(option) for name, option in task.options.items()}
+    properties |= {name: _either(schema, common[name]) if name in common else schema for name, schema in own.items()}
     required = ["task", *(name for name, option in task.options.items() if option.required and not option.methods)]
     return {
         "type": "object",
@@ -83,6 +84,14 @@ def _part(task: Task[Any, Any], common: Schema) -> Schema:
         "properties": properties,
         "required": required,
         "additionalProperties": False,
+    }
+
+
+def _either(option: Schema, key: Schema) -> Schema:
+    """An option of the name of a key of every part: a list of names, say, where the key is a mapping of values."""
+    described = f"{option['description']}; or {key['description']}"
+    return {"anyOf": [{k: v for k, v in each.items() if k != "description"} for each in (option, key)]} | {
+        "description": described
     }
 
 

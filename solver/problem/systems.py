@@ -74,10 +74,11 @@ class SystemReader:
         """Raise Fault with everything that is wrong, if anything is."""
         self.report.conclude()
 
-    def complain(self, key: str, message: str, *, at_key: bool = False) -> None:
-        """Keep a fault at the value of the key, or at the key itself."""
+    def complain(self, key: str, message: str, *, at_key: bool = False, item: int | None = None) -> None:
+        """Keep a fault at the value of the key, at one item of it, or at the key itself."""
         entry = self.node.entries[key]
-        self.report.diagnostics.append((entry.key if at_key else entry.value).diagnostic(message))
+        node = entry.key if at_key else entry.value if item is None else self._scalars(key)[item]
+        self.report.diagnostics.append(node.diagnostic(message))
 
     def gives(self, key: str) -> bool:
         """Whether the key is there."""
@@ -162,6 +163,10 @@ class SystemReader:
                 sides.append((left, right))
                 jets.update(inside)
         return tuple(sides), jets
+
+    def written(self, key: str, functions: Sequence[str]) -> tuple[tuple[tuple[sp.Expr, ...], ...], ...]:
+        """Return the terms of the sides of each equation, in the order of the text; of equations that can be read."""
+        return tuple(self._equations.written(item, functions) for item in self._scalars(key))
 
     def formulas(self, key: str, functions: Sequence[str]) -> tuple[tuple[sp.Expr, ...], dict[Any, Any]]:
         """Return expressions in functions of time, and the derivatives that occur by their symbols."""

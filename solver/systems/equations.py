@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from solver.lazy import sympy as sp
+from solver.stated.algebra import total
 from solver.systems.kind import Key, Kind, ListOf, MappingTo, Reader, Value, Values
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ class Equations:
 
     `unknowns` are the functions asked for in their order, `algebraic` those among them that are to be eliminated,
     `inputs` the given ones; `states` are as named (none: the usual ones); `outputs` are expressions in the jets,
-    `initial` the values of jets at the beginning.
+    `initial` the values of jets at the beginning. `written` are the terms of the sides in the order of the file.
     """
 
     sides: tuple[tuple[Expr, Expr], ...]
@@ -45,6 +46,19 @@ class Equations:
     jets: Mapping[Symbol, Jet] = field(default_factory=dict)
     discrete: bool = False
     sample_time: Expr | None = None
+    written: tuple[tuple[tuple[Expr, ...], ...], ...] = ()
+
+    @property
+    def as_written(self) -> Sequence[tuple[Any, Any]]:
+        """Left and right side of each equation, with the terms in the order of the file."""
+        shown = [
+            tuple(
+                total(*terms) if len(terms) > 1 and sp.Add(*terms) == side else side
+                for terms, side in zip(written, sides, strict=True)
+            )
+            for written, sides in zip(self.written, self.sides, strict=True)
+        ]
+        return [(left, right) for left, right in shown] if shown else self.sides
 
     @property
     def kind(self) -> str:
@@ -94,7 +108,7 @@ def _read(reader: Reader) -> Equations:
     outputs, of_outputs = reader.formulas("outputs", functions)
     initial = reader.initial("initial", functions)
     reader.conclude()
-    _check_numbers(reader, sides, jets, unknowns, states)
+    _check_numbers(reader, sides, jets, unknowns, tuple(states), algebraic)
     reader.conclude()
     if not outputs:
         first = jet_symbol((unknowns[0], 0), discrete=reader.discrete)
@@ -102,7 +116,7 @@ def _read(reader: Reader) -> Equations:
     known = {**jets, **of_outputs}
     return Equations(
         tuple(sides), unknowns, algebraic, inputs, tuple(states), tuple(outputs), initial, known,
-        reader.discrete, reader.sample_time,
+        reader.discrete, reader.sample_time, reader.written("equations", functions),
     )  # fmt: skip
 
 
@@ -112,17 +126,26 @@ def _check_numbers(
     jets: Mapping[Symbol, Jet],
     unknowns: tuple[str, ...],
     states: tuple[Jet, ...],
+    algebraic: tuple[str, ...],
 ) -> None:
     """As many equations as unknowns, each unknown in one of them; a state is below the highest derivative."""
-    inside = {jet for symbol, jet in jets.items() if any(side.has(symbol) for pair in sides for side in pair)}
-    orders = {name: max((k for each, k in inside if each == name), default=None) for name in unknowns}
+    inside = [{jet for symbol, jet in jets.items() if any(side.has(symbol) for side in pair)} for pair in sides]
+    orders = {name: max((k for jet, k in set().union(*inside) if jet == name), default=None) for name in unknowns}
     if not unknowns:
         reader.complain("equations", "no unknown is found: none occurs with a derivative, or is named by 'states'")
         return
-    for name, order in orders.items():
-        if order is None:
-            reader.complain("equations", f"there is no equation for {name}")
-    if len(sides) != len(unknowns):
+    idle = [i for i, found in enumerate(inside) if not any(name in unknowns for name, _ in found)]
+    twice = [i for i, pair in enumerate(sides) if i not in idle and pair in sides[:i]]
+    for i in idle:
+        reader.complain("equations", "no unknown occurs in this equation", item=i)
+    for i in twice:
+        reader.complain("equations", "this equation stands above already", item=i)
+    lacking = [name for name, order in orders.items() if order is None]
+    for name in lacking:
+        key = "algebraic" if name in algebraic else "states"
+        at = algebraic.index(name) if name in algebraic else [each for each, _ in states].index(name)
+        reader.complain(key, f"there is no equation for {name}", item=at)
+    if len(sides) != len(unknowns) and not (idle or twice or lacking):
         counts = ((len(sides), "equation"), (len(unknowns), "unknown"))
         given, wanted = (f"{n} {what}{'s' * (n != 1)}" for n, what in counts)
         reader.complain("equations", f"{given} for {wanted} ({', '.join(unknowns)})")

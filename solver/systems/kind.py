@@ -155,6 +155,9 @@ class Reader(Protocol):
     def relations(self, key: str, functions: Sequence[str]) -> tuple[tuple[tuple[Expr, Expr], ...], dict[Any, Any]]:
         """Return the sides of each equation, and the derivatives that occur by their symbols."""
 
+    def written(self, key: str, functions: Sequence[str]) -> tuple[tuple[tuple[Expr, ...], ...], ...]:
+        """Return the terms of the sides of each equation, in the order of the text; of equations that can be read."""
+
     def formulas(self, key: str, functions: Sequence[str]) -> tuple[tuple[Expr, ...], dict[Any, Any]]:
         """Return expressions in functions of time, and the derivatives that occur by their symbols."""
 
@@ -167,8 +170,8 @@ class Reader(Protocol):
     def gain(self, key: str) -> Any:
         """Return a matrix, or the part and the answer it is taken from; None if it is absent or wrong."""
 
-    def complain(self, key: str, message: str, *, at_key: bool = False) -> None:
-        """Keep a fault at the value of the key, or at the key itself."""
+    def complain(self, key: str, message: str, *, at_key: bool = False, item: int | None = None) -> None:
+        """Keep a fault at the value of the key, at one item of it, or at the key itself."""
 
     def conclude(self) -> None:
         """Raise everything that is wrong, if anything is."""

@@ -161,6 +161,14 @@ def test_complex_numbers_are_pairs_and_a_problem_without_marks_counts_one_a_part
     assert data["parts"][0]["out_of"] == 1
 
 
+def test_a_matrix_with_a_symbol_in_one_entry_has_no_numbers():
+    text = "system: {A: [[0, 1], [a, 2]], B: [0, 1], C: [1, 0]}\nfind: {a: {task: pole_placement, poles: [-1, -2]}}\n"
+    answers = json.loads(told(text, data=True).json())["parts"][0]["answers"]
+    assert "a" in answers["K"]["value"]
+    assert "numeric" not in answers["K"]
+    assert answers["closed_loop_A"]["numeric"] == [[0, 1], [-2, -3]]
+
+
 def test_the_marks_are_those_of_the_answers_asked_for(solved):
     submission = "answers: {a: {K: [[4, 6]], polynomial: s^2 + 3s + 2}}\n"
     marking = mark(solved, read_submission(Source("answers.yaml", submission), solved.problem))

@@ -12,6 +12,7 @@ from solver.problem.schema import json_schema
 from solver.problem.shape import ProblemShape
 from solver.problem.source import InputError, Source
 from solver.problem.template import new_problem
+from solver.tasks import catalogue as whole_catalogue
 
 
 @pytest.fixture(scope="module")
@@ -70,6 +71,16 @@ def test_what_the_schema_refuses_is_not_read_either(validator, read, text):
     assert not validator.is_valid(yaml.safe_load(text))
     with pytest.raises(InputError):
         read(text)
+
+
+def test_an_option_of_the_name_of_a_key_of_every_part_may_be_written_as_either():
+    validator = jsonschema.Draft202012Validator(json_schema(whole_catalogue()))
+    text = "system: {{A: [[a, b], [1, -1]]}}\nfind: {{a: {{task: stability_range, parameters: {}}}}}\n"
+    for parameters, fits in (("[a]", True), ("a", True), ("{b: 2}", True), ("{b: [2]}", False), ("[[a]]", False)):
+        data = yaml.safe_load(text.format(parameters))
+        assert validator.is_valid(data) == fits
+        if fits:
+            read_problem(Source("file.yaml", text.format(parameters)), whole_catalogue())
 
 
 def test_every_option_is_described_and_every_task_has_a_branch(catalogue):

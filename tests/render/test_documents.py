@@ -143,7 +143,9 @@ def test_a_german_document_is_hyphenated_as_german_or_not_at_all(solution, defin
     assert "babel" not in latex_document(document_of(solution))
     if definition:
         (tmp_path / "ngerman.ldf").write_text(definition, encoding="utf-8")
-    elif subprocess.run(["kpsewhich", "ngerman.ldf"], check=False, capture_output=True).stdout:
+    elif (finder := shutil.which("kpsewhich")) and subprocess.run(
+        [finder, "ngerman.ldf"], stdout=-1, check=False
+    ).stdout:
         pytest.skip("this TeX knows German")
     shown = latex.replace(r"\begin{document}", r"\begin{document}\typeout{penalty=\the\hyphenpenalty.}")
     assert f"penalty={penalty}." in log_of(shown, tmp_path)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 import scipy.signal
@@ -12,8 +14,10 @@ from hypothesis import strategies as st
 from solver.derivation import CheckStatus, Status
 from solver.engine import refusals_of, solve_problem
 from solver.messages import Messages
+from solver.problem.model import Display
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
+from solver.render.wording import Wording
 from solver.tasks import catalogue
 from solver.tasks.modelling.state_space_model import with_derivatives
 
@@ -158,6 +162,40 @@ def test_what_is_wrong_with_equations_is_said_at_its_place(system, says):
 def test_the_order_of_a_derivative_stands_in_parentheses():
     model = read("equations: ['x^(4) + 2x = u'], inputs: u").system
     assert max(k for _, k in model.jets.values()) == 4
+
+
+@pytest.mark.parametrize(
+    ("system", "found"),
+    [
+        ("equations: [\"x' = u\", '3a = u'], inputs: u", ["32 no unknown occurs in this equation"]),
+        ("equations: [\"x' = u\", \"x' = u\"], inputs: u", ["32 this equation stands above already"]),
+        ("equations: [\"x' = u\"], inputs: u, algebraic: [z, w]",
+         ["56 there is no equation for z", "59 there is no equation for w"]),
+        ("equations: [\"x' = u\"], inputs: u, states: [x, v]", ["56 there is no equation for v"]),
+        ("equations: [\"x' = u\", \"x'' = u\"], inputs: u", ["21 2 equations for 1 unknown (x)"]),
+    ],
+)  # fmt: skip
+def test_an_equation_or_unknown_at_fault_is_named_by_its_place(system, found):
+    assert complaint(system) == found
+
+
+@pytest.mark.parametrize(
+    ("typed", "shown"),
+    [
+        ("m x'' + d x' + k x = u", r"m\ddot{x} + d\dot{x} + kx = u"),
+        ("-z' + 3 z/4 = -x^-1 + u/2 + x'", r"-\dot{z} + \frac{3}{4}z = -\frac{1}{x} + \frac{1}{2}u + \dot{x}"),
+        ("a(x - z) - x' = 0", r"a(x - z) - \dot{x} = 0"),
+        ("x' = x + u - x", r"\dot{x} = x + u - x"),
+        ("u - x'", r"u - \dot{x} = 0"),
+    ],
+)
+def test_equations_are_shown_in_the_order_in_which_they_are_typed(typed, shown):
+    def plain(text):
+        return re.sub(r"[\s{}]|\\left|\\right", "", text)
+
+    problem = read(f'equations: ["{typed}", "z\' = x\'"], inputs: u, states: [x, z]')
+    given = Wording.of(Display()).given(problem.system)
+    assert plain(shown) in plain(given)
 
 
 @pytest.mark.parametrize("task", ["state_space_model", "stability", "routh_hurwitz"])
