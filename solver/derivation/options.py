@@ -89,7 +89,13 @@ def option(
     kind: OptionKind[T], doc: str, *, methods: tuple[str, ...] = (), answer: str = "", loop: str = ""
 ) -> T | None: ...
 def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **facts: Any) -> Any:
-    """Return the field of an option. Without a default, and not required, its value is None where it is not given."""
+    """Return the field of an option, whose type follows from how it is declared.
+
+    `required`: the value of the kind, since a file without it is refused. With a `default`, as it would be typed in a
+    file, or of a kind that implies one (a flag, a choice): that value where none is given. Else None where none is
+    given; then `answer` names the answer of an earlier part that it is usually taken from, `loop` the lemma that closes
+    a loop with it. `methods` are those that take the option (none: all).
+    """
     default = kind.implied if default is None else default
     declared = Option("", kind, doc, default, **facts)
     return field(default=None if isinstance(default, list) else default, metadata={"option": declared})
