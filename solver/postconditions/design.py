@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Claim
+from solver.derivation import Check, Claim
 from solver.postconditions.structure import krylov
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import rank
@@ -40,3 +40,23 @@ def of_matching(found: Any, numerator: Any, denominator: Any, target: Any, x: An
     yield Claim(sp.Integer(found.order), sp.Integer(sp.degree(denominator, x)))
     yield Claim(product(found.compensator, numerator), product(target, denominator))
     yield Claim(found.hidden, product(*(x - zero for zero in found.hidden_zeros)))
+
+
+def of_measured_first(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
+    """Q is C over the unit rows of the states that are not measured, T its inverse; A and B in these coordinates."""
+    n, p = A.rows, C.rows
+    unit = sp.eye(n)
+    own = all(0 <= j < n for j in found.unmeasured) and len(found.unmeasured) == n - p == n - found.p
+    yield Check.that("the states that are not measured", "counted", own)
+    if own:
+        rows = [sp.Matrix(C), *(unit[j, :] for j in found.unmeasured)]
+        yield Claim(sp.ImmutableMatrix(sp.Matrix.vstack(*rows)), found.Q)
+    yield Claim(product(found.Q, found.T), sp.ImmutableMatrix(unit))
+    yield Claim(product(found.Q, A, found.T), found.A)
+    yield Claim(product(found.Q, B), found.B)
+    of = found.blocks
+    blocks = [[sp.Matrix(of[f"A{i}1"]), sp.Matrix(of[f"A{i}2"]), sp.Matrix(of[f"B{i}"])] for i in (1, 2)]
+    whole = sp.ImmutableMatrix(sp.Matrix(found.A).row_join(sp.Matrix(found.B)))
+    yield Claim(whole, sp.ImmutableMatrix(sp.Matrix.vstack(*(sp.Matrix.hstack(*row) for row in blocks))))
+    units = all(sorted(map(str, row)) == sorted(["1", *["0"] * (n - 1)]) for row in C.tolist())
+    yield Check.that("outputs that are states", "compared", units == found.permutation)

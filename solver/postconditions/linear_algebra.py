@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Check, Claim
+from solver.lazy import numeric
 from solver.stated import Stated
 from solver.stated.algebra import difference, power, product, total
 from solver.stated.calculus import value_at
@@ -75,3 +76,8 @@ def of_factor(factor: Any) -> Iterator[Claim]:
     for root in factor.roots:
         yield of_root(root)
         yield Claim(sp.Integer(root.multiplicity), sp.Integer(factor.multiplicity))
+
+
+def of_is_singular(found: bool, M: Any) -> Iterator[Check]:
+    """The rank tells."""
+    yield Check.that("singular, or not", "numpy.linalg.svd", (numeric.rank(M) < M.rows) == bool(found))

@@ -42,6 +42,8 @@ CALLS = {
     "is_stable_polynomial": [((sp.Integer(1), sp.Integer(2), sp.Integer(sign * 3)),) for sign in (1, -1)],
     "decays": [(FACTOR,)],
     "constant_root": [(FACTOR,), (exact.spectrum(sp.ImmutableMatrix([[0]])).factors[0],)],
+    "is_singular": [(SINGULAR,), (A,)],
+    "measured_first": [(A, B, sp.ImmutableMatrix([[1, 0, 0]])), (A, B, sp.ImmutableMatrix([[1, 1, 0]]))],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
 TIMED = ("read_inputs", "at_rest", "location", "is_stable_polynomial", "decays", "constant_root")

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from solver.document.model import Presentation
 from tools.corrupted_kernels.equivalents import RIGHT, judged
-from tools.corrupted_kernels.runs import CAUGHT, SAME, SURVIVED, Outcome, outcomes
+from tools.corrupted_kernels.runs import CAUGHT, SAME, SURVIVED, Extent, Outcome, outcomes
 from tools.corrupted_kernels.samples import covering
 
 COLUMNS = ("caught", SAME, RIGHT, SURVIVED)
@@ -37,13 +37,14 @@ def main() -> int:
     """Run the command; 1 if a corrupted result reached a page under “verified”."""
     parser = argparse.ArgumentParser(prog="python -m tools.corrupted_kernels", description=__doc__)
     parser.add_argument("problems", nargs="*", type=Path, help="problem files (some that ask every task in every way)")
-    parser.add_argument("--most", type=int, default=3, help="changes made of the result of one call (3)")
+    parser.add_argument("--changes", type=int, default=3, help="changes made of the result of a call (3)")
+    parser.add_argument("--calls", type=int, help="calls of each kernel that are corrupted in a part (all)")
     parser.add_argument("--detail", default="full", help="the level of detail of the page (full)")
     options = parser.parse_args()
     presentation = Presentation(options.detail, notation="course")
     found: list[Outcome] = []
     for path in options.problems or covering():
-        for outcome in map(judged, outcomes(path, options.most, presentation)):
+        for outcome in map(judged, outcomes(path, Extent(options.changes, options.calls), presentation)):
             found.append(outcome)
             if outcome.became == SURVIVED:
                 print(f"{outcome.key}\n    {outcome.shown[:600]}", flush=True)

@@ -7,7 +7,7 @@ import os
 import pickle
 import signal
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from hashlib import sha256
@@ -89,14 +89,22 @@ def watched(calls: Calls) -> Iterator[None]:
             setattr(exact, name, kernel)
 
 
-def outcomes(path: Path, most: int, presentation: Presentation) -> list[Outcome]:
-    """What becomes of a problem's parts, with at most so many changes of each call; made in a process of its own."""
+@dataclass(frozen=True)
+class Extent:
+    """How much is tried for a part: `changes` of the result of a call, `calls` of a kernel (None: all of them)."""
+
+    changes: int = 3
+    calls: int | None = None
+
+
+def outcomes(path: Path, extent: Extent, presentation: Presentation) -> list[Outcome]:
+    """What becomes of a problem's parts where kernels are corrupted; made in a process of its own."""
     read_end, write_end = os.pipe()
     child = os.fork()
     if not child:
         os.close(read_end)
         with os.fdopen(write_end, "wb") as pipe:
-            pickle.dump(list(_outcomes(path, most, presentation)), pipe)
+            pickle.dump(list(_outcomes(path, extent, presentation)), pipe)
         os._exit(0)
     os.close(write_end)
     with os.fdopen(read_end, "rb") as pipe:
@@ -105,7 +113,7 @@ def outcomes(path: Path, most: int, presentation: Presentation) -> list[Outcome]
     return found
 
 
-def _outcomes(path: Path, most: int, presentation: Presentation) -> Iterator[Outcome]:
+def _outcomes(path: Path, extent: Extent, presentation: Presentation) -> Iterator[Outcome]:
     problem = read_problem(load(path), catalogue())
     writer = Writer(problem, presentation)
     known: dict[str, PartResult] = {}
@@ -118,22 +126,24 @@ def _outcomes(path: Path, most: int, presentation: Presentation) -> Iterator[Out
             known.setdefault(part.id, result)
             if work.status is not Status.VERIFIED:
                 continue
-            for name, number, change in _cases(f"{path.stem} {part.id} {method}", calls, most):
+            for name, number, change in _cases(f"{path.stem} {part.id} {method}", calls, extent):
                 changed = Calls(target=(name, number), change=change)
                 became, shown = _corrupted(by_method, known, writer, changed, work)
                 yield Outcome(path.stem, part.id, part.task, method, name, number, change.what, became, shown)
 
 
-def _cases(seed: str, calls: Calls, most: int) -> Iterator[tuple[str, int, Change]]:
-    """Some changes of every call, always the same ones."""
+def _cases(seed: str, calls: Calls, extent: Extent) -> Iterator[tuple[str, int, Change]]:
+    """Some changes of some calls, always the same ones."""
+
+    def order(place: str) -> bytes:
+        return sha256(f"{seed} {place}".encode()).digest()
+
     for name, results in calls.results.items():
-        for number, result in enumerate(results):
-
-            def order(change: Change, place: str = f"{seed} {name} {number}") -> bytes:
-                return sha256(f"{place} {change.what}".encode()).digest()
-
-            for change in sorted(changes(result), key=order)[:most]:
-                yield name, number, change
+        numbers = sorted(range(len(results)), key=lambda number, name=name: order(f"{name} {number}"))
+        for number in numbers[: extent.calls]:
+            found = {f"{name} {number} {change.what}": change for change in changes(results[number])}
+            for place in sorted(found, key=order)[: extent.changes]:
+                yield name, number, found[place]
 
 
 def _solved(part: Part, known: Earlier, writer: Writer) -> tuple[PartResult, Work]:
@@ -186,9 +196,3 @@ def _lines(work: Work) -> list[str]:
     steps = [each for step in work.steps for each in step.walk()]
     texts = [line for step in steps for line in (step.title, *step.markdown.splitlines(), *map(repr, step.figures))]
     return [*texts, *(f"{answer.symbol} = {answer.tex}" for answer in work.answers), work.reason]
-
-
-def all_outcomes(paths: Iterable[Path], most: int, presentation: Presentation) -> Iterator[Outcome]:
-    """What becomes of some problems, one after another."""
-    for path in paths:
-        yield from outcomes(path, most, presentation)

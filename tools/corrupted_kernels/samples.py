@@ -1,4 +1,4 @@
-"""Few problems that ask every task by every method that any problem asks for."""
+"""Few problems that ask every task by every method, and with every choice, that any problem asks for."""
 
 from __future__ import annotations
 
@@ -22,6 +22,10 @@ def covering() -> list[Path]:
     return chosen
 
 
-def _asked(path: Path) -> frozenset[tuple[str, str]]:
+def _asked(path: Path) -> frozenset[tuple[str, ...]]:
+    """The tasks with their methods, and with what was chosen: a form, a part, a kind."""
     problem = read_problem(load(path), catalogue())
-    return frozenset((part.task, method) for part in problem.parts for method in part.methods)
+    methods = {(part.task, method) for part in problem.parts for method in part.methods}
+    chosen = {(part.task, name, str(value)) for part in problem.parts for name, value in part.options.items()
+              if isinstance(value, str | bool)}  # fmt: skip
+    return frozenset(methods | chosen)
