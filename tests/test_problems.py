@@ -7,14 +7,12 @@ import pytest
 import sympy as sp
 
 from solver.derivation import CheckStatus, Status
-from solver.document.model import Presentation
-from solver.document.works import document_of
 from solver.numeric import NoRule
 from solver.render.data import render_json
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
 from solver.render.page import render_page
-from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, solution_of
+from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_problem, solution_of
 
 CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
 """What nobody would write: 1.0, - -2, + -, 1 · x, and remains of Python."""
@@ -40,8 +38,7 @@ def test_no_check_is_left_out_for_want_of_a_rule(path):
 )
 @pytest.mark.parametrize(**by_problem(PROBLEMS, quick=EXAMPLES))
 def test_every_format_shows_it_at_every_level_of_detail(path, detail):
-    solution = solution_of(path)
-    document = document_of(solution, Presentation(detail))
+    document = document_of_problem(path).told(detail=detail)
     shown = [render_page(document), latex_document(document), markdown_of(document)]
     for part in document.parts:
         assert all(answer.equation in shown[2] for answer in part.answers)
@@ -50,10 +47,10 @@ def test_every_format_shows_it_at_every_level_of_detail(path, detail):
     assert all(len(text) > 500 for text in shown)
 
 
-@pytest.mark.parametrize(**by_problem(PROBLEMS, quick=EXAMPLES))
+@pytest.mark.parametrize(**by_problem(PROBLEMS, quick=[]))
 def test_the_values_in_json_are_read_back_as_they_were(path):
     solution = solution_of(path)
-    data = json.loads(render_json(document_of(solution, Presentation(data=True))))
+    data = json.loads(render_json(document_of_problem(path)))
     names = {name: sp.Symbol(name) for name in data["symbols"]}
     for result, part in zip(solution.parts, data["parts"], strict=True):
         for name, answer in part["answers"].items():

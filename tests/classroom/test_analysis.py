@@ -2,10 +2,11 @@
 
 import pytest
 
-from tests.helpers.marked import marked, solved, verdict
+from tests.helpers.marked import marked, verdict
 
-QUESTIONS = solved(
-    """
+pytestmark = pytest.mark.xdist_group("analysis")  # its problem is solved once
+
+QUESTIONS = """
 title: Analysis
 system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}
 find:
@@ -36,7 +37,6 @@ find:
   steps: {task: state_transition_matrix, system: {time: discrete, A: [[0, 1], [0, "1/2"]]}}
   G: transfer_function
 """
-)
 
 RIGHT = [
     ("polynomial", "polynomial", "(λ + 1)(λ + 2)"),

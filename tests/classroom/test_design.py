@@ -2,10 +2,11 @@
 
 import pytest
 
-from tests.helpers.marked import solved, verdict
+from tests.helpers.marked import verdict
 
-QUESTIONS = solved(
-    """
+pytestmark = pytest.mark.xdist_group("design")  # its problem is solved once
+
+QUESTIONS = """
 title: Design
 system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}
 find:
@@ -27,7 +28,6 @@ find:
   kalman: {task: kalman_filter, Q: [[0, 0], [0, 4]], R: 1, system: {A: [[0, 1], [0, 0]], C: [1, 0]}}
   optimal: {task: optimal_tracking, Q: [[4, 0], [0, 1]], R: 1, system: {A: [[0, 1], [0, -2]], B: [0, 1], C: [1, 0]}}
 """
-)
 
 RIGHT = [
     ("poles", "poles", "-1 ± sqrt(3) j"),

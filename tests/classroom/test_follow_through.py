@@ -2,10 +2,11 @@
 
 import pytest
 
-from tests.helpers.marked import marked, solved
+from tests.helpers.marked import marked
 
-CHAIN = solved(
-    """
+pytestmark = pytest.mark.xdist_group("follow_through")  # its problem is solved once
+
+CHAIN = """
 system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}
 find:
   a: {task: pole_placement, method: ackermann, poles: [-4, -5], marks: {K: 2, polynomial: 1}}
@@ -16,7 +17,6 @@ find:
   f: {task: lqr, Q: [[4, 0], [0, 1]], R: 1, marks: 1}
   g: {task: optimal_tracking, gain: {from: f}, marks: 1}
 """
-)
 # right: a K = [18, 6]; d L = [10, 10]. A student's K = [16, 6]: A − BK = [[0, 1], [-18, -9]], eigenvalues −3, −6.
 
 

@@ -6,8 +6,9 @@ from solver.classroom.report import wrong_places
 from solver.problem.source import InputError
 from tests.helpers.marked import marked, solved, verdict
 
-PLANT = solved(
-    """
+pytestmark = pytest.mark.xdist_group("judging")  # its problem is solved once
+
+PLANT = """
 title: A plant
 system: {A: [[1, 2], [3, 1]], B: [0, 1], C: [1, 3], initial_state: [1, 0]}
 find:
@@ -20,7 +21,6 @@ find:
   g: {task: state_transition_matrix, system: {A: [[0, 1], [-5, -2]]}}
   h: {task: eigenstructure, system: {A: [[3, 1, 0], [0, 3, 0], [0, 0, 2]]}}
 """
-)
 
 RIGHT = [
     ("a", "eigenvalues", "[1 - sqrt(6), 1 + sqrt(6)]"),

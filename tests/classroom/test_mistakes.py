@@ -6,8 +6,9 @@ import sympy as sp
 from tests.helpers.marked import solved, verdict
 from tests.helpers.students import written
 
-PLANT = solved(
-    """
+pytestmark = pytest.mark.xdist_group("mistakes")  # its problem is solved once
+
+PLANT = """
 title: Mistakes
 system: {A: [[1, 2], [3, 1]], B: [0, 1], C: [1, 3], D: [[2]], initial_state: [1, 0]}
 find:
@@ -31,7 +32,6 @@ find:
   response: {task: response, kind: complete, input: "1", initial_state: [1, 0],
              system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}}
 """
-)
 
 MISTAKES = [
     ("gain", "K", "[-13, -9]", "the sign is reversed"),
@@ -81,7 +81,7 @@ def test_a_usual_mistake_is_named(part, name, value, words):
 
 
 def test_the_wrong_root_of_the_riccati_equation_is_named():
-    for result in PLANT.parts:
+    for result in solved(PLANT).parts:
         if result.id == "riccati":
             others = [P for P in result.answers["solutions"] if result.answers["P"] != P]
     for other in others:
@@ -97,7 +97,7 @@ def test_the_wrong_root_of_the_riccati_equation_is_named():
 
 
 def test_degrees_for_radians_are_named():
-    answers = next(result.answers for result in PLANT.parts if result.id == "specified")
+    answers = next(result.answers for result in solved(PLANT).parts if result.id == "specified")
     ours = answers["natural_frequency"]
     degrees = ours.replace(sp.acos, lambda z: sp.acos(z) * 180 / sp.pi)
     if ours != degrees:

@@ -33,5 +33,6 @@ def test_results_do_not_depend_on_flint():
     assert results("python", "1") == results("flint", "1")
 
 
+@pytest.mark.slow
 def test_results_do_not_depend_on_the_order_of_hashes():
     assert results("python", "1") == results("python", "2")

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from solver.document.model import Document, Presentation
+from solver.document.works import document_of
 from solver.engine import Solution, solve_problem
 from solver.problem.files import load
 from solver.problem.reader import read_problem
@@ -20,6 +22,12 @@ EXAMPLES = [path for path in PROBLEMS if path.parent.name == "examples"]
 def solution_of(path: Path) -> Solution:
     """The solution of the problem in a file."""
     return solve_problem(read_problem(load(path), catalogue()))
+
+
+@cache
+def document_of_problem(path: Path) -> Document:
+    """The solution of the problem in a file, told with all words and all data."""
+    return document_of(solution_of(path), Presentation("tutor", data=True))
 
 
 def by_problem(paths: Iterable[Path], quick: Iterable[Path] | None = None) -> dict[str, list]:

@@ -15,7 +15,7 @@ from solver.problem.source import Source
 from solver.render.data import as_data, render_json
 from solver.tasks import catalogue
 from solver.words import Reason
-from tests.helpers.solved import EXAMPLES, by_problem, solution_of
+from tests.helpers.solved import EXAMPLES, by_problem, document_of_problem, solution_of
 
 PROBLEM = "title: T\nsystem: {A: [[1, beta], [0, N]]}\nfind: {a: {task: characteristic_polynomial, marks: 3}}\n"
 
@@ -43,7 +43,7 @@ def with_result(**changes):
 @pytest.mark.parametrize(**by_problem(EXAMPLES))
 def test_every_answer_is_read_back_as_it_was(path):
     solution = solution_of(path)
-    data = json.loads(render_json(told(solution)))
+    data = json.loads(render_json(document_of_problem(path)))
     names = {name: sp.Symbol(name) for name in data["symbols"]}
     assert [part["id"] for part in data["parts"]] == [part.id for part in solution.parts]
     for result, part in zip(solution.parts, data["parts"], strict=True):

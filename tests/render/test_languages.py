@@ -12,6 +12,7 @@ import yaml
 
 import solver
 from solver.derivation import Status
+from solver.document.model import Presentation
 from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.messages import Messages
@@ -111,6 +112,16 @@ def solved(name):
     return solve_problem(read_problem(Source("q.yaml", text), catalogue()))
 
 
+@cache
+def told(name):
+    """The document in English and in German, at the level with most words."""
+    document = document_of(solved(name), Presentation("tutor"))
+    return document, document.told(language="de")
+
+
+EVERY_PAGE = [pytest.param(name, marks=pytest.mark.xdist_group(f"german {name}")) for name in PAGES]
+
+
 def words_of(page):
     """The words that a reader sees, or hears: text, alternative texts, labels; formulas left out."""
     visible = re.sub(r"(?s)<(style|math|code)\b.*?</\1>", " ", page)
@@ -119,21 +130,19 @@ def words_of(page):
     return {word.lower() for word in re.findall(r"[^\W\d_]{3,}", text)}
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", EVERY_PAGE)
 def test_no_english_word_remains_on_a_german_page(name):
-    document = document_of(solved(name)).told(detail="tutor")  # the one with most words
+    document, german = told(name)
     english = words_of(document.html())
-    german = document.told(language="de")
     assert english & words_of(german.html()) <= NAMES
     assert '<html lang="de">' in german.html()
     plain = {word.lower() for word in re.findall(r"[^\W\d_]{4,}", re.sub(r"\$[^$]*\$", " ", german.markdown()))}
     assert english & plain <= NAMES | {"left", "right", "operatorname", "begin", "end", "frac", "bmatrix", "aligned"}
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", EVERY_PAGE)
 def test_the_formulas_of_a_german_page_are_those_of_the_english_one(name):
-    document = document_of(solved(name))
-    german = document.told(language="de")
+    document, german = told(name)
     for ours, theirs in zip(document.parts, german.parts, strict=True):
         assert [each.tex for each in ours.answers] == [each.tex for each in theirs.answers]
         assert [each.kind for each in ours.steps] == [each.kind for each in theirs.steps]

@@ -4,21 +4,18 @@ import re
 
 import pytest
 
-from solver.document.works import document_of
-from solver.engine import solve_problem
-from solver.notation import COURSE, NOTATIONS, spelled
-from solver.problem.files import load
-from solver.problem.reader import read_problem
+from solver.notation import spelled
 from solver.resources import root
+from solver.symbols import COURSE, NOTATIONS
 from solver.tasks import catalogue
+from tests.helpers.solved import EXAMPLES, by_problem, document_of_problem
 
-EXAMPLES = {path.stem: path for path in sorted((root("problems") / "examples").glob("*.yaml"))}
 OURS = re.compile(r"K_\{?f|L_\{?c|\\mathcal\{C\}_\{?o|\\mathcal\{O\}_\{?v")
 """Symbols that only the course has."""
 
 
-def told(name):
-    document = document_of(solve_problem(read_problem(load(EXAMPLES[name]), catalogue())))
+def told(path):
+    document = document_of_problem(path)
     return document, document.told(notation="ogata")
 
 
@@ -29,9 +26,9 @@ def captions(document):
     ]
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
-def test_an_example_is_told_in_either_notation_and_claims_the_same(name):
-    course, ogata = told(name)
+@pytest.mark.parametrize(**by_problem(EXAMPLES))
+def test_an_example_is_told_in_either_notation_and_claims_the_same(path):
+    course, ogata = told(path)
     assert OURS.search("\n".join([ogata.markdown(), *captions(ogata)])) is None
     for ours, theirs in zip(course.parts, ogata.parts, strict=True):
         assert (ours.status, ours.fault) == (theirs.status, theirs.fault)
@@ -49,7 +46,7 @@ def test_an_example_is_told_in_either_notation_and_claims_the_same(name):
 
 
 def test_the_damping_ratio_is_zeta_wherever_it_stands():
-    course, ogata = told("desired-poles")
+    course, ogata = told(root("problems") / "examples" / "desired-poles.yaml")
     assert "\\xi" in course.markdown()
     assert "\\xi" not in ogata.markdown()
     assert "\\zeta" in ogata.markdown()

