@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from time import perf_counter
 from typing import Any
 
@@ -30,7 +30,8 @@ from solver.lazy import exact, noted_calls, numeric
 from solver.lazy import sympy as sp
 from solver.messages import Messages
 from solver.postconditions import check_calls
-from solver.problem.model import Part, Problem, Reference
+from solver.problem.conditions import differences
+from solver.problem.model import Chain, Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
 from solver.systems import EarlierPart, System
 from solver.tasks import catalogue
@@ -86,13 +87,28 @@ def solve_parts(
 
 def refusals_of(part: Part, messages: Messages) -> list[Refusal]:
     """Return what the task finds wrong with the question, without the options taken from earlier parts, in words."""
-    if isinstance(part.system, EarlierPart):
-        return []  # it is judged when the system is known
+    wrong = [(place, messages.say(fault)) for place, fault in wrong_conditions(part.conditions)]
+    if wrong or isinstance(part.system, EarlierPart):
+        return wrong  # the system is judged when it is known
     known = {name: None if isinstance(value, Reference) else value for name, value in part.options.items()}
     task = catalogue()[part.task]
     of_system = refused(part.system, [need for need in task.needs if need not in known])
     faults = [("", of_system)] if of_system else task.refused(part.system, known)
     return [(option, messages.reason(fault)) for option, fault in faults]
+
+
+def wrong_conditions(conditions: Iterable[Chain]) -> Iterator[Refusal]:
+    """Yield what is wrong with conditions: those that contradict the ones before them, and those that say nothing."""
+    said: tuple[Any, ...] = ()
+    for i, chain in enumerate(conditions):
+        told = tuple(each for each in differences(chain) if each.difference.free_symbols)
+        said = (*said, *told)
+        if exact.contradict(said):
+            never = "this condition never holds" if len(said) == len(told) else ""
+            yield f"conditions {i}", never or "this condition contradicts those before it"
+            return
+        if told and all(map(exact.always_holds, told)):
+            yield f"conditions {i}", "this condition always holds, so it says nothing"
 
 
 def solve_part(part: Part, earlier: Earlier) -> list[PartResult]:
@@ -128,8 +144,9 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     The steps of that are appended to `steps`. Raises Unsolved, NotExact.
     """
     task = catalogue()[part.task]
-    options = {name: _resolved(name, value, earlier) for name, value in part.options.items()}
-    system = _system_of(part, earlier)
+    own = _symbols_of(part)
+    options = {name: _named_alike(_resolved(name, value, earlier), own) for name, value in part.options.items()}
+    system = _system_of(part, earlier, own)
     _refuse(task, system, options)
     plant = _plant(task, task.given(system, options, method))
     given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
@@ -145,13 +162,29 @@ def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
     return steps
 
 
-def _system_of(part: Part, earlier: Earlier) -> Any:
+def _symbols_of(part: Part) -> dict[str, Any]:
+    """Return the symbols of a part by name, with what is assumed of them there."""
+    system: Any = part.system
+    told = [getattr(system, each.name) for each in fields(system)] + list(part.options.values())
+    found = {symbol.name: symbol for value in told for symbol in getattr(value, "free_symbols", ())}
+    return {**found, **part.symbols}
+
+
+def _named_alike(value: Any, symbols: Mapping[str, Any]) -> Any:
+    """Return a value with the symbols of the part in place of others of the same names: of a part that knows less."""
+    if isinstance(value, list | tuple):
+        return type(value)(_named_alike(each, symbols) for each in value)
+    others = [each for each in getattr(value, "free_symbols", ()) if symbols.get(each.name, each) != each]
+    return value.xreplace({each: symbols[each.name] for each in others}) if others else value
+
+
+def _system_of(part: Part, earlier: Earlier, own: Mapping[str, Any]) -> Any:
     """Return the system of a part, taken from the result of an earlier part where it refers to one."""
     system = part.system
     if not isinstance(system, EarlierPart):
         return system
     found = earlier[system.part].answers if system.part in earlier else {}
-    answers = {name: _exactly(value) for name, value in found.items()}
+    answers = {name: _named_alike(_exactly(value), own) for name, value in found.items()}
     taken = system.taken(answers, _resolved("gain", system.gain, earlier))
     if taken is None:
         raise Unsolved("conversions/no_earlier_system", part=system.part)

@@ -16,11 +16,12 @@ from solver.document.model import Document, Presentation, Work, WorkAnswer, Work
 from solver.document.values import numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution
 from solver.problem.asked import asked_of, marks_of
-from solver.problem.model import Display, Part, Problem
+from solver.problem.model import Chain, Display, Part, Problem
 from solver.render.numbers import NumberFormat
 from solver.render.plain import sympy_text
 from solver.render.prose import plain
 from solver.render.wording import WordedStep, Wording, WordingError
+from solver.systems import System
 from solver.tasks import catalogue
 from solver.words import Phrase, Reason
 
@@ -54,7 +55,7 @@ class Writer:
         problem, told = self.problem, self.presentation
         wording = self._wording(problem.display)
         system = problem.system if problem.show.system else None
-        given = "" if system is None else wording.given(system)
+        given = _given(wording, system, problem.conditions if problem.show.system else ())
         source = problem.source if told.sources and (problem.show.source or not told.is_paper) else ""
         parts = tuple(work for work in works if not (told.is_paper and work.again))
         texts = problem.title, source, problem.statement, given
@@ -105,7 +106,7 @@ class Writer:
             source=wording.say(method.source) if told.sources and (show.source or not told.is_paper) else "",
             marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
             question=wording.question(part, loops=_loops(task, part), asked=asked),
-            given=wording.given(part.system) if part.own_system and show.system else "",
+            given=_given(wording, part.system if part.own_system else None, self._own(part)) if show.system else "",
             again=result.method != part.methods[0],
             steps=tuple(map(self._step, worded)),
             answers=tuple(_answers(result, part, answers, wording, data=told.data)),
@@ -118,6 +119,11 @@ class Writer:
             system=texts_of(part.system) if told.data else {},
             symbols=tuple(symbols_of(result, worded)) if told.data else (),
         )
+
+    def _own(self, part: Part) -> list[Chain]:
+        """The conditions that a part adds to those of the problem."""
+        told = {chain.place for chain in self.problem.conditions}
+        return [chain for chain in part.conditions if chain.place not in told]
 
     def _wording(self, display: Display) -> Wording:
         told = self.presentation
@@ -144,6 +150,12 @@ class Writer:
             tuple(map(_drawing, worded.figures)),
             {name: sympy_text(value) for name, value in values.items()},
         )
+
+
+def _given(wording: Wording, system: System | None, conditions: Iterable[Chain]) -> str:
+    """Return what is given about a system, if there is one, and about the parameters."""
+    told = [wording.given(system) if system is not None else "", wording.conditions(conditions)]
+    return "\n\n".join(filter(None, told))
 
 
 def _drawing(figure: Figure) -> Drawing:

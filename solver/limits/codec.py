@@ -16,6 +16,8 @@ from sympy.core.function import AppliedUndef
 from sympy.core.operations import AssocOp
 from sympy.polys.polyerrors import OptionError
 
+from solver.conditions import Condition, Parameter
+
 Node = tuple[Any, ...]
 """A word that tells what it is, and what it is made of."""
 
@@ -69,6 +71,8 @@ def _parts(value: Any) -> list[Any]:
         return [each for entry in value.items() for each in entry]
     if isinstance(value, sp.MatrixBase):
         return list(value.flat())
+    if isinstance(value, Parameter):
+        return [each.difference for each in value.conditions]
     if isinstance(value, sp.Symbol | sp.Number):
         return []
     return list(value.args) if isinstance(value, sp.Basic) else []
@@ -89,7 +93,10 @@ def _head_of_expression(value: Any) -> Node:
     kind = type(value)
     if issubclass(kind, sp.Symbol):
         index = value.dummy_index if issubclass(kind, sp.Dummy) else None
-        node: Node = ("symbol", value.name, tuple(sorted(value._assumptions_orig.items())), index)
+        assumed = tuple(sorted(value._assumptions_orig.items()))
+        node: Node = ("symbol", value.name, assumed, index)
+        if issubclass(kind, Parameter):
+            node = ("parameter", value.name, assumed, tuple(each.relation for each in value.conditions))
     elif isinstance(value, sp.Float):
         sign, mantissa, exponent, bits = value._mpf_
         node = ("decimal", (int(sign), int(mantissa), int(exponent), int(bits)), int(value._prec))
@@ -108,6 +115,10 @@ def _symbol(name: str, assumed: Iterable[tuple[str, bool]], index: int | None, _
     if index is None:
         return sp.Symbol(name, **dict(assumed))
     return sp.Dummy(name, dummy_index=index, **dict(assumed))
+
+
+def _parameter(name: str, assumed: Iterable[tuple[str, bool]], relations: Iterable[str], parts: list[Any]) -> Any:
+    return Parameter(name, tuple(map(Condition, parts, relations)), **dict(assumed))
 
 
 def _applied(module: str, name: str, parts: list[Any]) -> Any:
@@ -132,6 +143,7 @@ MAKERS: Mapping[str, Callable[..., Any]] = {
     "mapping": lambda parts: dict(zip(parts[::2], parts[1::2], strict=True)),
     "matrix": sp.ImmutableMatrix,
     "symbol": _symbol,
+    "parameter": _parameter,
     "decimal": lambda value, precision, _: sp.Float._new(value, precision, zero=False),
     "fraction": lambda p, q, _: sp.Rational(p, q),
     "function": lambda name, parts: sp.Function(name)(*parts),

@@ -8,6 +8,8 @@ from typing import TypeVar
 
 import sympy as sp
 
+from solver.conditions import Parameter
+from solver.problem.conditions import Sided, declare
 from solver.problem.expressions import (
     ExpressionError,
     Names,
@@ -18,6 +20,7 @@ from solver.problem.expressions import (
     uses_decimal,
 )
 from solver.problem.expressions.tokens import Kind, tokenize
+from solver.problem.model import Chain
 from solver.problem.nodes import MappingNode, Node, ScalarNode, scalar
 from solver.problem.source import Report, did_you_mean
 from solver.symbols import MEANINGS
@@ -42,7 +45,7 @@ class Lexicon:
     """The names of a problem; remembers which were used, and whether a decimal was typed.
 
     `symbols` are declared ones with their assumptions, `values` what is put in place of a name; `found` all symbols
-    that occur in what was read, by name.
+    that occur in what was read, by name. `conditions` are those on the symbols, `condition_nodes` where they stand.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -50,6 +53,13 @@ class Lexicon:
     found: dict[str, sp.Symbol] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     decimals: bool = False
+    conditions: list[tuple[Sided, Chain]] = field(default_factory=list)
+    condition_nodes: tuple[Node, ...] = ()
+
+    @property
+    def chains(self) -> tuple[Chain, ...]:
+        """The conditions as they are shown."""
+        return tuple(chain for _, chain in self.conditions)
 
     def expression(self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = BARRED) -> sp.Expr:
         """Return a value as a finite exact expression, in which the `variables` may occur and the `barred` may not."""
@@ -117,28 +127,44 @@ def name_of(node: ScalarNode) -> str:
         raise node.fault_inside(error.message, error.at, error.length) from None
 
 
-def read_lexicon(
-    parameters: Node | None, assume: Node | None, report: Report, around: Lexicon | None = None
-) -> Lexicon:
+@dataclass(frozen=True)
+class Declarations:
+    """The values that say what names mean, in a problem or a part; None where there is none."""
+
+    parameters: Node | None = None
+    assume: Node | None = None
+    conditions: Node | None = None
+
+    def __bool__(self) -> bool:
+        return isinstance(self.parameters, MappingNode) or self.assume is not None or self.conditions is not None
+
+
+def read_lexicon(given: Declarations, report: Report, around: Lexicon | None = None) -> Lexicon:
     """Return the names that the problem declares, or a part: then those `around` it hold where it says nothing else.
 
     What is wrong with some of them goes to the report.
     """
     lexicon = Lexicon()
-    for entry in assume if isinstance(assume, MappingNode) else ():
+    for entry in given.assume if isinstance(given.assume, MappingNode) else ():
         with report:
             name = _declared(entry.key, lexicon.symbols)
             assumption = ASSUMPTIONS[scalar(entry.value).text]
             lexicon.symbols[name] = sp.Symbol(name, **assumption)
     own = set(lexicon.symbols)
     if around is not None:
-        lexicon.symbols = {**around.symbols, **lexicon.symbols}
-    if isinstance(parameters, MappingNode):
-        _read_values(parameters, lexicon, report)
+        lexicon.symbols = {**{name: _plain(x) for name, x in around.symbols.items()}, **lexicon.symbols}
+    if isinstance(given.parameters, MappingNode):
+        _read_values(given.parameters, lexicon, report)
     if around is not None:
         kept = {name: value for name, value in around.values.items() if name not in own}
         lexicon.values = {**kept, **lexicon.values}
+    nodes = (*(around.condition_nodes if around else ()), *([given.conditions] if given.conditions else []))
+    declare(lexicon, nodes, report)
     return lexicon
+
+
+def _plain(x: sp.Symbol) -> sp.Symbol:
+    return x.plain if isinstance(x, Parameter) else x
 
 
 def _read_values(parameters: MappingNode, lexicon: Lexicon, report: Report) -> None:

@@ -43,6 +43,15 @@ class Reference:
 
 
 @dataclass(frozen=True, slots=True)
+class Chain:
+    """A condition on parameters as it was written, `0 < zeta < 1`: its sides and the signs between them."""
+
+    sides: tuple[sp.Expr, ...]
+    signs: tuple[str, ...]
+    place: Place = field(compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Show:
     """What a paper shows: what is given about the system, the name of the method, the literature."""
 
@@ -57,8 +66,8 @@ class Part:
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
     `asked` are the answers that the file asks for, none where it does not say. `show` is what a paper shows of it.
-    `symbols` and `parameters` are those of a part that has its own. `places` tells where its task and its options stand
-    in the file.
+    `symbols` and `parameters` are those of a part that has its own, `conditions` all that hold in it. `places` tells
+    where its task, its options and the conditions stand in the file.
     """
 
     id: str
@@ -72,6 +81,7 @@ class Part:
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    conditions: tuple[Chain, ...] = ()
     asked: tuple[str, ...] = ()
     show: Show = Show()
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)
@@ -100,6 +110,7 @@ class Problem:
     display: Display = Display()
     parameters: Mapping[str, Any] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    conditions: tuple[Chain, ...] = ()
     show: Show = Show()
     images: Mapping[str, Image] = field(default_factory=dict, repr=False)
     file: Source | None = field(default=None, compare=False)

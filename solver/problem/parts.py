@@ -18,7 +18,7 @@ from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
-OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "answers", "show")
+OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "conditions", "answers", "show")
 IN_WORDS = {
     "transfer_function": "a transfer function (or A, B and C)",
     "matrix": "a matrix",
@@ -92,13 +92,15 @@ class PartReader:
             options=options,
             prompt=scalar(mapping["prompt"]).text.strip() if "prompt" in mapping else "",
             marks=marks,
-            own_system="system" in mapping or plant.system != common,
+            own_system="system" in mapping or (plant.system != common and _renames(mapping)),
             answer_marks=split,
             asked=asked,
             show=read_show(mapping, self.show),
             symbols={} if lexicon is self.lexicon else {**lexicon.symbols, **lexicon.found},
             parameters={} if lexicon is self.lexicon else dict(lexicon.values),
-            places={entry.key.text: entry.value.place for entry in mapping},
+            conditions=lexicon.chains,
+            places={entry.key.text: entry.value.place for entry in mapping}
+            | {f"conditions {i}": chain.place for i, chain in enumerate(lexicon.chains)},
         )
 
     def _task(self, node: Node) -> Task[Any, Any]:
@@ -119,6 +121,11 @@ def read_show(holder: MappingNode, default: Show) -> Show:
     said = {each.name: node.get(each.name) for each in fields(Show)}
     truths = {name: value.truth is True for name, value in said.items() if isinstance(value, ScalarNode)}
     return replace(default, **truths)
+
+
+def _renames(part: MappingNode) -> bool:
+    """Whether a part gives names other meanings; conditions leave the system as it is."""
+    return isinstance(part.get("parameters"), MappingNode) or "assume" in part
 
 
 def _marks(node: Node) -> Any:

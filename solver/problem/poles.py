@@ -36,7 +36,7 @@ def _check_pairs(placed: list[tuple[Node, sp.Expr]], report: Report, noun: str) 
     while left:
         place, value = left.pop(0)
         conjugate = sp.expand(sp.conjugate(value))
-        partner = next((i for i, (_, other) in enumerate(left) if _same(other, conjugate)), None)
+        partner = next((i for i, (_, other) in enumerate(left) if _same(other, conjugate) or _pair(value, other)), None)
         if partner is None:
             missing = sp.sstr(conjugate).replace("*I", "j").replace("I", "j")
             written = place.text if isinstance(place, ScalarNode) else noun
@@ -44,6 +44,13 @@ def _check_pairs(placed: list[tuple[Node, sp.Expr]], report: Report, noun: str) 
             report.diagnostics.append(place.diagnostic(f"the {noun} {written} has no conjugate", note=note))
         else:
             del left[partner]
+
+
+def _pair(a: sp.Expr, b: sp.Expr) -> bool:
+    """Whether two expressions are the roots of a real quadratic, as σ ± jω√(1 − ζ²) are whatever ζ is."""
+    if not (a.free_symbols or b.free_symbols):
+        return False
+    return all(_same(each, sp.conjugate(each)) for each in (sp.expand(a + b), sp.expand(a * b)))
 
 
 def _same(a: sp.Expr, b: sp.Expr) -> bool:

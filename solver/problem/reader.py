@@ -8,8 +8,9 @@ from pathlib import PurePath
 from typing import Any
 
 from solver.derivation import Task
+from solver.problem.conditions import check_occurring
 from solver.problem.files import load
-from solver.problem.lexicon import Lexicon, check_used, read_lexicon
+from solver.problem.lexicon import Declarations, Lexicon, check_used, read_lexicon
 from solver.problem.model import Display, Part, Problem, Show
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar, whole_number
 from solver.problem.parts import PartReader, PlantOf, read_show
@@ -59,8 +60,8 @@ class _ProblemReader:
         self.catalogue = catalogue
         self.misshapen = check_shape(root)
         self.report = Report([wrong.diagnostic for wrong in self.misshapen])
-        parameters, assume = (self.section(key) for key in ("parameters", "assume"))
-        self.lexicon = read_lexicon(parameters, assume, self.report)
+        self.lexicon = read_lexicon(self.declarations(), self.report)
+        self.occurring: set[str] = set()
         self.show = Show() if self.spoilt("show") else read_show(root, Show())
 
     def section(self, *path: str) -> Node | None:
@@ -79,6 +80,7 @@ class _ProblemReader:
         parts = self.parts(system)
         if not self.report.diagnostics:
             check_used(self.section("parameters"), self.lexicon, self.report)
+            check_occurring(self.lexicon, {*self.occurring, *self.lexicon.found}, self.report)
         if self.report.diagnostics:
             raise InputError(self.source, self.report.diagnostics)
         name = file_stem(self.source.name)
@@ -92,6 +94,7 @@ class _ProblemReader:
             display=replace(display, decimals_typed=self.lexicon.decimals),
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
+            conditions=self.lexicon.chains,
             show=self.show,
             images=images,
             file=self.source,
@@ -136,15 +139,21 @@ class _ProblemReader:
             self.lexicon.decimals |= lexicon.decimals
             if lexicon is not self.lexicon:
                 self.lexicon.used |= lexicon.used
+                self.occurring |= set(lexicon.found)
                 check_used(self.section("find", name, "parameters"), lexicon, self.report)
+                if not self.report.diagnostics:
+                    own = replace(lexicon, conditions=lexicon.conditions[len(self.lexicon.conditions) :])
+                    check_occurring(own, {*self.occurring, *self.lexicon.found}, self.report)
         return parts
 
     def lexicon_of(self, entry: Entry) -> Lexicon:
         """Return the names of a part: those of the problem, and its own, which win."""
-        parameters, assume = (self.section("find", entry.key.text, key) for key in ("parameters", "assume"))
-        if not isinstance(parameters, MappingNode) and assume is None:
-            return self.lexicon
-        return read_lexicon(parameters, assume, self.report, self.lexicon)
+        own = self.declarations("find", entry.key.text)
+        return read_lexicon(own, self.report, self.lexicon) if own else self.lexicon
+
+    def declarations(self, *path: str) -> Declarations:
+        """Return what says what names mean, in the problem or in the part at a path."""
+        return Declarations(*(self.section(*path, key) for key in ("parameters", "assume", "conditions")))
 
     def choice(self, key: str, known: Iterable[str], usual: str) -> str:
         """Return one of some words, or the usual one where the file says nothing."""

@@ -220,6 +220,7 @@ class PartShape(BaseModel):
     system: System = optional("the part's own system")
     parameters: Parameters = optional("the part's own values of symbols, which win over those of the problem")
     assume: dict[str, Assumption] = optional("what the part knows of symbols")
+    conditions: Values = optional("further relations that hold in the part, as those of the problem")
 
 
 class DisplayShape(Shape):
@@ -247,6 +248,7 @@ class ProblemShape(Shape):
     statement: Text = optional("the problem in words: Markdown with $math$")
     parameters: dict[str, Value] = optional("values of symbols that occur in the expressions")
     assume: dict[str, Assumption] = optional("what is known of symbols without a value")
+    conditions: Values = optional('relations that hold between symbols: ["0 < zeta < 1", "a != b"]')
     display: Display = optional("how numbers are shown")
     show: ShowShape = optional("what a paper shows of all parts")
     language: Text = optional("the language of the solution: en, de")

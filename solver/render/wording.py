@@ -35,7 +35,7 @@ from solver.formula.nodes import Row, Text
 from solver.markup import math_problems
 from solver.messages import Messages
 from solver.notation import answer_symbol
-from solver.problem.model import Display, Part
+from solver.problem.model import Chain, Display, Part
 from solver.render.displaying import Displaying, word_of
 from solver.render.latex import DEFAULT, answer_formula, formula
 from solver.render.macros import Macros, environment_of, macros_of
@@ -132,6 +132,11 @@ class Wording:
     def given(self, system: System) -> str:
         """Return what is given about a system in Markdown."""
         return _tidy(self._macro(f"systems/{system.kind}", "given", system))
+
+    def conditions(self, chains: Iterable[Chain]) -> str:
+        """Return what is given about the parameters in Markdown; empty where that is nothing."""
+        listed = list(chains)
+        return _tidy(self._macro("lemmas/conditions", "conditions", listed)) if listed else ""
 
     def tex(self, value: Any) -> str:
         """Return a value as LaTeX."""

@@ -70,7 +70,7 @@ def test_every_wording_file_belongs_to_a_method_or_lemma():
     used = set().union(*(wordings_of(module) for module in MODULES)) | {f"{name}/question" for name in catalogue()}
     used |= {f"systems/{kind.name}" for kind in kinds().values()}
     files = {path.relative_to(WORDING).as_posix().removesuffix(".md.jinja") for path in WORDING.rglob("*.md.jinja")}
-    others = ("reasons/", "lemmas/asked", *(f"{language}/" for language in languages()))
+    others = ("reasons/", "lemmas/asked", "lemmas/conditions", *(f"{language}/" for language in languages()))
     assert {file for file in files if not file.startswith(others)} <= used
 
 

@@ -30,6 +30,8 @@ from solver.exact.linear_algebra.fields import (
     in_sines,
 )
 from solver.exact.linear_algebra.instances import decimal_parts, value_at
+from solver.exact.linear_algebra.radicals import over_root
+from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.linear_algebra.spectrum import DIGITS, Factor, Root
 
 Term = tuple[sp.Expr, list[sp.Expr]]
@@ -158,7 +160,7 @@ def polar(root: Root) -> tuple[sp.Expr, sp.Expr]:
     r = sp.sqrt(square if square.free_symbols else in_sines(square))  # not square_root: ω of either sign has radius |ω|
     if root.kind == "decimal":
         return r, sp.atan2(root.shift, root.sigma).evalf(DIGITS)
-    if root.shift.is_positive:
+    if is_positive(root.shift):
         return r, sp.acos(sp.radsimp(root.sigma / r))
     return r, sp.atan2(root.shift, root.sigma)  # the "upper" root is the lower one where a parameter is negative
 
@@ -176,7 +178,7 @@ def _instances(factor: Factor, Z: Residue) -> Iterator[tuple[Root, list[sp.Expr]
         upper = first if first.kind == "complex" else factor.roots[1]
         constant, linear = parts
         real = [collected(a + b * upper.sigma) for a, b in zip(constant, linear, strict=True)]
-        yield upper, real, [collected(b * upper.shift) for b in linear]
+        yield upper, real, [over_root(b * upper.shift) for b in linear]
     else:
         yield from _one_by_one(factor, parts)
 

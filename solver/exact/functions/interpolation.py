@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from solver.exact.functions.closed_forms import polar
-from solver.exact.linear_algebra.spectrum import Root, Spectrum
+from solver.exact.linear_algebra.spectrum import Root, Spectrum, is_lower
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,10 +27,8 @@ def interpolation(found: Spectrum, x: sp.Symbol, *, discrete: bool) -> list[Cond
 
 def _of_root(root: Root, n: int, x: sp.Symbol, *, discrete: bool) -> Iterator[Condition]:
     paired = root.kind in ("complex", "decimal") and root.shift != 0
-    if paired and root.shift.is_negative:
+    if paired and is_lower(root):
         return
-    if paired and root.kind == "complex" and root.shift.could_extract_minus_sign():
-        return  # the lower root of a pair with a parameter
     for i in range(root.multiplicity):
         row = tuple(_derivative_of_power(root.value, power, i) for power in range(n))
         if paired:

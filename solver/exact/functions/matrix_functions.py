@@ -22,7 +22,7 @@ from solver.exact.functions.residues import FactorResidues, interpolation_residu
 from solver.exact.functions.scalar_functions import ScalarFunction, at_root, multiplied_out
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import NotExact, collected, domain_matrix, expression, matrix_of
-from solver.exact.linear_algebra.spectrum import Factor, spectrum
+from solver.exact.linear_algebra.spectrum import Factor, is_lower, spectrum
 from solver.matrices import entries
 
 
@@ -103,7 +103,7 @@ def conditions_for(A: sp.ImmutableMatrix, f: ScalarFunction) -> Iterator[Conditi
     for factor in found.factors:
         for root in factor.roots:
             paired = root.kind in ("complex", "decimal") and root.shift != 0
-            if paired and (root.shift.is_negative or root.shift.could_extract_minus_sign()):
+            if paired and is_lower(root):
                 continue
             for i in range(root.multiplicity):
                 row = [sp.expand(sp.ff(p, i) * root.value ** (p - i)) if p >= i else sp.Integer(0) for p in range(n)]
@@ -127,7 +127,7 @@ def _summed(residues: Iterable[FactorResidues], f: ScalarFunction, shape: tuple[
         for j in range(1, highest_power(each) + 1):
             for root in each.factor.roots:
                 paired = root.kind in ("complex", "decimal") and root.shift != 0
-                if paired and (root.shift.is_negative or root.shift.could_extract_minus_sign()):
+                if paired and is_lower(root):
                     continue
                 Z = residue_at(each.residues[j - 1], root, shape)
                 real, imaginary = at_root(f, root, j - 1)

@@ -15,6 +15,7 @@ from solver.exact.linear_algebra.matrices import (
     truncated_series,
 )
 from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
+from solver.exact.linear_algebra.signs import always_holds, contradict
 from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, factored, spectrum
 
 __all__ = [
@@ -28,6 +29,8 @@ __all__ = [
     "Solution",
     "Spectrum",
     "affine",
+    "always_holds",
+    "contradict",
     "determinant",
     "determinant_and_adjugate",
     "eigenstructure",

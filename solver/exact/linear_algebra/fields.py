@@ -15,6 +15,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.assembly import linear_combination
+from solver.exact.linear_algebra.signs import is_not_zero
 from solver.words import Told
 
 Element = Any
@@ -145,27 +146,6 @@ def _linear_in(polynomial: sp.Expr, s: sp.Symbol, c: sp.Symbol) -> tuple[sp.Expr
     return sp.expand(a), sp.expand(b)
 
 
-def square_root(radicand: sp.Expr) -> sp.Expr:
-    """√radicand with squares taken out, as a person writes it: √12 = 2√3, √(4k/m) = 2√(k/m)."""
-    if radicand.is_Rational or not radicand.free_symbols:
-        return sp.sqrt(in_sines(radicand))
-    number, rest = sp.factor(in_sines(radicand)).as_coeff_Mul()
-    outside, inside = sp.sqrt(number), sp.Integer(1)
-    for factor, exponent in rest.as_powers_dict().items():
-        whole = exponent // 2 if exponent.is_Integer else 0
-        outside *= factor**whole
-        inside *= factor ** (exponent - 2 * whole)
-    return outside * sp.sqrt(_shorter(inside))
-
-
-def _shorter(inside: sp.Expr) -> sp.Expr:
-    """The product with its sums multiplied out where that has fewer terms: (ξ − 1)(ξ + 1) = ξ² − 1."""
-    sums, others = sp.sift(sp.Mul.make_args(inside), lambda factor: factor.is_Add, binary=True)
-    expanded = sp.expand(sp.Mul(*sums))
-    shorter = len(sums) > 1 and len(sp.Add.make_args(expanded)) < sum(len(each.args) for each in sums)
-    return sp.Mul(*others) * expanded if shorter else inside
-
-
 def in_sines(radicand: sp.Expr) -> sp.Expr:
     """The expression with cos² = 1 − sin², which turns cos²θ − 1 into a square."""
     squares = {f**2: 1 - sp.sin(f.args[0]) ** 2 for f in radicand.atoms(sp.cos)}
@@ -177,15 +157,7 @@ def vanishing_factors(value: sp.Expr) -> list[sp.Expr]:
     if not value.free_symbols:
         return []
     factors = sp.factor(sp.numer(sp.together(in_sines(whole_angles(value))))).as_powers_dict()
-    return [factor for factor in factors if factor.free_symbols and not factor.is_nonzero]
-
-
-def is_negative(radicand: sp.Expr) -> bool | None:
-    """Whether the radicand is negative (for general parameters); None where the assumptions do not decide."""
-    factored = sp.factor(in_sines(radicand)) if radicand.free_symbols else radicand
-    if factored.is_nonpositive:
-        return True
-    return False if factored.is_nonnegative else None
+    return [factor for factor in factors if factor.free_symbols and not is_not_zero(factor)]
 
 
 @dataclass(frozen=True, slots=True)

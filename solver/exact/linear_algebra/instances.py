@@ -8,7 +8,9 @@ from typing import Any
 import mpmath
 import sympy as sp
 
+from solver.conditions import conditions_of
 from solver.exact.linear_algebra.fields import Algebraic, expression
+from solver.exact.linear_algebra.radicals import over_root
 from solver.exact.linear_algebra.spectrum import DIGITS, Root
 
 
@@ -26,6 +28,10 @@ def value_at(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
     if root.kind == "decimal":
         real, imaginary = decimal_parts(coefficients, root)
         return sp.Add(real, sp.I * imaginary)
+    if len(coefficients) == 2 and root.shift.free_symbols and conditions_of(root.shift.free_symbols):
+        constant, slope = coefficients
+        apart = over_root(slope * root.shift) * (sp.I if root.kind == "complex" else 1)
+        return sp.factor(constant + slope * root.sigma) + apart
     value: sp.Expr = sp.Integer(0)
     for c in reversed(coefficients):
         value = sp.expand(value * root.value + c)

@@ -20,10 +20,10 @@ from solver.exact.linear_algebra.fields import (
     NotExact,
     expression,
     in_powers,
-    is_negative,
-    square_root,
     vanishing_factors,
 )
+from solver.exact.linear_algebra.radicals import is_negative, square_root
+from solver.exact.linear_algebra.signs import possible_signs
 
 DIGITS = 30
 """Decimal digits carried for the roots of factors of degree ≥ 3."""
@@ -41,6 +41,12 @@ class Root:
     kind: str
     sigma: sp.Expr
     shift: sp.Expr
+
+
+def is_lower(root: Root) -> bool:
+    """Whether a complex root is the lower one of its pair; with an undecided sign the one with a minus before it."""
+    signs = possible_signs(root.shift)
+    return signs == {-1} if len(signs) == 1 else bool(root.shift.could_extract_minus_sign())
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,10 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from solver.exact.linear_algebra.fields import in_sines, square_root
+from solver.conditions import conditions_of
+from solver.exact.linear_algebra.fields import in_sines
+from solver.exact.linear_algebra.radicals import square_root
+from solver.exact.linear_algebra.signs import is_not_zero, possible_signs, values_of
 from solver.exact.linear_algebra.spectrum import DIGITS
 
 WORKING_DIGITS = 60
@@ -27,13 +30,14 @@ Condition = Any
 class Generator:
     """What the conditions are rational functions of: k itself or a function of it, and its range.
 
-    The ends belong to the range where `closed` (sin and cos).
+    An end belongs to the range where it is closed (both of sin and cos).
     """
 
     value: sp.Expr
     low: sp.Expr
     high: sp.Expr
-    closed: bool = False
+    low_closed: bool = False
+    high_closed: bool = False
 
 
 @dataclass(frozen=True)
@@ -53,13 +57,16 @@ def sign_of(x: sp.Expr) -> int | None:
     if not x.free_symbols:
         value = sp.re(sp.N(x, WORKING_DIGITS))
         return 0 if abs(value) < sp.Float(10) ** -40 else (1 if value > 0 else -1)
+    decided = possible_signs(x) if conditions_of(x.free_symbols) else frozenset()
+    if len(decided) == 1:
+        return next(iter(decided))
     sign = 1
     for factor, exponent in signed_factors(x):
         known = _sign_of_factor(factor)
         if known == 0:
             return 0
         if known is None:
-            if exponent % 2 or not factor.is_nonzero:
+            if exponent % 2 or not is_not_zero(factor):
                 return None
             known = 1
         sign *= known if exponent % 2 else 1
@@ -103,6 +110,9 @@ def generator_of(expressions: Iterable[sp.Expr]) -> Generator | None:
     if not all(x.is_rational_function(k) for x in listed):
         return _function_of(k, listed)
     low = sp.Integer(0) if k.is_nonnegative else -sp.oo
+    range_of = values_of(k)
+    if range_of is not None:
+        return Generator(k, *range_of)
     return Generator(k, low, sp.Integer(0) if k.is_nonpositive else sp.oo)
 
 
@@ -117,7 +127,7 @@ def _function_of(k: sp.Symbol, listed: Sequence[sp.Expr]) -> Generator | None:
     if any(k in x.free_symbols or not x.is_rational_function(u) for x in replaced):
         return None
     if isinstance(f, sp.sin | sp.cos):
-        return Generator(f, sp.Integer(-1), sp.Integer(1), closed=True)
+        return Generator(f, sp.Integer(-1), sp.Integer(1), low_closed=True, high_closed=True)
     return Generator(f, sp.Integer(0), sp.oo) if isinstance(f, sp.exp) else None
 
 
@@ -131,9 +141,9 @@ def positive_intervals(conditions: Sequence[sp.Expr], generator: Generator) -> l
     found = []
     for low, high in pairwise(cuts):
         if _holds(functions, u, _between(low, high)):
-            ends = [generator.closed and end in (generator.low, generator.high) and _holds(functions, u, end)
-                    for end in (low, high)]  # fmt: skip
-            found.append(Interval(low, high, *ends))
+            low_end = generator.low_closed and low == generator.low and _holds(functions, u, low)
+            high_end = generator.high_closed and high == generator.high and _holds(functions, u, high)
+            found.append(Interval(low, high, low_end, high_end))
     return found
 
 
@@ -141,9 +151,7 @@ def whole_range(intervals: Sequence[Interval], generator: Generator) -> bool:
     """Whether the intervals are all of the generator's range."""
     if len(intervals) != 1:
         return False
-    only = intervals[0]
-    ends = not generator.closed or (only.low_end and only.high_end)
-    return bool(only.low == generator.low and only.high == generator.high and ends)
+    return _reach(intervals) == _reach_of(generator)
 
 
 def relational(intervals: Sequence[Interval], generator: Generator) -> Condition:
@@ -155,10 +163,10 @@ def relational(intervals: Sequence[Interval], generator: Generator) -> Condition
         return sp.Ne(g, intervals[0].high)
     for each in intervals:
         bounds: list[Any] = []
-        if each.low != -sp.oo and not each.low_end:
-            bounds.append(sp.Gt(g, each.low))
-        if each.high != sp.oo and not each.high_end:
-            bounds.append(sp.Lt(g, each.high))
+        if each.low != -sp.oo and not (each.low_end and not g.is_Symbol):
+            bounds.append(sp.Ge(g, each.low) if each.low_end else sp.Gt(g, each.low))
+        if each.high != sp.oo and not (each.high_end and not g.is_Symbol):
+            bounds.append(sp.Le(g, each.high) if each.high_end else sp.Lt(g, each.high))
         parts.append(sp.And(*bounds))
     return sp.Or(*parts)
 
@@ -169,7 +177,7 @@ def _reach(intervals: Sequence[Interval]) -> tuple[sp.Expr, sp.Expr, bool, bool]
 
 
 def _reach_of(generator: Generator) -> tuple[sp.Expr, sp.Expr, bool, bool]:
-    return generator.low, generator.high, generator.closed, generator.closed
+    return generator.low, generator.high, generator.low_closed, generator.high_closed
 
 
 def real_roots(polynomial: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:

@@ -11,6 +11,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.fields import NotExact, domain_matrix, expression
+from solver.exact.linear_algebra.signs import is_not_zero
 from solver.exact.linear_algebra.spectrum import Root, roots_of
 from solver.exact.structure.minors import diagonal_product, polynomials_of, without_constants
 from solver.exact.structure.rank_conditions import rank_conditions
@@ -82,7 +83,7 @@ def _admits(parameter: sp.Symbol, root: Root) -> bool:
     for assumption in ("positive", "negative", "nonzero", "nonnegative", "nonpositive", "integer"):
         if getattr(parameter, f"is_{assumption}") and getattr(value, f"is_{assumption}") is False:
             return False
-    return True
+    return not is_not_zero(parameter - value)
 
 
 def telling_minors(M: sp.ImmutableMatrix, parameter: sp.Symbol, most: int = 200) -> list[tuple[list[int], sp.Expr]]:

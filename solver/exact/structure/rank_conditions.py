@@ -14,6 +14,7 @@ from sympy.polys.groebnertools import groebner
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.fields import domain_matrix, expression, in_sines
+from solver.exact.linear_algebra.signs import is_not_zero
 from solver.exact.structure.minors import diagonal_product, minors_of, polynomials_of, without_constants
 
 
@@ -83,7 +84,7 @@ def _vanishes(f: Any, K: Any) -> sp.Eq:
 def _can_vanish(f: Any, K: Any) -> bool:
     """Whether a polynomial can be zero for real parameters that are as assumed; if in doubt, yes."""
     shown = _shown(f, K)
-    if not shown.free_symbols or shown.is_nonzero:
+    if not shown.free_symbols or is_not_zero(shown):
         return False
     if len(shown.free_symbols) == 1 and shown.is_polynomial() and f.ring.domain.is_QQ:
         (x,) = shown.free_symbols

@@ -10,6 +10,7 @@ import sympy as sp
 
 from solver.exact.functions.rational import RationalMatrix, residue_at
 from solver.exact.linear_algebra.fields import expression
+from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.linear_algebra.spectrum import Factor
 
 
@@ -17,12 +18,12 @@ def decays(factor: Factor, *, discrete: bool) -> bool:
     """Whether the modes of a factor are known to die out."""
     if factor.degree == 1:
         value = factor.roots[0].value
-        return bool((1 - sp.Abs(value)).is_positive if discrete else value.is_negative)
+        return is_positive(1 - sp.Abs(value)) if discrete else is_positive(-value)
     if factor.degree == 2:
         K = factor.modulus.domain
         c0, c1 = (expression(K, c) for c in factor.modulus.low)
         conditions = (1 + c1 + c0, 1 - c1 + c0, 1 - c0) if discrete else (c0, c1)
-        return all(bool(each.is_positive) for each in conditions)
+        return all(map(is_positive, conditions))
     return all((abs(complex(root.value)) < 1 if discrete else root.sigma < 0) for root in factor.roots)
 
 

@@ -15,6 +15,7 @@ import sympy as sp
 
 from solver.exact.functions.rational import RationalMatrix, highest_power, residue_at
 from solver.exact.functions.residues import FactorResidues
+from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.linear_algebra.spectrum import DIGITS, Root
 from solver.exact.time_response.long_run import constant_root, limit, slowest
 
@@ -70,7 +71,7 @@ def _of_step(image: RationalMatrix, y: sp.Expr, t: sp.Symbol) -> Peak | None:
     if final is None or final[0] == 0 or len(moving) != 1:
         return None
     (each, order), *_ = moving
-    root = next((root for root in each.factor.roots if root.kind == "complex" and root.shift.is_positive), None)
+    root = next((root for root in each.factor.roots if root.kind == "complex" and is_positive(root.shift)), None)
     if root is None or order != 1 or any(sp.cancel(sp.diff(y, t, i).subs(t, 0)) != 0 for i in (0, 1)):
         return None
     return Peak(sp.pi / root.shift, final[0] * (1 + sp.exp(sp.pi * root.sigma / root.shift)))
@@ -85,7 +86,7 @@ def _stationary(y: sp.Expr, moving: Sequence[tuple[FactorResidues, int]], t: sp.
     if len(modes) == 2 and all(order == 1 for _, order in modes):
         (first, _), (second, _) = modes
         if first.kind == "complex":
-            return _of_pair(first if first.shift.is_positive else second, slope)
+            return _of_pair(first if is_positive(first.shift) else second, slope)
         return _of_two(first.value, second.value, slope)
     if len(modes) == 1 and modes[0][1] == 2:
         return _of_double(modes[0][0].value, slope)

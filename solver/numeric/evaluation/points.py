@@ -11,7 +11,9 @@ import sympy as sp
 from sympy.functions.special.tensor_functions import KroneckerDelta
 from sympy.matrices.matrixbase import MatrixBase
 
+from solver.conditions import conditions_of
 from solver.matrices import entries
+from solver.numeric.evaluation.inside import Inside
 from solver.stated import Stated, operation_named
 from solver.symbols import COMPLEX, CONTINUOUS
 
@@ -107,10 +109,12 @@ class PointSource:
         self.whole = whole
         self.random = Random(SEED)  # noqa: S311 - nothing secret
         self.drawn = 0
+        self.inside = Inside(self.symbols, self.random) if conditions_of(self.symbols) else None
 
     def draw(self) -> dict[Any, complex]:
-        """Return the next point."""
-        point = {symbol: self._value(symbol) for symbol in self.symbols}
+        """Return the next point; raises NotEvaluable where no values are found that satisfy the conditions."""
+        values = self.inside.point(self._value) if self.inside else {}
+        point = {symbol: values[symbol] if symbol in values else self._value(symbol) for symbol in self.symbols}
         self.drawn += 1
         return point
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from random import Random
 from typing import Any
 
@@ -12,6 +12,7 @@ import sympy as sp
 
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.equalities import equality_residual
+from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, admissible, free_symbols
 from solver.numeric.judges.linear_algebra.eigen import spectrum_residual
 from solver.stated.algebra import difference, product
@@ -107,7 +108,16 @@ def rational_points(*formulas: Any) -> list[dict[Any, Any]]:
     """Return two points with short rational values for all symbols (one empty point where there are none)."""
     symbols = frozenset().union(*map(free_symbols, formulas))
     points = admissible(symbols, 2)
-    return [{symbol: sp.Rational(round(complex(value).real * 64), 64) for symbol, value in p.items()} for p in points]
+    return [_rational(point) for point in points]
+
+
+def _rational(point: Mapping[Any, complex]) -> dict[Any, Any]:
+    """The point in short rational numbers, longer ones where the conditions would not hold."""
+    for below in (64, 2**16, 2**30):
+        found = {symbol: sp.Rational(round(complex(value).real * below), below) for symbol, value in point.items()}
+        if admits(found):
+            break
+    return found
 
 
 def fixed_modes(A: Any, B: Any, row: Any = None, unknowns: Sequence[Any] = ()) -> list[Any]:

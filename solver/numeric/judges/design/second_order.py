@@ -9,8 +9,9 @@ from typing import Any
 import mpmath
 import sympy as sp
 
+from solver.conditions import conditions_of
 from solver.numeric.evaluation.compare import worst_of
-from solver.numeric.evaluation.points import SEED
+from solver.numeric.evaluation.points import SEED, PointSource
 from solver.numeric.evaluation.values import NotEvaluable
 
 DIGITS = 40
@@ -83,8 +84,11 @@ def second_order_cases(given: Mapping[str, Any], band: Any = 4) -> list[tuple[di
     symbols = sorted({symbol for value in given.values() for symbol in (sp.Integer(0) + value).free_symbols}, key=str)
     random = Random(SEED)  # noqa: S311 - nothing secret
     found: list[tuple[dict[Any, Any], Number, Number]] = []
+    inside = PointSource(symbols) if conditions_of(symbols) else None
     for _ in range(60 if symbols else 1):
         point = {symbol: sp.Rational(random.randint(10, 300), 100) for symbol in symbols}
+        if inside is not None:
+            point = {symbol: sp.Rational(str(complex(value).real)) for symbol, value in inside.draw().items()}
         values = {name: (sp.Integer(0) + value).subs(point) for name, value in given.items()}
         if symbols and not all(value > 0 and (name not in DAMPING or value < 1) for name, value in values.items()):
             continue
@@ -101,11 +105,28 @@ def second_order_cases(given: Mapping[str, Any], band: Any = 4) -> list[tuple[di
 
 
 def second_order_poles(given: Mapping[str, Any], band: Any = 4) -> list[Any]:
-    """Return the two poles as decimals of 40 digits (specifications in numbers). Raises NotEvaluable."""
+    """Return the two poles as decimals of 40 digits; in symbols where ζ is given and specifications hold some.
+
+    Raises NotEvaluable where they hold symbols and ζ is not given.
+    """
+    if any((sp.Integer(0) + value).free_symbols for value in given.values()):
+        return _poles_in_symbols(given, band)
     _, zeta, omega_n = second_order_cases(given, band)[0]
     with mpmath.workdps(DIGITS):
         apart = omega_n * mpmath.sqrt(mpmath.mpc(zeta**2 - 1))
         return [_number(-zeta * omega_n + sign * apart) for sign in (1, -1)]
+
+
+def _poles_in_symbols(given: Mapping[str, Any], band: Any) -> list[Any]:
+    """The roots of s² + 2ζω s + ω², whatever ζ is."""
+    speed = next((name for name in given if name in ("natural_frequency", "settling_time", "peak_time")), None)
+    if "damping_ratio" not in given or speed is None:
+        raise NotEvaluable("poles in symbols are judged where the damping ratio is given")
+    zeta, value = (sp.Integer(0) + given[name] for name in ("damping_ratio", speed))
+    omega_n = {"natural_frequency": value, "settling_time": band / (zeta * value)}.get(
+        speed, sp.pi / (value * sp.sqrt(1 - zeta**2))
+    )
+    return [omega_n * (-zeta + sign * sp.sqrt(zeta**2 - 1)) for sign in (1, -1)]
 
 
 def _number(z: Number) -> sp.Expr:

@@ -16,6 +16,7 @@ from numpy.linalg import LinAlgError
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import Point, worst_of
 from solver.numeric.evaluation.expressions import evaluate
+from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
 from solver.words import Phrase
@@ -61,7 +62,7 @@ def optima(weights: Weights, others: Iterable[Any] = ()) -> list[Optimum]:
     for _ in range(TRIES if symbols else 1):
         drawn = source.draw()
         for point in ({s: abs(v) if s in own else v for s, v in drawn.items()}, {s: abs(v) for s, v in drawn.items()}):
-            optimum = _optimum(weights, point)
+            optimum = _optimum(weights, point) if admits(point) else None
             if optimum is not None:
                 found.append(optimum)
                 break

@@ -18,6 +18,7 @@ import sympy as sp
 from solver.numeric.evaluation.arithmetic import Array, multiple
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Undefined, filled
 from solver.words import Phrase
@@ -55,7 +56,8 @@ def spread_points(formulas: Sequence[Any], count: int = POINTS) -> list[Point]:
     found: list[Point] = []
     for _ in range(4 * count if symbols else 1):
         drawn = source.draw()
-        point = {s: v if s.is_integer else v * 10.0 ** random.uniform(-1.5, 1.5) for s, v in drawn.items()}
+        spread = {s: v if s.is_integer else v * 10.0 ** random.uniform(-1.5, 1.5) for s, v in drawn.items()}
+        point = spread if admits(spread) else drawn
         if all(_is_defined(formula, point) for formula in formulas):
             found.append(point)
         if len(found) == count:

@@ -10,9 +10,11 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from solver.conditions import conditions_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
-from solver.numeric.evaluation.points import SEED, free_symbols
+from solver.numeric.evaluation.inside import admits
+from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, Undefined
 from solver.numeric.judges.stability.location import STABLE, located
 from solver.words import Phrase
@@ -43,6 +45,7 @@ def counterexample(A: Any, condition: Any, *, discrete: bool) -> str:
     if not symbols:
         return tried.disagreement({})
     points = [point for point in _points(A, condition, symbols, discrete) if _admissible(point)]
+    points += _inside(symbols)
     for point in points:
         if fault := tried.disagreement(point):
             return fault
@@ -114,7 +117,16 @@ def _admissible(point: Rational) -> bool:
         )
         if wrong:
             return False
-    return True
+    return admits(point)
+
+
+def _inside(symbols: Sequence[Any]) -> list[Rational]:
+    """Points at which the conditions on the parameters hold, where there are such conditions."""
+    if not conditions_of(symbols):
+        return []
+    drawn = PointSource(symbols).several(RANDOM_POINTS)
+    rational = [{symbol: sp.Rational(str(complex(value).real)) for symbol, value in each.items()} for each in drawn]
+    return [point for point in rational if _admissible(point)]
 
 
 def _points(A: Any, condition: Any, symbols: Sequence[Any], discrete: bool) -> Iterable[Rational]:

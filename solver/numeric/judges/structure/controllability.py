@@ -20,6 +20,7 @@ from solver.numeric.evaluation.arithmetic import Array, multiple
 from solver.numeric.evaluation.compare import Point, worst_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.ranks import rank, rank_at
 from solver.numeric.evaluation.values import NotEvaluable
@@ -259,7 +260,7 @@ def _admissible(point: Mapping[Any, Any]) -> bool:
             return False
         if symbol.is_zero is False and small:
             return False
-    return True
+    return admits(point)
 
 
 def _holds_somewhere(conditions: Sequence[Any], point: Mapping[Any, Any]) -> bool:

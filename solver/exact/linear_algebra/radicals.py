@@ -1,0 +1,59 @@
+"""Square roots of expressions with parameters, as a person writes them, and the signs of what is below the root."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from solver.conditions import conditions_of
+from solver.exact.linear_algebra.fields import collected, in_sines
+from solver.exact.linear_algebra.signs import possible_signs
+
+
+def square_root(radicand: sp.Expr) -> sp.Expr:
+    """√radicand with squares taken out, as a person writes it: √12 = 2√3, √(4k/m) = 2√(k/m)."""
+    if radicand.is_Rational or not radicand.free_symbols:
+        return sp.sqrt(in_sines(radicand))
+    number, rest = sp.factor(in_sines(radicand)).as_coeff_Mul()
+    turned = -1 if number.is_negative else 1
+    outside, inside = sp.sqrt(turned * number), sp.Integer(turned)
+    for factor, exponent in rest.as_powers_dict().items():
+        whole = exponent // 2 if exponent.is_Integer else 0
+        size = (
+            -factor if whole % 2 and conditions_of(factor.free_symbols) and possible_signs(factor) == {-1} else factor
+        )
+        outside *= size**whole
+        inside *= factor ** (exponent - 2 * whole)
+    return outside * sp.sqrt(_shorter(inside))
+
+
+def _shorter(inside: sp.Expr) -> sp.Expr:
+    """The product with its sums multiplied out where that has fewer terms: (ξ − 1)(ξ + 1) = ξ² − 1."""
+    sums, others = sp.sift(sp.Mul.make_args(inside), lambda factor: factor.is_Add, binary=True)
+    expanded = sp.expand(sp.Mul(*sums))
+    shorter = len(sums) > 1 and len(sp.Add.make_args(expanded)) < sum(len(each.args) for each in sums)
+    return sp.Mul(*others) * expanded if shorter else inside
+
+
+def over_root(value: sp.Expr) -> sp.Expr:
+    """A product in the form shown, with ζ/√(1 − ζ²) in place of ζ√(1 − ζ²)/(1 − ζ²)."""
+    roots = [each for each in value.atoms(sp.Pow) if each.exp == sp.Rational(1, 2) and each.free_symbols]
+    if len(roots) != 1 or not conditions_of(value.free_symbols):
+        return collected(value)
+    (root,) = roots
+    ratio = sp.factor(value / root)
+    if not ratio.is_rational_function():
+        return collected(value)
+    below = sp.factor(ratio * root.base)
+    shorter = sp.count_ops(below) < sp.count_ops(ratio)
+    return below / root if shorter else ratio * root
+
+
+def is_negative(radicand: sp.Expr) -> bool | None:
+    """Whether the radicand is negative (for general parameters); None where what is known does not decide."""
+    factored = sp.factor(in_sines(radicand)) if radicand.free_symbols else radicand
+    if factored.is_nonpositive:
+        return True
+    if factored.is_nonnegative:
+        return False
+    signs = possible_signs(factored)
+    return True if 1 not in signs else False if -1 not in signs else None
