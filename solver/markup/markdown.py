@@ -76,7 +76,7 @@ def images_in(markdown: str) -> list[str]:
 
 def address_of(token: Token) -> str:
     """Return the name of the file of an image's token."""
-    return unquote(str(token.attrGet("src") or ""))
+    return unquote(str(token.attrGet("src")))
 
 
 def _flat(found: Sequence[Token]) -> Iterator[Token]:

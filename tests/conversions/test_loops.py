@@ -106,6 +106,12 @@ def test_the_controller_must_be_a_quotient_of_polynomials():
         solved("{task: stability, controller: exp(-s)}")
 
 
+def test_what_no_way_leads_to_is_named_without_what_can_be_had():
+    with pytest.raises(Unsolved) as refused:
+        yield_into([], converted(StateSpace(sp.ImmutableMatrix([[1]])), ("A", "transfer_function")))
+    assert refused.value.reason.values["missing"] == ["transfer_function"]
+
+
 def test_the_chain_is_the_shortest_and_a_loop_closes_around_the_inner_one():
     G = plant(sp.Integer(1), s**2)
     assert chain_to(G, ("transfer_function",)) == ()

@@ -3,6 +3,7 @@
 import re
 import subprocess
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from solver.derivation import Step
 from solver.derivation.figures import Curve, Diagram, Mark, Plot
 from solver.document.works import document_of
 from solver.engine import solve_problem
-from solver.figures.layout import Block, Label, Sum, Wire
+from solver.figures.layout import Block, Dot, Label, Layout, Sum, Wire
 from solver.figures.layouts import LAYOUTS
 from solver.figures.plot_svg import middle
 from solver.figures.sampling import drawing_of, sampled
@@ -91,6 +92,51 @@ def test_every_arrow_ends_at_something_or_is_an_output(name):
         x, y = wire.points[-1]
         free += not any(abs(x - bx) <= w + 1e-6 and abs(y - by) <= h + 1e-6 for bx, by, w, h in boxes)
     assert free <= 2
+
+
+def lies_on(point, a, b):
+    """Whether a point lies on a stretch that runs along an axis."""
+    return all(min(u, v) - 1e-6 <= w <= max(u, v) + 1e-6 for w, u, v in zip(point, a, b, strict=True))
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_every_wire_begins_at_something_but_for_the_input(name):
+    items = LAYOUTS[name]({}).items
+    boxes = [(i.x, i.y, i.width / 2, i.height / 2) for i in items if isinstance(i, Block)]
+    boxes += [(i.x, i.y, 0.2, 0.2) for i in items if isinstance(i, Sum)]
+    wires = [i for i in items if isinstance(i, Wire)]
+    free = []
+    for wire in wires:
+        x, y = wire.points[0]
+        box = any(abs(x - bx) <= w + 1e-6 and abs(y - by) <= h + 1e-6 for bx, by, w, h in boxes)
+        others = [stretch for other in wires if other is not wire for stretch in pairwise(other.points)]
+        if not box and not any(lies_on((x, y), *stretch) for stretch in others):
+            free.append((x, y))
+    assert len(free) == 1
+    assert free[0][0] == min(x for wire in wires for x, _ in wire.points)
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_a_label_stands_on_the_side_that_its_anchor_says(name, monkeypatch):
+    layout, written = LAYOUTS[name]({}), []
+    monkeypatch.setattr("matplotlib.axes.Axes.text", lambda _, x, y, text, **__: written.append((x, y, text)))
+    figures.svg(Diagram("", name))
+    for label in (item for item in layout.items if isinstance(item, Label) and item.text):
+        places = [(x - label.x, y - label.y) for x, y, text in written if text == f"${label.text}$"]
+        right, above = min(places, key=lambda place: abs(place[0]) + abs(place[1]))
+        assert (right > 0, right < 0) == ("right" in label.anchor, "left" in label.anchor)
+        assert (above > 0, above < 0) == ("above" in label.anchor, "below" in label.anchor)
+
+
+def test_the_bounds_leave_room_on_every_side():
+    layout = Layout([Block(1, 2, "K", 3.0)])
+    left, right, below, above = layout.bounds
+    assert (left, right) == pytest.approx((1 - 1.5 - 0.15, 1 + 1.5 + 0.15))
+    assert below == pytest.approx(4 - above)
+    assert above > 2 + layout.items[0].height / 2
+    layout.wire((5, 2), (7, -1))
+    layout.add(Dot(-4, 6))
+    assert layout.bounds == pytest.approx((-4.45, 7.15, -1.15, 6.55))
 
 
 def test_labels_are_the_ones_given():

@@ -45,6 +45,7 @@ def test_gains_are_free_with_several_channels_or_hidden_modes(plant, gain, obser
         (system(A, B=FULL, C=FULL), (sp.Integer(-1),), True),
         (system(A, B=ONE, C=[[1, 0]]), (sp.Integer(-1),), False),
         (system(A, B=FULL), (), False),
+        (system(A, C=[[1, 0]]), (), False),
     ],
 )
 def test_a_reference_gain_is_free_with_inputs_left_over_or_a_free_feedback(plant, poles, free):

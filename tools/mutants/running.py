@@ -35,12 +35,17 @@ OUTCOMES = ("killed", "timed out", "elsewhere", "survived", "not reached")
 
 def own_tests(room: str) -> str:
     """Where the tests of a room are."""
-    return f"tests/{room}/" if (ROOT / "tests" / room).is_dir() else "tests/"
+    names = (f"tests/{room}/", f"tests/test_{room}.py", "tests/")
+    return next(name for name in names if (ROOT / name).exists())
 
 
 def chosen_for(mutant: Mutant, reached: Reached) -> list[str]:
-    """The tests that run the line (where it runs on import, the file): those of its room and then all others."""
+    """The tests that run the line, where it runs on import the file: those of its room and then all others.
+
+    Of a file that has nothing but what runs on import, all tests of its room.
+    """
     direct = reached.tests_of(mutant.file, mutant.line) or reached.tests_of_file(mutant.file)
+    direct = direct or {test for test in reached.seconds if test.startswith(own_tests(mutant.room))}
     own = {test for test in direct if test.startswith(own_tests(mutant.room))}
     return [*_within(BUDGET, own, reached), *_within(BUDGET_ELSEWHERE, direct - own, reached)]
 

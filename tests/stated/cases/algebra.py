@@ -63,5 +63,6 @@ PRINTED = [
     (quotient(a, 1), "a"),
     (quotient(product(-1, a), 2), r"-\frac{a}{2}"),
     (exponential(-2 * t), "e^{-2t}"),
+    (exponential(product(a, t)), "e^{at}"),
     (exponential(product(M, t)), rf"\exp\left({m}t\right)"),
 ]
