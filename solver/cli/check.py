@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from solver.cli.language import LANGUAGE, NOTATION, known
 from solver.cli.run import DETAILS, Seconds
 
 FORMATS = ("text", "json", "html")
@@ -22,6 +23,8 @@ FORMATS = ("text", "json", "html")
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much of it.")
 @click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
               help="Templates that take precedence over the program's own.")  # fmt: skip
+@LANGUAGE
+@NOTATION
 @click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
               show_default=True, help="For each part, solved or marked.")  # fmt: skip
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
@@ -36,6 +39,8 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     solution: bool,
     detail: str,
     templates: Path | None,
+    language: str | None,
+    notation: str | None,
     time_limit: float,
     memory_limit: int,
 ) -> None:
@@ -44,6 +49,10 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     Without PROBLEM the answer file names it by the key 'problem'. One bad file does not stop the rest.
     """
     from solver.cli.checking import CheckRequest, check_files
+    from solver.document.model import Presentation
+    from solver.limits import Limits
 
-    request = CheckRequest(files, format_, output, table, solution, detail, templates, time_limit, memory_limit)
+    told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
+    limits = Limits(time_limit, memory_limit)
+    request = CheckRequest(files, format_, output, table, solution, told, limits)
     ctx.exit(check_files(request))

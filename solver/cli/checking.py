@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import click
@@ -30,22 +30,20 @@ SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt
 
 @dataclass(frozen=True, slots=True)
 class CheckRequest:
-    """What the command line asks for."""
+    """What the command line asks for; `limits` are those of each part."""
 
     files: tuple[str, ...]
     format: str | None
     output: str | None
     table: str | None
     solution: bool
-    detail: str
-    templates: Path | None
-    time_limit: float
-    memory_limit: int
+    presentation: Presentation
+    limits: Limits
 
     @property
-    def limits(self) -> Limits:
-        """Limits of each part."""
-        return Limits(self.time_limit, self.memory_limit)
+    def templates(self) -> Path | None:
+        """The folder of templates that come before the installed ones."""
+        return self.presentation.templates
 
     @property
     def chosen_format(self) -> str:
@@ -128,7 +126,10 @@ class _Desk:
         """Return the solved problem."""
         if name not in self.solutions:
             problem = read_problem(source_of(name), catalogue())
-            told = Presentation(self.request.detail, self.request.templates) if self.request.solution else None
+            messages = self.request.presentation.messages(problem.display)
+            display = replace(problem.display, language=messages.language, notation=messages.notation)
+            problem = replace(problem, display=display)
+            told = self.request.presentation if self.request.solution else None
             with self.meter.file(name) as notify:
                 self.solved[name] = solve_within(problem, self.request.limits, told, Supervision(notify))
             self.solutions[name] = self.solved[name].solution()

@@ -8,8 +8,8 @@ from typing import Any
 
 import click
 
+from solver.cli.language import LANGUAGE, NOTATION, known
 from solver.document.formats import FORMATS
-from solver.symbols import NOTATIONS
 
 DETAILS = ("question", "key", "brief", "full", "tutor")
 CHECKS = ("none", "summary", "table")
@@ -64,12 +64,8 @@ class Seconds(click.FloatRange):
 @click.option("--templates", metavar="DIR",
               type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
               help="Templates that take precedence over the program's own.")  # fmt: skip
-@click.option(
-    "--language", metavar="NAME", help="The language of the solution: en, de. Default: what FILE says, or en."
-)
-@click.option(
-    "--notation", type=click.Choice(tuple(NOTATIONS)), help="Its symbols. Default: what FILE says, or course."
-)
+@LANGUAGE
+@NOTATION
 @click.option("--open", "open_page", is_flag=True, help="Open the page in a browser.")
 @click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
               show_default=True, help="For each part by each method.")  # fmt: skip
@@ -100,16 +96,9 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     from solver.cli.destination import Destination
     from solver.cli.solving import Request, solve_files
     from solver.document.model import Presentation
-    from solver.problem.source import did_you_mean
-    from solver.words import languages
 
-    known = languages(templates)
-    if language is not None and language not in known:
-        suggestion = did_you_mean(language, known)
-        hint = f" (did you mean '{suggestion}'?)" if suggestion else f"; there are {', '.join(known)}"
-        raise click.BadParameter(f"there is no language '{language}'{hint}", ctx, param_hint="--language")
     destination = Destination.named(output, formats, files)
-    told = ("json" in destination.formats, checks or "", not no_sources, language, notation)
+    told = ("json" in destination.formats, checks or "", not no_sources, known(language, templates, ctx), notation)
     presentation = Presentation(detail, templates, *told)
     request = Request(files, destination, presentation, open_page, time_limit, memory_limit, verbose)
     ctx.exit(solve_files(request))

@@ -67,3 +67,22 @@ def test_an_answer_file_without_problem_is_at_fault(solve, folder):
     done = solve("check", "right.yaml")
     assert done.code == 2
     assert "names no problem" in done.err
+
+
+def test_a_marking_is_told_in_the_language_and_the_symbols_asked_for(solve, folder):
+    placed = PROBLEM.replace(
+        "{task: eigenstructure, marks: 2, answers: diagonalizable}", "{task: pole_placement, poles: [-1, -2]}"
+    )
+    (folder / "placed.yaml").write_text(placed, encoding="utf-8")
+    (folder / "mine.yaml").write_text("answers: {a: {polynomial: lamda}, b: {K: [1, 1]}}", encoding="utf-8")
+    german = solve("check", "placed.yaml", "mine.yaml", "--language", "de")
+    assert (german.code, german.err) == (1, "")
+    assert "a  Charakteristisches Polynom: 0 von 1" in german.out
+    assert "✗ K: falsch – diese Probe scheitert" in german.out
+    assert "Characteristic polynomial: 0 of 1" in solve("check", "placed.yaml", "mine.yaml").out
+    done = solve("check", "placed.yaml", "mine.yaml", "-f", "html", "--language", "de", "--notation", "ogata")
+    assert done.out == "mine.yaml: 0 von 1 Punkten; mine.marked.html geschrieben\n"
+    assert "K_f" not in (folder / "mine.marked.html").read_text(encoding="utf-8")
+    refused = solve("check", "placed.yaml", "mine.yaml", "--language", "dee")
+    assert refused.code == 2
+    assert "did you mean 'de'?" in refused.err
