@@ -60,3 +60,17 @@ def of_measured_first(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Ch
     yield Claim(whole, sp.ImmutableMatrix(sp.Matrix.vstack(*(sp.Matrix.hstack(*row) for row in blocks))))
     units = all(sorted(map(str, row)) == sorted(["1", *["0"] * (n - 1)]) for row in C.tolist())
     yield Check.that("outputs that are states", "compared", units == found.permutation)
+
+
+def of_set_point(found: Any, A: Any, B: Any, C: Any, D: Any, *, discrete: bool = False) -> Iterator[Claim | Check]:
+    """[[A, B], [C, D]] [F; N] = [0; I] (discrete: A − I), the rank of that matrix, and whether no other F and N do."""
+    rest = sp.Matrix(A - sp.eye(A.rows) if discrete else A)
+    M = sp.ImmutableMatrix(sp.Matrix.vstack(rest.row_join(sp.Matrix(B)), sp.Matrix(C).row_join(sp.Matrix(D))))
+    right = sp.ImmutableMatrix(sp.Matrix.vstack(sp.zeros(A.rows, C.rows), sp.eye(C.rows)))
+    stacked = sp.ImmutableMatrix(sp.Matrix(found.F).col_join(sp.Matrix(found.N)))
+    yield Claim(M, found.matrix)
+    yield Claim(product(M, stacked), right)
+    yield Claim(rank(M), sp.Integer(found.rank))
+    yield Claim(stacked, found.stacked)
+    yield Claim(right, found.right)
+    yield Check.that("only one solution", "counted", (found.rank == M.cols) == found.unique)

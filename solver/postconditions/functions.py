@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -30,3 +30,9 @@ def _adjugate(M: Any) -> Any:
     n = len(M)
     minors = [[np.delete(np.delete(M, i, 0), j, 1) for i in range(n)] for j in range(n)]
     return np.array([[(-1) ** (i + j) * np.linalg.det(minors[j][i]) for i in range(n)] for j in range(n)])
+
+
+def of_interpolation(found: Sequence[Any], spectrum: Any, *_: Any, **__: Any) -> Iterator[Check]:
+    """As many conditions as eigenvalues; that each is satisfied is said where the coefficients are."""
+    n = len(spectrum.eigenvalues)
+    yield Check.that("conditions", "counted", len(found) == n and all(len(each.row) == n for each in found))

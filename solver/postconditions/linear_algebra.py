@@ -81,3 +81,9 @@ def of_factor(factor: Any) -> Iterator[Claim]:
 def of_is_singular(found: bool, M: Any) -> Iterator[Check]:
     """The rank tells."""
     yield Check.that("singular, or not", "numpy.linalg.svd", (numeric.rank(M) < M.rows) == bool(found))
+
+
+def of_tidy(found: Any, value: Any) -> Iterator[Claim]:
+    """The same value."""
+    if found != value:
+        yield Claim(value, found)

@@ -32,8 +32,8 @@ def _complete(case: Any) -> Iterator[Claim | Check]:
     if case.kind == "factors":
         rest = sp.cancel(case.equation / sp.Mul(*case.values))
         yield Check.that("factors of an equation", "sympy.cancel", not rest.free_symbols & case.equation.free_symbols)
-    if case.kind in ("roots", "factors"):
-        yield Check.that("cases", "counted", len(case.following) == len(case.values))
+    outcomes = {"roots": len(case.values), "factors": len(case.values), "substitute": 1}
+    yield Check.that("cases", "counted", len(case.following) == outcomes.get(case.kind, 0))
     for each in case.following:
         yield from _complete(each)
 

@@ -8,7 +8,9 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Claim
+from solver.derivation import Check, Claim
+from solver.lazy import numeric
+from solver.numeric.judges import structure as judges
 from solver.postconditions.linear_algebra import factors, of_root, of_spectrum, pencil
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import determinant, rank
@@ -140,3 +142,49 @@ def _has_rank(M: Any, r: int) -> Claim:
 
 def _zeros(rows: int, columns: int) -> Any:
     return sp.ImmutableMatrix(sp.zeros(rows, columns))
+
+
+def of_controllable_decomposition(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
+    """See `_parts`."""
+    yield from _parts(found, "controllable", A, B, C)
+
+
+def of_observable_decomposition(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
+    """See `_parts`."""
+    yield from _parts(found, "observable", A, B, C)
+
+
+def of_kalman_decomposition(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
+    """See `_parts`."""
+    yield from _parts(found, "full", A, B, C)
+
+
+def _parts(found: Any, part: str, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
+    """T is made of the bases, as large as they must be; the system in its coordinates, and the hidden eigenvalues."""
+    T = sp.ImmutableMatrix(sp.Matrix.hstack(*(sp.Matrix(basis) for basis in found.bases)))
+    yield Claim(T, found.T)
+    yield Claim(product(T, found.T_inverse), sp.ImmutableMatrix(sp.eye(A.rows)))
+    right = judges.kalman_orders(part, A, B, C)
+    orders = [basis.cols for basis in found.bases]
+    yield Check.that("the orders of the parts", "numpy.linalg.svd", orders == right == list(found.orders))
+    yield Check.that("whether anything is hidden", "counted", (orders[0] == A.rows) == found.trivial)
+    yield Check.that("whether T is the identity", "compared", (sp.eye(A.rows) != T) == found.changes)
+    yield Claim(product(A, T), product(T, found.A))
+    if B is not None:
+        yield Claim(B, product(T, found.B))
+    if C is not None:
+        yield Claim(product(C, T), found.C)
+    yield from _bases(found, A, B, C)
+
+
+def _bases(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim]:
+    """As many columns as the rank, of what is reached; a basis of what is unseen."""
+    if found.reached is not None and found.reached.cols:
+        reached = krylov(A, B)
+        joined = sp.ImmutableMatrix(sp.Matrix.hstack(sp.Matrix(reached), sp.Matrix(found.reached)))
+        yield _has_rank(joined, found.reached.cols)
+        yield Claim(rank(found.reached), rank(reached))
+    if found.unseen is not None and found.unseen.cols:
+        seen = sp.ImmutableMatrix(krylov(A.T, C.T).T)
+        yield Claim(product(seen, found.unseen), _zeros(seen.rows, found.unseen.cols))
+        yield _has_rank(found.unseen, A.rows - numeric.rank(seen))

@@ -15,6 +15,7 @@ HIDDEN = sp.ImmutableMatrix([[-1, 0, 0], [0, -2, 0], [0, 0, -2]])
 B, ONES, SECOND = (sp.ImmutableMatrix(column) for column in ([0, 0, 1], [1, 1, 1], [1, 1, 3]))
 TURNING = sp.ImmutableMatrix([[0, 1], [-5, -2]])
 SINGULAR = sp.ImmutableMatrix([[0, 2, 2], [1, 1, 0], [2, 4, 2]])
+G = exact.transfer_matrix(TURNING, sp.ImmutableMatrix([0, 1]), sp.ImmutableMatrix([[1, 0]]), None, s)
 FACTOR = exact.spectrum(TURNING).factors[0]
 EPSILON = (1, 1, 2, 2, 3)
 
@@ -42,21 +43,42 @@ CALLS = {
     "is_stable_polynomial": [((sp.Integer(1), sp.Integer(2), sp.Integer(sign * 3)),) for sign in (1, -1)],
     "decays": [(FACTOR,)],
     "constant_root": [(FACTOR,), (exact.spectrum(sp.ImmutableMatrix([[0]])).factors[0],)],
+    "kalman_decomposition": [(HIDDEN, SECOND, sp.ImmutableMatrix([[1, 0, 1]]))],
+    "controllable_decomposition": [(HIDDEN, SECOND, None)],
+    "observable_decomposition": [(HIDDEN, None, sp.ImmutableMatrix([[1, 0, 1]]))],
+    "set_point": [(A, B, sp.ImmutableMatrix([[1, 0, 0]]), sp.ImmutableMatrix([[0]]))],
+    "is_upper": [(mode,) for mode in exact.modes(G)],
+    "tidy": [((s + 1) ** 2,)],
+    "interpolation": [(exact.spectrum(A), t)],
     "is_singular": [(SINGULAR,), (A,)],
     "measured_first": [(A, B, sp.ImmutableMatrix([[1, 0, 0]])), (A, B, sp.ImmutableMatrix([[1, 1, 0]]))],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
-TIMED = ("read_inputs", "at_rest", "location", "is_stable_polynomial", "decays", "constant_root")
+TIMED = (
+    "interpolation",
+    "set_point",
+    "read_inputs",
+    "at_rest",
+    "location",
+    "is_stable_polynomial",
+    "decays",
+    "constant_root",
+)
 """Kernels that want to know whether time is discrete."""
 
 FREE = {
+    "kalman_decomposition": (".hidden_modes", ".reached", ".unseen"),
+    "controllable_decomposition": (".hidden_modes", ".reached", ".unseen"),
+    "observable_decomposition": (".hidden_modes", ".reached", ".unseen"),
+    "set_point": (".exceptions",),
+    "interpolation": (".right", "in it", ".row["),
     "location": (".critical", ".spectrum.exceptions"),
     "spectrum": (".exceptions",),
     "solve_affine": (".conditions", ".residue"),
     "read_inputs": (".generator",),
     "matching": (".numerator", ".denominator", ".target", ".missing", ".gain", ".possible", ".desired", ".compensator"),
 }
-"""What is judged elsewhere, by the steps that show it."""
+"""What is judged elsewhere, by the steps that show it; and bases, of which others are right."""
 
 MOST = 40
 """Changes that are tried of a result."""
@@ -88,4 +110,4 @@ def _is_seen(name, arguments, made):
 
 
 def test_of_other_kernels_nothing_is_said():
-    assert postcondition_of("tidy") is None
+    assert postcondition_of("exponential") is None

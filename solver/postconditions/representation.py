@@ -1,0 +1,39 @@
+"""Modes of transfer matrices."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Check, Claim
+from solver.postconditions.linear_algebra import of_root
+from solver.stated.algebra import power, product, total
+from solver.stated.matrices import rank
+
+
+def of_modes(found: Sequence[Any], G: Any) -> Iterator[Claim | Check]:
+    """G = D + Σ R_j/(x − λ)ʲ; the rank of the first residue of each pole, and how often the pole counts."""
+    x = G.variable
+    terms = [
+        product(power(x - mode.root.value, -j), R)
+        for mode in found
+        for j, R in enumerate(mode.residues, 1)
+        if not R.is_zero_matrix
+    ]
+    yield Claim(total(G.direct, *terms), G.matrix)
+    for mode in found:
+        yield of_root(mode.root)
+        yield Claim(rank(mode.residues[0]), sp.Integer(mode.rank))
+        yield Claim(sp.Integer(len(mode.residues)), sp.Integer(mode.multiplicity))
+        simple = all(R.is_zero_matrix for R in mode.residues[1:])
+        yield Check.that("a simple pole", "compared", simple == mode.simple)
+
+
+def of_is_upper(found: bool, mode: Any) -> Iterator[Check]:
+    """The root is listed before its conjugate."""
+    roots = [root.value for root in mode.factor.roots]
+    own, other = mode.root.value, sp.expand(2 * mode.root.sigma - mode.root.value)
+    conjugate = next((i for i, value in enumerate(roots) if sp.expand(value - other) == 0), len(roots))
+    yield Check.that("the first root of a pair", "compared", (roots.index(own) <= conjugate) == found)
