@@ -194,6 +194,45 @@ def test_every_phrase_stands_in_the_program(language):
         assert {phrase for phrase in phrases if phrase not in said and phrase not in spoken} == set(), path
 
 
+@pytest.mark.parametrize("language", languages()[1:])
+def test_a_phrase_is_translated_once(language):
+    files = (root("templates") / "wording" / language).rglob("phrases.yaml")
+    lines = [line for path in files for line in path.read_text(encoding="utf-8").splitlines()]
+    keys = [next(iter(yaml.safe_load(line))) for line in lines if line and not line.startswith("#")]
+    assert len(keys) == len(set(keys))
+
+
+REFUSING = {"NotEvaluable", "Undefined", "ShapeMismatch", "NoRule", "Phrase", "_misfit"}
+
+
+def what_oracles_say():
+    """The reasons of the oracles' ground floor, and of the judges of the tasks that German words whole."""
+    rooms = root("templates").parent / "solver" / "numeric"
+    for path in [*(rooms / "evaluation").rglob("*.py"), rooms / "judges" / "design" / "second_order.py"]:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        patterns = {
+            node.targets[0].id: node.value
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
+        }
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in REFUSING:
+                told = node.args[0]
+                told = patterns.get(told.id, told) if isinstance(told, ast.Name) else told
+                if isinstance(told, ast.Constant):
+                    yield told.value
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_a_language_words_whatever_an_oracle_says(language):
+    found: dict[str, str] = {}
+    for path in (root("templates") / "wording" / language).rglob("phrases.yaml"):
+        found |= yaml.safe_load(path.read_text(encoding="utf-8"))
+    said = set(what_oracles_say())
+    assert len(said) > 50
+    assert said <= set(found)
+
+
 def test_a_reason_is_told_in_the_language_and_in_english_where_it_has_no_words():
     part = document_of(solved("nothing")).told(language="de").parts[0]
     assert part.status is Status.UNSOLVED
