@@ -3,6 +3,7 @@
 import pytest
 
 from solver.classroom.report import wrong_places
+from solver.derivation import Task
 from solver.problem.source import InputError
 from tests.helpers.marked import marked, solved, verdict
 
@@ -128,6 +129,19 @@ def test_answers_that_relate_to_each_other_are_judged_together():
     wrong = "answers: {a: {right_eigenvectors: [[2, 2], [sqrt(6), -sqrt(6)]], jordan_form: [[1, 0], [0, 1]]}}"
     found = marked(PLANT, wrong)["a"].answers
     assert (found["right_eigenvectors"].verdict, found["jordan_form"].verdict) == ("correct", "wrong")
+
+
+def test_values_that_the_verification_cannot_work_on_together_are_judged_alone(monkeypatch):
+    solution, together = solved(PLANT), Task.verify
+
+    def stubborn(self, given, answers):
+        if len(answers) > 1:
+            raise ZeroDivisionError
+        return together(self, given, answers)
+
+    monkeypatch.setattr(Task, "verify", stubborn)
+    found = marked(solution, "answers: {b: {K: [13, 9], polynomial: s^2+6s+13}}")["b"].answers
+    assert (found["K"].verdict, found["polynomial"].verdict) == ("wrong", "correct")
 
 
 def test_an_unsolved_part_is_not_judged_and_earns_nothing():
