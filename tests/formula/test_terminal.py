@@ -23,6 +23,7 @@ FLAT = {
     r"\begin{bmatrix}1 & -2 \\ 3 & 4\end{bmatrix}": "[1, −2; 3, 4]",
     r"-2,\; -1 \pm j\sqrt{3}": "−2, −1 ± j√3",
     r"\sqrt{1 - \zeta^2}, \sqrt[3]{x}": "√(1 − ζ²), ³√x",
+    r"\sqrt{13}, \sqrt{-x}": "√13, √(−x)",
     r"\dot{x} = A\,x, \ddot{y}, \hat{\eta}_2": "ẋ = Ax, ÿ, η̂₂",
     r"\mathcal{L}^{-1}\{(sI - A)^{-1}\}": "ℒ⁻¹{(sI − A)⁻¹}",
     r"K_{\mathrm{co}}x": "K_co x",

@@ -54,6 +54,7 @@ def slips(tmp_path, code):
         ("[a] + b", set()),
         ("f'{a + b}'", set()),
         ("cast(a, -1)", set()),
+        ("gc.set_threshold(a, 20)", set()),
     ],
 )
 def test_the_slips_of_an_expression(tmp_path, expression, changed):

@@ -70,6 +70,8 @@ def test_questions_without_a_parameter_are_refused():
     task = catalogue()["parameter_condition"]
     assert list(task.refused(system([[1]], B=[1]), {}))
     assert list(task.refused(NOTE, {"parameter": ("beta",)}))
-    assert list(task.refused(system([[a]], B=[1]), {"property": "unobservable"}))
+    ((option, reason),) = task.refused(system([[a]], B=[1]), {"property": "unobservable"})
+    assert option == "property"
+    assert "C" in str(reason)
     assert list(task.refused(system([[a]], B=[b]), {}))
     assert list(task.refused(NOTE, {"parameter": ("alpha",)})) == []

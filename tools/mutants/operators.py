@@ -17,6 +17,8 @@ SYMMETRIC = frozenset("isinstance issubclass zip max min gcd lcm getattr hasattr
 """Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
 UNSEEN_KEYWORDS = frozenset("strict maxsize slots frozen kw_only stacklevel".split())
 """Keywords that guard or make faster what is right without them."""
+SPEED = frozenset({"set_threshold"})
+"""Functions whose arguments make the program faster or slower and nothing else."""
 WORDS = (ast.List, ast.Tuple, ast.ListComp, ast.JoinedStr, ast.Dict, ast.Set)
 
 
@@ -78,7 +80,7 @@ def _expressions(node: ast.AST, function: str) -> Iterator[tuple[str, ast.expr]]
         if field in {"annotation", "returns", "decorator_list", "type_params"}:
             continue
         for child in value if isinstance(value, list) else [value]:
-            if not isinstance(child, ast.AST) or _is_only_typing(child) or isinstance(child, ast.JoinedStr):
+            if not isinstance(child, ast.AST) or _is_unseen(child):
                 continue
             if isinstance(child, ast.keyword) and child.arg in UNSEEN_KEYWORDS:
                 continue
@@ -88,6 +90,14 @@ def _expressions(node: ast.AST, function: str) -> Iterator[tuple[str, ast.expr]]
             if isinstance(child, ast.expr):
                 yield inside, child
             yield from _expressions(child, inside)
+
+
+def _is_unseen(node: ast.AST) -> bool:
+    return _is_only_typing(node) or _is_only_speed(node) or isinstance(node, ast.JoinedStr)
+
+
+def _is_only_speed(node: ast.AST) -> bool:
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in SPEED
 
 
 def _is_only_typing(node: ast.AST) -> bool:

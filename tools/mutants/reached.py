@@ -31,9 +31,13 @@ class Record:
     """By file: the number of its first statement, and first and last line of each."""
     ran: np.ndarray[Any, np.dtype[np.uint8]]
     """A row of bits for each test, one for each statement."""
+    changed: set[str] = field(default_factory=set)
+    """Files whose lines are no longer what they were."""
 
     def tests_of(self, file: str, line: int) -> set[str]:
         """The tests that run the innermost statement on this line."""
+        if file in self.changed:
+            return self.tests_of_file(file)
         number, lines = self.files.get(file, (0, ()))
         around = [i for i, (first, last) in enumerate(lines) if first <= line <= last]
         return self._tests(number + max(around, key=lambda i: lines[i][0])) if around else set()
@@ -65,13 +69,14 @@ class Reached:
 
 
 def read(folder: Path = FOLDER) -> Reached:
-    """Put together what all workers wrote down."""
-    reached = Reached()
+    """Put together what all workers wrote down; of a file that has changed since, what runs any of it."""
+    reached, now = Reached(), json.loads(json.dumps(program().files()))
     for written in sorted(folder.glob("*.json"), key=lambda path: path.stat().st_mtime):
         record = json.loads(written.read_text(encoding="utf-8"))
         reached.seconds.update(record["seconds"])
         ran = np.load(written.with_suffix(".npz"))["ran"]
-        reached.records.append(Record(record["tests"], record["files"], ran))
+        changed = {file for file, (_, lines) in record["files"].items() if now.get(file, (0, ()))[1] != lines}
+        reached.records.append(Record(record["tests"], record["files"], ran, changed))
     return reached
 
 
