@@ -114,4 +114,6 @@ def test_the_catalogue_is_read_without_sympy():
 def test_what_is_read_from_a_declaration_is_what_the_task_has(declared):
     task = catalogue()[declared.name]
     assert (task.name, task.title) == (declared.name, declared.title)
+    titles = {name: method.title for name, method in task.methods.items()}
+    assert len(titles) == 1 or all(title != task.title for title in titles.values())
     assert tuple(task.methods) == declared.methods

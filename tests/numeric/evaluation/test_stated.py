@@ -8,6 +8,7 @@ from solver.numeric import NotEvaluable, check_claim
 from solver.numeric.evaluation.arithmetic import multiple
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.points import free_symbols
 from solver.numeric.evaluation.values import SAFETY
 from solver.stated.algebra import exponential, power, product, quotient, total
 from solver.stated.calculus import derivative, integral, partial_derivative, value_at
@@ -16,6 +17,22 @@ from solver.stated.lists import sum_over, sum_over_roots
 from solver.stated.matrices import determinant, inverse, rank
 from solver.stated.transforms import inverse_laplace, inverse_z, laplace, z_transform
 from tests.stated.values import A, k, s, t, tau, x, z
+
+
+@pytest.mark.parametrize(
+    ("formula", "free"),
+    [
+        (integral(sp.exp(-tau * x), tau, 0, t), {x, t}),
+        (integral(sp.exp(-tau * x), tau, tau, t), {x, t, tau}),
+        (sum_over(x * k, k, [1, z]), {x, z}),
+        (laplace(exponential(A * t * x), t, s), {x, s}),
+        (product(x, value_at(x**2, x, t)), {x, t}),
+        ([product(s, t), sp.Matrix([[z]])], {s, t, z}),
+    ],
+    ids=str,
+)
+def test_what_is_bound_needs_no_value_and_what_is_outside_does(formula, free):
+    assert free_symbols(formula) == free
 
 
 @pytest.mark.parametrize(
