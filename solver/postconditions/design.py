@@ -64,8 +64,7 @@ def of_measured_first(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Ch
 
 def of_set_point(found: Any, A: Any, B: Any, C: Any, D: Any, *, discrete: bool = False) -> Iterator[Claim | Check]:
     """[[A, B], [C, D]] [F; N] = [0; I] (discrete: A − I), the rank of that matrix, and whether no other F and N do."""
-    rest = sp.Matrix(A - sp.eye(A.rows) if discrete else A)
-    M = sp.ImmutableMatrix(sp.Matrix.vstack(rest.row_join(sp.Matrix(B)), sp.Matrix(C).row_join(sp.Matrix(D))))
+    M = _at_rest(A, B, C, D, discrete=discrete)
     right = sp.ImmutableMatrix(sp.Matrix.vstack(sp.zeros(A.rows, C.rows), sp.eye(C.rows)))
     stacked = sp.ImmutableMatrix(sp.Matrix(found.F).col_join(sp.Matrix(found.N)))
     yield Claim(M, found.matrix)
@@ -74,3 +73,21 @@ def of_set_point(found: Any, A: Any, B: Any, C: Any, D: Any, *, discrete: bool =
     yield Claim(stacked, found.stacked)
     yield Claim(right, found.right)
     yield Check.that("only one solution", "counted", (found.rank == M.cols) == found.unique)
+
+
+def of_equations_of_rest(found: Any, A: Any, B: Any, C: Any, D: Any, *, discrete: bool = False) -> Iterator[Claim]:
+    """[[A, B], [C, D]], in discrete time with A − I."""
+    yield Claim(_at_rest(A, B, C, D, discrete=discrete), found)
+
+
+def of_with_integrators(found: Any, A: Any, B: Any, C: Any, D: Any, *, discrete: bool = False) -> Iterator[Claim]:
+    """[[A, 0], [−C, 0]] and [B; −D], in discrete time with the identity in the corner."""
+    n, p = A.rows, C.rows
+    below = (-sp.Matrix(C)).row_join(sp.eye(p) if discrete else sp.zeros(p))
+    yield Claim(sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix(A).row_join(sp.zeros(n, p)), below)), found[0])
+    yield Claim(sp.ImmutableMatrix(sp.Matrix(B).col_join(-sp.Matrix(D))), found[1])
+
+
+def _at_rest(A: Any, B: Any, C: Any, D: Any, *, discrete: bool) -> Any:
+    rest = sp.Matrix(A - sp.eye(A.rows) if discrete else A)
+    return sp.ImmutableMatrix(sp.Matrix.vstack(rest.row_join(sp.Matrix(B)), sp.Matrix(C).row_join(sp.Matrix(D))))

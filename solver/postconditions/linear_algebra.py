@@ -87,3 +87,10 @@ def of_tidy(found: Any, value: Any) -> Iterator[Claim]:
     """The same value."""
     if found != value:
         yield Claim(value, found)
+
+
+def of_affine(found: Any, expressions: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[Claim]:
+    """M v + c is what was taken apart."""
+    M, constant = found
+    taken = total(product(M, sp.ImmutableMatrix(list(unknowns))), sp.ImmutableMatrix(list(constant)))
+    yield Claim(taken, sp.ImmutableMatrix(list(expressions)))

@@ -37,3 +37,10 @@ def of_is_upper(found: bool, mode: Any) -> Iterator[Check]:
     own, other = mode.root.value, sp.expand(2 * mode.root.sigma - mode.root.value)
     conjugate = next((i for i, value in enumerate(roots) if sp.expand(value - other) == 0), len(roots))
     yield Check.that("the first root of a pair", "compared", (roots.index(own) <= conjugate) == found)
+
+
+def of_matrix_of(found: Any, expressions: Sequence[Any], jets: Sequence[Any]) -> Iterator[Claim]:
+    """The coefficients of the jets: the derivatives by them."""
+    if found.rows and found.cols:
+        slopes = [[sp.diff(expression, jet) for jet in jets] for expression in expressions]
+        yield Claim(sp.ImmutableMatrix(slopes), found)

@@ -15,6 +15,7 @@ HIDDEN = sp.ImmutableMatrix([[-1, 0, 0], [0, -2, 0], [0, 0, -2]])
 B, ONES, SECOND = (sp.ImmutableMatrix(column) for column in ([0, 0, 1], [1, 1, 1], [1, 1, 3]))
 TURNING = sp.ImmutableMatrix([[0, 1], [-5, -2]])
 SINGULAR = sp.ImmutableMatrix([[0, 2, 2], [1, 1, 0], [2, 4, 2]])
+ROW = sp.ImmutableMatrix([[1, 0, 0]])
 G = exact.transfer_matrix(TURNING, sp.ImmutableMatrix([0, 1]), sp.ImmutableMatrix([[1, 0]]), None, s)
 FACTOR = exact.spectrum(TURNING).factors[0]
 EPSILON = (1, 1, 2, 2, 3)
@@ -50,11 +51,17 @@ CALLS = {
     "is_upper": [(mode,) for mode in exact.modes(G)],
     "tidy": [((s + 1) ** 2,)],
     "interpolation": [(exact.spectrum(A), t)],
+    "affine": [((2 * K + s * t + 1, K - t), (K, t))],
+    "equations_of_rest": [(A, B, ROW, sp.ImmutableMatrix([[0]]))],
+    "with_integrators": [(A, B, ROW, sp.ImmutableMatrix([[0]]))],
+    "matrix_of": [((2 * K + s * t, K - t), (K, t))],
     "is_singular": [(SINGULAR,), (A,)],
     "measured_first": [(A, B, sp.ImmutableMatrix([[1, 0, 0]])), (A, B, sp.ImmutableMatrix([[1, 1, 0]]))],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
 TIMED = (
+    "equations_of_rest",
+    "with_integrators",
     "interpolation",
     "set_point",
     "read_inputs",
