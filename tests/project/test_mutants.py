@@ -45,6 +45,8 @@ def slips(tmp_path, code):
         ("a and b", {"(a or b)", "(a)", "(b)"}),
         ("not a", {"(a)"}),
         ("a < b", {"(a <= b)"}),
+        ("a < 1e-9", set()),
+        ("a > 0.0", {"(a >= 0.0)"}),
         ("a is None", {"(a is not None)"}),
         ("a[3]", {"a[4]"}),
         ("True", {"False"}),

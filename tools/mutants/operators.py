@@ -125,6 +125,8 @@ def _changes(node: ast.expr) -> Iterator[tuple[str, ast.expr]]:
             for i in range(len(values)):
                 rest = values[:i] + values[i + 1 :]
                 yield "dropped term", ast.BoolOp(op, rest) if len(rest) > 1 else rest[0]
+        case ast.Compare(left, [ast.Lt() | ast.LtE() | ast.Gt() | ast.GtE()], [right]) if _is_decimal(left, right):
+            return  # no number meets a threshold exactly
         case ast.Compare(left, [op], [right]):
             yield "comparison", ast.Compare(left, [COMPARISONS[type(op)]()], [right])
         case ast.Constant(bool() as value):
@@ -135,6 +137,11 @@ def _changes(node: ast.expr) -> Iterator[tuple[str, ast.expr]]:
             swapped = copy.copy(node)
             swapped.args = [second, first, *rest]
             yield "swapped argument", swapped
+
+
+def _is_decimal(*nodes: ast.expr) -> bool:
+    """Whether one of the expressions is a decimal other than 0.0, which is met."""
+    return any(isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value for node in nodes)
 
 
 def _is_text(node: ast.expr) -> bool:
