@@ -241,3 +241,4 @@ def test_corrupted_answers_are_rejected():
     assert not rejected(shifted, A=[[0, 1], [-2, -3]], B=[[0], [1]], C=[[5, 1]], D=[[0]])
     assert rejected(shifted, A=[[0, 1], [-2, -3]], B=[[0], [1]], C=[[5, 2]], D=[[0]])
     assert rejected(shifted, A=[[0, 1], [-2, -4]])
+    assert rejected(shifted, A=[[0, 1, 0], [-2, -3, 0]])

@@ -146,13 +146,16 @@ def _by_transforms(numbers: _Numbers, found: Mapping[str, Array], random: Random
     """det(sI − A) up to a constant, and with all matrices the transfer function, at random s."""
     question = numbers.question
     s, other = (complex(random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)) for _ in range(2))
-    A = found.get("A")
-    if A is None or A.shape[0] != A.shape[1]:
+    A, label = found.get("A"), "the characteristic polynomial of the equations"
+    if A is None:
+        return
+    if A.shape[0] != A.shape[1]:
+        yield "A", label, np.inf
         return
     unit = np.eye(len(A))
     P, wanted = _polynomials(numbers, question.unknowns), np.linalg.det(s * unit - A) / np.linalg.det(other * unit - A)
     ratio = np.linalg.det(P(s)) / np.linalg.det(P(other))
-    yield "A", "the characteristic polynomial of the equations", _distance(np.array([wanted]), np.array([ratio]))
+    yield "A", label, _distance(np.array([wanted]), np.array([ratio]))
     if not {"B", "C"} <= set(found):
         return
     B, C = found["B"], found["C"]
