@@ -144,6 +144,13 @@ def test_values_that_the_verification_cannot_work_on_together_are_judged_alone(m
     assert (found["K"].verdict, found["polynomial"].verdict) == ("wrong", "correct")
 
 
+def test_what_no_check_judges_is_right_where_it_is_ours(monkeypatch):
+    solution = solved(PLANT)
+    monkeypatch.setattr(Task, "verify", lambda *_: [])
+    verdicts = [verdict(solution, "b", "K", value).verdict for value in ("[13, 8]", "[26/2, 8.0]", "[13, 9]")]
+    assert verdicts == ["correct", "correct", "not judged"]
+
+
 def test_an_unsolved_part_is_not_judged_and_earns_nothing():
     solution = solved("system: {transfer_function: '2'}\nfind: {a: {task: eigenstructure, marks: 2}}\n")
     found = marked(solution, "answers: {a: {diagonalizable: yes}}")["a"]
