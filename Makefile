@@ -9,7 +9,7 @@ SAMPLE ?= 60
 WORKERS ?= auto
 
 .DEFAULT_GOAL := help
-.PHONY: help solve test test-all mutants lint bench errata tables task clean
+.PHONY: help solve test test-all mutants corrupted lint bench errata tables task clean
 
 help:  ## Say what there is to make.
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
@@ -34,6 +34,9 @@ test-all: $(READY)  ## Run all tests: also sweeps over all problems, cross-check
 
 mutants: $(READY)  ## Make small slips in the program and say which of them no test sees (SAMPLE of them).
 	$(BIN)/python -m tools.mutants --sample $(SAMPLE) --least 0.9
+
+corrupted: $(READY)  ## Make the results of kernels a little wrong and say which of them reach a verified page.
+	$(BIN)/python -m tools.corrupted_kernels
 
 lint: $(READY)  ## Check style, types, who imports whom, and calls that are forbidden.
 	$(BIN)/ruff check

@@ -21,12 +21,12 @@ def of_spectrum(found: Any, A: Any) -> Iterator[Claim]:
     yield Claim(determinant(pencil(A, x)), factors(found.roots, x))
     yield Claim(determinant(pencil(A, x)), product(*(x - value for value in found.eigenvalues)))
     for root in found.roots:
-        yield of_root(root)
+        yield root_claim(root)
     for factor in found.factors:
-        yield from of_factor(factor)
+        yield from factor_claims(factor)
 
 
-def of_root(root: Any) -> Claim:
+def root_claim(root: Any) -> Claim:
     """σ + δ, or σ + jω."""
     shift = root.shift * sp.I if root.value.has(sp.I) else root.shift
     return Claim(total(root.sigma, shift), root.value)
@@ -69,12 +69,12 @@ def of_taylor(found: Sequence[Any], function: Any, t: Any, terms: int) -> Iterat
     yield Claim(total(*(product(at, t**i / sp.factorial(i)) for i, at in enumerate(at_zero))), total(*found))
 
 
-def of_factor(factor: Any) -> Iterator[Claim]:
+def factor_claims(factor: Any) -> Iterator[Claim]:
     """An irreducible factor is the product of its roots' own."""
     x = sp.Symbol("lamda")
     yield Claim(factor.polynomial(x), product(*(x - root.value for root in factor.roots)))
     for root in factor.roots:
-        yield of_root(root)
+        yield root_claim(root)
         yield Claim(sp.Integer(root.multiplicity), sp.Integer(factor.multiplicity))
 
 

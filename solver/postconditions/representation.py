@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Check, Claim
-from solver.postconditions.linear_algebra import of_root
+from solver.postconditions.linear_algebra import root_claim
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import rank
 
@@ -24,7 +24,7 @@ def of_modes(found: Sequence[Any], G: Any) -> Iterator[Claim | Check]:
     ]
     yield Claim(total(G.direct, *terms), G.matrix)
     for mode in found:
-        yield of_root(mode.root)
+        yield root_claim(mode.root)
         yield Claim(rank(mode.residues[0]), sp.Integer(mode.rank))
         yield Claim(sp.Integer(len(mode.residues)), sp.Integer(mode.multiplicity))
         simple = all(R.is_zero_matrix for R in mode.residues[1:])

@@ -11,7 +11,7 @@ import sympy as sp
 
 from solver.derivation import Check, CheckStatus, Claim
 from solver.lazy import numeric
-from solver.postconditions.linear_algebra import of_root, of_spectrum
+from solver.postconditions.linear_algebra import of_spectrum, root_claim
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.complex_numbers import absolute, real_part
 
@@ -99,7 +99,7 @@ def of_location(found: Any, A: Any, *, discrete: bool) -> Iterator[Claim | Check
         sp.ImmutableMatrix(pairs), sp.ImmutableMatrix([(r.value, r.multiplicity) for r in found.spectrum.roots])
     )
     for each in found.placed:
-        yield of_root(each.root)
+        yield root_claim(each.root)
         value = each.root.value
         measure = absolute(value) if discrete else real_part(value)
         if each.measure is not None:

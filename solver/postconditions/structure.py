@@ -11,7 +11,7 @@ import sympy as sp
 from solver.derivation import Check, Claim
 from solver.lazy import numeric
 from solver.numeric.judges import structure as judges
-from solver.postconditions.linear_algebra import factors, of_root, of_spectrum, pencil
+from solver.postconditions.linear_algebra import factors, of_spectrum, pencil, root_claim
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import determinant, rank
 from solver.words import Told
@@ -78,7 +78,7 @@ def of_pencil_ranks(found: Iterable[Any], A: Any, B: Any) -> Iterator[Claim]:
     for each in found:
         whole = sp.ImmutableMatrix(sp.Matrix.hstack(each.root.value * sp.eye(A.rows) - A, B))
         yield Claim(whole, each.pencil)
-        yield of_root(each.root)
+        yield root_claim(each.root)
         yield _has_rank(whole, each.rank)
         yield _has_rows(each.unreached, A.rows - each.rank)
         if each.unreached.rows:

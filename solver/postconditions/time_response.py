@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from solver.derivation import Check, Claim
-from solver.postconditions.linear_algebra import of_factor
+from solver.postconditions.linear_algebra import factor_claims
 
 
 def of_read_inputs(found: Sequence[Any], inputs: Sequence[Any], time: Any, *, discrete: bool) -> Iterator[Claim]:
@@ -76,4 +76,4 @@ def of_response(found: Any, *_: Any) -> Iterator[Claim]:
     for _delay, each in found.pieces:
         for image in (each.x, each.y):
             for factor in () if image is None else image.factors:
-                yield from of_factor(factor)
+                yield from factor_claims(factor)

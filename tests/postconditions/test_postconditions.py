@@ -1,9 +1,12 @@
 """What must hold of a kernel's result holds of the right one, and of none that is a little wrong."""
 
+from importlib import import_module
+from pkgutil import iter_modules
+
 import pytest
 import sympy as sp
 
-from solver import exact
+from solver import exact, postconditions
 from solver.derivation import CheckStatus
 from solver.lazy import Call
 from solver.postconditions import check_calls, postcondition_of
@@ -114,6 +117,12 @@ def _is_seen(name, arguments, made):
         return CheckStatus.FAILED in statuses(name, arguments, made())
     except (ValueError, IndexError, KeyError, TypeError, AttributeError, sp.ShapeError):
         return True
+
+
+def test_each_postcondition_is_that_of_a_kernel():
+    modules = [import_module(f"solver.postconditions.{each.name}") for each in iter_modules(postconditions.__path__)]
+    named = {name.removeprefix("of_") for module in modules for name in vars(module) if name.startswith("of_")}
+    assert set(CALLS) <= named <= set(exact.__all__)
 
 
 def test_of_other_kernels_nothing_is_said():
