@@ -144,13 +144,18 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     The steps of that are appended to `steps`. Raises Unsolved, NotExact.
     """
     task = catalogue()[part.task]
-    own = _symbols_of(part)
-    options = {name: _named_alike(_resolved(name, value, earlier), own) for name, value in part.options.items()}
-    system = _system_of(part, earlier, own)
-    _refuse(task, system, options)
-    plant = _plant(task, task.given(system, options, method))
+    asked = resolved(part, earlier)
+    _refuse(task, asked.system, asked.options)
+    plant = _plant(task, task.given(asked.system, asked.options, method))
     given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
     return given
+
+
+def resolved(part: Part, earlier: Earlier) -> Part:
+    """Return a part with what it takes from earlier ones in place of the references to it. Raises Unsolved."""
+    own = _symbols_of(part)
+    options = {name: _named_alike(_resolved(name, value, earlier), own) for name, value in part.options.items()}
+    return replace(part, system=_system_of(part, earlier, own), options=options)
 
 
 def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
@@ -259,6 +264,7 @@ __all__ = [
     "Task",
     "given_of",
     "refusals_of",
+    "resolved",
     "solve_part",
     "solve_parts",
     "solve_problem",

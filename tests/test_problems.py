@@ -7,11 +7,15 @@ import pytest
 import sympy as sp
 
 from solver.derivation import CheckStatus, Status
+from solver.document.model import Presentation
+from solver.document.works import document_of
 from solver.numeric import NoRule
 from solver.render.data import render_json
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
 from solver.render.page import render_page
+from solver.render.wording import LEVELS
+from solver.symbols import NOTATIONS
 from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_problem, solution_of
 
 CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
@@ -45,6 +49,29 @@ def test_every_format_shows_it_at_every_level_of_detail(path, detail):
         for formula in [step.markdown for step in part.steps] + [answer.tex for answer in part.answers]:
             assert not CLUMSY.search(formula), formula
     assert all(len(text) > 500 for text in shown)
+
+
+PRESENTATIONS = [Presentation(detail, notation=each) for detail in ("key", *LEVELS) for each in NOTATIONS]
+PRESENTATIONS += [Presentation(language="de", notation=each) for each in NOTATIONS]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(**by_problem(PROBLEMS))
+def test_what_is_displayed_holds_at_every_level_in_every_notation(path):
+    solution = solution_of(path)
+    for presentation in PRESENTATIONS:
+        for result, part in zip(solution.parts, document_of(solution, presentation).parts, strict=True):
+            wrong = [check for check in part.checks if check.status is CheckStatus.FAILED]
+            assert part.status is result.status, (presentation, part.id, part.method, wrong)
+            assert "the judge cannot" not in part.unchecked
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(**by_problem(PROBLEMS))
+def test_the_same_is_checked_in_every_notation(path):
+    told = [document_of(solution_of(path), Presentation(notation=notation)) for notation in NOTATIONS]
+    checked = [[[(c.step, c.status) for c in part.checks] for part in each.parts] for each in told]
+    assert all(each == checked[0] for each in checked)
 
 
 @pytest.mark.parametrize(**by_problem(PROBLEMS, quick=[]))

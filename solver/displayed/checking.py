@@ -10,19 +10,25 @@ import sympy as sp
 
 from solver.derivation import Check, CheckStatus, PartResult, Status
 from solver.derivation.displayed import STANDS, Written
-from solver.displayed.judging import Judge, frozen, listed, meaning_of, name_in, spelled
+from solver.displayed.judging import Judge
 from solver.displayed.names import VARIABLES, Names
-from solver.displayed.statements import Side, chains_of, statements
+from solver.displayed.sides import frozen, listed
+from solver.displayed.statements import Chain, chains_in, chains_of, name_in, spelled
+from solver.displayed.unknowns import Unknowns
 from solver.engine import verdict
 from solver.formula import latex
 from solver.lazy import numeric
 from solver.problem.model import Part
 from solver.render.symbols import named
 from solver.render.wording import WordedStep, Wording
+from solver.symbols import COURSE, NOTATIONS
 from solver.systems import StateSpace, TransferFunction
 from solver.systems.loops import Loop
 from solver.tasks import catalogue
 from solver.words import Phrase
+
+OPTIONS = {"gain": "K"}
+"""Options whose quantity has another name."""
 
 
 def judged(result: PartResult, part: Part, worded: Sequence[WordedStep], wording: Wording) -> PartResult:
@@ -30,7 +36,7 @@ def judged(result: PartResult, part: Part, worded: Sequence[WordedStep], wording
     declared = catalogue()[result.task].answers
     symbols = {name: wording.symbol(declared[name]) for name in result.answers}
     free = {name for name in result.answers if declared[name].free}
-    checks = displayed_checks(result, worded, part, symbols, free)
+    checks = displayed_checks(result, worded, part, symbols, free, wording.notation)
     if not checks:
         return result
     claims = tuple(check for check in result.checks if check.step)
@@ -42,7 +48,12 @@ def judged(result: PartResult, part: Part, worded: Sequence[WordedStep], wording
 
 
 def displayed_checks(
-    result: PartResult, worded: Sequence[WordedStep], part: Part, symbols: Mapping[str, str], free: Collection[str] = ()
+    result: PartResult,
+    worded: Sequence[WordedStep],
+    part: Part,
+    symbols: Mapping[str, str],
+    free: Collection[str] = (),
+    notation: str = COURSE,
 ) -> tuple[Check, ...]:
     """Return the checks of all equalities that the steps of a part display, beyond those of their claims.
 
@@ -50,7 +61,7 @@ def displayed_checks(
     a realization), whose symbols may stand for others on the way, as long as the answer is what is displayed last.
     """
     names = Names()
-    _give(names, part)
+    _give(names, part, NOTATIONS[notation])
     of_system = _symbols(value for known in names.fixed.values() for value in known)
     last = _displayed_last(worded)
     open_names = frozenset(symbols[each] for each in free if last.get(symbols.get(each)) == result.answers.get(each))
@@ -63,7 +74,8 @@ def displayed_checks(
     matrices = frozenset(name for name, found in names.fixed.items() if isinstance(found[0], sp.MatrixBase))
     variables = frozenset(VARIABLES.values())
     of_system |= variables
-    judge = Judge(names, given | variables, answered, numeric.Environments(), open_names, of_system, matrices)
+    unknowns = Unknowns(given | variables, answered, of_system)
+    judge = Judge(names, unknowns, numeric.Environments(), open_names, matrices)
     _go_through(judge, worded)
     return tuple(judge.checks)
 
@@ -78,9 +90,18 @@ def _go_through(judge: Judge, worded: Sequence[WordedStep]) -> None:
                 if displayed.relation == STANDS:
                     judge.stands(*displayed.sides)
                     continue
-                for chain in chains_of(displayed):
-                    judge.chain(chain)
+                chains = chains_of(displayed)
+                for chain in chains * min(len(chains), 2):  # what is explained behind an equation may stand in it
+                    _judge(judge, chain)
     judge.finish()
+
+
+def _judge(judge: Judge, chain: Chain) -> None:
+    """Judge a chain; whatever a template may write, the page is not lost."""
+    try:
+        judge.chain(chain)
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, RecursionError) as error:
+        judge.skip(Phrase("the judge cannot deal with it ({error})", error=type(error).__name__))
 
 
 def _displayed_last(worded: Sequence[WordedStep]) -> dict[str | None, Any]:
@@ -102,8 +123,8 @@ def _symbols(values: Iterable[Any]) -> frozenset[Any]:
     return frozenset(found - set(VARIABLES.values()))
 
 
-def _give(names: Names, part: Part) -> None:
-    """Let A, B, C, D, or G, stand for what is given, and Q, R, T for the options of these names."""
+def _give(names: Names, part: Part, quantities: Mapping[str, str]) -> None:
+    """Let A, B, C, D, or G, stand for what is given, and Q, R, T, K_f, M_p for the options that they are symbols of."""
     system = part.system.plant if isinstance(part.system, Loop) else part.system
     if isinstance(system, StateSpace):
         given = {"A": system.A, "B": system.B, "C": system.C, "D": system.D}
@@ -116,12 +137,14 @@ def _give(names: Names, part: Part) -> None:
     for name, value in part.options.items():
         if len(name) == 1 and isinstance(value, sp.MatrixBase):
             names.fixed[name] = [value]
+        elif isinstance(value, sp.MatrixBase | sp.Expr) and (symbol := quantities.get(OPTIONS.get(name, name))):
+            _fix(names, symbol, value)
 
 
 def _fix(names: Names, symbol: str, value: Any) -> None:
     """Let a symbol stand for a value in the whole part."""
-    found = statements(symbol)
-    meaning = meaning_of(Side(found[0].sides[0], ())) if found and len(found[0].sides) == 1 else None
+    found = chains_in(symbol)
+    meaning = found[0].sides[0].meaning if found and len(found[0].sides) == 1 else None
     if meaning is None or listed(value) or not (key := name_in(meaning)) or key in VARIABLES:
         return
     names.fixed.setdefault(key, []).append(value)

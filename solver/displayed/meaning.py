@@ -2,68 +2,28 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Sequence
 from typing import Any
 
 import sympy as sp
 
 from solver.displayed.names import VARIABLES, Names
-from solver.displayed.reading import Meaning, Unreadable
+from solver.displayed.scalars import FUNCTIONS, plain
+from solver.displayed.shapes import OF_A_MATRIX, SCALAR, Shape, complete, known, of_product, selections, shape_of
+from solver.displayed.tree import Meaning, Unreadable, key_of
 from solver.lazy import numeric
 from solver.stated import Stated
 from solver.stated.algebra import difference, exponential, power, product, quotient, total
-from solver.stated.calculus import integral, value_at
+from solver.stated.calculus import derivative, integral, value_at
+from solver.stated.limits import limit
 from solver.stated.lists import summation
 from solver.stated.matrices import inverse, transpose
 from solver.stated.transforms import inverse_laplace, inverse_z
-
-Shape = tuple[int, int] | None
-"""Rows and columns; None for what takes the shape that its place asks for: the identity I, and 0."""
-
-SCALAR = (1, 1)
-FUNCTIONS: dict[str, Callable[[Any], Any]] = {
-    **{"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "sinh": sp.sinh, "cosh": sp.cosh, "log": sp.log},
-    **{"acos": sp.acos, "atan": sp.atan, "re": sp.re, "im": sp.im, "abs": sp.Abs, "sqrt": sp.sqrt},
-}
-_CARRIED_OUT: dict[str, Callable[..., Any]] = {
-    **{"product": sp.Mul, "total": sp.Add, "power": sp.Pow, "exponential": sp.exp},
-    **{"difference": operator.sub, "quotient": operator.truediv},
-}
-OF_A_MATRIX = frozenset({"determinant", "trace", "rank"})
+from solver.words import Phrase
 
 
 class Unknown(Exception):  # noqa: N818 - no error: a statement about something that has no value here
     """A formula has a name that stands for no value on the page: x, u, or what a law is written with."""
-
-
-def shape_of(value: Any) -> Shape:
-    """Return the shape of a value or stated formula."""
-    if isinstance(value, sp.MatrixBase):
-        return int(value.rows), int(value.cols)
-    if not isinstance(value, Stated):
-        return SCALAR
-    return _shape_of_stated(value.operation, value.operands)
-
-
-def _shape_of_stated(operation: str, operands: Sequence[Any]) -> Shape:
-    if operation in OF_A_MATRIX:
-        return SCALAR
-    if operation == "transpose":
-        shape = shape_of(operands[0])
-        return shape and shape[::-1]
-    if operation == "product":
-        return _of_product([shape_of(factor) for factor in operands])
-    if operation in ("total", "difference"):
-        return next((shape for shape in map(shape_of, operands) if shape != SCALAR), SCALAR)
-    return shape_of(operands[0])
-
-
-def _of_product(shapes: Sequence[Shape]) -> Shape:
-    matrices = [shape for shape in shapes if shape is not None and shape != SCALAR]
-    if matrices:
-        return matrices[0][0], matrices[-1][1]
-    return None if None in shapes else SCALAR
 
 
 class Writer:
@@ -83,24 +43,31 @@ class Writer:
             if argument in VARIABLES.values():  # Re λ < 0 is a condition
                 raise Unknown(meaning.kind)
             if shape_of(argument) != SCALAR:
-                raise Unreadable(f"the function {meaning.kind} of a matrix")
-            return FUNCTIONS[meaning.kind](_plain(argument))
+                raise Unreadable(Phrase("the function {name} of a matrix", name=meaning.kind))
+            return FUNCTIONS[meaning.kind](plain(argument))
         if meaning.kind == "exp":
             return exponential(argument)
         return Stated(meaning.kind, (argument,))
 
+    def knows(self, meaning: Meaning) -> bool:
+        """Whether every name in a formula stands for a value: laws are written with others."""
+        if meaning.kind == "name":
+            return meaning.text == "I" or meaning.text in VARIABLES or self.names.value(meaning.text) is not None
+        if meaning.kind == "apply" and self.names.value(key_of(meaning)) is not None:
+            return True
+        return all(map(self.knows, meaning.parts))
+
     def shape(self, meaning: Meaning) -> Shape:
         """Return the shape of what was read; None where its place decides."""
         kind, parts = meaning.kind, meaning.parts
-        if (kind == "name" and meaning.text == "I" and self.names.value("I") is None) or (
-            kind == "number" and meaning.text == 0
-        ):
+        is_identity = kind == "name" and meaning.text == "I" and self.names.value("I") is None
+        if is_identity or kind == "unit_row" or (kind == "number" and meaning.text == 0):
             return None
         if kind == "sum":
             shapes = [self.shape(part) for part in parts]
-            return next((s for s in shapes if s not in (None, SCALAR)), None if None in shapes else SCALAR)
+            return next((s for s in shapes if s not in (None, SCALAR)), SCALAR if SCALAR in shapes else None)
         if kind == "product":
-            return _of_product([self.shape(part) for part in parts])
+            return of_product([self.shape(part) for part in parts])
         if kind in ("minus", "power", "fraction", "adjugate", "transpose"):
             inner = self.shape(parts[0])
             return inner and (inner[::-1] if kind == "transpose" else inner)
@@ -117,13 +84,13 @@ class Writer:
 
     def _number(self, meaning: Meaning, shape: Shape) -> Any:
         if meaning.text == 0 and shape not in (None, SCALAR):
-            return sp.ImmutableMatrix(sp.zeros(*_known(shape)))
+            return sp.ImmutableMatrix(sp.zeros(*known(shape)))
         return meaning.text
 
     def _name(self, meaning: Meaning, shape: Shape) -> Any:
         value = self.names.value(meaning.text)
         if value is None and meaning.text == "I":
-            return sp.ImmutableMatrix(sp.eye(_known(shape)[0]))
+            return sp.ImmutableMatrix(sp.eye(known(shape)[0]))
         if value is None:
             value = VARIABLES.get(meaning.text)
         if value is None:
@@ -166,7 +133,7 @@ class Writer:
             return value_at(body, variable, argument)
         if isinstance(body, Stated) or not body.is_polynomial(variable):
             raise Unreadable("a function of a matrix")
-        n = _known(shape_of(argument))[0]
+        n = known(shape_of(argument))[0]
         terms = sp.Poly(body, variable).terms()
         return total(*(product(c, power(argument, i)) if i else c * sp.eye(n).as_immutable() for (i,), c in terms))
 
@@ -178,7 +145,7 @@ class Writer:
             negative = part.kind == "minus"
             term = self.formula(part.parts[0] if negative else part, shape)
             if part.kind == "number" and shape not in (None, SCALAR):  # A² + 1 is A² + I
-                term = product(part.text, sp.eye(_known(shape)[0]).as_immutable())
+                term = product(part.text, sp.eye(known(shape)[0]).as_immutable())
             if result is None:
                 result = product(-1, term) if negative else term
             else:
@@ -196,7 +163,7 @@ class Writer:
         factors = []
         for i, (part, own) in enumerate(zip(meaning.parts, shapes, strict=True)):
             others = (each for each in [*shapes[i + 1 :], *shapes[:i]] if each not in (None, SCALAR))
-            size = _known(next(others, None))[0] if own is None else 0  # an identity or zero beside a matrix
+            size = known(next(others, None))[0] if own is None else 0  # an identity or zero beside a matrix
             factors.append(self.formula(part, own or (size, size)))
         return product(*factors)
 
@@ -213,11 +180,15 @@ class Writer:
             return exponential(self.formula(exponent))
         order = self.formula(exponent)
         body = self.formula(base, shape)
-        return inverse(body) if order in (-1, product(-1, sp.Integer(1))) else power(body, _plain(order))
+        return inverse(body) if order in (-1, product(-1, sp.Integer(1))) else power(body, plain(order))
 
     def _value_at(self, meaning: Meaning, shape: Shape) -> Any:
         body, variable, value = meaning.parts
         return value_at(self.formula(body, shape), VARIABLES.get(variable.text), self.formula(value))
+
+    def _limit(self, meaning: Meaning, shape: Shape) -> Any:
+        body, variable, value = meaning.parts
+        return limit(self.formula(body, shape), VARIABLES.get(variable.text), self.formula(value))
 
     def _integral(self, meaning: Meaning, shape: Shape) -> Any:
         body, variable, lower, upper = meaning.parts
@@ -239,6 +210,13 @@ class Writer:
     def _inverse_z(self, meaning: Meaning, _: Shape) -> Any:
         return inverse_z(self.formula(meaning.parts[0]), VARIABLES["z"], VARIABLES["k"])
 
+    def _unit_row(self, _: Meaning, shape: Shape) -> Any:
+        return sp.ImmutableMatrix(sp.eye(known(shape)[1])[-1, :])
+
+    def _derivative(self, meaning: Meaning, _: Shape) -> Any:
+        name, variable = meaning.parts
+        return derivative(self.formula(Meaning("apply", (name, variable), name.text)), VARIABLES.get(variable.text))
+
     def _sizes(self, meaning: Meaning, shape: Shape = None) -> tuple[list[int], list[int]]:
         """Return the heights of the rows and widths of the columns of a block matrix."""
         shapes = [[self.shape(cell) for cell in row.parts] for row in meaning.parts]
@@ -247,54 +225,22 @@ class Writer:
         heights = [next((s[0] for s in row if s is not None), 0) for row in shapes]
         widths = [next((s[1] for s in column if s is not None), 0) for column in zip(*shapes, strict=True)]
         if shape is not None:
-            _complete(widths, shape[1])
+            complete(widths, shape[1])
         for i, row in enumerate(meaning.parts):
             for j, cell in enumerate(row.parts):
                 if cell.kind == "name":  # an identity is square
                     heights[i], widths[j] = heights[i] or widths[j], widths[j] or heights[i]
         if shape is not None:
-            _complete(heights, shape[0])
+            complete(heights, shape[0])
         return [height or 1 for height in heights], [width or 1 for width in widths]
 
     def _matrix(self, meaning: Meaning, shape: Shape) -> Any:
         """Return a block matrix as Σ Eᵢ Mᵢⱼ Eⱼᵀ, with the columns Eᵢ of the identity that belong to a row of blocks."""
         heights, widths = self._sizes(meaning, shape)
-        left, right = _selections(heights), _selections(widths)
+        left, right = selections(heights), selections(widths)
         cells = [
             (i, j, self.formula(cell, (heights[i], widths[j])))
             for i, row in enumerate(meaning.parts)
             for j, cell in enumerate(row.parts)
         ]
         return total(*(product(left[i], cell, right[j].T) for i, j, cell in cells))
-
-
-def _complete(sizes: list[int], whole: int) -> None:
-    """Fill in the one size that is open."""
-    if sizes.count(0) == 1:
-        sizes[sizes.index(0)] = whole - sum(sizes)
-
-
-def _selections(sizes: Sequence[int]) -> list[Any]:
-    whole, starts = sp.eye(sum(sizes)), [sum(sizes[:i]) for i in range(len(sizes))]
-    return [sp.ImmutableMatrix(whole[:, start : start + size]) for start, size in zip(starts, sizes, strict=True)]
-
-
-def _known(shape: Shape) -> tuple[int, int]:
-    if shape is None:
-        raise Unreadable("the size of an identity or zero matrix is open")
-    return shape
-
-
-def _plain(formula: Any) -> Any:
-    """Return a scalar formula as an expression, where it is made of numbers and products only."""
-    if not isinstance(formula, Stated):
-        return formula
-    if formula.operation not in _CARRIED_OUT:
-        raise Unreadable(f"the operation {formula.operation} in this place")
-    return _CARRIED_OUT[formula.operation](*map(_plain, formula.operands))
-
-
-def key_of(meaning: Meaning) -> str:
-    r"""Return the name of f(x): `x(0)`, `\Phi(t)`."""
-    argument = meaning.parts[1]
-    return f"{meaning.text}({argument.text})" if argument.kind in ("name", "number") else ""

@@ -18,7 +18,7 @@ VARIABLES: Mapping[str, Any] = {
 
 @dataclass
 class Names:
-    """The values of names: those that hold for the whole part (given, or answers), and those of the steps so far.
+    """The values of names: those that hold for the whole part (given, or answers), and those displayed so far.
 
     A name of the part may have two values, what is given and the answer (A of a plant and of its minimal realization).
     """
@@ -26,7 +26,8 @@ class Names:
     fixed: dict[str, list[Any]] = field(default_factory=dict)
     found: dict[str, Any] = field(default_factory=dict)
     symbols: dict[str, Any] = field(default_factory=dict)
-    in_step: set[str] = field(default_factory=set)
+    bound: set[str] = field(default_factory=set)
+    changed: set[str] = field(default_factory=set)
 
     def value(self, name: str) -> Any:
         """Return what a name stands for; None if that is not known."""
@@ -37,10 +38,17 @@ class Names:
         return self.symbols.get(name, CONSTANTS.get(name))
 
     def is_free(self, name: str) -> bool:
-        """Whether a display may give the name a value: it has none of the part, nor one in this step."""
-        return not (name == "I" or any(name in table for table in (self.in_step, self.fixed, self.symbols, CONSTANTS)))
+        """Whether a display may give the name a value: it has none of the part, and none was displayed before."""
+        return not (name == "I" or any(name in table for table in (self.bound, self.fixed, self.symbols, CONSTANTS)))
 
     def bind(self, name: str, value: Any) -> None:
-        """Let a name stand for a value until another step displays another one."""
+        """Let a name stand for a value until a step says that it stands for another one."""
         self.found[name] = value
-        self.in_step.add(name)
+        self.bound.add(name)
+
+    def forget(self, name: str) -> None:
+        """Let a name stand for nothing: another value is to be shown."""
+        self.bound.discard(name)
+        for known in (self.found, self.fixed):
+            known.pop(name, None)
+            known.pop(f"{name.partition('(')[0]}()", None)

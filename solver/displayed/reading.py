@@ -6,13 +6,9 @@ and anything else is refused with the reason.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import lru_cache
-from typing import Any
-
 import sympy as sp
 
-from solver.displayed.statements import VALUE
+from solver.displayed.tree import Meaning, Unreadable, name_of
 from solver.formula import latex
 from solver.formula.nodes import (
     Accent,
@@ -30,6 +26,10 @@ from solver.formula.nodes import (
     Symbol,
     Table,
 )
+from solver.words import Phrase
+
+VALUE = "value"
+"""Stands for the printed values in what is read: the operator `value3` is the fourth."""
 
 OPERATIONS = {
     **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "exp")},
@@ -40,20 +40,6 @@ _OF_ONE_FACTOR = frozenset({"determinant", "trace", "rank", "adjugate", "re", "i
 _NAMES = Symbol | Accent | Styled
 
 
-class Unreadable(ValueError):  # noqa: N818 - a refusal with its reason, in words
-    """A written formula is not one that can be evaluated; the message says what stands in the way."""
-
-
-@dataclass(frozen=True, slots=True)
-class Meaning:
-    """A formula: what it is (`kind`), its parts, and the text of a name or the value of a number."""
-
-    kind: str
-    parts: tuple[Meaning, ...] = ()
-    text: Any = ""
-
-
-@lru_cache(maxsize=4096)
 def read(items: tuple[Node, ...]) -> Meaning:
     """Return what some items side by side mean. Raises Unreadable."""
     return _Reader([item for item in items if not isinstance(item, Space)]).sum()
@@ -88,7 +74,7 @@ class _Reader:
             if self.sign() == "end":
                 return terms[0] if len(terms) == 1 else Meaning("sum", tuple(terms))
             if self.sign() not in ("+", "-"):
-                raise Unreadable(f"the sign {self.sign()} in a formula")
+                raise Unreadable(Phrase("the sign ${sign}$", sign=self.sign()))
 
     def product(self, *, of_function: bool = False) -> Meaning:
         factors: list[Meaning] = []
@@ -98,7 +84,7 @@ class _Reader:
             elif sign == "/":
                 self.at += 1
                 factors = [Meaning("fraction", (_product(factors), self.factor()))]
-            elif of_function and isinstance(self.items[self.at], Function):
+            elif of_function and _is_function(self.items[self.at]):
                 break
             else:
                 factors.append(self.factor())
@@ -111,6 +97,8 @@ class _Reader:
         base = item.base if isinstance(item, Scripts) else item
         if isinstance(base, _NAMES):
             return self.named(item)
+        if isinstance(base, Function) and base.name == "lim":
+            return self.limit(item)
         if isinstance(base, Function):
             return self.function(base, item.above if isinstance(item, Scripts) else None)
         if isinstance(base, Operator):
@@ -125,16 +113,14 @@ class _Reader:
         if isinstance(node, Number):
             return Meaning("number", text=sp.Rational(node.digits))
         if isinstance(node, Fraction):
-            if latex(node.above).lstrip("{").startswith("d"):
-                raise Unreadable("a derivative")
-            return Meaning("fraction", (_inside(node.above), _inside(node.below)))
+            return _fraction(node)
         if isinstance(node, Root):
             return Meaning("sqrt", (_inside(node.radicand),))
         if isinstance(node, Fenced) and not {node.left, node.right} & {".", r"\{"}:
             inner = read(node.body.items)
             return Meaning("abs", (inner,)) if node.left == "|" else inner
-        if isinstance(node, Table) and node.environment == "bmatrix":
-            return Meaning("matrix", tuple(Meaning("row", tuple(read(c.items) for c in row)) for row in node.rows))
+        if isinstance(node, Table) and node.environment in ("bmatrix", "array"):
+            return _matrix(node)
         raise Unreadable("a notation that is not evaluated")
 
     def with_scripts(self, base: Meaning, scripts: Scripts) -> Meaning:
@@ -153,6 +139,8 @@ class _Reader:
         text, above = name_of(item), item.above if isinstance(item, Scripts) else None
         if text in (r"\mathcal{L}", r"\mathcal{Z}"):
             return self.transform(text)
+        if above == Row((Operator("*"),)) or above == Operator("*"):
+            text, above = f"{text}^{{*}}", None
         name = Meaning("name", text=text)
         follows = self.items[self.at] if self.at < len(self.items) else None
         if above is not None:
@@ -176,7 +164,7 @@ class _Reader:
             value = Meaning("value", text=int(function.name.removeprefix(VALUE)))
             return value if above is None else _power(value, above)
         if function.name not in OPERATIONS:
-            raise Unreadable(f"the function {function.name}")
+            raise Unreadable(Phrase("the function {name}", name=function.name))
         name = OPERATIONS[function.name]
         if self.sign() == "end":
             raise Unreadable("a function of nothing")
@@ -184,6 +172,13 @@ class _Reader:
         whole = name in _OF_ONE_FACTOR or isinstance(follows, Fenced)
         applied = Meaning(name, (self.factor() if whole else self.product(of_function=True),))
         return applied if above is None else _power(applied, above)
+
+    def limit(self, item: Node) -> Meaning:
+        """Read the limit of what follows, up to the next sign of a sum."""
+        below = item.below.items if isinstance(item, Scripts) and isinstance(item.below, Row) else ()
+        if len(below) < 3 or below[1] != Operator(r"\to"):
+            raise Unreadable("a limit without its variable")
+        return Meaning("limit", (self.product(), read(below[:1]), read(below[2:])))
 
     def large(self, sign: str, item: Node) -> Meaning:
         if sign == "|":
@@ -194,7 +189,7 @@ class _Reader:
             self.at = end + 1
             return Meaning("abs", (inner,))
         if sign not in (r"\int", r"\sum") or not isinstance(item, Scripts) or None in (item.below, item.above):
-            raise Unreadable("an ellipsis" if sign.endswith("dots") else f"the sign {sign}")
+            raise Unreadable("an ellipsis" if sign.endswith("dots") else Phrase("the sign ${sign}$", sign=sign))
         body = self.items[self.at :]
         self.at = len(self.items)
         if sign == r"\sum":
@@ -205,6 +200,26 @@ class _Reader:
             raise Unreadable("an integral without its variable")
         limits = _inside(_some(item.below)), _inside(_some(item.above))
         return Meaning("integral", (read(tuple(body[:-2])), read((body[-1],)), *limits))
+
+
+def _matrix(table: Table) -> Meaning:
+    if " ".join(map(latex, table.rows[0])) == r"0 \cdots 0 1":
+        return Meaning("unit_row")
+    return Meaning("matrix", tuple(Meaning("row", tuple(read(cell.items) for cell in row)) for row in table.rows))
+
+
+def _fraction(fraction: Fraction) -> Meaning:
+    r"""Read a fraction, or a derivative \frac{da}{ds}."""
+    if not latex(fraction.above).lstrip("{").startswith("d"):
+        return Meaning("fraction", (_inside(fraction.above), _inside(fraction.below)))
+    above, below = (each.items if isinstance(each, Row) else () for each in (fraction.above, fraction.below))
+    if len(above) != 2 or len(below) != 2 or below[0] != Symbol("d"):
+        raise Unreadable("a derivative")
+    return Meaning("derivative", (read(above[1:]), read(below[1:])))
+
+
+def _is_function(item: Node) -> bool:
+    return isinstance(item, Function) and not item.name.startswith(VALUE)
 
 
 def _some(node: Node | None) -> Node:
@@ -221,17 +236,3 @@ def _product(factors: list[Meaning]) -> Meaning:
     if not factors:
         raise Unreadable("a side that is empty")
     return factors[0] if len(factors) == 1 else Meaning("product", tuple(factors))
-
-
-def name_of(item: Node) -> str:
-    r"""Return a name in one spelling: K_f and K_{f} are the same. Raises Unreadable for what is no name."""
-    if not isinstance(item, Scripts):
-        text = latex(item).replace(" ", "")
-        if text.endswith("dots"):
-            raise Unreadable("an ellipsis")
-        return text
-    text = name_of(item.base) + "'" * item.primes
-    if item.below is None:
-        return text
-    index = latex(item.below).replace(" ", "")
-    return text + "_" + (index if index.startswith("{") else f"{{{index}}}")

@@ -3,13 +3,16 @@ r"""Written formulas cut at their top level into chains: `F = 1,\quad N = G = 2`
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 
 from solver.derivation.displayed import FIRST_MARK, Displayed, Written
+from solver.displayed.reading import VALUE, read
+from solver.displayed.tree import Meaning, Unreadable, key_of
 from solver.formula import MathProblem, latex
 from solver.formula import read as tree_of
 from solver.formula.nodes import Node, Operator, Space, Table, Text
@@ -19,32 +22,34 @@ from solver.render.symbols import named
 _MARK = re.compile(r"[\U000f0000-\U000ffffd]")
 _ENDS = frozenset({",", ";", ":", "."})
 _ARROWS = frozenset({r"\Rightarrow", r"\Leftrightarrow", r"\implies", r"\iff"})
-VALUE = "value"
-"""Stands for the printed values in what is read: the operator `value3` is the fourth."""
-
-
-@dataclass(frozen=True, slots=True)
-class Statement:
-    """A chain as written: the items of each side, and the relation after each side but the last."""
-
-    sides: tuple[tuple[Node, ...], ...]
-    relations: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Chain:
-    """A chain of a display: each side a value, or the items of a written formula with the values printed in it."""
-
-    sides: tuple[Any, ...]
-    relations: tuple[str, ...]
+_ROW = Operator(r"\\")
+"""Stands for the end of an aligned row, which the next may go on with: `a &= b \\\\ &= c` is one chain."""
 
 
 @dataclass(frozen=True, slots=True)
 class Side:
-    """A written side of a chain, and the values that its operators `value0`, `value1`, ... stand for."""
+    """A written side of a chain: what it means, or why that can't be read; and the values printed in it."""
 
-    items: tuple[Node, ...]
-    values: tuple[Any, ...]
+    meaning: Meaning | None
+    refusal: str = ""
+    values: tuple[Any, ...] = ()
+
+    @property
+    def value(self) -> Any:
+        """The printed value that the side consists of; None where it is another formula."""
+        whole = self.meaning is not None and self.meaning.kind == "value"
+        return self.values[self.meaning.text] if whole and self.meaning is not None else None
+
+
+EMPTY = Side(None)
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """A chain: each side a value or a `Side`, and the relation after each side but the last."""
+
+    sides: tuple[Any, ...]
+    relations: tuple[str, ...]
 
 
 def chains_of(displayed: Displayed) -> list[Chain]:
@@ -58,18 +63,17 @@ def chains_of(displayed: Displayed) -> list[Chain]:
         if not isinstance(side, Written):
             sides.append(side)
             continue
-        *before, last = statements(legible(side)) or (Statement(((),), ()),)
-        for statement in before:
-            finished.append(_joined(sides, relations, statement, side.values))
+        *before, last = chains_in(legible(side)) or (Chain((EMPTY,), ()),)
+        for chain in before:
+            finished.append(Chain((*sides, *_with(side.values, chain.sides)), (*relations, *chain.relations)))
             sides, relations = [], []
-        sides += [Side(items, side.values) for items in last.sides]
+        sides += _with(side.values, last.sides)
         relations += last.relations
     return [*finished, Chain(tuple(sides), tuple(relations))]
 
 
-def _joined(sides: list[Any], relations: list[str], statement: Statement, values: tuple[Any, ...]) -> Chain:
-    written = [Side(items, values) for items in statement.sides]
-    return Chain((*sides, *written), (*relations, *statement.relations))
+def _with(values: tuple[Any, ...], sides: Iterable[Side]) -> list[Side]:
+    return [replace(side, values=values) for side in sides] if values else list(sides)
 
 
 def legible(written: Written) -> str:
@@ -86,12 +90,34 @@ def legible(written: Written) -> str:
 
 
 @lru_cache(maxsize=4096)
-def statements(text: str) -> tuple[Statement, ...]:
+def chains_in(text: str) -> tuple[Chain, ...]:
     """Return the chains in a formula; words stand in none, and an unreadable formula has none."""
     try:
         return tuple(_cut(_flat(tree_of(text).items))) if text.strip() else ()
     except MathProblem:
         return ()
+
+
+def spelled(text: str) -> str:
+    """Return a name in the spelling of those that are read."""
+    found = chains_in(text)
+    meaning = found[0].sides[0].meaning if found else None
+    return name_in(meaning) if meaning is not None else text
+
+
+def name_in(meaning: Meaning | None) -> str:
+    r"""Return the name that a side consists of: `K_{f}`, `\Phi(t)`; else nothing."""
+    if meaning is None:
+        return ""
+    return str(meaning.text) if meaning.kind == "name" else key_of(meaning) if meaning.kind == "apply" else ""
+
+
+def names_in(meaning: Meaning | None) -> frozenset[str]:
+    """Return all names in a formula."""
+    if meaning is None:
+        return frozenset()
+    own = {str(meaning.text)} if meaning.kind in ("name", "apply") else ()
+    return frozenset(own).union(*map(names_in, meaning.parts))
 
 
 def _flat(items: tuple[Node, ...]) -> list[Node]:
@@ -100,22 +126,26 @@ def _flat(items: tuple[Node, ...]) -> list[Node]:
     for item in items:
         if isinstance(item, Table) and item.environment == "aligned":
             for row in item.rows:
-                found += [each for cell in row for each in cell.items] + [Operator(";")]
+                found += [each for cell in row for each in cell.items] + [_ROW]
         else:
             found.append(item)
     return found
 
 
-def _cut(items: list[Node]) -> list[Statement]:
-    found: list[Statement] = []
+def _cut(items: list[Node]) -> list[Chain]:
+    found: list[Chain] = []
     sides: list[list[Node]] = [[]]
     relations: list[str] = []
+    ended_by: Node = _ROW
     for item in [*items, Operator(";")]:
         sign = item.sign if isinstance(item, Operator) else ""
         wide = isinstance(item, Space) and item.command in (r"\quad", r"\qquad")
-        if sign in _ENDS or sign in _ARROWS or wide or (isinstance(item, Text) and item.command == r"\text"):
+        if item == _ROW or sign in _ENDS or sign in _ARROWS or wide or _is_text(item):
             if any(sides):
-                found.append(Statement(tuple(map(tuple, sides)), tuple(relations)))
+                chain = Chain(tuple(map(_side, sides)), tuple(relations))
+                goes_on = found and ended_by == _ROW and not sides[0]
+                found[-1 if goes_on else len(found) :] = [_continued(found[-1], chain) if goes_on else chain]
+                ended_by = item
             sides, relations = [[]], []
         elif sign in RELATIONS:
             relations.append(sign)
@@ -123,3 +153,20 @@ def _cut(items: list[Node]) -> list[Statement]:
         elif not isinstance(item, Space):
             sides[-1].append(item)
     return found
+
+
+def _is_text(item: Node) -> bool:
+    return isinstance(item, Text) and item.command == r"\text"
+
+
+def _continued(chain: Chain, row: Chain) -> Chain:
+    return Chain((*chain.sides, *row.sides[1:]), (*chain.relations, *row.relations))
+
+
+def _side(items: list[Node]) -> Side:
+    if not items:
+        return EMPTY
+    try:
+        return Side(read(tuple(items)))
+    except Unreadable as refusal:
+        return Side(None, refusal.reason)

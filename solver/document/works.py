@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Answers, Check, Method, PartResult, Status, Step, Task
+from solver.derivation import Answers, Check, Method, PartResult, Status, Step, Task, Unsolved
 from solver.derivation.figures import Drawing, Figure
 from solver.displayed import judged
 from solver.document.checks import Say, check_rows, unchecked, worded_check
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.document.values import numbers_of, symbols_of, texts_of, values_of
-from solver.engine import Earlier, Solution
+from solver.engine import Earlier, Solution, resolved
 from solver.problem.asked import asked_of, marks_of
 from solver.problem.model import Chain, Display, Part, Problem
 from solver.render.numbers import NumberFormat
@@ -74,7 +75,7 @@ class Writer:
         part = self.parts[result.id]
         display = self._display(part, {**earlier, part.id: result})
         try:
-            return self._worded(result, part, display)
+            return self._worded(result, part, display, earlier)
         except WordingError as error:
             fault = str(error)
         left = lost(result, Phrase("its solution cannot be worded: {fault}", fault=plain(fault)))
@@ -84,8 +85,8 @@ class Writer:
             work = self._worded(left, replace(part, prompt="–", asked=()), display)
         return replace(work, fault=fault)
 
-    def _worded(self, result: PartResult, part: Part, display: Display) -> Work:
-        """Return a result in words. Raises WordingError."""
+    def _worded(self, result: PartResult, part: Part, display: Display, earlier: Earlier | None = None) -> Work:
+        """Return a result in words; what it displays is judged with the earlier results. Raises WordingError."""
         told, show = self.presentation, part.show
         task = catalogue()[result.task]
         method = task.methods[result.method]
@@ -94,7 +95,9 @@ class Writer:
         worded = wording.words(steps)
         # The status of the engine says what the mathematics is worth; the one that is told, what the page displays too.
         # A key is judged with the steps that it leaves out: they say what its names stand for.
-        result = judged(result, part, wording.words(result.steps) if told.detail == "key" else worded, wording)
+        read = wording.words(result.steps) if told.detail == "key" else worded
+        with suppress(Unsolved):  # where nothing was found that it could go on with, there is no step either
+            result = judged(result, resolved(part, earlier or {}), read, wording)
         checks = result.checks if checks else ()
         asked = [task.answers[name] for name in part.asked]
         return Work(

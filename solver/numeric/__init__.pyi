@@ -7,6 +7,7 @@ from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import evaluate, values_at
 from solver.numeric.evaluation.points import free_symbols
 from solver.numeric.evaluation.ranks import independent, rank
+from solver.numeric.evaluation.relations import check_relation
 from solver.numeric.evaluation.rounding import agrees_to_digits
 from solver.numeric.evaluation.values import NoRule, NotEvaluable, ShapeMismatch, Undefined
 
@@ -19,6 +20,7 @@ __all__ = [
     "Undefined",
     "agrees_to_digits",
     "check_claim",
+    "check_relation",
     "check_residual",
     "check_steps",
     "equality_residual",

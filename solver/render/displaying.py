@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
@@ -16,6 +17,9 @@ from solver.formula.width import LINE, width
 from solver.render.displays import EQUALS, NOTHING, READABLE, aligned, chain, display, entries
 from solver.render.recording import Recorder
 from solver.render.row_operations import row_operation
+
+_STATES = re.compile(r"[=<>]|\\(le|ge|ne|approx)\b")
+"""What a note must have in it to state something."""
 
 GAP = row(r",\qquad")
 """Between two equations on one line."""
@@ -61,6 +65,9 @@ class Displaying:
     def eq(self, *sides: Any, note: str = "", relation: str = "=", holds: bool = True) -> str:
         """Display a = b = ...; `note` stands behind the last side. Unless it `holds`, nothing is claimed."""
         shown = [side for side in sides if holds and (not isinstance(side, str) or side)]
+        if shown and _STATES.search(note):  # it goes on with the last side, or explains a name in it
+            last = shown[-1] if isinstance(shown[-1], str) else self.recorder.value(shown[-1], "")
+            shown[-1] = f"{last} {note}"
         return self._displayed([(shown, relation)], self.laid_out(sides, self.show, relation, note))
 
     def claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:

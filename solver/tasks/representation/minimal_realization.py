@@ -91,6 +91,8 @@ def _reduced(plant: StateSpace) -> Derivation[Answers]:
         factor=G.cancelled_factored,
         n=plant.order,
         least=A.rows,
+        plant=plant.A,
+        kept=A,
     )
     if A.rows:
         yield from assembled(G, exact.Realization(A, B, C, D), cancelled=True, x=G.variable, discrete=plant.discrete)
