@@ -9,6 +9,7 @@ import sympy as sp
 
 from solver.exact.linear_algebra.fields import domain_matrix
 from solver.exact.linear_algebra.matrices import inverse, multiply
+from solver.exact.linear_algebra.radicals import complex_parts
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ def chosen_error_matrix(poles: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
     left = list(poles)
     while left:
         pole = left.pop(0)
-        sigma, omega = (sp.expand(part) for part in sp.expand(pole).as_real_imag()) if pole.has(sp.I) else (pole, 0)
+        sigma, omega = (sp.expand(part) for part in complex_parts(pole)) if pole.has(sp.I) else (pole, 0)
         if omega == 0:
             blocks.append(sp.Matrix([[sigma]]))
             continue

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from solver.exact.functions.closed_forms import polar
+from solver.exact.linear_algebra.radicals import complex_parts
 from solver.exact.linear_algebra.spectrum import Root, Spectrum, is_lower
 
 
@@ -33,8 +34,9 @@ def _of_root(root: Root, n: int, x: sp.Symbol, *, discrete: bool) -> Iterator[Co
         row = tuple(_derivative_of_power(root.value, power, i) for power in range(n))
         if paired:
             cosine, sine = _paired_right(root, i, x, discrete=discrete)
-            yield Condition(tuple(sp.re(c) for c in row), cosine)
-            yield Condition(tuple(sp.im(c) for c in row), sine)
+            parts = [complex_parts(c) for c in row]
+            yield Condition(tuple(real for real, _ in parts), cosine)
+            yield Condition(tuple(imaginary for _, imaginary in parts), sine)
         else:
             yield Condition(row, _right(root.value, i, x, discrete=discrete))
 

@@ -22,6 +22,7 @@ from solver.exact.functions.residues import FactorResidues, interpolation_residu
 from solver.exact.functions.scalar_functions import ScalarFunction, at_root, multiplied_out
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import NotExact, collected, domain_matrix, expression, matrix_of
+from solver.exact.linear_algebra.radicals import complex_parts
 from solver.exact.linear_algebra.spectrum import Factor, is_lower, spectrum
 from solver.matrices import entries
 
@@ -116,8 +117,9 @@ def conditions_for(A: sp.ImmutableMatrix, f: ScalarFunction) -> Iterator[Conditi
                 if imaginary is None:
                     yield Condition(tuple(row), real)
                 else:
-                    yield Condition(tuple(sp.re(c) for c in row), real)
-                    yield Condition(tuple(sp.im(c) for c in row), imaginary)
+                    parts = [complex_parts(c) for c in row]
+                    yield Condition(tuple(each for each, _ in parts), real)
+                    yield Condition(tuple(each for _, each in parts), imaginary)
 
 
 def _summed(residues: Iterable[FactorResidues], f: ScalarFunction, shape: tuple[int, int]) -> sp.ImmutableMatrix:

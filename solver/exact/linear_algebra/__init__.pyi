@@ -14,6 +14,7 @@ from solver.exact.linear_algebra.matrices import (
     taylor,
     truncated_series,
 )
+from solver.exact.linear_algebra.radicals import complex_parts
 from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.linear_algebra.signs import always_holds, contradict
 from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, factored, spectrum
@@ -30,6 +31,7 @@ __all__ = [
     "Spectrum",
     "affine",
     "always_holds",
+    "complex_parts",
     "contradict",
     "determinant",
     "determinant_and_adjugate",

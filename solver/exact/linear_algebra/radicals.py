@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from solver.conditions import conditions_of
@@ -32,6 +34,16 @@ def _shorter(inside: sp.Expr) -> sp.Expr:
     expanded = sp.expand(sp.Mul(*sums))
     shorter = len(sums) > 1 and len(sp.Add.make_args(expanded)) < sum(len(each.args) for each in sums)
     return sp.Mul(*others) * expanded if shorter else inside
+
+
+def complex_parts(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Re x and Im x; roots of what is known not to be negative are real."""
+    powers: list[Any] = list(x.atoms(sp.Pow))
+    roots = [p for p in powers if p.exp.is_Rational and p.exp.q == 2 and p.base.free_symbols]
+    known = {p: sp.Dummy("r", real=True) for p in roots if -1 not in possible_signs(p.base)}
+    real, imaginary = sp.expand(x.xreplace(known)).as_real_imag()
+    back = {dummy: p for p, dummy in known.items()}
+    return real.xreplace(back), imaginary.xreplace(back)
 
 
 def over_root(value: sp.Expr) -> sp.Expr:

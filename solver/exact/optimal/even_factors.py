@@ -8,6 +8,7 @@ import mpmath
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import expression
+from solver.exact.linear_algebra.signs import is_positive, possible_signs
 from solver.exact.optimal.root_choices import (
     DIGITS,
     Builder,
@@ -114,10 +115,10 @@ def _half(K: Any, e: Any, f: Any, c_sign: int, b_sign: int) -> Builder:
 def _second_radicand(K: Any, e: Any, f: Any) -> Any:
     """−2√f − e, which must be positive for real roots: True or False where that is known, else the expression."""
     radicand = -2 * sp.sqrt(expression(K, f)) - expression(K, e)
-    if radicand.is_positive or radicand.is_negative:
-        return bool(radicand.is_positive)
+    if len(signs := possible_signs(radicand)) == 1:
+        return signs == {1}
     discriminant = sp.factor(expression(K, e * e - K(4) * f))
-    if discriminant.is_negative or expression(K, e).is_nonnegative:
+    if is_positive(-discriminant) or -1 not in possible_signs(expression(K, e)):
         return False
     return sp.factor(expression(K, -e)) - 2 * sp.sqrt(sp.factor(expression(K, f)))
 
@@ -129,6 +130,6 @@ def _spelled_roots(e: sp.Expr, f: sp.Expr) -> tuple[sp.Expr, ...]:
     if not delta.free_symbols and sp.N(delta) < 0:
         omega = sp.sqrt(sp.expand(-delta)) / 2
         return (-half + sp.I * omega, -half - sp.I * omega)
-    if delta.is_negative:
+    if is_positive(-delta):
         return (-half + sp.I * sp.sqrt(-delta) / 2, -half - sp.I * sp.sqrt(-delta) / 2)
     return (-half - sp.sqrt(delta) / 2, -half + sp.sqrt(delta) / 2)

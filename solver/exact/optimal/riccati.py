@@ -22,6 +22,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.fields import NotExact, domain_matrix, matrix_of
+from solver.exact.linear_algebra.signs import possible_signs
 from solver.exact.linear_algebra.spectrum import irreducible_factors
 from solver.exact.optimal.decimal_matrices import Rows, combined, powers_of, rows_of, solution_of
 from solver.exact.optimal.root_choices import DIGITS, WORKING_DIGITS, Choice
@@ -235,8 +236,8 @@ def _stable(root: sp.Expr) -> bool:
     """Whether the real part is negative; raises NotExact where parameters leave it open."""
     if not root.free_symbols:
         return bool(sp.N(sp.re(root), DIGITS) < 0)
-    if root.is_negative or root.is_nonnegative:
-        return bool(root.is_negative)
+    if len(signs := possible_signs(root)) == 1 or -1 not in signs:
+        return signs == {-1}
     raise NotExact("optimal/unreached_mode", mode=root)
 
 

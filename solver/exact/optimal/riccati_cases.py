@@ -11,6 +11,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from solver.exact.linear_algebra.signs import is_not_zero, is_positive
+
 MOST_NODES = 60
 LONGEST = 250
 DIGITS = 40
@@ -192,6 +194,8 @@ def _is_zero(value: sp.Expr) -> bool:
         return True
     if value.free_symbols:
         if value.is_zero is None and sp.factor(value).is_zero is None:
+            if is_not_zero(value):
+                return False
             raise _Stuck
         return bool(value.is_zero or sp.factor(value).is_zero)
     return bool(abs(sp.N(value, DIGITS)) < sp.Float(10) ** (-DIGITS // 2))
@@ -204,8 +208,8 @@ def _real_pair(middle: sp.Expr, square: sp.Expr) -> tuple[tuple[sp.Expr, ...], s
             return (middle,), None
         if sp.N(square, DIGITS) < 0:
             return (), None
-    elif square.is_negative or sp.factor(square).is_negative:
+    elif is_positive(-square) or sp.factor(square).is_negative:
         return (), None
     root = sp.sqrtdenest(sp.sqrt(square))
-    known = not square.free_symbols or square.is_positive or sp.factor(square).is_positive
+    known = not square.free_symbols or is_positive(square) or sp.factor(square).is_positive
     return (_tidy(middle + root), _tidy(middle - root)), None if known else square

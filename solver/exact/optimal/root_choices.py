@@ -16,6 +16,7 @@ import mpmath
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact, expression
+from solver.exact.linear_algebra.signs import is_positive, possible_signs
 from solver.exact.optimal.square_roots import Nested, RootTower, without_sign
 
 DIGITS = 30
@@ -92,6 +93,8 @@ def sign(K: Any, c: Any) -> int:
             return 1 if form.is_positive else -1
         if form.is_nonnegative or form.is_nonpositive:
             return 1 if form.is_nonnegative else -1
+    if len(signs := possible_signs(value)) == 1:
+        return next(iter(signs))
     raise NotExact("optimal/sign_in_the_solution", value=without_sign(sp.factor(value)))
 
 
@@ -180,7 +183,7 @@ def spelled_pair(q: sp.Poly) -> tuple[sp.Expr, ...]:
     """The roots −b/2 ± √(b²/4 − c) of a quadratic."""
     _, b, c = (expression(q.domain, each) for each in coefficients_of(q))
     square = sp.factor(b**2 / 4 - c)
-    if square.is_negative:
+    if is_positive(-square):
         omega = sp.sqrt(-square)
         return (-b / 2 + sp.I * omega, -b / 2 - sp.I * omega)
     delta = sp.sqrt(square)

@@ -16,6 +16,7 @@ import mpmath
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import expression
+from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.optimal.even_factors import biquadratic_choices, near_the_axis, quadratic_choices
 from solver.exact.optimal.root_choices import (
     WORKING_DIGITS,
@@ -120,9 +121,9 @@ def _parametric_pair(q: sp.Poly, image: sp.Poly, m: int) -> Group:
         q = image
     choices = conjugate_choices(q, m, [])
     discriminant = sp.factor(expression(K, b * b / K(4) - c))
-    if m > 1 or discriminant.is_negative:
+    if m > 1 or is_positive(-discriminant):
         return Group(q, False, m, choices)
-    needs = None if discriminant.is_positive else discriminant
+    needs = None if is_positive(discriminant) else discriminant
     mixed = (Choice(x.flips, x.exact, (), x.spelled, needs) for x in surd_choices(q, m)[1:-1])
     return Group(q, False, m, (choices[0], *mixed, choices[1]))
 

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact, expression
+from solver.exact.linear_algebra.signs import is_positive, possible_signs
 
 Nested = tuple[Any, ...]
 """An element of the tower."""
@@ -174,7 +175,7 @@ class RootTower:
             return outside, (a[0] / outside**2,)
         if _has_factors(K):
             below = reduce(lambda d, x: d.lcm(x.denom), a, K.one.numer)
-            if below.as_expr().is_positive:
+            if is_positive(below.as_expr()):
                 outside = K.one / K(below)
                 return outside, tuple(x / outside**2 for x in a)
         return K.one, a
@@ -199,7 +200,8 @@ def sign_known(value: sp.Expr) -> bool | None:
     for form in (sp.factor(value), sp.expand(value)):
         if form.is_positive is not None:
             return bool(form.is_positive)
-    return None
+    signs = possible_signs(value)
+    return signs == {1} if len(signs) == 1 or 1 not in signs else None
 
 
 def without_sign(value: sp.Expr) -> sp.Expr:
@@ -264,7 +266,7 @@ def _known_square(K: Any, c: Any) -> Any:
     content, powers = _factors(c)
     outside = _rational(K, sp.QQ(*_square_content([content])))
     for factor, power in powers:
-        if factor.as_expr().is_positive:
+        if is_positive(factor.as_expr()):
             outside = outside * K(factor) ** (power // 2)
     return outside
 

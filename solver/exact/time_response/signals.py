@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact
+from solver.exact.linear_algebra.signs import is_positive, possible_signs
 
 Term = tuple[int, sp.Expr, sp.Expr, bool]
 """Power n, growth (σ, in discrete time r), angle ω ≥ 0 where its sign is known, and whether it is a sine."""
@@ -137,15 +138,16 @@ class _Reader:
         if slope.is_positive is None and slope.is_negative is None:
             raise NotExact("signals/direction_of_time")
         delay = sp.cancel(-offset / slope)
-        if not (delay.is_nonnegative or delay.is_negative):
+        of_delay = possible_signs(delay)
+        if -1 in of_delay and len(of_delay) > 1:
             raise NotExact("signals/before_or_after_the_start", delay=delay)
         if self.discrete and not delay.is_Integer:
             raise NotExact("signals/between_samples", delay=delay)
         if kind is sp.DiracDelta:
             weight = sp.S.One if self.discrete else 1 / sp.Abs(slope)
-            return Signal() if delay.is_negative else Signal({}, {delay: weight})
+            return Signal() if -1 in of_delay else Signal({}, {delay: weight})
         one = (0, self.still, sp.S.Zero, False)
-        if delay.is_negative:
+        if -1 in of_delay:
             delay, after = sp.S.Zero, not slope.is_negative
             return Signal({(delay, one): sp.S.One}) if after else Signal()
         if slope.is_negative:
@@ -218,9 +220,9 @@ class _Reader:
 def _later(a: sp.Expr, b: sp.Expr) -> sp.Expr:
     if b in (a, 0):
         return a
-    if a == 0 or (b - a).is_positive:
+    if a == 0 or is_positive(b - a):
         return b
-    if (a - b).is_positive:
+    if is_positive(a - b):
         return a
     raise NotExact("signals/later_of_two_steps")
 

@@ -157,10 +157,11 @@ def _plant_shown(system: Any, top: Expr, bottom: Expr, x: Symbol) -> Step:
 def _all_stable(zeros: Iterable[Expr], *, discrete: bool) -> bool:
     """Whether the zeros that become hidden poles decay; raises Unsolved where parameters leave it open."""
     for zero in zeros:
-        size = 1 - sp.Abs(zero) if discrete else -sp.re(zero)
-        if not size.is_number and size.is_positive is None:
+        real, imaginary = exact.complex_parts(zero)
+        sign = exact.sign_of(sp.expand(real**2 + imaginary**2 - 1) if discrete else real)
+        if sign is None:
             raise Unsolved("model_matching/hidden_pole", zero=zero)
-        if not size.is_positive:
+        if sign >= 0:
             return False
     return True
 

@@ -150,11 +150,11 @@ def number_fault(poles: Sequence[Expr], own: int, seen: int, outputs: int = 0) -
 
 def decays(mode: Expr, *, discrete: bool) -> bool | None:
     """Whether e^{λt} (λᵏ) goes to zero; None where parameters leave it open."""
-    real, imaginary = sp.expand(mode).as_real_imag()
+    real, imaginary = exact.complex_parts(mode)
     size = sp.expand(real**2 + imaginary**2 - 1) if discrete else sp.expand(real)
     if size.free_symbols:
-        decided: bool | None = size.is_negative
-        return decided
+        sign = exact.sign_of(size)
+        return None if sign is None else sign < 0
     return bool(size != 0 and sp.N(size, 30) < 0)
 
 

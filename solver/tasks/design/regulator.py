@@ -35,7 +35,7 @@ class Regulator:
     @staticmethod
     def of(A: Any, B: Any, Q: Any, R: Any, *, dual: bool = False) -> Regulator:
         """Return the problem, with weights taken as positive."""
-        positive = {s: sp.Symbol(s.name, positive=True) for s in own_weights(Q, R)}
+        positive = {s: sp.Symbol(s.name, positive=True) for s in own_weights(Q, R) if not s.is_positive}
         A, B, Q, R = (sp.ImmutableMatrix(M.xreplace(positive)) for M in (A, B, Q, R))
         return Regulator(A, B, Q, R, dual, {new: old for old, new in positive.items()})
 

@@ -70,11 +70,11 @@ def _hidden(plant: Any, found: exact.Decomposition, part: str) -> Step:
 
 def _is_stable(mode: Any, discrete: bool) -> bool | None:
     """Whether Re λ < 0 (discrete: |λ| < 1); None where parameters leave it open."""
-    distance = sp.Abs(mode) - 1 if discrete else sp.re(mode)
-    if mode.free_symbols:
-        negative: bool | None = distance.is_negative
-        return False if distance.is_nonnegative else negative
-    return bool(sp.N(distance, 30) < -1e-20)
+    if not mode.free_symbols:
+        return bool(sp.N(sp.Abs(mode) - 1 if discrete else sp.re(mode), 30) < -1e-20)
+    real, imaginary = exact.complex_parts(mode)
+    sign = exact.sign_of(sp.expand(real**2 + imaginary**2 - 1) if discrete else real)
+    return None if sign is None else sign < 0
 
 
 def _transfer(plant: Any, found: exact.Decomposition, part: str) -> Step:
