@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import Any
 
@@ -26,12 +26,12 @@ from solver.derivation import (
     Unsolved,
 )
 from solver.derivation.conversion import composed, converted, refused
+from solver.known import named_alike, signed, symbols_of, wrong_conditions
 from solver.lazy import exact, noted_calls, numeric
 from solver.lazy import sympy as sp
 from solver.messages import Messages
 from solver.postconditions import check_calls
-from solver.problem.conditions import differences
-from solver.problem.model import Chain, Part, Problem, Reference
+from solver.problem.model import Part, Problem, Reference
 from solver.problem.refusals import Refusal, refuse
 from solver.systems import EarlierPart, System
 from solver.tasks import catalogue
@@ -97,20 +97,6 @@ def refusals_of(part: Part, messages: Messages) -> list[Refusal]:
     return [(option, messages.reason(fault)) for option, fault in faults]
 
 
-def wrong_conditions(conditions: Iterable[Chain]) -> Iterator[Refusal]:
-    """Yield what is wrong with conditions: those that contradict the ones before them, and those that say nothing."""
-    said: tuple[Any, ...] = ()
-    for i, chain in enumerate(conditions):
-        told = tuple(each for each in differences(chain) if each.difference.free_symbols)
-        said = (*said, *told)
-        if exact.contradict(said):
-            never = "this condition never holds" if len(said) == len(told) else ""
-            yield f"conditions {i}", never or "this condition contradicts those before it"
-            return
-        if told and all(map(exact.always_holds, told)):
-            yield f"conditions {i}", "this condition always holds, so it says nothing"
-
-
 def solve_part(part: Part, earlier: Earlier) -> list[PartResult]:
     """Solve one part by each of its methods."""
     return [_solve_by(method, part, earlier) for method in part.methods]
@@ -146,15 +132,15 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     task = catalogue()[part.task]
     asked = resolved(part, earlier)
     _refuse(task, asked.system, asked.options)
-    plant = _plant(task, task.given(asked.system, asked.options, method))
+    plant = _plant(task, task.given(signed(asked.system), asked.options, method))
     given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
     return given
 
 
 def resolved(part: Part, earlier: Earlier) -> Part:
     """Return a part with what it takes from earlier ones in place of the references to it. Raises Unsolved."""
-    own = _symbols_of(part)
-    options = {name: _named_alike(_resolved(name, value, earlier), own) for name, value in part.options.items()}
+    own = symbols_of(part)
+    options = {name: named_alike(_resolved(name, value, earlier), own) for name, value in part.options.items()}
     return replace(part, system=_system_of(part, earlier, own), options=options)
 
 
@@ -167,30 +153,14 @@ def steps_of(part: Part, method: str, earlier: Earlier) -> list[Step]:
     return steps
 
 
-def _symbols_of(part: Part) -> dict[str, Any]:
-    """Return the symbols of a part by name, with what is assumed of them there."""
-    system: Any = part.system
-    told = [getattr(system, each.name) for each in fields(system)] + list(part.options.values())
-    found = {symbol.name: symbol for value in told for symbol in getattr(value, "free_symbols", ())}
-    return {**found, **part.symbols}
-
-
-def _named_alike(value: Any, symbols: Mapping[str, Any]) -> Any:
-    """Return a value with the symbols of the part in place of others of the same names: of a part that knows less."""
-    if isinstance(value, list | tuple):
-        return type(value)(_named_alike(each, symbols) for each in value)
-    others = [each for each in getattr(value, "free_symbols", ()) if symbols.get(each.name, each) != each]
-    return value.xreplace({each: symbols[each.name] for each in others}) if others else value
-
-
 def _system_of(part: Part, earlier: Earlier, own: Mapping[str, Any]) -> Any:
     """Return the system of a part, taken from the result of an earlier part where it refers to one."""
     system = part.system
     if not isinstance(system, EarlierPart):
         return system
     found = earlier[system.part].answers if system.part in earlier else {}
-    answers = {name: _named_alike(_exactly(value), own) for name, value in found.items()}
-    taken = system.taken(answers, _resolved("gain", system.gain, earlier))
+    answers = {name: named_alike(_exactly(value), own) for name, value in found.items()}
+    taken = system.taken(answers, named_alike(_resolved("gain", system.gain, earlier), own))
     if taken is None:
         raise Unsolved("conversions/no_earlier_system", part=system.part)
     return taken

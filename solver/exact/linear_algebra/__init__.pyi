@@ -14,7 +14,7 @@ from solver.exact.linear_algebra.matrices import (
     taylor,
     truncated_series,
 )
-from solver.exact.linear_algebra.radicals import complex_parts
+from solver.exact.linear_algebra.radicals import complex_parts, without_bars
 from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.linear_algebra.signs import always_holds, contradict
 from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, factored, spectrum
@@ -50,4 +50,5 @@ __all__ = [
     "tidy",
     "truncated_series",
     "vanishing_factors",
+    "without_bars",
 ]

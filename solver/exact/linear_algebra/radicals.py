@@ -46,6 +46,16 @@ def complex_parts(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return real.xreplace(back), imaginary.xreplace(back)
 
 
+def without_bars(value: Any) -> Any:
+    """An expression or matrix with x or −x in place of |x|, where conditions decide."""
+    found = {}
+    for each in value.atoms(sp.Abs):
+        signs = possible_signs(each.args[0]) if conditions_of(each.free_symbols) else frozenset()
+        if len(signs) == 1 or signs == {0, 1}:
+            found[each] = each.args[0] * (-1 if -1 in signs else 1)
+    return value.xreplace(found) if found else value
+
+
 def over_root(value: sp.Expr) -> sp.Expr:
     """A product in the form shown, with ζ/√(1 − ζ²) in place of ζ√(1 − ζ²)/(1 − ζ²)."""
     roots = [each for each in value.atoms(sp.Pow) if each.exp == sp.Rational(1, 2) and each.free_symbols]

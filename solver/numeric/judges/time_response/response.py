@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from solver.conditions import conditions_of
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.equalities import equality_residual
-from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.expressions import evaluate, value_of
 from solver.numeric.evaluation.points import admissible, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.stated import Stated
@@ -24,6 +25,7 @@ from solver.stated.algebra import exponential, product, total
 from solver.stated.calculus import integral
 
 JUMPS = (sp.Heaviside, sp.DiracDelta)
+TRIED = 20
 
 
 @dataclass(frozen=True)
@@ -58,9 +60,9 @@ def intervals(t: Any, *formulas: Any) -> list[Interval]:
     found = {_jump(jump, t)[1] for formula in formulas for jump in formula.atoms(*JUMPS) if jump.has(t)}
     later: list[Any] = []
     for at in found:
-        if at.is_positive:
+        if _is_positive(at):
             later = _inserted(later, at)
-        elif not at.is_nonpositive:
+        elif not (at.is_nonpositive or _is_positive(-at)):
             raise NotEvaluable("when a step or impulse comes depends on a parameter")
     cuts = (sp.S.Zero, *later)
     return [Interval(start, end, cuts) for start, end in zip(cuts, (*later, None), strict=True)]
@@ -68,11 +70,18 @@ def intervals(t: Any, *formulas: Any) -> list[Interval]:
 
 def _inserted(times: list[Any], at: Any) -> list[Any]:
     for i, each in enumerate(times):
-        if (each - at).is_positive:
+        if _is_positive(each - at):
             return [*times[:i], at, *times[i:]]
-        if not (at - each).is_positive:
+        if not _is_positive(at - each):
             raise NotEvaluable("the order of two jumps depends on a parameter")
     return [*times, at]
+
+
+def _is_positive(x: Any) -> bool:
+    """Whether a time is positive: as its symbols are assumed, or at all points where their conditions hold."""
+    if x.is_positive or not conditions_of(x.free_symbols):
+        return bool(x.is_positive)
+    return all(complex(evaluate(x, point)).real > 0 for point in admissible(x.free_symbols, TRIED))
 
 
 def _position(at: Any, cuts: Sequence[Any]) -> int:
