@@ -8,6 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver.conditions import Condition, Parameter, assumed_of, conditions_of, without_conditions
+from solver.exact.linear_algebra.radicals import complex_parts, over_root, square_root, without_bars
 from solver.exact.linear_algebra.signs import always_holds, contradict, possible_signs, values_of
 from solver.exact.linear_algebra.spectrum import spectrum
 from solver.exact.stability.inequalities import sign_of
@@ -151,3 +152,18 @@ def test_a_parameter_is_its_name_its_assumptions_and_its_conditions():
     assert names[a] not in (other[a], a)
     assert without_conditions(names[a] + other[b]) == a + b
     assert conditions_of([names[a], names[b], c]) == (Condition(a - b, ">"),)
+
+
+def test_roots_and_absolute_values_are_written_as_a_person_would():
+    names = with_conditions([(a - b, ">"), (c, ">"), (1 - c, ">")])
+    p, q, r = (names[x] for x in (a, b, c))
+    assert without_bars(sp.Matrix([[sp.Abs(q - p), sp.Abs(p + q)]])) == sp.Matrix([[p - q, sp.Abs(p + q)]])
+    assert square_root((q - p) ** 2) == p - q
+    assert square_root(1 - r**2) == sp.sqrt(1 - r**2)
+    assert over_root(r * sp.sqrt(1 - r**2) / (r**2 - 1)) == -r / sp.sqrt(1 - r**2)
+
+
+def test_a_root_of_what_is_positive_is_real():
+    r = with_conditions([(c, ">"), (1 - c, ">")])[c]
+    assert complex_parts(-r + sp.I * sp.sqrt(1 - r**2)) == (-r, sp.sqrt(1 - r**2))
+    assert complex_parts(-c + sp.I * sp.sqrt(1 - c**2)) != (-c, sp.sqrt(1 - c**2))

@@ -7,6 +7,8 @@ import sympy as sp
 
 from solver.conditions import Condition, Parameter
 from solver.derivation import Status
+from solver.document.model import Presentation
+from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.limits import solve_within
 from solver.limits.codec import decode, encode
@@ -152,3 +154,34 @@ def test_parameters_with_conditions_cross_to_another_process():
     told = (Condition(a - b, ">"), Condition(a**2 - 1, "!="))
     value = sp.ImmutableMatrix([[Parameter("a", told, real=True) + 1, Parameter("b", told, real=True), a]])
     assert decode(encode(value)) == value
+
+
+@pytest.mark.parametrize(
+    ("language", "given", "own"),
+    [
+        ("en", r"with $0 < \zeta < 1$ and $a \ne b$.", r"with $\zeta \le \frac{1}{2}$."),
+        ("de", r"mit $0 < \zeta < 1$ und $a \ne b$.", r"mit $\zeta \le \frac{1}{2}$."),
+    ],
+)
+def test_the_page_says_what_is_given(language, given, own):
+    text = (
+        'conditions: ["0 < zeta < 1", "a != b"]\nsystem: {A: [[0, a], [b, zeta]]}\n'
+        'find:\n  u: characteristic_polynomial\n  v: {task: characteristic_polynomial, conditions: ["zeta <= 1/2"]}\n'
+    )
+    document = document_of(solve_problem(read(text)), Presentation(language=language))
+    assert document.given.endswith(given)
+    assert [work.given for work in document.parts] == ["", own]
+
+
+def test_jumps_whose_order_the_conditions_say():
+    found = solved(
+        'find:\n  u: {task: response, system: {A: [[-1]], B: [1], C: [1]}, input: "step(t-T) - step(t-S)", '
+        'kind: zero_state, conditions: ["0 < T < S"]}\n'
+    )
+    assert found["u"].status is Status.VERIFIED
+
+
+def test_an_absolute_value_is_resolved_where_the_conditions_say_how():
+    found = solved('find:\n  u: {task: stability, system: {A: [["-abs(a - b)"]]}, conditions: ["a < b"]}\n')
+    (eigenvalue,) = found["u"].answers["eigenvalues"]
+    assert {x.name: eigenvalue.coeff(x) for x in eigenvalue.free_symbols} == {"a": 1, "b": -1}
