@@ -224,6 +224,12 @@ def test_what_has_no_state_space_is_unsolved(system, says):
     assert says in str(result.reason)
 
 
+def test_an_input_that_moves_nothing_has_a_column_of_zeros_and_needs_no_more_steps():
+    result = solved('equations: ["x\' = -2x"], inputs: [u]')
+    assert [result.answers[name][0, 0] for name in "ABCD"] == [-2, 0, 1, 0]
+    assert [step.kind for step in result.steps] == ["highest", "states", "matrices"]
+
+
 def test_corrupted_answers_are_rejected():
     system = "equations: [\"2x'' + 3x' + 4x = 5u\"], inputs: [u], outputs: [\"x' + 6u\"]"
     right = {"A": [[0, 1], [-2, sp.Rational(-3, 2)]], "B": [[0], [sp.Rational(5, 2)]], "C": [[0, 1]], "D": [[6]]}
