@@ -35,8 +35,9 @@ def check_calls(calls: Iterable[Call], steps: Iterable[Step]) -> Iterator[Check]
     steps = list(steps)
     known = {_key(claim) for first in steps for step in first.walk() for claim in step.claims.values()}
     environments = numeric.Environments()
+    judged: dict[Any, list[Any]] = {}
     for call in calls:
-        if (postcondition := postcondition_of(call.kernel)) is None:
+        if (postcondition := postcondition_of(call.kernel)) is None or _was_judged(call, judged):
             continue
         label, step = Phrase("what was found for it ({kernel})", kernel=call.kernel), min(call.step, len(steps))
         for each in postcondition(call.result, *call.arguments, **call.named):
@@ -45,6 +46,18 @@ def check_calls(calls: Iterable[Call], steps: Iterable[Step]) -> Iterator[Check]
             elif (key := _key(each)) not in known:
                 known.add(key)
                 yield replace(numeric.check_claim(each, each.says or label, environments=environments), step=step)
+
+
+def _was_judged(call: Call, judged: dict[Any, list[Any]]) -> bool:
+    """Whether the same was found before for the same arguments; if not, it will have been from now on."""
+    try:
+        results = judged.setdefault((call.kernel, call.arguments, *sorted(call.named.items())), [])
+    except TypeError:  # arguments that are lists
+        return False
+    if any(call.result is each for each in results) or call.result in results:
+        return True
+    results.append(call.result)
+    return False
 
 
 def _key(claim: Claim) -> tuple[Any, Any]:

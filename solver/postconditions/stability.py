@@ -12,7 +12,7 @@ import sympy as sp
 from solver.derivation import Check, CheckStatus, Claim
 from solver.lazy import numeric
 from solver.postconditions.linear_algebra import of_spectrum, root_claim
-from solver.stated.algebra import difference, product, quotient, total
+from solver.stated.algebra import product, total
 from solver.stated.complex_numbers import absolute, real_part
 
 TINY = sp.Rational(1, 10**30)
@@ -26,6 +26,9 @@ def of_sign_of(found: int | None, x: Any) -> Iterator[Claim | Check]:
 
 
 def _has_sign(x: Any, sign: int) -> Iterator[Claim | Check]:
+    if isinstance(x, sp.Rational):
+        yield Check.that("a sign", "compared", bool(sp.sign(x) == sign))
+        return
     yield Claim(product(sp.Integer(sign), absolute(x)), x)
     if sign:
         is_zero = numeric.check_claim(Claim(x, sp.Integer(0)), "").status is CheckStatus.PASSED
@@ -41,46 +44,49 @@ def of_routh(found: Any, polynomial: Any) -> Iterator[Claim | Check]:
     """The coefficients in two rows, each further row by its determinants; ε and auxiliary polynomials."""
     given = polynomial.all_coeffs() if isinstance(polynomial, sp.Poly) else list(polynomial)
     rows, n = found.rows, len(given) - 1
-    yield Claim(sp.ImmutableMatrix([given]), sp.ImmutableMatrix([found.coefficients]))
-    says = "the rows of a Routh array"
-    yield Check.that(says, "counted", [row.power for row in rows] == list(range(n, -1, -1)))
     width = n // 2 + 1
+    yield Check.that("the rows of a Routh array", "counted", [row.power for row in rows] == list(range(n, -1, -1)))
+    yield Claim(sp.ImmutableMatrix([given]), sp.ImmutableMatrix([found.coefficients]))
     yield Claim(sp.ImmutableMatrix([_filled(row.entries, width) for row in rows]), found.matrix)
     yield Claim(sp.ImmutableMatrix([[row.entries[0] for row in rows]]), sp.ImmutableMatrix([found.first_column]))
+    computed = [
+        _filled(given[i::2], width) if i < 2 else _crossed(rows[i - 2], rows[i - 1], width) for i in range(len(rows))
+    ]
+    yield Claim(sp.ImmutableMatrix(computed), sp.ImmutableMatrix([_filled(row.computed, width) for row in rows]))
     for i, row in enumerate(rows):
-        computed = sp.ImmutableMatrix([_filled(row.computed, width)])
-        if i < 2:
-            yield Claim(sp.ImmutableMatrix([_filled(given[i::2], width)]), computed)
+        if row.special:
+            yield from _replaced(row, rows[i - 1].entries if i else (), width, found.epsilon)
         else:
-            above, last = (_filled(each.entries, width + 1) for each in rows[i - 2 : i])
-            for j in range(width):
-                crossed = difference(product(last[0], above[j + 1]), product(above[0], last[j + 1]))
-                yield Claim(quotient(crossed, last[0]), computed[j])
-        yield from _replaced(row, rows[i - 1].entries if i else (), computed, width, found.epsilon)
+            yield Check.that("the rows of a Routh array", "compared", row.entries == row.computed)
     for value, row in zip(found.at_zero, rows, strict=True):
         yield from _limit(value, row.entries[0], found.epsilon)
 
 
-def _replaced(row: Any, above: Any, computed: Any, width: int, epsilon: Any) -> Iterator[Claim | Check]:
-    """The entries are those computed, but ε for a zero pivot, a derivative for a row of zeros."""
-    own = _filled(row.entries, width)
+def _crossed(above: Any, last: Any, width: int) -> list[Any]:
+    """(r₁ a_{j+1} − a₁ r_{j+1})/r₁ for the entries a, r of two rows."""
+    a, r = (_filled(row.entries, width + 1) for row in (above, last))
+    return [(r[0] * a[j + 1] - a[0] * r[j + 1]) / r[0] for j in range(width)]
+
+
+def _replaced(row: Any, above: Any, width: int, epsilon: Any) -> Iterator[Claim]:
+    """ε in place of a zero pivot, a derivative in place of a row of zeros."""
+    own, computed = (sp.ImmutableMatrix([_filled(each, width)]) for each in (row.entries, row.computed))
     if row.special == "zeros":
-        own_power = row.power + 1
-        yield Claim(sp.ImmutableMatrix([_filled(row.auxiliary, width)]), sp.ImmutableMatrix([_filled(above, width)]))
-        slopes = [(own_power - 2 * i) * c for i, c in enumerate(_filled(above, width)) if own_power > 2 * i]
-        yield Claim(sp.ImmutableMatrix([_filled(slopes, width)]), sp.ImmutableMatrix([own]))
+        order, filled = row.power + 1, _filled(above, width)
+        yield Claim(sp.ImmutableMatrix([_filled(row.auxiliary, width)]), sp.ImmutableMatrix([filled]))
+        slopes = [(order - 2 * i) * c for i, c in enumerate(filled) if order > 2 * i]
+        yield Claim(sp.ImmutableMatrix([_filled(slopes, width)]), own)
         yield Claim(computed, sp.ImmutableMatrix(sp.zeros(1, width)))
-    elif row.special == "pivot":
-        yield Claim(computed[0], sp.Integer(0))
-        yield Claim(sp.ImmutableMatrix([[epsilon, *computed[1:]]]), sp.ImmutableMatrix([own]))
     else:
-        yield Claim(computed, sp.ImmutableMatrix([own]))
+        yield Claim(computed[0], sp.Integer(0))
+        yield Claim(sp.ImmutableMatrix([[epsilon, *computed[1:]]]), own)
 
 
 def _limit(value: Any, entry: Any, epsilon: Any) -> Iterator[Claim | Check]:
     """What decides the sign of an entry as ε goes to zero has its sign for a tiny ε."""
     if epsilon is None or epsilon not in entry.free_symbols:
-        yield Claim(entry, value)
+        if entry != value:
+            yield Claim(entry, value)
         return
     there = entry.xreplace({epsilon: TINY})
     if not there.free_symbols:
