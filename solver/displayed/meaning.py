@@ -237,7 +237,7 @@ class Writer:
     def _matrix(self, meaning: Meaning, shape: Shape) -> Any:
         """Return a block matrix as Σ Eᵢ Mᵢⱼ Eⱼᵀ, with the columns Eᵢ of the identity that belong to a row of blocks."""
         heights, widths = self._sizes(meaning, shape)
-        left, right = selections(heights), selections(widths)
+        left, right = selections(tuple(heights)), selections(tuple(widths))
         cells = [
             (i, j, self.formula(cell, (heights[i], widths[j])))
             for i, row in enumerate(meaning.parts)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -53,7 +54,8 @@ def complete(sizes: list[int], whole: int) -> None:
         sizes[sizes.index(0)] = whole - sum(sizes)
 
 
-def selections(sizes: Sequence[int]) -> list[Any]:
+@lru_cache(maxsize=256)
+def selections(sizes: tuple[int, ...]) -> list[Any]:
     """Return the columns of the identity that belong to each of some blocks of rows with these heights."""
     whole, starts = sp.eye(sum(sizes)), [sum(sizes[:i]) for i in range(len(sizes))]
     return [sp.ImmutableMatrix(whole[:, start : start + size]) for start, size in zip(starts, sizes, strict=True)]

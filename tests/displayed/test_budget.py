@@ -3,6 +3,7 @@
 import sympy as sp
 
 from solver.displayed.budget import Budget
+from solver.stated.calculus import integral
 from solver.stated.matrices import determinant
 
 s, a = sp.symbols("s a")
@@ -14,6 +15,13 @@ def test_a_formula_is_counted_once():
     assert budget.left == 14
     assert budget.allows((s**2 + a * s, a))
     assert budget.left == 14
+
+
+def test_an_operation_that_evaluates_at_many_points_costs_as_many():
+    budget = Budget(100)
+    assert budget.allows((integral(s, s, 0, 1),))
+    assert budget.left < 50
+    assert not budget.allows((integral(s**2, s, 0, 1),))
 
 
 def test_what_exceeds_it_is_not_allowed_nor_anything_after_it():
