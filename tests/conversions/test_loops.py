@@ -106,6 +106,14 @@ def test_the_controller_must_be_a_quotient_of_polynomials():
         solved("{task: stability, controller: exp(-s)}")
 
 
+@pytest.mark.parametrize(("B", "K"), [([[0], [1]], [[1]]), ([[0], [1]], [[1], [2]]), (None, [[1, 2]])])
+def test_a_gain_that_does_not_fit_closes_no_loop(B, K):
+    plant = StateSpace(sp.ImmutableMatrix([[0, 1], [0, 0]]), B and sp.ImmutableMatrix(B))
+    with pytest.raises(Unsolved) as refused:
+        yield_into([], converted(StateFeedback(plant, sp.ImmutableMatrix(K)), ("A",)))
+    assert refused.value.reason.kind == "conversions/gain_does_not_fit"
+
+
 def test_what_no_way_leads_to_is_named_without_what_can_be_had():
     with pytest.raises(Unsolved) as refused:
         yield_into([], converted(StateSpace(sp.ImmutableMatrix([[1]])), ("A", "transfer_function")))
