@@ -94,3 +94,15 @@ def of_affine(found: Any, expressions: Sequence[Any], unknowns: Sequence[Any]) -
     M, constant = found
     taken = total(product(M, sp.ImmutableMatrix(list(unknowns))), sp.ImmutableMatrix(list(constant)))
     yield Claim(taken, sp.ImmutableMatrix(list(expressions)))
+
+
+def of_without_bars(found: Any, value: Any) -> Iterator[Claim]:
+    """The same value, where the conditions hold."""
+    if found != value:
+        yield Claim(value, found)
+
+
+def of_complex_parts(found: Any, value: Any) -> Iterator[Claim]:
+    """Re λ + j Im λ."""
+    real, imaginary = found
+    yield Claim(total(real, product(sp.I, imaginary)), value)

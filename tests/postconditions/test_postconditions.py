@@ -52,6 +52,8 @@ CALLS = {
     "observable_decomposition": [(HIDDEN, None, sp.ImmutableMatrix([[1, 0, 1]]))],
     "set_point": [(A, B, sp.ImmutableMatrix([[1, 0, 0]]), sp.ImmutableMatrix([[0]]))],
     "is_upper": [(mode,) for mode in exact.modes(G)],
+    "complex_parts": [(sp.Integer(-1) + 2 * sp.I,), (sp.Integer(3),)],
+    "without_bars": [(A,)],
     "tidy": [((s + 1) ** 2,)],
     "interpolation": [(exact.spectrum(A), t)],
     "affine": [((2 * K + s * t + 1, K - t), (K, t))],
