@@ -42,6 +42,8 @@ def test_the_counts_are_those_of_the_factors(listed, lead, method):
     assert result.answers["right_half_plane_roots"] == right
     assert result.answers["imaginary_axis_roots"] == on
     assert result.answers["stable"] is (right == on == 0)
+    (told,) = (step.values for step in result.steps if step.kind == "verdict")
+    assert (told["outside"], told["on"], told["inside"]) == (right, on, len(roots) - right - on)
 
 
 @pytest.mark.parametrize("method", METHODS)

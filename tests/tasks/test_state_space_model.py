@@ -224,6 +224,13 @@ def test_what_has_no_state_space_is_unsolved(system, says):
     assert says in str(result.reason)
 
 
+def test_what_is_not_named_starts_at_zero():
+    start = solved(MASS + ", initial: {x: 3}", "{task: response, kind: zero_input, parameters: {m: 1, d: 3, k: 2}}")
+    assert start.status is Status.VERIFIED
+    x, t = start.answers["y"], sp.Symbol("t")
+    assert (x.subs(t, 0), sp.diff(x, t).subs(t, 0)) == (3, 0)
+
+
 def test_an_input_that_moves_nothing_has_a_column_of_zeros_and_needs_no_more_steps():
     result = solved('equations: ["x\' = -2x"], inputs: [u]')
     assert [result.answers[name][0, 0] for name in "ABCD"] == [-2, 0, 1, 0]
