@@ -85,7 +85,8 @@ def _go_through(judge: Judge, worded: Sequence[WordedStep]) -> None:
     for number, step in enumerate(worded, start=1):
         for each in step.walk():
             judge.begin(number, Phrase("equality displayed in “{title}”", title=each.title))
-            judge.seen |= {(frozen(claim.left), frozen(claim.right)) for claim in each.step.claims.values()}
+            for claim in each.step.claims.values():
+                judge.claimed(frozen(claim.left), frozen(claim.right))
             for displayed in each.displayed:
                 if displayed.relation == STANDS:
                     judge.stands(*displayed.sides)

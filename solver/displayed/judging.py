@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Check, Claim
+from solver.derivation import Check, CheckStatus, Claim
 from solver.derivation.displayed import Written
 from solver.displayed.budget import Budget
 from solver.displayed.meaning import Unknown, Writer
@@ -39,6 +39,7 @@ class Judge:
     environments: Any
     free: frozenset[str] = frozenset()
     matrices: frozenset[str] = frozenset()
+    known: dict[Any, Any] = field(default_factory=dict)
     seen: set[tuple[Any, ...]] = field(default_factory=set)
     checks: list[Check] = field(default_factory=list)
     budget: Budget = field(default_factory=Budget)
@@ -123,7 +124,7 @@ class Judge:
             return sp.zeros(*shape) if shape is not None and _is_zero(value) else value
         if side.meaning is None or self.is_new(side.meaning):
             return Unreadable(side.refusal) if side.refusal else None
-        writer = Writer(self.names, side.values)
+        writer = Writer(self.names, side.values, self.known)
         try:
             return writer.formula(side.meaning, shape)
         except Unknown:
@@ -187,10 +188,24 @@ class Judge:
 
     def check(self, left: Any, right: Any) -> None:
         """Evaluate an equality, if so much may still be evaluated; what is the same value is equal by inspection."""
-        if left == right and not isinstance(left, Stated):
+        if left == right:
             self._add(Check.that(self.where, "inspection", True))
         elif self._affordable(left, right):
-            self._add(numeric.check_claim(Claim(left, right), self.where, environments=self.environments))
+            check = numeric.check_claim(Claim(left, right), self.where, environments=self.environments)
+            if check.status is CheckStatus.PASSED:
+                self.learn(left, right)
+            self._add(check)
+
+    def claimed(self, left: Any, right: Any) -> None:
+        """Note an equality that is claimed, and checked as a claim."""
+        self.seen.add((left, right))
+        self.learn(left, right)
+
+    def learn(self, left: Any, right: Any) -> None:
+        """Note that a formula is a matrix, which takes its place in other formulas and is evaluated in its stead."""
+        for formula, value in ((left, right), (right, left)):
+            if isinstance(formula, Stated) and isinstance(value, sp.MatrixBase):
+                self.known.setdefault(formula, value)
 
     def _affordable(self, *formulas: Any) -> bool:
         if self.budget.allows(formulas):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -29,15 +29,17 @@ class Unknown(Exception):  # noqa: N818 - no error: a statement about something 
 class Writer:
     """Turns what was read into a formula that the oracle evaluates."""
 
-    def __init__(self, names: Names, values: Sequence[Any]) -> None:
+    def __init__(self, names: Names, values: Sequence[Any], known: Mapping[Any, Any] | None = None) -> None:
         self.names = names
         self.values = values
+        self.known = known or {}
 
     def formula(self, meaning: Meaning, shape: Shape = None) -> Any:
         """Return the formula, as a matrix of a shape where its own is open. Raises Unknown, Unreadable."""
         handler: Callable[[Meaning, Shape], Any] | None = getattr(self, f"_{meaning.kind}", None)
         if handler is not None:
-            return handler(meaning, shape)
+            found = handler(meaning, shape)
+            return self.known.get(found, found) if isinstance(found, Stated) else found
         argument = self.formula(meaning.parts[0])
         if meaning.kind in FUNCTIONS:
             if argument in VARIABLES.values():  # Re λ < 0 is a condition
