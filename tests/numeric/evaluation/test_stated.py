@@ -29,7 +29,7 @@ from tests.stated.values import A, k, s, t, tau, x, z
         (product(x, value_at(x**2, x, t)), {x, t}),
         ([product(s, t), sp.Matrix([[z]])], {s, t, z}),
     ],
-    ids=str,
+    ids=["integral", "limit of an integral", "sum", "transform", "value", "list"],
 )
 def test_what_is_bound_needs_no_value_and_what_is_outside_does(formula, free):
     assert free_symbols(formula) == free
