@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -11,18 +12,45 @@ import sympy as sp
 from solver.derivation import Check
 
 NEAR = 1e-7
+APART = 1e-3
+"""Distance of eigenvalues at which doubles know them well; those that fall together they know to a few digits."""
 
 
 def of_resolvent_cancels(found: bool, A: Any) -> Iterator[Check]:
     """An entry of adj(λI − A) is zero at an eigenvalue, but not everywhere, parameters at some values."""
     symbols = sorted(A.free_symbols, key=str)
     values = {symbol: sp.Rational(17 + 10 * i, 13) for i, symbol in enumerate(symbols)}
-    matrix = np.array(A.xreplace(values).evalf(30).tolist(), dtype=complex)
-    elsewhere = abs(_adjugate(1.7320508 * np.eye(A.rows) - matrix)) > NEAR
-    at = [abs(_adjugate(root * np.eye(A.rows) - matrix)) for root in np.linalg.eigvals(matrix)]
+    matrix = A.xreplace(values)
+    if all(entry.is_Rational for entry in matrix):
+        cancels, oracle = _has_common_factor(matrix), "greatest common divisors"
+    else:
+        numbers = np.array(matrix.evalf(30).tolist(), dtype=complex)
+        roots = np.linalg.eigvals(numbers)
+        if any(abs(p - q) < APART for p, q in combinations(roots, 2)):
+            return
+        cancels, oracle = _vanishes(numbers, roots), "numpy.linalg.det"
+    yield Check.that("factors that cancel in the resolvent", oracle, cancels == bool(found))
+
+
+def _has_common_factor(A: Any) -> bool:
+    """Whether an entry of the adjugate, which is not zero, and the characteristic polynomial have a common factor."""
+    n, x = A.rows, sp.Symbol("lamda")
+    N, c = sp.eye(n), [sp.Integer(1)]
+    powers = [N]
+    for k in range(1, n + 1):  # Leverrier: adj(xI − A) = N₁xⁿ⁻¹ + … + Nₙ
+        c.append(-(A * N).trace() / k)
+        N = A * N + c[-1] * sp.eye(n)
+        powers.append(N)
+    chi = sp.Poly(c, x, domain="QQ")
+    entries = (sp.Poly([M[i, j] for M in powers[:n]], x, domain="QQ") for i in range(n) for j in range(n))
+    return any(entry.gcd(chi).degree() > 0 for entry in entries if not entry.is_zero)
+
+
+def _vanishes(A: Any, roots: Any) -> bool:
+    elsewhere = abs(_adjugate(1.7320508 * np.eye(len(A)) - A)) > NEAR
+    at = [abs(_adjugate(root * np.eye(len(A)) - A)) for root in roots]
     size = 1 + max(map(np.max, at))
-    vanishing = any(bool(np.any((entries < NEAR * size) & elsewhere)) for entries in at)
-    yield Check.that("factors that cancel in the resolvent", "numpy.linalg.det", vanishing == bool(found))
+    return any(bool(np.any((entries < NEAR * size) & elsewhere)) for entries in at)
 
 
 def _adjugate(M: Any) -> Any:

@@ -181,4 +181,6 @@ def test_every_check_of_an_example_passes_in_a_process_of_its_own(process, path)
     checks = [check for part in json.loads(done.out)["parts"] for check in part["checks"]]
     assert done.code == 0
     assert checks
-    assert [check for check in checks if check["status"] != "passed"] == []
+    assert not [check for check in checks if check["status"] == "failed"]
+    left = [check["reason"] for check in checks if check["status"] == "skipped"]
+    assert all(reason.startswith("a display is not evaluated") for reason in left), left

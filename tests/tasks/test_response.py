@@ -209,6 +209,15 @@ def test_an_unstable_mode_that_the_output_does_not_see_is_remarked_on():
     assert rejected("response", plant, {"y_final": sp.Integer(3)}, **step)
 
 
+@pytest.mark.parametrize("A", [[[1, 1], [0, 1]], [[2, 0], [0, -1]]])
+def test_what_the_output_sees_directly_has_a_limit_where_no_state_that_it_sees_is_excited(A):
+    plant = system(A, B=[1, 0], C=[[0, 1]], D=[[1]])
+    result = respond(plant, u=3)
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["y_final"] == 3
+    assert rejected("response", plant, {"y_final": sp.Integer(2)}, input=(sp.Integer(3),), kind="zero_state")
+
+
 def test_an_integrator_with_a_fading_input_has_a_limit():
     plant = system([[0, 1], [0, 0]], B=[0, 1], C=[[1, 0]], D=[[0]])
     result = respond(plant, u=e(-t), x0=[1, -1])

@@ -105,8 +105,8 @@ def final_output(simulation: Simulation, *, discrete: bool) -> Array:
     States that the output does not see are left out: they may grow without end. Raises NotEvaluable.
     """
     simulation = _seen(simulation)
-    eigenvalues = np.linalg.eigvals(simulation.A)
-    margin = 1 - np.max(np.abs(eigenvalues)) if discrete else -np.max(eigenvalues.real)
+    eigenvalues = np.linalg.eigvals(simulation.A)  # none, where nothing that is seen is excited
+    margin = -np.max(np.abs(eigenvalues) - 1 if discrete else eigenvalues.real, initial=-np.inf)
     if margin < 1e-9:
         return _settled(simulation, discrete=discrete)
     if simulation.inputs is not None:
@@ -143,9 +143,11 @@ def _restricted(simulation: Simulation, basis: Array) -> Simulation:
 def _invariant(A: Array, start: Array) -> Array:
     """Return an orthonormal basis of the least subspace that A leaves in itself and that holds the columns of `start`.
 
-    The whole space where rounding leaves the least one undecided.
+    The whole space where rounding leaves the least one undecided; no column where `start` is zero.
     """
     n = len(A)
+    if not np.any(start):
+        return np.zeros((n, 0))
     scale = max(float(np.max(np.abs(A), initial=0.0)), 1.0)
     columns = [start]
     for _ in range(n - 1):
