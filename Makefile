@@ -6,6 +6,7 @@ READY := $(VENV)/.ready
 PROBLEM ?= problems/course/ch1/ch1-ex02.yaml
 TESTS ?=
 SAMPLE ?= 60
+LEAST ?= 0.9
 WORKERS ?= auto
 
 .DEFAULT_GOAL := help
@@ -33,7 +34,7 @@ test-all: $(READY)  ## Run all tests: also sweeps over all problems, cross-check
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile all $(TESTS)
 
 mutants: $(READY)  ## Make small slips in the program and say which of them no test sees (SAMPLE of them).
-	$(BIN)/python -m tools.mutants --sample $(SAMPLE) --least 0.9
+	$(BIN)/python -m tools.mutants --sample $(SAMPLE) --least $(LEAST)
 
 corrupted: $(READY)  ## Make the results of kernels a little wrong and say which of them reach a verified page.
 	$(BIN)/python -m tools.corrupted_kernels
