@@ -10,7 +10,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeGuard
 
 from solver.derivation import Topic
 
@@ -53,7 +53,9 @@ def declared_by(path: Path, topic: Topic, package: str) -> Declaration | None:
         return None
     tree = _parsed(path, text)
     statements = {id(each.value): each for each in tree.body if isinstance(each, ast.Assign | ast.AnnAssign)}
-    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and _named(node.func, "Task")]
+    calls = [each.value for each in statements.values() if _is_call(each.value)]
+    if len(calls) != text.count("Task("):  # to look everywhere takes longer than all else
+        calls = [node for node in ast.walk(tree) if _is_call(node)]
     if not calls:
         return None
     if len(calls) > 1:
@@ -70,6 +72,10 @@ def declared_by(path: Path, topic: Topic, package: str) -> Declaration | None:
         raise _fault(path, call, f"the task {name} must stand in a file of its own name, {name}.py")
     title = _literal(path, call, "title", None, 'give it a title that is written out: title="Root locus"')
     return Declaration(name, title, tuple(_methods(path, tree.body, name)), f"{package}.{path.stem}", topic)
+
+
+def _is_call(node: ast.AST | None) -> TypeGuard[ast.Call]:
+    return isinstance(node, ast.Call) and _named(node.func, "Task")
 
 
 def _topic(path: Path) -> Topic:
