@@ -127,7 +127,8 @@ class Marker:
         verdicts = {name: self._unreadable(part, name) for name in submitted if name not in values}
         for name, verdict in self._judged(part, ours, values).items():
             verdicts[name] = verdict
-        ordered = {name: verdicts[name] for name in submitted}
+        written = {name for name, each in values.items() if each.decimals}
+        ordered = {name: replace(verdicts[name], in_decimals=name in written) for name in submitted}
         marks = _earned(part, ours, ordered, out_of)
         undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
         said: Reason | str = "" if submitted else "not answered"

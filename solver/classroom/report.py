@@ -138,8 +138,9 @@ def render_sheet(
     solution: Solution, marking: Marking, document: Document | None = None, templates: Path | None = None
 ) -> str:
     """Return the page to hand back: values, verdicts and marks; with a document the worked solution below."""
-    typed = replace(solution.problem.display, decimals_typed=True)  # a student's decimals are shown as decimals
-    wording = Wording.of(typed, templates=templates)
+    exact, typed = (replace(solution.problem.display, decimals_typed=decimals) for decimals in (False, True))
+    wording = Wording.of(exact, templates=templates)
+    decimals = Wording.of(typed, templates=templates)
     parts = {part.id: part for part in solution.problem.parts}
     return rendered(
         "sheet.html.jinja",
@@ -149,17 +150,19 @@ def render_sheet(
         marking=marking,
         number=number,
         parts=[
-            (part, wording.say(catalogue()[part.task].title), _lines(part, parts[part.id], wording))
+            (part, wording.say(catalogue()[part.task].title), _lines(part, parts[part.id], wording, decimals))
             for part in marking.parts
         ],
         document=document,
     )
 
 
-def _lines(part: PartVerdict, asked: Part, wording: Wording) -> list[Line]:
+def _lines(part: PartVerdict, asked: Part, exact: Wording, decimals: Wording) -> list[Line]:
+    """What was submitted for a part: a student's decimals are shown as decimals, what is exact as it is."""
     declared = catalogue()[asked.task].answers
     lines = []
     for answer in part.answers.values():
+        wording = decimals if answer.in_decimals else exact
         tex = "" if answer.value is None else wording.equation(wording.symbol(declared[answer.name]), answer.value)
         words = tuple(map(_sentence, _remarks(answer, wording.say)))
         lines.append(Line(answer.name, tex, str(answer.verdict), words))

@@ -26,7 +26,7 @@ class AnswerVerdict:
     `value` is what was submitted, as read (None if it could not be read). `reason` says what is wrong or why it is not
     judged; `note` is any other remark. Of a marking they are in words (Markdown with $math$). `entries` has the shape
     of a matrix or list and holds "correct" or "wrong". `follows` is true where it is right with the student's own
-    earlier answer.
+    earlier answer; `in_decimals` where it was written with decimals.
     """
 
     name: str
@@ -36,6 +36,7 @@ class AnswerVerdict:
     note: Reason | str = ""
     entries: Any = None
     follows: bool = False
+    in_decimals: bool = False
 
     def worded(self, messages: Messages) -> AnswerVerdict:
         """Return the verdict with its reason and note in words."""

@@ -135,13 +135,10 @@ class Writer:
         return Wording.of(asked_for, LEVELS.get(told.detail, told.detail), told.templates)
 
     def _display(self, part: Part, results: Earlier) -> Display:
-        """How numbers are shown: as if decimals had been typed where a part hands decimals on, or goes on with them."""
-        display = self.problem.display
-        is_source = any(part.id in other.sources for other in self.problem.parts)
-        for name in (*part.sources, *([part.id] if is_source else [])):
-            if name in results and any(map(_holds_decimals, results[name].answers.values())):
-                return replace(display, decimals_typed=True)
-        return display
+        """How numbers are shown: in decimals where some are typed in the part, found, or taken from an earlier part."""
+        found = (results[name].answers.values() for name in (*part.sources, part.id) if name in results)
+        decimals = part.decimals_typed or any(_holds_decimals(value) for values in found for value in values)
+        return replace(self.problem.display, decimals_typed=decimals)
 
     def _step(self, worded: WordedStep) -> WorkStep:
         values = values_of(worded.step) if self.presentation.data else {}

@@ -56,6 +56,11 @@ class Lexicon:
     conditions: list[tuple[Sided, Chain]] = field(default_factory=list)
     condition_nodes: tuple[Node, ...] = ()
 
+    def took_decimals(self) -> bool:
+        """Whether a decimal was typed in what was read since this was asked last."""
+        taken, self.decimals = self.decimals, False
+        return taken
+
     @property
     def chains(self) -> tuple[Chain, ...]:
         """The conditions as they are shown."""

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """How numbers are shown. `mode` is "typed" (a decimal where decimals were typed), "exact", "decimal" or "both".
+    """How numbers are shown. `mode` is "typed" (decimals where decimals were typed), "exact", "decimal" or "both".
 
-    `digits` is the number of significant digits of decimals; `decimals_typed` tells that the file holds decimals.
+    `digits` is the number of significant digits of decimals; `decimals_typed` tells that what is shown holds decimals.
     `language` and `notation` are those of the words and symbols around them.
     """
 
@@ -66,8 +66,9 @@ class Part:
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
     `asked` are the answers that the file asks for, none where it does not say. `show` is what a paper shows of it.
-    `symbols` and `parameters` are those of a part that has its own, `conditions` all that hold in it. `places` tells
-    where its task, its options and the conditions stand in the file.
+    `symbols` and `parameters` are those of a part that has its own, `conditions` all that hold in it. `decimals_typed`
+    tells that its question holds decimals. `places` tells where its task, its options and the conditions stand in the
+    file.
     """
 
     id: str
@@ -84,6 +85,7 @@ class Part:
     conditions: tuple[Chain, ...] = ()
     asked: tuple[str, ...] = ()
     show: Show = Show()
+    decimals_typed: bool = False
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)
 
     @property

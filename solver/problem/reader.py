@@ -75,9 +75,10 @@ class _ProblemReader:
 
     def problem(self) -> Problem:
         """Return the problem; raises InputError."""
-        system, display = self.system("system"), self.display()
+        by_names, system, display = self.lexicon.took_decimals(), self.system("system"), self.display()
+        typed = self.lexicon.took_decimals() or by_names
         images = check_texts(self.root, self.source, self.report)
-        parts = self.parts(system)
+        parts = self.parts(system, by_names, typed)
         if not self.report.diagnostics:
             check_used(self.section("parameters"), self.lexicon, self.report)
             check_occurring(self.lexicon, {*self.occurring, *self.lexicon.found}, self.report)
@@ -91,7 +92,7 @@ class _ProblemReader:
             system=system,
             source=self.text("source"),
             statement=self.text("statement"),
-            display=replace(display, decimals_typed=self.lexicon.decimals),
+            display=replace(display, decimals_typed=typed),
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
             conditions=self.lexicon.chains,
@@ -119,8 +120,11 @@ class _ProblemReader:
                 system = read_system(node, lexicon or self.lexicon, earlier, times)
         return system
 
-    def parts(self, common: System | None) -> list[Part]:
-        """Return the parts in order, without those that are wrong; `common` is the system of all parts."""
+    def parts(self, common: System | None, by_names: bool, typed: bool) -> list[Part]:
+        """Return the parts in order, without those that are wrong; `common` is the system of all parts.
+
+        `by_names` tells that the values of parameters hold decimals, `typed` that these or the common system do.
+        """
         reader = PartReader(self.catalogue, self.lexicon, self.show)
         parts: list[Part] = []
         find = self.root.get("find")
@@ -135,8 +139,10 @@ class _ProblemReader:
             with self.report:
                 if any(wrong.spoils_part(name) for wrong in self.misshapen):
                     reader.skip(name)
-                parts.append(reader.read(entry, PlantOf(system, known), common, lexicon))
-            self.lexicon.decimals |= lexicon.decimals
+                part = reader.read(entry, PlantOf(system, known), common, lexicon)
+                decimals = lexicon.took_decimals() or (by_names if part.own_system else typed)
+                going_on = any(each.decimals_typed for each in parts if each.id in part.sources)
+                parts.append(replace(part, decimals_typed=decimals or going_on))
             if lexicon is not self.lexicon:
                 self.lexicon.used |= lexicon.used
                 self.occurring |= set(lexicon.found)

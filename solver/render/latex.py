@@ -58,22 +58,18 @@ class Printer(ObjectPrinter):
         if expr.is_number:
             return self._constant_sum(expr)
         terms = list(expr.args)
-        if self.numbers.all_decimal or self._rounds(expr):
+        if self.numbers.all_decimal:
             terms = like_terms_added(terms)
         return summed([self._print(term) for term in ordered_terms(terms)])
 
     def _constant_sum(self, expr: Any) -> Row:
-        if self.numbers.all_decimal or expr.has(sp.Float) or self._rounds(expr):
+        if self.numbers.all_decimal or expr.has(sp.Float):
             value = evaluated(expr)
             return summed([self._print(part) for part in value.args]) if value.is_Add else self._print(value)
         fraction = common_fraction(expr)
         if fraction is not None:
             return self._print_Mul(fraction)
         return summed([self._print(term) for term in ordered_terms(expr.args)])
-
-    def _rounds(self, expr: Any) -> bool:
-        """Whether a number of the expression is shown rounded; then its constants are added up."""
-        return self.numbers.rounds_any(expr)
 
     def _print_Mul(self, expr: Any) -> Row:
         return self._term(split(expr))
@@ -116,17 +112,14 @@ class Printer(ObjectPrinter):
     def _decimal_constant(self, term: Term) -> Row | None:
         """Return the whole constant as a decimal, if that is how it is shown."""
         number, roots = term.number, term.roots or term.roots_below
-        long = number.is_Rational and self.numbers.rounds(number)
-        long = long or any(self.numbers.rounds_root(base) for base, _ in roots)
-        if roots and (self.numbers.all_decimal or number.is_Float or long):
+        if roots and (self.numbers.all_decimal or number.is_Float):
             above = sp.Mul(*(base**exponent for base, exponent in term.roots))
             value = evaluated(number * above / sp.Mul(*(base**exponent for base, exponent in term.roots_below)))
             if value.is_Float:
                 term.negative, value = term.negative != bool(value < 0), abs(value)
                 return self.numbers.formula(value)
             return as_factor(self._print(value))
-        kept = bool(roots or term.below) and not self.numbers.all_decimal and not long
-        if number.is_Float or (not kept and number.is_Rational and self.numbers.shows_decimal(number)):
+        if number.is_Float or (number.is_Rational and self.numbers.shows_decimal(number)):
             return self.numbers.formula(number)
         return None
 

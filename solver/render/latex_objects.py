@@ -117,9 +117,9 @@ class ObjectPrinter:
 
     @contextmanager
     def _alike(self, matrix: Any) -> Iterator[None]:
-        """Where one number of a matrix is rounded, print all of them as decimals."""
+        """Where one number of a matrix is a decimal, print all of them as decimals."""
         outside = self.numbers
-        if any(map(outside.rounds_any, entries(matrix))):
+        if outside.mode == "exact" and any(entry.has(sp.Float) for entry in entries(matrix) if not entry.is_Rational):
             self.numbers = replace(outside, mode="decimal")
         try:
             yield

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -19,10 +18,7 @@ if TYPE_CHECKING:
     from solver.problem.model import Display
 
 LONGEST_TYPED = 6
-"""A terminating fraction with more significant digits than this stays a fraction in the mode "typed"."""
-
-LONGEST_FRACTION = (5, 3)
-"""Digits above and below the bar; a longer fraction tells a reader nothing: it is rounded where decimals were typed."""
+"""Significant digits that a number of a file with decimals keeps, which others are rounded to fewer."""
 
 FIXED_POINT = (-4, 6)
 """Exponents of ten between which a decimal is written without a power of ten: 10⁻⁴ ≤ |x| < 10⁶."""
@@ -32,20 +28,21 @@ FIXED_POINT = (-4, 6)
 class NumberFormat:
     """How numbers are shown.
 
-    `mode` is "typed" (exact, but decimals for what is short as a decimal or long as a fraction where the file held
-    decimals), "exact" (fractions and roots),
-    "decimal" (every constant that is not an integer as a decimal) or "both" (exact, and the decimal beside answers).
-    `digits` is the number of significant digits of decimals; zeros at the end are dropped.
+    `mode` is "exact" (fractions and roots), "decimal" (every constant that is not an integer as a decimal) or "both"
+    (exact, and the decimal beside answers). `digits` is the number of significant digits of decimals; zeros at the end
+    are dropped. `as_typed` leaves unrounded what could have been typed so.
     """
 
-    mode: str = "typed"
+    mode: str = "exact"
     digits: int = 5
-    decimals_typed: bool = False
+    as_typed: bool = False
 
     @staticmethod
     def of(display: Display) -> NumberFormat:
         """Return the format that the problem asks for."""
-        return NumberFormat(display.mode, display.digits, display.decimals_typed)
+        if display.mode != "typed":
+            return NumberFormat(display.mode, display.digits)
+        return NumberFormat("decimal" if display.decimals_typed else "exact", display.digits, display.decimals_typed)
 
     @property
     def all_decimal(self) -> bool:
@@ -54,38 +51,13 @@ class NumberFormat:
 
     def shows_decimal(self, number: sp.Rational) -> bool:
         """Whether this fraction is printed as a decimal (an integer never is)."""
-        if number.q == 1 or self.mode in {"exact", "both"}:
-            return False
-        if self.all_decimal or self.rounds(number):
-            return True
-        return self.decimals_typed and typed_length(number.p, number.q) <= LONGEST_TYPED
-
-    def rounds(self, number: sp.Rational) -> bool:
-        """Whether this fraction is too long to be read, in a problem that was typed with decimals."""
-        if not self.decimals_typed or self.mode != "typed" or number.q == 1:
-            return False
-        above, below = len(str(abs(number.p))), len(str(number.q))
-        long = above > LONGEST_FRACTION[0] or below > LONGEST_FRACTION[1]
-        return long and typed_length(number.p, number.q) > LONGEST_TYPED
-
-    def rounds_any(self, expression: Any) -> bool:
-        """Whether an expression holds a fraction, or a root of an integer, that is too long to be read."""
-        if not self.decimals_typed or self.mode != "typed":
-            return False
-        return any(map(self.rounds, expression.atoms(sp.Rational))) or any(
-            self.rounds_root(power.base) for power in expression.atoms(sp.Pow) if not power.exp.is_Integer
-        )
-
-    def rounds_root(self, radicand: Any) -> bool:
-        """Whether the root of this integer is too long to be read, in a problem that was typed with decimals."""
-        long = radicand.is_Integer and len(str(abs(radicand))) > LONGEST_TYPED
-        return bool(long and self.decimals_typed and self.mode == "typed")
+        return self.all_decimal and number.q != 1
 
     def parts(self, number: Any) -> tuple[str, int]:
         """Return digits and power of ten of a real number: ("0.25", 0), ("-1.2", -7); the sign is in the digits."""
         digits = self.digits
-        if isinstance(number, sp.Rational) and not self.all_decimal and typed_length(number.p, number.q) < math.inf:
-            digits = max(digits, LONGEST_TYPED)  # as typed: nothing is rounded that has no more digits
+        if self.as_typed and isinstance(number, sp.Rational) and typed_length(number.p, number.q) <= LONGEST_TYPED:
+            digits = max(digits, LONGEST_TYPED)
         return _decimal_parts(_mpf(number), digits)
 
     def formula(self, number: Any) -> Row:

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from textwrap import dedent
+
 import pytest
 import sympy as sp
 
@@ -7,6 +9,7 @@ from solver.problem.model import Display, Part, Problem
 from solver.problem.reader import load, read_problem
 from solver.problem.source import InputError, Source
 from solver.systems import StateSpace
+from solver.tasks import catalogue as real_catalogue
 
 M = sp.ImmutableMatrix
 SYSTEM = "system: {A: [[0, 1], [-2, -3]], B: [0, 1]}\n"
@@ -41,7 +44,7 @@ find:
         symbols={"a": a},
         system=system,
         parts=(
-            Part("a", "stability", ("stability",), system),
+            Part("a", "stability", ("stability",), system, decimals_typed=True),
             Part(
                 "(b)",
                 "placement",
@@ -50,6 +53,7 @@ find:
                 {"poles": (-3 + 2 * sp.I, -3 - 2 * sp.I)},
                 "Find $K$.",
                 sp.Rational(7, 2),
+                decimals_typed=True,
             ),
         ),
     )
@@ -92,7 +96,7 @@ def test_display(read, line, display):
     ],
 )
 def test_decimals_typed_in_the_mathematics_are_noticed(read, text, typed):
-    assert read(text).display.decimals_typed is typed
+    assert read(text).parts[0].decimals_typed is typed
 
 
 def test_parameters_may_refer_to_those_before_them(read):
@@ -293,3 +297,17 @@ def test_marks_may_be_given_to_each_answer(catalogue):
     text = SYSTEM + "find: {a: {task: placement, method: ackermann, poles: [-1, -2], marks: {K: 2, polynomial: 0.5}}}\n"
     part = read_problem(Source("problem.yaml", text), catalogue).parts[0]
     assert (part.marks, part.answer_marks) == (sp.Rational(5, 2), {"K": 2, "polynomial": sp.Rational(1, 2)})
+
+
+def test_decimals_of_one_part_say_nothing_of_another_unless_it_goes_on_with_them():
+    text = """
+    system: {A: [[0, 1], [-2, -3]], B: [0, 1]}
+    find:
+      a: {task: pole_placement, poles: [-1.5, -2]}
+      b: {task: stability}
+      c: {task: stability, gain: {from: a}}
+      d: {task: stability, system: {A: [[0.5]], B: [1]}}
+    """
+    problem = read_problem(Source("file.yaml", dedent(text)), real_catalogue())
+    assert [part.decimals_typed for part in problem.parts] == [True, False, True, True]
+    assert not problem.display.decimals_typed

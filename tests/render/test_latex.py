@@ -23,6 +23,7 @@ from sympy import (
 )
 
 from solver.formula import latex
+from solver.problem.model import Display
 from solver.render.latex import answer_formula, tex
 from solver.render.numbers import NumberFormat
 
@@ -145,42 +146,55 @@ def test_exact_values_are_printed_as_a_person_writes_them(value, printed):
 
 
 DECIMALS = [
-    # (value, typed with decimals in the file, decimal)
-    (Rational(3, 4), "0.75", "0.75"),
-    (Rational(1, 3), r"\frac{1}{3}", "0.33333"),
-    (Rational(1234567, 10**6), "1.23457", "1.2346"),
-    (Rational(10**6, 3286969) * pi**2, "3.0026", "3.0026"),
-    (s**2 + 1 + Rational(10**6, 3286969) * pi**2, "s^{2} + 4.0026", "s^{2} + 4.0026"),
-    (Rational(1031553, 109000) * k / m, r"\frac{9.4638k}{m}", r"\frac{9.4638k}{m}"),
-    (Matrix([[Rational(1, 3), Rational(-1177, 3270)]]), *2 * [r"\begin{bmatrix}0.33333 & -0.35994\end{bmatrix}"]),
-    (
-        Matrix([[Rational(1, 3), Rational(3, 4)]]),
-        r"\begin{bmatrix}\frac{1}{3} & 0.75\end{bmatrix}",
-        r"\begin{bmatrix}0.33333 & 0.75\end{bmatrix}",
-    ),
-    (sqrt(5) / 2, r"\frac{\sqrt{5}}{2}", "1.118"),
-    ((1 - sqrt(5)) / 2, r"\frac{1 - \sqrt{5}}{2}", "-0.61803"),
-    (Rational(-1, 2) + sqrt(3) * I / 2, r"-0.5 + \frac{\sqrt{3}}{2}j", "-0.5 + 0.86603j"),
-    (exp((1 - sqrt(5)) * t / 2), r"e^{(1 - \sqrt{5})t/2}", "e^{-0.61803t}"),
-    (exp(-t / 2), "e^{-0.5t}", "e^{-0.5t}"),
-    (exp(-t) / 2 + sqrt(5) * exp(-t), r"0.5e^{-t} + \sqrt{5}e^{-t}", "2.7361e^{-t}"),
-    (s + 1 - sqrt(5), r"s + 1 - \sqrt{5}", "s - 1.2361"),
-    (k / (2 * m), r"\frac{k}{2m}", r"\frac{0.5k}{m}"),
-    (Rational(1, 2) ** k, "0.5^{k}", "0.5^{k}"),
-    (sp.Float(1) * s, "s", "s"),
-    (sp.Float("2.50000"), "2.5", "2.5"),
-    (sp.Float("1.00001e-7") * s + sp.Float("1.5e7"), r"10^{-7}s + 1.5 \cdot 10^{7}", r"10^{-7}s + 1.5 \cdot 10^{7}"),
-    (sp.Float("-0.0001234567"), "-0.00012346", "-0.00012346"),
-    (sp.Float("123456.7"), "123460", "123460"),
-    (sp.Integer(10) ** 20, str(10**20), str(10**20)),
-    (pi, r"\pi", "3.1416"),
+    # (value, in decimals)
+    (Rational(3, 4), "0.75"),
+    (Rational(1, 3), "0.33333"),
+    (Rational(1234567, 10**6), "1.2346"),
+    (Rational(10**6, 3286969) * pi**2, "3.0026"),
+    (s**2 + 1 + Rational(10**6, 3286969) * pi**2, "s^{2} + 4.0026"),
+    (Rational(1031553, 109000) * k / m, r"\frac{9.4638k}{m}"),
+    (Matrix([[Rational(1, 3), Rational(-1177, 3270)]]), r"\begin{bmatrix}0.33333 & -0.35994\end{bmatrix}"),
+    (Matrix([[Rational(1, 3), Rational(3, 4)]]), r"\begin{bmatrix}0.33333 & 0.75\end{bmatrix}"),
+    (sqrt(5) / 2, "1.118"),
+    ((1 - sqrt(5)) / 2, "-0.61803"),
+    (Rational(-1, 2) + sqrt(3) * I / 2, "-0.5 + 0.86603j"),
+    (exp((1 - sqrt(5)) * t / 2), "e^{-0.61803t}"),
+    (exp(-t / 2), "e^{-0.5t}"),
+    (exp(-t) / 2 + sqrt(5) * exp(-t), "2.7361e^{-t}"),
+    (s + 1 - sqrt(5), "s - 1.2361"),
+    (k / (2 * m), r"\frac{0.5k}{m}"),
+    (Rational(1, 2) ** k, "0.5^{k}"),
+    (sp.Float(1) * s, "s"),
+    (sp.Float("2.50000"), "2.5"),
+    (sp.Float("1.00001e-7") * s + sp.Float("1.5e7"), r"10^{-7}s + 1.5 \cdot 10^{7}"),
+    (sp.Float("-0.0001234567"), "-0.00012346"),
+    (sp.Float("123456.7"), "123460"),
+    (sp.Integer(10) ** 20, str(10**20)),
+    (pi, "3.1416"),
 ]
 
 
-@pytest.mark.parametrize(("value", "typed", "decimal"), DECIMALS, ids=lambda item: str(item)[:40])
-def test_decimals_are_shown_where_they_are_wanted(value, typed, decimal):
-    assert tex(value, NumberFormat("typed", decimals_typed=True)) == typed
+@pytest.mark.parametrize(("value", "decimal"), DECIMALS, ids=lambda item: str(item)[:40])
+def test_decimals_are_shown_where_they_are_wanted(value, decimal):
     assert tex(value, NumberFormat("decimal")) == decimal
+
+
+@pytest.mark.parametrize(
+    ("display", "shown"),
+    [
+        (Display(), [r"\frac{1}{3}", r"\sqrt{2}", r"\frac{30864}{25}"]),
+        (Display(decimals_typed=True), ["0.33333", "1.4142", "1234.56"]),
+        (Display("decimal", 4), ["0.3333", "1.414", "1235"]),
+        (Display("exact", decimals_typed=True), [r"\frac{1}{3}", r"\sqrt{2}", r"\frac{30864}{25}"]),
+    ],
+)
+def test_numbers_are_decimals_everywhere_or_nowhere_and_what_may_be_typed_is_not_rounded(display, shown):
+    numbers = NumberFormat.of(display)
+    assert [tex(value, numbers) for value in (Rational(1, 3), sqrt(2), Rational(123456, 100))] == shown
+
+
+def test_a_matrix_with_a_decimal_holds_no_fraction():
+    assert tex(Matrix([[sp.Float("0.25"), Rational(1, 3)]])) == r"\begin{bmatrix}0.25 & 0.33333\end{bmatrix}"
 
 
 def test_digits_are_significant_and_zeros_at_the_end_are_dropped():

@@ -18,7 +18,6 @@ PRINTED = {r"\lambda": 2.21, **{str(symbol): number for symbol, number in POINT.
 
 FORMATS = [
     NumberFormat("exact"),
-    NumberFormat("typed", decimals_typed=True),
     NumberFormat("decimal", 12),
     NumberFormat("both"),
 ]
@@ -74,7 +73,7 @@ def test_what_is_printed_means_what_it_was_printed_from(numbers, expression):
         return
     scale = max([1.0] + [abs(complex(term.subs(POINT).evalf(30))) for term in sp.Add.make_args(sp.expand(expression))])
     digits = 12 if numbers.mode == "decimal" else 5 if expression.has(sp.Float) else 12
-    printed = tex(expression, NumberFormat(numbers.mode, max(digits, 12), numbers.decimals_typed))
+    printed = tex(expression, NumberFormat(numbers.mode, max(digits, 12)))
     assert value_of(printed, PRINTED) == pytest.approx(expected, rel=1e-7, abs=1e-7 * scale), printed
 
 
