@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from itertools import groupby
 from textwrap import wrap
 from typing import Any
 
@@ -12,30 +11,10 @@ from solver.derivation import AnswerName, Method, Option, Task
 from solver.formula.terminal import flat
 from solver.notation import spelled
 from solver.symbols import COURSE
-from solver.tasks import Declaration, catalogue
 
 WIDTH = 100
 FORMULA = re.compile(r"\$([^$]*)\$")
 TIMES = {"continuous": "continuous time", "discrete": "discrete time", "both": ""}
-
-
-def overview() -> str:
-    """Return all tasks by group and topic: name, title, methods."""
-    known = catalogue().declarations()
-    width = max((len(each.name) for each in known), default=0)
-    lines: list[str] = []
-    for group, in_group in groupby(known, key=lambda each: each.topic.group):
-        lines.append(group)
-        for title, members in groupby(in_group, key=lambda each: each.topic.title):
-            lines += [f"  {title}", *(f"    {each.name:{width}}  {_summary(each)}" for each in members), ""]
-    return "\n".join(
-        [*lines, "`solve tasks NAME` tells more of one; `solve new NAME` writes a problem file that asks it."]
-    )
-
-
-def _summary(declared: Declaration) -> str:
-    methods = [name for name in declared.methods if name != declared.name]
-    return f"{declared.title} ({', '.join(methods)})" if methods else declared.title
 
 
 def one(task: Task[Any, Any]) -> str:

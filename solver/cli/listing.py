@@ -14,9 +14,14 @@ if TYPE_CHECKING:
 @click.argument("name", required=False)
 def tasks(name: str | None) -> None:
     """List the catalogue of tasks; with NAME: its methods, options and answers."""
-    from solver.cli import catalogue_text
+    if name:
+        from solver.cli.catalogue_text import one
 
-    text = catalogue_text.one(_found(name)) if name else catalogue_text.overview()
+        text = one(_found(name))
+    else:
+        from solver.cli.overview import overview
+
+        text = overview()
     click.echo(text)
 
 
