@@ -62,10 +62,10 @@ def displayed_checks(
     """
     names = Names()
     _give(names, part, NOTATIONS[notation])
-    of_system = _symbols(value for known in names.fixed.values() for value in known)
+    of_system = _symbols(value for known in names.fixed.values() for value in known) | {*part.system.parameters}
     last = _displayed_last(worded)
     open_names = frozenset(symbols[each] for each in free if last.get(symbols.get(each)) == result.answers.get(each))
-    given = _symbols([*(value for known in names.fixed.values() for value in known), *part.options.values()])
+    given = of_system | _symbols(part.options.values())
     for answer, symbol in symbols.items():
         if answer in result.answers and symbol:
             _fix(names, symbol, result.answers[answer])

@@ -55,7 +55,8 @@ class Judge:
     def stands(self, name: Written, value: Any) -> None:
         """From here on a name stands for another value, or for one still to be shown: the step says so."""
         key = spelled(legible(name))
-        self.names.changed.add(key.partition("(")[0])
+        if value is None or self.names.value(key) not in (None, value):
+            self.names.changed.add(key.partition("(")[0])
         if value is None:
             self.names.forget(key)
         else:
@@ -228,9 +229,12 @@ class Judge:
         self.unknowns.forget(self.names)
         laws, self.laws = self.laws, []
         for sides, step, where in laws:
-            if not any(self.names.changed & names_in(side.meaning) for side in sides if isinstance(side, Side)):
-                self.step, self.where = step, where
-                self.equal(sides)
+            self.step, self.where = step, where
+            laws_of_names = [side.meaning for side in sides if isinstance(side, Side) and not name_in(side.meaning)]
+            changed = any(self.names.changed & names_in(meaning) for meaning in laws_of_names)
+            found = () if changed else zip(sides, self.equal(sides), strict=True)
+            if changed or any(each is None and not name_in(getattr(side, "meaning", None)) for side, each in found):
+                self.skip("a name in it stands for no value")
         for left, right, step, where in self.unknowns.solved(self.names):
             self.step, self.where = step, where
             self.check(left, right)

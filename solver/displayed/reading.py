@@ -37,6 +37,9 @@ OPERATIONS = {
     **{"adj": "adjugate", "Re": "re", "Im": "im"},
 }
 _OF_ONE_FACTOR = frozenset({"determinant", "trace", "rank", "adjugate", "re", "im", "exp"})
+SIGNS = {"+": "", "-": "minus", r"\pm": "plus_minus", r"\mp": "minus_plus"}
+"""Signs between terms, and what the term behind one is."""
+
 _NAMES = Symbol | Accent | Styled
 
 
@@ -66,19 +69,19 @@ class _Reader:
     def sum(self) -> Meaning:
         terms = []
         while True:
-            negative = self.sign() == "-"
-            if self.sign() in ("+", "-"):
+            sign = self.sign()
+            if sign in SIGNS:
                 self.at += 1
             term = self.product()
-            terms.append(Meaning("minus", (term,)) if negative else term)
+            terms.append(Meaning(SIGNS[sign], (term,)) if SIGNS.get(sign) else term)
             if self.sign() == "end":
                 return terms[0] if len(terms) == 1 else Meaning("sum", tuple(terms))
-            if self.sign() not in ("+", "-"):
+            if self.sign() not in SIGNS:
                 raise Unreadable(Phrase("the sign ${sign}$", sign=self.sign()))
 
     def product(self, *, of_function: bool = False) -> Meaning:
         factors: list[Meaning] = []
-        while (sign := self.sign()) not in ("+", "-", "end"):
+        while (sign := self.sign()) not in (*SIGNS, "end"):
             if sign == r"\cdot":
                 self.at += 1
             elif sign == "/":
@@ -135,7 +138,7 @@ class _Reader:
         return base if scripts.above is None else _power(base, scripts.above)
 
     def named(self, item: Node) -> Meaning:
-        r"""Read a name with its index and primes, its argument (`\Phi(t)`: an `apply`) and its exponent."""
+        r"""Read a name with its index and primes, its argument (`\Phi(t)`: an `apply`) and its exponent: `x(0)^{T}`."""
         text, above = name_of(item), item.above if isinstance(item, Scripts) else None
         if text in (r"\mathcal{L}", r"\mathcal{Z}"):
             return self.transform(text)
@@ -145,6 +148,9 @@ class _Reader:
         follows = self.items[self.at] if self.at < len(self.items) else None
         if above is not None:
             return _power(name, above)
+        if isinstance(follows, Scripts) and _is_number_in_brackets(follows.base):
+            self.at += 1
+            return self.with_scripts(Meaning("apply", (name, _inside(follows.base)), text), follows)
         if not (isinstance(follows, Fenced) and follows.left == "("):
             return name
         self.at += 1
@@ -216,6 +222,10 @@ def _fraction(fraction: Fraction) -> Meaning:
     if len(above) != 2 or len(below) != 2 or below[0] != Symbol("d"):
         raise Unreadable("a derivative")
     return Meaning("derivative", (read(above[1:]), read(below[1:])))
+
+
+def _is_number_in_brackets(node: Node) -> bool:
+    return isinstance(node, Fenced) and node.left == "(" and [*map(type, node.body.items)] == [Number]
 
 
 def _is_function(item: Node) -> bool:

@@ -3,7 +3,7 @@ r"""Written formulas cut at their top level into chains: `F = 1,\quad N = G = 2`
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -53,7 +53,54 @@ class Chain:
 
 
 def chains_of(displayed: Displayed) -> list[Chain]:
-    """Return the chains of a display; what no tree can be made of is left out (the wording refuses it)."""
+    """Return the chains of a display; what no tree can be made of is left out (the wording refuses it).
+
+    Of `s = a ± b = [x, y]` the sum and the product of both values are stated: they are a pair without an order.
+    """
+    chains = _chains(displayed)
+    if not any(
+        isinstance(side, Written) and (r"\pm" in side.latex or r"\mp" in side.latex) for side in displayed.sides
+    ):
+        return chains
+    return [each for chain in chains for each in (_of_pairs(chain) if _has_pair(chain) else (chain,))]
+
+
+def _has_pair(chain: Chain) -> bool:
+    return any(isinstance(side, Side) and side.meaning is not None and _branches(side.meaning) for side in chain.sides)
+
+
+def _of_pairs(chain: Chain) -> Iterator[Chain]:
+    """Yield the chains of the sums and of the products of both values; a name in front stands for either."""
+    first = chain.sides[0]
+    named = isinstance(first, Side) and bool(name_in(first.meaning))
+    for kind in ("sum", "product"):
+        yield Chain(tuple(_both(side, kind) for side in chain.sides[named:]), chain.relations[named:])
+
+
+def _both(side: Any, kind: str) -> Any:
+    """Return the sum or the product of both values of a side."""
+    if isinstance(side, Side) and side.value is None:
+        pair = side.meaning and (_branches(side.meaning) or (side.meaning, side.meaning))
+        return replace(side, meaning=Meaning(kind, pair)) if pair else side
+    value = side.value if isinstance(side, Side) else side
+    one, other = value if isinstance(value, list | tuple) and len(value) == 2 else (value, value)
+    return one + other if kind == "sum" else one * other
+
+
+def _branches(meaning: Meaning) -> tuple[Meaning, Meaning] | None:
+    """Return a formula with the upper signs of ± and ∓ and with the lower ones; None where there are none."""
+    if meaning.kind in ("plus_minus", "minus_plus"):
+        plus, minus = meaning.parts[0], Meaning("minus", meaning.parts)
+        return (plus, minus) if meaning.kind == "plus_minus" else (minus, plus)
+    inner = [_branches(part) for part in meaning.parts]
+    if not any(inner):
+        return None
+    pairs = [found or (part, part) for found, part in zip(inner, meaning.parts, strict=True)]
+    upper, lower = (tuple(pair[i] for pair in pairs) for i in (0, 1))
+    return replace(meaning, parts=upper), replace(meaning, parts=lower)
+
+
+def _chains(displayed: Displayed) -> list[Chain]:
     finished: list[Chain] = []
     sides: list[Any] = []
     relations: list[str] = []

@@ -174,7 +174,7 @@ def test_a_relation_with_symbols_is_a_condition(condition):
     assert all(check.status is CheckStatus.PASSED for check in checks_of(text(condition)))
 
 
-@pytest.mark.parametrize("formula", [r"1 = 1 + \cdots", r"A = f(1, 2)", r"2 \pm 1 = 3"])
+@pytest.mark.parametrize("formula", [r"1 = 1 + \cdots", r"A = f(1, 2)", "3! = 6"])
 def test_what_is_not_read_is_counted(formula):
     (check,) = checks_of(text(formula))
     assert check.status is CheckStatus.SKIPPED
@@ -193,6 +193,6 @@ def test_a_claim_is_not_checked_twice():
     assert displayed_checks(result, [worded], Part("a", "task", ("method",), StateSpace(A)), {}) == ()
 
 
-@pytest.mark.parametrize("latex", [r"1 + \cdots", r"x \pm y", r"\frac{d}{ds}G", r"\lim x", r"f(a, b)"])
+@pytest.mark.parametrize("latex", [r"1 + \cdots", r"x!", r"\frac{d}{ds}G", r"\lim x", r"f(a, b)"])
 def test_what_is_not_read_is_refused_with_the_reason(latex):
     assert chains_in(latex)[0].sides[0].refusal

@@ -51,6 +51,19 @@ PROBLEMS = {
         "system": {"polynomial": "s^3 + 2s^2 + 3s + 1"},
         "find": {"a": {"task": "routh_hurwitz", "method": "hurwitz_determinants"}},
     },
+    "start": {
+        "system": {"A": [[0, 1], [0, 0]], "B": [0, 1]},
+        "find": {"a": {"task": "lqr", "Q": [[1, 0], [0, 1]], "R": 1, "initial_state": [1, 2]}},
+    },
+    "convolved": {
+        "system": {"A": A, "B": [0, 1], "C": [1, 0]},
+        "find": {"a": {"task": "response", "method": "convolution", "kind": "zero_state", "input": "1"}},
+    },
+    "roots": {"system": {"A": [[0, 1], [-1, -3]]}, "find": {"a": "eigenstructure"}},
+    "separated": {
+        "system": {"A": [[0, 1], [-2, -3]], "B": [0, 1], "C": [1, 0]},
+        "find": {"a": {"task": "observer_feedback", "gain": [4, 2], "observer_gain": [5, 6]}},
+    },
     "final": {
         "system": {"A": A, "B": [0, 1], "C": [1, 0]},
         "find": {"a": {"task": "response", "kind": "zero_state", "input": "1"}},
@@ -259,5 +272,39 @@ PLANTED = {
         '{{ claim(each, "\\\\Delta_{" ~ loop.index ~ "}")',
         '{{ claim(each, "\\\\det H")',
     ),
+    "a difference turned round": (
+        "placement",
+        "lemmas/placement_methods",
+        '"(\\\\hat{a} - a)^{T}"',
+        '"(a - \\\\hat{a})^{T}"',
+    ),
+    "a law of Bass and Gura": (
+        "placement",
+        "lemmas/placement_methods",
+        '("(\\\\hat{a} - a)^{T}" ~ product)',
+        '("(\\\\hat{a} + a)^{T}" ~ product)',
+    ),
+    "the loop with unknowns": ("placement", "lemmas/placement_methods", 'A(v) ~ " + " ~ (gain', 'A(v) ~ " - " ~ (gain'),
+    "the sign of a control law": ("regulator", "lemmas/regulator", '"-" ~ sym.K ~ "x"', 'sym.K ~ "x"'),
+    "the state at the start": ("start", "lemmas/regulator", '"x(0)^{T}Px(0)")', '"x(0)^{T}x(0)")'),
+    "the first matrix of a recursion": ("transfer", "lemmas/faddeev_leverrier", 'eq("AN_{"', 'eq("2AN_{"'),
+    "a trace": ("transfer", "lemmas/faddeev_leverrier", '"\\\\operatorname{tr}(AN_{"', '"\\\\operatorname{tr}(2AN_{"'),
+    "the product of modal matrices": (
+        "transition",
+        "state_transition_matrix/modal",
+        '("V" ~ middle ~ "V^{-1}")',
+        '("V" ~ middle ~ "V")',
+    ),
+    "exponentials of a diagonal": (
+        "transition",
+        "state_transition_matrix/modal",
+        '"e^{\\\\Lambda t}", v',
+        '"e^{2\\\\Lambda t}", v',
+    ),
+    "the final value theorem": ("final", "lemmas/response", "s\\\\,Y(s)", "Y(s)"),
+    "an integrand": ("convolved", "lemmas/response_convolution", "\\\\Phi(t-\\\\tau)\\\\,B", "\\\\Phi(t)\\\\,B"),
+    "the quadratic formula": ("roots", "lemmas/eigenvalues", "{b^{2}}{4} - c", "{b^{2}}{4} + c"),
+    "both signs of a pair": ("specified", "lemmas/second_order", "\\\\pm j\\\\omega", "\\\\pm 2j\\\\omega"),
+    "the matrix of the compensator": ("separated", "lemmas/output_feedback", '" I - F)"', '" I + F)"'),
 }
 """Places and kinds of errors: the problem, the template, what stands there and what is planted."""

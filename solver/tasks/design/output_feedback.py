@@ -235,6 +235,7 @@ def compensator_of(
             "G": Claim(stated, shown, "transfer function from y to u"),
         },
         x=x,
+        F=F,
         direct=not E.is_zero_matrix,
         unstable=_unstable(chi, x, discrete=plant.discrete),
         reduced=reduced,

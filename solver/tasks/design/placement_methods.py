@@ -59,7 +59,13 @@ def by_bass_gura(pair: Pair) -> Derivation[ImmutableMatrix]:
     """Kᵀ = ((𝒞 W)ᵀ)⁻¹ (â − a), W upper triangular with the coefficients of det(sI − A)."""
     frame, A, b = pair.frame, pair.A, pair.b
     chi = yield from _open_loop(pair)
-    yield Step("coefficients", claims={"difference": _difference(pair, chi)}, **pair.flags)
+    yield Step(
+        "coefficients",
+        claims={"difference": _difference(pair, chi)},
+        desired=sp.ImmutableMatrix(pair.desired[1:]),
+        own=sp.ImmutableMatrix(chi[1:]),
+        **pair.flags,
+    )
     C_o, W = exact.controllability_matrix(A, b), exact.toeplitz(chi)
     CW = exact.multiply(C_o, W)
     yield Step(
@@ -70,6 +76,7 @@ def by_bass_gura(pair: Pair) -> Derivation[ImmutableMatrix]:
             )
         },
         W=frame.shown(W),
+        C_o=frame.shown(C_o),
         n=A.rows,
         **pair.flags,
     )
@@ -170,14 +177,14 @@ def matched(pair: Pair, shape: ImmutableMatrix | None = None, unknowns: Sequence
     yield Step(
         "gain_polynomial",
         claims={"polynomial": Claim(characteristic(frame.shown(loop), x), gain_polynomial, "closed-loop polynomial")},
+        row=frame.shown(row),
         **pair.flags,
     )
     fixed, movable, rest = yield from _fixed_part(pair, coefficients, row, unknowns, structured=shape is not None)
     desired = list(exact.monic(movable)) if fixed else list(pair.desired)
     full = list(exact.monic([*movable, *fixed])) if fixed else desired
-    solution = yield from _equated(pair, rest, desired, unknowns)
+    solution, k = yield from _equated(pair, rest, desired, row, unknowns)
     values = dict(zip(unknowns, solution.values, strict=True))
-    k = sp.ImmutableMatrix(row.applyfunc(lambda entry: exact.tidy(entry.subs(values, simultaneous=True))))
     free = tuple(unknowns[j] for j in solution.free)
     conditions = tuple(sp.Eq(unknown, value) for unknown, value in values.items() if unknown not in free)
     return Placement(k, A, exact.polynomial_in(x, full), gain_polynomial, fixed, free, conditions)
@@ -216,9 +223,13 @@ def _fixed_part(
 
 @lemma("placement_methods")
 def _equated(
-    pair: Pair, coefficients: Sequence[Expr], desired: Sequence[Expr], unknowns: Sequence[Symbol]
-) -> Derivation[exact.Solution]:
-    """Coefficient by coefficient: linear equations for the unknowns, and their solution."""
+    pair: Pair,
+    coefficients: Sequence[Expr],
+    desired: Sequence[Expr],
+    row: ImmutableMatrix,
+    unknowns: Sequence[Symbol],
+) -> Derivation[tuple[exact.Solution, ImmutableMatrix]]:
+    """Coefficient by coefficient: linear equations for the unknowns, their solution, and the row k with it."""
     found = compared(coefficients[1:], desired[1:], unknowns)
     solution = found.solution
     yield Step(
@@ -229,14 +240,17 @@ def _equated(
     )
     if solution.residue:
         raise Unsolved("placement/contradiction")
+    values = dict(zip(unknowns, solution.values, strict=True))
+    k = sp.ImmutableMatrix(row.applyfunc(lambda entry: exact.tidy(entry.subs(values, simultaneous=True))))
     yield Step(
         "solution",
         claims={"equations": found.claim(solution.values)},
         found=[(u, value) for u, value in zip(unknowns, solution.values, strict=True) if u != value],
         free=found.free,
+        gain=pair.frame.shown(k),
         **pair.flags,
     )
-    return solution
+    return solution, k
 
 
 METHODS: dict[str, Callable[[Pair], Derivation[ImmutableMatrix]]] = {

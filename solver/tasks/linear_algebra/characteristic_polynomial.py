@@ -135,6 +135,7 @@ def recursion_of(A: ImmutableMatrix) -> Derivation[exact.FaddeevLeVerrier]:
                 "next": Claim(total(AN, product(a, identity)), following, f"$N_{{{k}}}$"),
             },
             k=k,
+            identity=identity,
             last=k == A.rows,
         )
     return resolvent

@@ -81,7 +81,9 @@ def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
         for i, root in enumerate(roots, 1)
     }
     _, b, c = factor.coefficients
-    return Step("quadratic", claims=claims, p=p, roots=roots, b=b, c=c, root_kind=factor.roots[0].kind)
+    kind = factor.roots[0].kind
+    upper_sign_first = roots if kind == "complex" else roots[::-1]
+    return Step("quadratic", claims=claims, p=p, roots=upper_sign_first, b=b, c=c, root_kind=kind)
 
 
 @lemma("eigenvectors")

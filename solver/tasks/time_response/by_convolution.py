@@ -82,4 +82,4 @@ def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: Immutabl
     claims = {"x": Claim(total(*terms), x, "convolution")}
     if any(u.flat()):
         claims = {"integrand": Claim(product(shifted, B, u), integrand, "what is integrated"), **claims}
-    yield Step("convolution", claims=claims, B=B, x=exact.shifted(x, t, piece.delay), **names)
+    yield Step("convolution", claims=claims, B=B, tau=tau, u=u, x=exact.shifted(x, t, piece.delay), **names)

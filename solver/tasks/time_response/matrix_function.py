@@ -131,7 +131,11 @@ def by_modal_matrix(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivati
     yield Step("inverse", claims={"inverse": Claim(inverse(V), inverted, "inverse of the modal matrix")}, V=V, n=A.rows)
     modes: ImmutableMatrix = sp.ImmutableMatrix(sp.diag(*(scalar.at(value) for value in structure.eigenvalues)))
     yield Step(
-        "modes", unclaimed="a function of a diagonal matrix acts on the diagonal, by definition", modes=modes, f=f
+        "modes",
+        unclaimed="a function of a diagonal matrix acts on the diagonal, by definition",
+        modes=modes,
+        Lambda=sp.ImmutableMatrix(sp.diag(*structure.eigenvalues)),
+        f=f,
     )
     yield Step("back", claims={"F": Claim(product(V, modes, inverted), found.value, "product of the matrices")}, f=f)
     return Answers(F=found.value)

@@ -217,6 +217,7 @@ def by_modal_matrix(given: Given[StateSpace, StateTransitionMatrixOptions]) -> D
         "modes",
         unclaimed="a function of a diagonal matrix acts on the diagonal entries, by definition",
         modes=modes,
+        Lambda=sp.ImmutableMatrix(sp.diag(*structure.eigenvalues)),
         discrete=discrete,
     )
     Phi = _matrix_function(given)

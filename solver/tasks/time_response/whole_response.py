@@ -67,9 +67,10 @@ def behaviour(asked: Question) -> Step:
     found, t, s = asked.answer, asked.time, asked.variable
     claims: dict[str, Claim] = {}
     image = found.pieces[0][1].y
-    if found.y_final is not None and image is not None and len(found.pieces) == 1:
+    transform = None if image is None else image.expression(s)
+    if found.y_final is not None and transform is not None and len(found.pieces) == 1:
         at = sp.Integer(1 if asked.discrete else 0)
-        carried = image.expression(s).applyfunc(lambda entry: (s - at) * entry)
+        carried = transform.applyfunc(lambda entry: (s - at) * entry)
         claims["final"] = Claim(value_at(carried, s, at), found.y_final, "final value theorem")
     peak = found.y_peak
     if peak is not None:
@@ -85,6 +86,7 @@ def behaviour(asked: Question) -> Step:
         figures=(figure,) if figure else (),
         discrete=asked.discrete,
         peak=peak,
+        image=None if transform is None else entry_or_column(transform),
         final=None if found.y_final is None else entry_or_column(found.y_final),
         hidden=_hidden_modes(asked),
         lasting=[] if found.y_final is not None else _lasting_poles(asked),
