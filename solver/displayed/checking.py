@@ -112,7 +112,7 @@ def _displayed_last(worded: Sequence[WordedStep]) -> dict[str | None, Any]:
         for step in worded
         for each in step.walk()
         for displayed in each.displayed
-        if len(displayed.sides) == 2
+        if len(displayed.sides) == 2 and displayed.relation != STANDS
         for name, value in [displayed.sides]
         if isinstance(name, Written) and not isinstance(value, Written)
     }
