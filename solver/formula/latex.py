@@ -54,7 +54,9 @@ class LatexWriter(Visitor[str]):
         written = before = ""
         for place, item in enumerate(node.items):
             piece = self.argument(item)
-            kind = _PREFIX if is_prefix(node.items, place) else _kind(item)
+            kind = _kind(item)
+            if kind == _INFIX and is_prefix(node.items, place):
+                kind = _PREFIX
             if before == _COMMA and kind not in _SPACES:
                 written += self.after_comma
             elif before + kind in _APART or _runs_into(written, piece):

@@ -95,15 +95,19 @@ def broken(formula: n.Row, room: float = LINE) -> list[n.Row]:
 
 
 def _filled(pieces: Sequence[n.Row], room: float, *seam: n.Node) -> list[n.Row]:
-    """Put as many pieces on each line as fit; further lines begin with the seam."""
-    lines = [pieces[0]]
+    """Put as many pieces on each line as fit; further lines begin with the seam. Widths in a row add up."""
+    begun = sum(map(width, seam))
+    lines = [[*pieces[0].items]]
+    filled = width(pieces[0])
     for piece in pieces[1:]:
-        longer = n.Row(lines[-1].items + piece.items)
-        if width(longer) > room:
-            lines.append(n.Row((*seam, *piece.items)))
+        more = width(piece)
+        if filled + more > room:
+            lines.append([*seam, *piece.items])
+            filled = begun + more
         else:
-            lines[-1] = longer
-    return lines
+            lines[-1] += piece.items
+            filled += more
+    return [n.Row(tuple(line)) for line in lines]
 
 
 def _terms(formula: n.Row) -> Iterator[n.Row]:

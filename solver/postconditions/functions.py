@@ -8,6 +8,9 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from sympy import QQ
+from sympy.polys.densebasic import dup_strip
+from sympy.polys.euclidtools import dup_gcd
 
 from solver.derivation import Check
 
@@ -34,16 +37,17 @@ def of_resolvent_cancels(found: bool, A: Any) -> Iterator[Check]:
 
 def _has_common_factor(A: Any) -> bool:
     """Whether an entry of the adjugate, which is not zero, and the characteristic polynomial have a common factor."""
-    n, x = A.rows, sp.Symbol("lamda")
-    N, c = sp.eye(n), [sp.Integer(1)]
-    powers = [N]
+    n = A.rows
+    rows = [[QQ(entry.p, entry.q) for entry in A.row(i)] for i in range(n)]
+    N = [[QQ(i == j) for j in range(n)] for i in range(n)]
+    chi, coefficients = [QQ(1)], []
     for k in range(1, n + 1):  # Leverrier: adj(xI − A) = N₁xⁿ⁻¹ + … + Nₙ
-        c.append(-(A * N).trace() / k)
-        N = A * N + c[-1] * sp.eye(n)
-        powers.append(N)
-    chi = sp.Poly(c, x, domain="QQ")
-    entries = (sp.Poly([M[i, j] for M in powers[:n]], x, domain="QQ") for i in range(n) for j in range(n))
-    return any(entry.gcd(chi).degree() > 0 for entry in entries if not entry.is_zero)
+        coefficients.append(N)
+        N = [[sum((a * N[m][j] for m, a in enumerate(row) if a), QQ(0)) for j in range(n)] for row in rows]
+        chi.append(-sum(N[i][i] for i in range(n)) / k)
+        N = [[entry + chi[-1] * (i == j) for j, entry in enumerate(row)] for i, row in enumerate(N)]
+    entries = (dup_strip([M[i][j] for M in coefficients]) for i in range(n) for j in range(n))
+    return any(len(dup_gcd(entry, chi, QQ)) > 1 for entry in entries if entry)
 
 
 def _vanishes(A: Any, roots: Any) -> bool:

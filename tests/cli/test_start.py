@@ -2,6 +2,7 @@
 
 import pytest
 
+from solver.resources import root
 from tests.helpers.small_problems import GOOD
 
 HEAVY = ("sympy", "numpy", "scipy", "rich", "jinja2", "latex2mathml", "matplotlib", "yaml", "markdown_it")
@@ -50,6 +51,15 @@ def test_the_same_file_gives_the_same_bytes_in_another_process(process, good, fo
     assert first.code == second.code == 0
     assert len(first.out) > len(GOOD)
     assert first.out == second.out
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["equations", "stability-by-conditions"])
+def test_points_are_drawn_in_the_same_order_in_another_process(process, name):
+    file = str(root("problems") / f"examples/{name}.yaml")
+    first, *others = (process(file, "-f", "json", "-o", "-", PYTHONHASHSEED=seed).out for seed in ("0", "1", "2"))
+    assert first.startswith("{")
+    assert others == [first, first]
 
 
 def test_python_dash_m_is_the_command(process):

@@ -89,7 +89,7 @@ class Inside:
     def _moved(self, point: dict[Any, complex], broken: Condition) -> bool:
         """Move one symbol, in which the condition is linear, to where it holds; return whether there is such a one."""
         names = {without_conditions(symbol): symbol for symbol in self.symbols}
-        inside = [names[x] for x in broken.difference.free_symbols if not names[x].is_integer]
+        inside = [names[x] for x in symbols_of(broken.difference) if not names[x].is_integer]
         self.random.shuffle(inside)
         for symbol in sorted(inside, key=lambda each: len(self.intervals[each])):
             values = [_difference(broken, {**point, symbol: x}) for x in (0.0, 1.0, 2.0)]

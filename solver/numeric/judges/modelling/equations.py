@@ -72,7 +72,7 @@ def _value(expression: Any, point: Mapping[Any, complex]) -> complex:
 
 def _points(question: Question) -> Iterator[dict[Any, complex]]:
     everything = [*question.equations, *question.outputs]
-    symbols = [symbol for symbol in free_symbols(everything) if symbol not in question.jets]
+    symbols = [symbol for symbol in sorted(free_symbols(everything), key=str) if symbol not in question.jets]
     source = PointSource(symbols)
     for _ in range(TRIALS):
         yield dict(source.draw())
@@ -188,12 +188,12 @@ def _polynomials(numbers: _Numbers, names: Sequence[str]) -> Any:
 def eliminated_residual(equations: Sequence[Any], jets: Mapping[Any, Jet], symbol: Any, value: Any) -> float:
     """Return how far the equations are from holding with the unknown at that value; inf if any value would do."""
     names = tuple(dict.fromkeys(name for name, _ in jets.values()))
-    own = {s: (str(s), 0) for s in free_symbols([value]) if s not in jets and str(s) in names}
+    own = {s: (str(s), 0) for s in sorted(free_symbols([value]), key=str) if s not in jets and str(s) in names}
     question = Question(equations, [], {**jets, **own}, names, (), ())
     random, worst = Random(SEED), 0.0  # noqa: S311 - nothing secret
     for point in _points(question):
         numbers = _Numbers(question, point)
-        given = {s: random.uniform(0.5, 2.0) for s in free_symbols([value]) if s in question.jets}
+        given = {s: random.uniform(0.5, 2.0) for s in sorted(free_symbols([value]), key=str) if s in question.jets}
         at = {question.jets[s]: complex(v) for s, v in given.items()}
         target = _value(value, {**numbers.point, **given})
         held, moved = (_misfit(numbers, {**at, jets[symbol]: target + by}) for by in (0.0, 1.0))
