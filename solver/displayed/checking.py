@@ -71,7 +71,12 @@ def displayed_checks(
             _fix(names, symbol, result.answers[answer])
     answered = _symbols(result.answers.values())
     names.symbols = {spelled(latex(named(symbol.name))): symbol for symbol in given | answered if symbol.name != "I"}
-    matrices = frozenset(name for name, found in names.fixed.items() if isinstance(found[0], sp.MatrixBase))
+    parameters = {symbol.name for symbol in of_system}  # C may be a capacitance beside the matrix
+    matrices = {
+        name: frozen(found[0])
+        for name, found in names.fixed.items()
+        if isinstance(found[0], sp.MatrixBase) and name not in parameters
+    }
     variables = frozenset(VARIABLES.values())
     of_system |= variables
     unknowns = Unknowns(given | variables, answered, of_system)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
@@ -15,7 +15,7 @@ from solver.displayed.budget import Budget
 from solver.displayed.meaning import Unknown, Writer
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.shapes import SCALAR, Shape, shape_of
-from solver.displayed.sides import frozen, half_unit, has_value, listed
+from solver.displayed.sides import frozen, half_unit, has_value, listed, with_matrices
 from solver.displayed.statements import Chain, Side, legible, name_in, names_in, spelled
 from solver.displayed.tree import Meaning, Unreadable
 from solver.displayed.unknowns import Unknowns
@@ -38,7 +38,7 @@ class Judge:
     unknowns: Unknowns
     environments: Any
     free: frozenset[str] = frozenset()
-    matrices: frozenset[str] = frozenset()
+    matrices: Mapping[str, Any] = field(default_factory=dict)
     known: dict[Any, Any] = field(default_factory=dict)
     seen: set[tuple[Any, ...]] = field(default_factory=set)
     checks: list[Check] = field(default_factory=list)
@@ -163,10 +163,11 @@ class Judge:
             return
         if left in self.unknowns.given or right in self.unknowns.given:  # a condition: where t = 0, if a = b
             return
-        symbols = {symbol.name for symbol in numeric.free_symbols(left) | numeric.free_symbols(right)}
-        if symbols & self.matrices:  # a polynomial in A: its coefficients are checked, and what it is evaluated to
-            return
         self.seen.add((left, right))
+        left, right = with_matrices(left, self.matrices), with_matrices(right, self.matrices)
+        if {symbol.name for symbol in numeric.free_symbols(left) | numeric.free_symbols(right)} & self.matrices.keys():
+            self.skip("a formula in which a matrix stands as a symbol")
+            return
         if self.unknowns.among(left, right):
             self.unknowns.equations.append((left, right, self.step, self.where))
         else:

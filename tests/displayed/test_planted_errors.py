@@ -70,6 +70,7 @@ RIGHT = {
     "chain": [text(r"r = 2 < 3 = n,\qquad r + 1 = n")],
     "arrow": [text(r"u = 1 \quad\Rightarrow\quad u + 1 = 2")],
     "power": [eq("A^{2}", A**2)],
+    "power of a symbol": [eq(sp.Symbol("A") ** 2, A**2)],
     "integral": [eq(r"\int_{0}^{1} C^{T}C\,t\,dt", C.T * C / 2)],
     "sum": [eq(r"\sum_{k=0}^{1} A^{k}BB^{T}(A^{T})^{k}", B * B.T + A * B * B.T * A.T)],
     "roots and powers": [text(r"\omega = 2,\qquad \sigma = 1,\qquad \sqrt{\sigma^{2} + \omega^{2}} = \sqrt{5}")],

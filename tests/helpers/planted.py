@@ -27,6 +27,10 @@ PROBLEMS = {
         "find": {"a": "controllability", "b": "observability"},
     },
     "reached": {"system": {"A": A, "B": [0, 1]}, "find": {"a": "controllability"}},
+    "circuit": {
+        "system": {"A": [[0, "1/C"], ["-1/L", 0]], "B": [0, "1/L"], "C": [1, 0]},
+        "find": {"a": "controllability"},
+    },
     "coordinates": {
         "system": {"A": A, "B": [0, 1], "C": [1, 0]},
         "find": {"a": {"task": "similarity_transformation", "T": [[1, 1], [1, 2]]}},
@@ -202,6 +206,18 @@ PLANTED = {
         "state_transition_matrix/power_series",
         '"A^{" ~ (loop.index + 1)',
         '"A^{" ~ (loop.index + 2)',
+    ),
+    "a polynomial in a matrix": (
+        "transition",
+        "state_transition_matrix/cayley_hamilton",
+        'else "e^{At}", v.polynomial',
+        'else "e^{2At}", v.polynomial',
+    ),
+    "a determinant with a capacitance C": (
+        "circuit",
+        "lemmas/rank_test",
+        '"\\\\det " ~ symbol',
+        '"2\\\\det " ~ symbol',
     ),
     "a relation of numbers": ("hidden", "lemmas/rank_test", 'v.r ~ " < " ~ v.n', 'v.r ~ " > " ~ v.n'),
     "a number in a chain with a relation": (
