@@ -17,7 +17,6 @@ from typing import Any
 
 from solver.derivation import Check, Claim, Step
 from solver.lazy import Call, numeric
-from solver.words import Phrase
 
 Postcondition = Callable[..., Iterable[Claim | Check]]
 
@@ -39,7 +38,7 @@ def check_calls(calls: Iterable[Call], steps: Iterable[Step]) -> Iterator[Check]
     for call in calls:
         if (postcondition := postcondition_of(call.kernel)) is None or _was_judged(call, judged):
             continue
-        label, step = Phrase("what was found for it ({kernel})", kernel=call.kernel), min(call.step, len(steps))
+        label, step = "what was found for it", min(call.step, len(steps))
         for each in postcondition(call.result, *call.arguments, **call.named):
             if isinstance(each, Check):
                 yield replace(each, step=step)

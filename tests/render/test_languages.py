@@ -149,6 +149,8 @@ def test_the_formulas_of_a_german_page_are_those_of_the_english_one(name):
         displays = [re.findall(r"(?s)\$\$.*?\$\$", step.markdown) for step in ours.steps]
         assert displays == [re.findall(r"(?s)\$\$.*?\$\$", step.markdown) for step in theirs.steps]
         assert ours.status == theirs.status
+        checks = [[(check.oracle, check.residual, check.status) for check in part.checks] for part in (ours, theirs)]
+        assert checks[0] == checks[1]
 
 
 def test_the_pages_have_every_kind_of_step_that_german_words():
