@@ -191,7 +191,7 @@ class Judge:
     def check(self, left: Any, right: Any) -> None:
         """Evaluate an equality, if so much may still be evaluated."""
         if left != right and self._affordable(left, right):
-            check = numeric.check_claim(Claim(left, right), self.where, environments=self.environments)
+            check = numeric.check_claim(Claim(left, right), self.where, environments=self.environments, shown=True)
             if check.status is CheckStatus.PASSED:
                 self.learn(left, right)
             self._add(check)

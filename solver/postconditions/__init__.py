@@ -44,7 +44,8 @@ def check_calls(calls: Iterable[Call], steps: Iterable[Step]) -> Iterator[Check]
                 yield replace(each, step=step)
             elif (key := _key(each)) not in known:
                 known.add(key)
-                yield replace(numeric.check_claim(each, each.says or label, environments=environments), step=step)
+                check = numeric.check_claim(each, each.says or label, environments=environments, shown=True)
+                yield replace(check, step=step)
 
 
 def _was_judged(call: Call, judged: dict[Any, list[Any]]) -> bool:

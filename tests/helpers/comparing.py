@@ -14,6 +14,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.derivation import Answers
 from solver.engine import given_of, yield_into
+from solver.numeric.evaluation.compare import tolerance_of
 from solver.problem.model import Part
 from solver.systems import StateSpace
 from solver.tasks import catalogue
@@ -124,3 +125,8 @@ def rank_modulo_a_prime(M: sp.MatrixBase) -> int:
 
 def _rational(M: sp.MatrixBase) -> DomainMatrix:
     return DomainMatrix.from_Matrix(sp.Matrix(M)).convert_to(sp.QQ)
+
+
+def is_error(residual):
+    """Whether a residual is above what it allows: little where values are exact."""
+    return not residual <= tolerance_of(residual)

@@ -10,10 +10,11 @@ import numpy as np
 
 from solver.derivation import Check, CheckStatus, Claim, Step
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic
-from solver.numeric.evaluation.compare import TOLERANCE, Point, worst_residual
+from solver.numeric.evaluation.compare import Point, Residual, worst_residual
 from solver.numeric.evaluation.environment import Environment, Environments
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import PointSource, first_points, free_symbols, whole_symbols
+from solver.numeric.evaluation.precision import TOLERANCE, precision_of
 from solver.numeric.evaluation.stated import Oracle, about
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined, Value
 from solver.stated import Stated
@@ -29,7 +30,9 @@ def check_steps(steps: Iterable[Step], *, integers: frozenset[str] = frozenset()
     environments = Environments()
     return tuple(
         replace(
-            check_claim(claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments),
+            check_claim(
+                claim, claim.says or f"{step.kind}: {key}", integers=integers, environments=environments, shown=True
+            ),
             step=number,
         )
         for number, first in enumerate(steps, start=1)
@@ -45,22 +48,24 @@ def check_claim(
     integers: frozenset[str] = frozenset(),
     answer: str = "",
     environments: Environments | None = None,
+    shown: bool = False,
 ) -> Check:
     """Return the check of one equality at random points; `integers` names symbols that take whole numbers.
 
     Failed where the shapes differ; skipped, with the reason, where a side can't be evaluated soundly. `answer` is the
-    name of the answer that it judges; `environments` are shared with the other claims of a derivation.
+    name of the answer that it judges; `environments` are shared with the other claims of a derivation. What a step has
+    `shown` may be settled by doubles; an answer that is exact agrees to many digits.
     """
     judges = (answer,) if answer else ()
     oracle = oracle_of(claim)
     try:
-        residual, digits = claim_residual(claim.left, claim.right, integers, environments)
+        residual, digits = claim_residual(claim.left, claim.right, integers, environments, shown=shown)
     except ShapeMismatch as mismatch:
         return Check(label, oracle, None, None, CheckStatus.FAILED, mismatch.reason, judges)
     except NotEvaluable as refusal:
         return Check.skipped(label, oracle, refusal.reason, answer=answer)
     by = oracle if digits == DOUBLE.digits else Phrase("{oracle} ({digits} digits)", oracle=oracle, digits=digits)
-    return Check.within(label, by, residual, TOLERANCE, answer=answer)
+    return Check.within(label, by, residual, residual.tolerance, answer=answer)
 
 
 def check_residual(
@@ -68,10 +73,13 @@ def check_residual(
 ) -> Check:
     """Return the check of a residual function's result; skipped, with the reason, where it refuses.
 
-    Failed where shapes do not fit. `answer` is the name of the answer that it judges.
+    The residual's own tolerance counts where it has one. Failed where shapes do not fit. `answer` is the name of the
+    answer that it judges.
     """
     try:
-        return Check.within(label, oracle, residual(), tolerance, answer=answer)
+        found = residual()
+        tolerance = found.tolerance if isinstance(found, Residual) else tolerance
+        return Check.within(label, oracle, found, tolerance, answer=answer)
     except ShapeMismatch as mismatch:
         return replace(Check.that(label, oracle, False, answer=answer), reason=mismatch.reason)
     except (ZeroDivisionError, np.linalg.LinAlgError):
@@ -97,8 +105,13 @@ def nodes_of_stated(formula: Any) -> Iterable[Stated]:
 
 
 def claim_residual(
-    left: Any, right: Any, integers: frozenset[str] = frozenset(), environments: Environments | None = None
-) -> tuple[float, int]:
+    left: Any,
+    right: Any,
+    integers: frozenset[str] = frozenset(),
+    environments: Environments | None = None,
+    *,
+    shown: bool = True,
+) -> tuple[Residual, int]:
     """Return the worst residual of left = right over some points, and the digits that decided it.
 
     Points at which a side has no value are replaced by others, up to ten. Raises NotEvaluable, ShapeMismatch.
@@ -114,30 +127,35 @@ def claim_residual(
         environment = known.at(points, arithmetic)
         return value_of(left, environment), value_of(right, environment)
 
+    precision = precision_of(left, right, shown=shown)
     points = _in_reach(first_points(symbols, whole, wanted), limited)
     try:
-        return worst_residual(sides, points)
+        return worst_residual(sides, points, precision)
     except Undefined:
         source = PointSource(symbols, whole)
         source.several(wanted)
-        return _point_by_point(sides, source, limited, points)
+        return _point_by_point(lambda some: worst_residual(sides, some, precision), source, limited, points)
 
 
-def _point_by_point(sides: Any, source: PointSource, limited: list[Stated], points: list[Point]) -> tuple[float, int]:
+def _point_by_point(
+    judge: Any, source: PointSource, limited: list[Stated], points: list[Point]
+) -> tuple[Residual, int]:
     """Return what worst_residual does, with other points for those at which a side has no value."""
-    results: list[tuple[float, int]] = []
+    results: list[tuple[Residual, int]] = []
     candidates = [*points, *(None for _ in range(REDRAWS if source.symbols else 0))]
     for candidate in candidates:
         point = candidate if candidate is not None else _in_reach([source.draw()], limited)[0]
         try:
-            results.append(worst_residual(sides, [point]))
+            results.append(judge([point]))
         except Undefined as undefined:
             reason = undefined
         if len(results) == len(points):
             break
     if not results:
         raise reason
-    return max(residual for residual, _ in results), max(digits for _, digits in results)
+    return max((residual for residual, _ in results), key=lambda each: each / each.tolerance), max(
+        digits for _, digits in results
+    )
 
 
 def _in_reach(points: Sequence[Point], limited: list[Stated]) -> list[Point]:

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array, multiple
+from solver.numeric.evaluation.precision import DECIMALS, EXACT, SHOWN, TOLERANCE, Precision
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, filled, shape_of
 from solver.words import Phrase
 
-TOLERANCE = 1e-9
 QUIET = 1e-10
 """Noise up to this absolute size is low enough to tell that what is stated to be zero is zero."""
 
@@ -25,7 +25,21 @@ Sides = Callable[[Sequence[Point], Arithmetic], tuple[Value, Value]]
 """Evaluates both sides of an equality at some points; raises Undefined or NotEvaluable."""
 
 
-def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) -> tuple[Array, Array]:
+class Residual(float):
+    """A relative difference, with the largest one that is no error: it depends on what was compared."""
+
+    tolerance: float = TOLERANCE
+
+    def __new__(cls, value: float, tolerance: float = TOLERANCE) -> Residual:
+        """Make a residual with its tolerance."""
+        self = super().__new__(cls, value)
+        self.tolerance = tolerance
+        return self
+
+
+def residuals(
+    left: Value, right: Value, points: int, arithmetic: Arithmetic, tolerance: float = TOLERANCE
+) -> tuple[Array, Array]:
     """Return the largest residual at each point (P,), and whether that settles it (P,) or takes more digits."""
     l_shape, r_shape = shape_of(left) or (1, 1), shape_of(right) or (1, 1)
     if l_shape != r_shape:
@@ -37,11 +51,11 @@ def residuals(left: Value, right: Value, points: int, arithmetic: Arithmetic) ->
     difference = np.where(l_value == r_value, 0.0, arithmetic.size(l_value - r_value))  # ∞ = ∞
     size = np.maximum(arithmetic.size(l_value), arithmetic.size(r_value))
     noise = SAFETY * arithmetic.eps * (l_size + r_size)
-    scale = np.maximum(size, noise / TOLERANCE)
+    scale = np.maximum(size, noise / tolerance)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
     if arithmetic is not DOUBLE:
         residual = np.where((difference != 0) & (_infinite(l_value) | _infinite(r_value)), np.inf, residual)
-    agree = difference <= TOLERANCE * size
+    agree = difference <= tolerance * size
     if arithmetic is DOUBLE and agree.all():
         return residual.max(axis=1), np.ones(points, dtype=bool)
     zero = (l_value == 0) | (r_value == 0)
@@ -64,44 +78,55 @@ def _flat(value: Value, points: int) -> tuple[Array, Array]:
     return shown.reshape(points, -1), size.reshape(points, -1)
 
 
-def worst_residual(sides: Sides, points: Sequence[Point]) -> tuple[float, int]:
-    """Return the largest residual over the points, and the number of digits that decided (15, 50 or 100).
+def worst_residual(sides: Sides, points: Sequence[Point], precision: Precision = DECIMALS) -> tuple[Residual, int]:
+    """Return the largest residual over the points, and the number of digits that decided (15 to 100).
 
-    Agreement in doubles is conclusive. What doubles leave open, disagreement included, is decided point by point
-    with 50 and, if rounding still could hide it, 100 digits. Raises Undefined if a side has no value somewhere.
+    What doubles leave open, disagreement included, is decided point by point with 50 and, if rounding still could hide
+    it, 100 digits. Where both sides are exact, agreement in doubles is conclusive at all points but the last, at which
+    they must agree to 20 digits, evaluated with 30. Raises Undefined if a side has no value somewhere.
     """
+    tolerance = precision.tolerance
     with np.errstate(all="ignore"):
-        residual, settled = _in_doubles(sides, points)
-        digits = DOUBLE.digits
-        for p in map(int, np.flatnonzero(~settled)):
-            residual[p], needed = _with_many_digits(sides, points[p])
-            digits = max(digits, needed)
-            if residual[p] > TOLERANCE:  # one point at which the sides differ is enough
-                return float(residual[p]), digits
-    return float(np.max(residual, initial=0.0)), digits
+        residual, settled = _in_doubles(sides, points, precision.settled)
+        last = len(points) - 1
+        exactly, digits = precision is EXACT, DOUBLE.digits
+        found = 0.0 if exactly else float(np.max(residual[settled], initial=0.0))
+        for p in range(len(points)):
+            if settled[p] and not (exactly and p == last):
+                continue
+            try:
+                here, needed = _with_many_digits(sides, points[p], tolerance)
+            except NotEvaluable:
+                if not settled[p]:
+                    raise
+                return Residual(np.max(residual[settled]), SHOWN.tolerance), digits
+            found, digits = max(found, here), max(digits, needed)
+            if found > tolerance:  # one point at which the sides differ is enough
+                break
+    return Residual(found, tolerance), digits
 
 
-def _in_doubles(sides: Sides, points: Sequence[Point]) -> tuple[Array, Array]:
+def _in_doubles(sides: Sides, points: Sequence[Point], tolerance: float) -> tuple[Array, Array]:
     """Return residuals and what they settle; a point at which doubles give no value (overflow, say) is left open."""
     try:
         left, right = sides(points, DOUBLE)
     except Undefined:
         if len(points) == 1:
             return np.full(1, np.nan), np.zeros(1, dtype=bool)
-        each = [_in_doubles(sides, [point]) for point in points]
+        each = [_in_doubles(sides, [point], tolerance) for point in points]
         return np.concatenate([residual for residual, _ in each]), np.concatenate([settled for _, settled in each])
-    return residuals(left, right, len(points), DOUBLE)
+    return residuals(left, right, len(points), DOUBLE, tolerance)
 
 
-def _with_many_digits(sides: Sides, point: Point) -> tuple[float, int]:
-    for digits in (50, 100):
+def _with_many_digits(sides: Sides, point: Point, tolerance: float) -> tuple[float, int]:
+    for digits in (30, 50, 100) if tolerance < TOLERANCE else (50, 100):
         arithmetic = multiple(digits)
         try:
             left, right = sides([point], arithmetic)
-            residual, settled = residuals(left, right, 1, arithmetic)
+            residual, settled = residuals(left, right, 1, arithmetic, tolerance)
         except (ZeroDivisionError, OverflowError) as trouble:
             raise Undefined(Phrase("the formula is not defined here ({trouble})", trouble=str(trouble))) from trouble
-        if settled[0] or residual[0] > TOLERANCE:  # more digits would change nothing
+        if settled[0] or residual[0] > tolerance:  # more digits would change nothing
             break
     if np.isnan(residual[0]):
         if all(np.any(np.isinf(arithmetic.size(side.value))) for side in (left, right)):
@@ -111,6 +136,13 @@ def _with_many_digits(sides: Sides, point: Point) -> tuple[float, int]:
 
 
 def worst_of(residuals: Iterable[float]) -> float:
-    """Return the largest residual; infinity if one is not a number, which `max` would pass over."""
+    """Return the residual that exceeds its tolerance most; infinity if one is not a number, which `max` would pass."""
     found = list(residuals)
-    return math.inf if any(map(math.isnan, found)) else max(found)
+    if any(map(math.isnan, found)):
+        return math.inf
+    return max(found, key=lambda residual: residual / tolerance_of(residual))
+
+
+def tolerance_of(residual: float) -> float:
+    """Return the tolerance of a residual; that of doubles where it says none."""
+    return residual.tolerance if isinstance(residual, Residual) else TOLERANCE

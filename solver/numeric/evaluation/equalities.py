@@ -9,6 +9,7 @@ from solver.numeric.evaluation.arithmetic import Arithmetic
 from solver.numeric.evaluation.compare import Point, worst_residual
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.precision import precision_of
 from solver.numeric.evaluation.values import ShapeMismatch, Undefined, Value
 
 
@@ -20,6 +21,6 @@ def equality_residual(left: Any, right: Any, points: Sequence[Point]) -> float:
         return value_of(left, environment), value_of(right, environment)
 
     try:
-        return worst_residual(sides, points)[0]
+        return worst_residual(sides, points, precision_of(left, right))[0]
     except (ShapeMismatch, Undefined):
         return float("inf")

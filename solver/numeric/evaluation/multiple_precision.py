@@ -55,7 +55,7 @@ def exponential(M: Array, context: Any) -> tuple[Array, Array]:
     """Return e^M (mpmath numbers) and the absolute error of each entry (floats).
 
     Balancing, scaling, Taylor series and squaring in fixed point with Python's whole numbers. The error is measured:
-    the difference from a second run with fewer bits and M rounded to 15 bits less.
+    the difference from a second run with fewer bits and M rounded to 15 bits less; not less than the last bit of that.
     """
     n = len(M)
     real = np.array([[entry.real for entry in row] for row in M], dtype=object)
@@ -71,7 +71,7 @@ def exponential(M: Array, context: Any) -> tuple[Array, Array]:
     bits = context.prec + 4 * halvings + 64
     fine = _fixed_point(_rounded(real, context.prec, context), shifts, halvings, bits, context)
     coarse = _fixed_point(_rounded(real, context.prec - 15, context), shifts, halvings, bits - 64, context)
-    error = np.asarray(np.abs(fine - coarse), dtype=float)
+    error = np.asarray(np.abs(fine - coarse), dtype=float) + np.ldexp(1.0, np.maximum(shifts - bits + 64, -1000))
     if len(fine) > n:
         fine = fine[:n, :n] + context.mpc(0, 1) * fine[n:, :n]
         error = error[:n, :n] + error[n:, :n]

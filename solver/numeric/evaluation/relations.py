@@ -11,9 +11,10 @@ import numpy as np
 from solver.derivation import Check, CheckStatus, Claim
 from solver.numeric.evaluation.arithmetic import DOUBLE, multiple
 from solver.numeric.evaluation.claims import claim_residual, oracle_of
-from solver.numeric.evaluation.compare import QUIET, TOLERANCE
+from solver.numeric.evaluation.compare import QUIET
 from solver.numeric.evaluation.environment import Environments
 from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.precision import TOLERANCE
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, shape_of
 
 ORDERS: Mapping[str, frozenset[int]] = MappingProxyType(

@@ -137,7 +137,7 @@ def test_empty_matrices_agree():
 
 def test_the_oracle_is_named():
     oracles = {
-        check_claim(claim, "").oracle
+        check_claim(claim, "", shown=True).oracle
         for claim in (
             Claim(a + a, 2 * a),
             Claim(determinant(sp.eye(2) * a), a**2),

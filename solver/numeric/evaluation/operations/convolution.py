@@ -14,6 +14,7 @@ from solver.numeric.evaluation.values import Value
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(70, "Gauss–Legendre quadrature")
+SAMPLED = True
 
 
 def evaluate(environment: Environment, left: Any, right: Any, time: Any) -> Value:

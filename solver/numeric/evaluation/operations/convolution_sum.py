@@ -13,6 +13,7 @@ from solver.numeric.evaluation.values import Value
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(70, "summation")
+SAMPLED = True
 
 
 def evaluate(environment: Environment, left: Any, right: Any, step: Any) -> Value:

@@ -13,6 +13,7 @@ from solver.numeric.evaluation.values import Value
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(70, "Gauss–Legendre quadrature")
+SAMPLED = True
 
 
 def evaluate(environment: Environment, integrand: Any, variable: Any, lower: Any, upper: Any) -> Value:

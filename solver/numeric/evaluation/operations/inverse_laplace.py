@@ -15,6 +15,7 @@ from solver.numeric.evaluation.values import NotEvaluable, Value
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(90, "contour integral")
+SAMPLED = True
 
 
 REACH = 6.0

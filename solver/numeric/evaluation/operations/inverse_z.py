@@ -14,6 +14,7 @@ from solver.numeric.evaluation.values import NotEvaluable, Value
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(80, "contour integral")
+SAMPLED = True
 
 
 def evaluate(environment: Environment, image: Any, z: Any, k: Any) -> Value:

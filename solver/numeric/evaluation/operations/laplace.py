@@ -18,6 +18,7 @@ from solver.numeric.evaluation.values import Value
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(85, "Gauss–Legendre quadrature")
+SAMPLED = True
 
 MARGIN = 1.5
 """How much faster than f grows e^{st} must grow: at t = 64 the integrand is below e^{−96}, whatever f is."""

@@ -18,6 +18,7 @@ from solver.numeric.evaluation.walk import walk
 from solver.stated import Stated
 
 ORACLE = Oracle(85, "sequence of points")
+SAMPLED = True
 
 START = 1.2360679
 """The first step; no round number, at which something periodic might always have the same value."""

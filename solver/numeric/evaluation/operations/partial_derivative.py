@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from solver.numeric.evaluation.operations.derivative import ORACLE, evaluate
+from solver.numeric.evaluation.operations.derivative import ORACLE, SAMPLED, evaluate
 
-__all__ = ["ORACLE", "evaluate"]
+__all__ = ["ORACLE", "SAMPLED", "evaluate"]

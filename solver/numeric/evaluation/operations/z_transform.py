@@ -17,6 +17,7 @@ from solver.numeric.evaluation.values import NotEvaluable, Value, gathered
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(85, "series")
+SAMPLED = True
 
 MARGIN = 2.5
 """How much larger |z| is than the factor by which the sequence grows."""

@@ -1,0 +1,74 @@
+"""How near the sides of an equality must be: by what they are made of.
+
+What is exact on both sides agrees to all digits there are; doubles tell that it does not, and many digits that it does.
+Decimals are known to their own digits, and so is what is found by samples: integrals, transforms, limits.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import sympy as sp
+from sympy.matrices.matrixbase import MatrixBase
+
+from solver.matrices import entries
+from solver.numeric.evaluation.stated import about
+from solver.stated import Stated
+
+TOLERANCE = 1e-9
+"""The largest relative difference of values that are known in doubles."""
+
+MANY_BITS = 150
+"""Decimals of more bits are what an oracle has found with many digits."""
+
+
+class Precision(NamedTuple):
+    """Relative differences: up to which doubles settle that values agree, and up to which they do with many digits."""
+
+    settled: float
+    tolerance: float
+
+
+DECIMALS = Precision(TOLERANCE, TOLERANCE)
+SAMPLES = Precision(1e-11, 1e-11)
+SHOWN = Precision(1e-12, 1e-12)
+EXACT = Precision(1e-12, 1e-20)
+
+
+def precision_of(*formulas: Any, shown: bool = False) -> Precision:
+    """Return how near formulas must be to each other; `shown`: what a step displays, which doubles may settle."""
+    if holds_decimals(formulas):
+        return DECIMALS
+    if is_sampled(formulas):
+        return SAMPLES
+    return SHOWN if shown else EXACT
+
+
+def is_sampled(formula: Any) -> bool:
+    """Whether the formula holds an operation that is evaluated by samples."""
+    if isinstance(formula, Stated):
+        return bool(about(formula.operation, "SAMPLED")) or any(map(is_sampled, formula.operands))
+    return isinstance(formula, list | tuple) and any(map(is_sampled, formula))
+
+
+def holds_decimals(formula: Any) -> bool:
+    """Whether a value holds decimals."""
+    if isinstance(formula, Stated):
+        return any(map(holds_decimals, formula.operands))
+    if isinstance(formula, sp.Basic):
+        return _holds_decimals(formula)
+    if isinstance(formula, MatrixBase):
+        return any(map(_holds_decimals, entries(formula)))
+    if isinstance(formula, dict):
+        return any(map(holds_decimals, formula.values()))
+    if isinstance(formula, list | tuple):
+        return any(map(holds_decimals, formula))
+    return isinstance(formula, float | complex)
+
+
+@lru_cache(maxsize=8192)
+def _holds_decimals(expression: sp.Basic) -> bool:
+    if isinstance(expression, sp.Float):
+        return bool(expression._prec < MANY_BITS)
+    return any(_holds_decimals(part) for part in expression.args)
