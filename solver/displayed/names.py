@@ -8,7 +8,12 @@ from typing import Any
 
 import sympy as sp
 
-CONSTANTS: Mapping[str, Any] = {"j": sp.I, "e": sp.E, r"\pi": sp.pi, r"\infty": sp.oo}
+CONSTANTS: Mapping[str, Any] = {
+    **{"j": sp.I, "e": sp.E, r"\pi": sp.pi, r"\infty": sp.oo},
+    r"\mathbf{1}()": (sp.Heaviside(sp.Symbol("t")), sp.Symbol("t")),
+}
+"""What names stand for everywhere, the unit step among them: a function with its variable."""
+
 VARIABLES: Mapping[str, Any] = {
     **{name: sp.Symbol(name) for name in ("s", "z", "t", "k")},
     r"\lambda": sp.Symbol("lamda"),

@@ -74,6 +74,33 @@ def test_a_pulse_is_two_steps(method):
     assert result.answers["y_final"] == 0
 
 
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("x0", [None, [1, 0]])
+@pytest.mark.parametrize("delay", [sp.Integer(2), half, sp.Symbol("T", positive=True)])
+@pytest.mark.parametrize(
+    "begun", [step(t), sp.DiracDelta(t), sp.sin(t) * step(t), step(t) + sp.DiracDelta(t), step(t) - step(t - 1)]
+)
+def test_an_input_that_begins_later_moves_the_system_later(begun, delay, x0, method):
+    plant = system([[0, 1], [-2, -3]], B=[0, 1], C=[[1, 0]], D=[[0]])
+    result = respond(plant, method, u=begun.xreplace({t: t - delay}), x0=x0)
+    assert result.status is Status.VERIFIED, result.reason
+    at_once = respond(plant, method, u=begun).answers["y"]
+    free = respond(plant, method, x0=x0, kind="zero_input").answers["y"] if x0 else 0
+    for time in (0.3, 2.9, 4.1):
+        point = {sp.Symbol("T", positive=True): 1.7}
+        since = time - float(delay.subs(point))
+        expected = (at_once.subs(t, since) if since > 0 else 0) + (free.subs(t, time) if x0 else 0)
+        assert abs(sp.N(result.answers["y"].subs(point).subs(t, time) - expected)) < 1e-12
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("x0", [None, [1]])
+def test_an_input_that_is_zero_adds_nothing(x0, method):
+    result = respond(LAG, method, u=0, x0=x0)
+    assert result.status is Status.VERIFIED, result.reason
+    assert same(result.answers["y"], e(-t) if x0 else 0)
+
+
 def test_pieces_without_a_limit_may_have_one_together():
     pulse_of_ramps = (t - 1) * step(t - 1) - (t - 3) * step(t - 3)
     assert respond(LAG, u=pulse_of_ramps).answers["y_final"] == 2
@@ -126,6 +153,14 @@ def under_damped(offset=0):
     m, sigma, omega = sp.symbols("m sigma omega", positive=True)
     plant = system([[0, 1], [-(sigma**2) - omega**2, -2 * sigma]], B=[0, 1 / m], C=[[1, 0]], D=[[offset]])
     return plant, m, sigma, omega
+
+
+@pytest.mark.parametrize(("damping", "seen"), [(4, True), (5, True), (5.2, False), (6.8, False), (8, False)])
+def test_what_exceeds_the_limit_by_a_ten_millionth_is_no_peak(damping, seen):
+    sigma = sp.Rational(str(damping))
+    result = respond(system([[0, 1], [-1 - sigma**2, -2 * sigma]], B=[0, 1], C=[[1, 0]], D=[[0]]), u=1)
+    assert result.status is Status.VERIFIED, result.reason
+    assert ("y_peak" in result.answers) is seen
 
 
 def test_the_peak_of_an_underdamped_step_response_with_parameters_is_the_formula_of_the_overshoot():

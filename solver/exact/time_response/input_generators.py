@@ -41,6 +41,10 @@ class Piece:
     impulses: sp.ImmutableMatrix
     generator: Generator | None
 
+    def __bool__(self) -> bool:
+        """Whether anything begins."""
+        return any(self.inputs.flat()) or any(self.impulses.flat())
+
     def image(self, x: sp.Symbol, *, discrete: bool) -> sp.ImmutableMatrix:
         """The transform (m×1) of the inputs, from the start of the piece."""
         if self.generator is None:

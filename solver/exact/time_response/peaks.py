@@ -23,6 +23,9 @@ SAMPLES = 1500
 LATEST = 40.0
 """In units of the slowest time constant: later than that nothing is left to see."""
 
+SEEN = 1e-7
+"""What exceeds the start and the limit by less than that, relatively, is not called a peak."""
+
 
 @dataclass(frozen=True)
 class Peak:
@@ -123,7 +126,7 @@ def _of_double(p: sp.Expr, slope: list[sp.Expr]) -> list[sp.Expr]:
 def _best(y: sp.Expr, t: sp.Symbol, candidates: Sequence[sp.Expr], bound: float) -> Peak | None:
     """The candidate with the largest size, if it is larger than at the start and in the limit."""
     found: Peak | None = None
-    largest = max(bound, abs(float(y.subs(t, 0).evalf(DIGITS)))) * (1 + 1e-13) + 1e-300
+    largest = max(bound, abs(float(y.subs(t, 0).evalf(DIGITS)))) * (1 + SEEN) + 1e-300
     for time in candidates:
         size = abs(float(y.subs(t, time).evalf(DIGITS))) if float(time.evalf(DIGITS)) > 0 else 0.0
         if size > largest * (1 + 1e-13):
@@ -201,7 +204,7 @@ def _largest_sample(image: RationalMatrix, y: sp.Expr, k: sp.Symbol, bound: floa
     values = [float(y.subs(k, i).evalf(DIGITS)) for i in range(last)]
     largest = max(range(last), key=lambda i: (abs(values[i]) > bound * (1 + 1e-13), abs(values[i])))
     first = next(i for i in range(last) if abs(values[i]) >= abs(values[largest]) * (1 - 1e-13))
-    if first == 0 or abs(values[first]) <= bound * (1 + 1e-13):
+    if first == 0 or abs(values[first]) <= max(bound, abs(values[0])) * (1 + SEEN):
         return None
     return Peak(sp.Integer(first), sp.expand(y.subs(k, first)))
 

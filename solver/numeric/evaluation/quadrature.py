@@ -72,9 +72,10 @@ def _panels(environment: Environment, samples: Samples, span: tuple[Array, Array
 
 
 def _with_error(coarse: Value, fine: Value, arithmetic: Arithmetic) -> Value:
-    """Return the finer value; the difference counts as its error."""
+    """Return the finer value; the difference counts as its error. It is refused beside the largest entry."""
     error = arithmetic.size(fine.value - coarse.value)
-    if np.any(error > 1e-6 * (arithmetic.size(fine.value) + fine.magnitude)):
+    size = arithmetic.size(fine.value) + fine.magnitude
+    if np.any(error > 1e-6 * size.max(axis=tuple(range(1, size.ndim)), keepdims=True)):
         raise NotEvaluable("the integrand is not smooth enough for the quadrature")
     return Value(fine.value, fine.magnitude + error / arithmetic.eps)
 

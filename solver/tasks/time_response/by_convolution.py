@@ -76,10 +76,10 @@ def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: Immutabl
     u = piece.inputs.xreplace({t: tau})
     shifted = Phi.xreplace({t: t - tau})
     integrand = sp.ImmutableMatrix((shifted * B * u).applyfunc(sp.expand_mul))
-    terms: list[Any] = [integral(integrand, tau, sp.Integer(0), t)] if any(u.flat()) else []
+    terms: list[Any] = [integral(integrand, tau, sp.Integer(0), t)] if any(u.flat()) or not piece else []
     if any(piece.impulses.flat()):
         terms.append(product(Phi, B, piece.impulses))
     claims = {"x": Claim(total(*terms), x, "convolution")}
-    if any(u.flat()):
+    if any(u.flat()) or not piece:
         claims = {"integrand": Claim(product(shifted, B, u), integrand, "what is integrated"), **claims}
     yield Step("convolution", claims=claims, B=B, tau=tau, u=u, x=exact.shifted(x, t, piece.delay), **names)

@@ -54,8 +54,9 @@ class Question:
 
     @cached_property
     def pieces(self) -> tuple[exact.Piece, ...]:
-        """What begins in the inputs, time by time."""
-        return exact.read_inputs(self.inputs, self.time, discrete=self.discrete) if self.inputs else ()
+        """What begins in the inputs, time by time; of inputs that are zero one piece, unless an initial state moves."""
+        found = exact.read_inputs(self.inputs, self.time, discrete=self.discrete) if self.inputs else ()
+        return tuple(filter(None, found)) or (found if self.x0 is None else ())
 
     @cached_property
     def answer(self) -> exact.ClosedForm:
