@@ -40,6 +40,59 @@ def test_known_spectra_in_their_order(A, expected):
     ] * A.rows
 
 
+def roots_in_numbers(polynomial, point):
+    coefficients = sp.Poly(polynomial.subs(point), x).all_coeffs()
+    return mpmath.polyroots([mpmath.mpmathify(c) for c in coefficients], maxsteps=200, extraprec=200)
+
+
+def near(found, wanted):
+    return len(found) == len(wanted) and all(min(abs(z - w) for w in wanted) < 1e-10 for z in found)
+
+
+@given(st.integers(-12, 12), st.integers(-12, 12).filter(bool))
+def test_roots_of_even_polynomials_of_degree_four_are_exact_where_no_root_is_nested(b, c):
+    spectrum = exact.spectrum(companion(x**4 + b * x**2 + c))
+    found = [mpmath.mpmathify(sp.N(value, 20)) for value in spectrum.eigenvalues]
+    assert near(found, roots_in_numbers(x**4 + b * x**2 + c, {}))
+    exact_roots = not any(root.kind == "decimal" for root in spectrum.roots)
+    assert exact_roots is (any(sp.sqrt(each).is_Integer for each in (c, b * b - 4 * c)) or (b == 0 and c < 0))
+    for root in spectrum.roots:
+        nested = [each for each in root.value.atoms(sp.Pow) if each.base.has(sp.Pow)]
+        assert root.kind == "decimal" or not nested
+
+
+MASSES = [(sp.Rational(3), sp.Integer(1)), (sp.Integer(4), sp.Integer(2)), (sp.Integer(5), sp.Integer(3))]
+
+
+@pytest.mark.parametrize(("middle", "last"), MASSES)
+def test_two_masses_have_the_frequencies_of_one_times_numbers(middle, last):
+    q = stiffness / m
+    chi = x**4 + middle * q * x**2 + last * q**2
+    point = {stiffness: sp.Rational(7, 3), m: sp.Rational(5, 2)}
+    found = [mpmath.mpmathify(sp.N(value.subs(point), 20)) for value in exact.spectrum(companion(chi)).eigenvalues]
+    assert near(found, roots_in_numbers(chi, point))
+
+
+def test_the_roots_of_two_masses_are_written_with_the_golden_ratio():
+    upper = [root.value for root in exact.spectrum(companion(x**4 + 3 * x**2 + 1)).roots][::2]
+    assert upper == [j * (sqrt(5) / 2 - sp.S.Half), j * (sqrt(5) / 2 + sp.S.Half)]
+    half = sqrt(2) / 2
+    found = exact.spectrum(companion(x**4 + m**4)).eigenvalues
+    assert [sp.expand(value / m) for value in found] == [
+        -half + half * j,
+        -half - half * j,
+        half + half * j,
+        half - half * j,
+    ]
+
+
+def test_what_parameters_leave_undecided_has_no_roots_here():
+    with pytest.raises(exact.NotExact):
+        exact.spectrum(companion(x**4 + 3 * p * x**2 + p**2))
+    with pytest.raises(exact.NotExact):
+        exact.spectrum(companion(x**4 + (m + stiffness) * x**2 + m))
+
+
 @given(st.lists(st.fractions(max_denominator=30) | st.integers(-300, 300), min_size=1, max_size=8))
 def test_a_polynomial_is_written_as_sympy_itself_writes_it(coefficients):
     numbers = [sp.Rational(c.numerator, c.denominator) for c in coefficients]

@@ -29,10 +29,10 @@ from solver.exact.linear_algebra.fields import (
     expressions,
     in_sines,
 )
-from solver.exact.linear_algebra.instances import decimal_parts, value_at
+from solver.exact.linear_algebra.instances import parts_at, value_at
 from solver.exact.linear_algebra.radicals import over_root
 from solver.exact.linear_algebra.signs import is_positive
-from solver.exact.linear_algebra.spectrum import DIGITS, Factor, Root
+from solver.exact.linear_algebra.spectrum import DIGITS, Factor, Root, is_lower
 
 Term = tuple[sp.Expr, list[sp.Expr]]
 """A function of time and the coefficient it has in each entry of the matrix, row by row."""
@@ -186,11 +186,12 @@ def _instances(factor: Factor, Z: Residue) -> Iterator[tuple[Root, list[sp.Expr]
 def _one_by_one(
     factor: Factor, parts: list[list[sp.Expr]]
 ) -> Iterator[tuple[Root, list[sp.Expr], list[sp.Expr] | None]]:
-    """The residue put together at each real root, and at the upper root of each pair (decimals)."""
+    """The residue put together at each real root, and at the upper root of each pair."""
     entries = list(zip(*parts, strict=True))
     for root in factor.roots:
-        if root.kind != "decimal":
+        paired = root.kind in ("complex", "decimal") and root.shift != 0
+        if not paired:
             yield root, [value_at(coefficients, root) for coefficients in entries], None
-        elif root.shift >= 0:
-            values = [decimal_parts(coefficients, root) for coefficients in entries]
-            yield root, [real for real, _ in values], [imaginary for _, imaginary in values] if root.shift else None
+        elif not is_lower(root):
+            values = [parts_at(coefficients, root) for coefficients in entries]
+            yield root, [real for real, _ in values], [imaginary for _, imaginary in values]

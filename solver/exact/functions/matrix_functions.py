@@ -136,8 +136,10 @@ def _summed(residues: Iterable[FactorResidues], f: ScalarFunction, shape: tuple[
                 if imaginary is None:
                     _add(terms, Z, real / factorial(j - 1))
                 else:
-                    _add(terms, Z.applyfunc(sp.re), 2 * real / factorial(j - 1))
-                    _add(terms, Z.applyfunc(sp.im), -2 * imaginary / factorial(j - 1))
+                    parts = [complex_parts(entry) for entry in Z.flat()]
+                    X, Y = (sp.ImmutableMatrix(*shape, list(each)) for each in zip(*parts, strict=True))
+                    _add(terms, X, 2 * real / factorial(j - 1))
+                    _add(terms, Y, -2 * imaginary / factorial(j - 1))
     return sp.ImmutableMatrix(*shape, [_tidied(sp.Add(*each)) for each in terms])
 
 

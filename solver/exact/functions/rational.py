@@ -26,6 +26,7 @@ from solver.exact.functions.residues import (
     residues_at,
 )
 from solver.exact.linear_algebra.assembly import product_of_powers
+from solver.exact.linear_algebra.biquadratic import tidied
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import (
     Algebraic,
@@ -37,7 +38,8 @@ from solver.exact.linear_algebra.fields import (
     matrix_of,
 )
 from solver.exact.linear_algebra.instances import value_at
-from solver.exact.linear_algebra.spectrum import Factor, Root, spectrum
+from solver.exact.linear_algebra.radicals import complex_parts
+from solver.exact.linear_algebra.spectrum import Factor, Root, is_lower, spectrum
 from solver.stated import Stated
 from solver.stated.algebra import product, quotient
 
@@ -200,16 +202,24 @@ def highest_power(each: FactorResidues) -> int:
 
 
 def _linear_terms(each: FactorResidues, shape: tuple[int, int], x: sp.Symbol) -> Iterator[Stated]:
-    """Z_j/(x − λ)ʲ for each root; a simple pair of decimal roots is put over its real quadratic."""
+    """Z_j/(x − λ)ʲ for each root; a simple pair is put over its real quadratic."""
     for root in each.factor.roots:
         for j, Z in enumerate(each.residues, 1):
             matrix = residue_at(Z, root, shape)
-            if not is_simple_decimal_pair(root):
+            if not is_simple_pair(root):
                 yield product(quotient(sp.Integer(1), (x - root.value) ** j), matrix)
-            elif root.shift > 0:
-                X, Y = matrix.applyfunc(sp.re), matrix.applyfunc(sp.im)
-                numerator = 2 * X * x - 2 * (root.sigma * X + root.shift * Y)
-                yield product(quotient(sp.Integer(1), decimal_quadratic(root, x)), sp.ImmutableMatrix(numerator))
+            elif not is_lower(root):
+                parts = [complex_parts(entry) for entry in matrix.flat()]
+                numerator = [2 * X * x - 2 * (root.sigma * X + root.shift * Y) for X, Y in parts]
+                if root.kind == "complex":
+                    numerator = [linear_in(x, entry) for entry in numerator]
+                yield product(quotient(sp.Integer(1), real_quadratic(root, x)), sp.ImmutableMatrix(*shape, numerator))
+
+
+def linear_in(x: sp.Symbol, entry: sp.Expr) -> sp.Expr:
+    """The expression a x + b with a and b in the form shown."""
+    expanded = sp.expand(entry)
+    return tidied(expanded.coeff(x, 1)) * x + tidied(expanded.coeff(x, 0))
 
 
 def residue_at(Z: Residue, root: Root, shape: tuple[int, int]) -> sp.ImmutableMatrix:
@@ -219,11 +229,12 @@ def residue_at(Z: Residue, root: Root, shape: tuple[int, int]) -> sp.ImmutableMa
     return sp.ImmutableMatrix(*shape, [common_factors_below(entry) for entry in entries])
 
 
-def is_simple_decimal_pair(root: Root) -> bool:
-    """Whether the root is one of a simple conjugate pair in decimals."""
-    return root.kind == "decimal" and root.shift != 0 and root.multiplicity == 1
+def is_simple_pair(root: Root) -> bool:
+    """Whether the root, of a factor that is no such quadratic itself, is one of a simple conjugate pair."""
+    return root.kind in ("complex", "decimal") and root.shift != 0 and root.multiplicity == 1
 
 
-def decimal_quadratic(root: Root, x: sp.Symbol) -> sp.Expr:
-    """The real quadratic of a pair in decimals."""
-    return x**2 - 2 * root.sigma * x + (root.sigma**2 + root.shift**2)
+def real_quadratic(root: Root, x: sp.Symbol) -> sp.Expr:
+    """The real quadratic of a pair."""
+    constant = root.sigma**2 + root.shift**2
+    return x**2 - 2 * root.sigma * x + (constant if root.kind == "decimal" else tidied(constant))

@@ -14,16 +14,16 @@ from solver.exact.functions.closed_forms import closed_form, polar
 from solver.exact.functions.rational import (
     RationalMatrix,
     cancelled,
-    decimal_quadratic,
     in_lowest_terms,
-    is_simple_decimal_pair,
+    is_simple_pair,
     keeps_quadratic,
+    real_quadratic,
     resolvent_matrix,
 )
 from solver.exact.functions.residues import residues_at
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import Modulus, collected
-from solver.exact.linear_algebra.spectrum import Factor, Root, irreducible_factors
+from solver.exact.linear_algebra.spectrum import Factor, Root, irreducible_factors, is_lower
 from solver.stated import Stated
 
 
@@ -94,8 +94,8 @@ class Denominators:
                 if first.kind == "complex":
                     quadratics.append((each.factor.polynomial(x), first.sigma, first.shift))
                 continue
-            pairs = [root for root in each.factor.roots if is_simple_decimal_pair(root)]
-            quadratics += [(decimal_quadratic(root, x), root.sigma, root.shift) for root in pairs if root.shift > 0]
+            pairs = [root for root in each.factor.roots if is_simple_pair(root)]
+            quadratics += [(real_quadratic(root, x), root.sigma, root.shift) for root in pairs if not is_lower(root)]
             simple, repeated = simple or len(pairs) < len(each.factor.roots), repeated or highest > 1
         alone = len(image.poles) == 1 and keeps_quadratic(image.poles[0][0].factor) and image.poles[0][1] == 1
         return cls(simple, repeated, tuple(quadratics), alone)
@@ -127,11 +127,11 @@ def _quadratic_pairs(
 def _linear_pairs(
     factor: Factor, j: int, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
 ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """The pairs of 1/(x − λ)ʲ; of a simple pair of decimal roots, those of its real quadratic."""
+    """The pairs of 1/(x − λ)ʲ; of a simple pair, those of its real quadratic."""
     for root in factor.roots:
-        if is_simple_decimal_pair(root):
-            if root.shift > 0:
-                yield from _decimal_pairs(root, x, time, discrete=discrete)
+        if is_simple_pair(root):
+            if not is_lower(root):
+                yield from _of_pair(root, x, time, discrete=discrete)
         elif discrete and root.value == 0:
             yield x ** (1 - j), sp.KroneckerDelta(time, j - 1)
         elif discrete:
@@ -142,13 +142,13 @@ def _linear_pairs(
             yield 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * mode if j > 1 else mode
 
 
-def _decimal_pairs(root: Root, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+def _of_pair(root: Root, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> Iterator[tuple[sp.Expr, sp.Expr]]:
     if discrete:
         r, theta = polar(root)
         envelope, angle = r**time, theta * time
     else:
         envelope, angle = sp.exp(root.sigma * time), root.shift * time
-    carried, p = x if discrete else sp.Integer(1), decimal_quadratic(root, x)
+    carried, p = x if discrete else sp.Integer(1), real_quadratic(root, x)
     yield carried * (x - root.sigma) / p, envelope * sp.cos(angle)
     yield carried * root.shift / p, envelope * sp.sin(angle)
 

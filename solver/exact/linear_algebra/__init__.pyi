@@ -4,6 +4,7 @@ from solver.exact.linear_algebra.affine import Solution, affine, solve_affine, t
 from solver.exact.linear_algebra.eigen import Eigenspace, Eigenstructure, eigenstructure
 from solver.exact.linear_algebra.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.linear_algebra.fields import NotExact, vanishing_factors
+from solver.exact.linear_algebra.instances import squares_of_roots
 from solver.exact.linear_algebra.matrices import (
     determinant,
     determinant_and_adjugate,
@@ -46,6 +47,7 @@ __all__ = [
     "row_reduce",
     "solve_affine",
     "spectrum",
+    "squares_of_roots",
     "taylor",
     "tidy",
     "truncated_series",

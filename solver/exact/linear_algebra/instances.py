@@ -9,9 +9,10 @@ import mpmath
 import sympy as sp
 
 from solver.conditions import conditions_of
+from solver.exact.linear_algebra.biquadratic import powers_at, tidied
 from solver.exact.linear_algebra.fields import Algebraic, expression
 from solver.exact.linear_algebra.radicals import over_root
-from solver.exact.linear_algebra.spectrum import DIGITS, Root
+from solver.exact.linear_algebra.spectrum import DIGITS, Factor, Root
 
 
 def element_at(a: Algebraic, root: Root) -> sp.Expr:
@@ -25,8 +26,8 @@ def element_at(a: Algebraic, root: Root) -> sp.Expr:
 
 def value_at(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
     """Σ cᵢ rootⁱ, multiplied out (numbers) or over one denominator (parameters); of a decimal root in decimals."""
-    if root.kind == "decimal":
-        real, imaginary = decimal_parts(coefficients, root)
+    if root.kind == "decimal" or len(coefficients) > 2:
+        real, imaginary = parts_at(coefficients, root)
         return sp.Add(real, sp.I * imaginary)
     if len(coefficients) == 2 and root.shift.free_symbols and conditions_of(root.shift.free_symbols):
         constant, slope = coefficients
@@ -40,10 +41,17 @@ def value_at(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
     return value
 
 
-def decimal_parts(coefficients: Sequence[sp.Expr], root: Root) -> tuple[sp.Expr, sp.Expr]:
-    """Real and imaginary part of Σ cᵢ rootⁱ by Horner's rule with guard digits, with as many digits as the root."""
-    if not any(coefficients):
-        return sp.S.Zero, sp.S.Zero
+def parts_at(coefficients: Sequence[sp.Expr], root: Root) -> tuple[sp.Expr, sp.Expr]:
+    """Real and imaginary part of Σ cᵢ rootⁱ, for a factor of degree 3 or more.
+
+    In decimals by Horner's rule with guard digits, with as many digits as the root; an integer alone stays one.
+    """
+    if not any(coefficients[1:]) and (coefficients[0].is_Integer or root.kind != "decimal"):
+        return coefficients[0], sp.S.Zero
+    if root.kind == "surd":
+        return powers_at(coefficients, root.value, sp.S.Zero)
+    if root.kind == "complex":
+        return powers_at(coefficients, root.sigma, root.shift)
     with mpmath.workdps(DIGITS + 15):
         x = mpmath.mpc(mpmath.mpmathify(root.sigma), mpmath.mpmathify(root.shift))
         value = mpmath.polyval([_number(c) for c in reversed(coefficients)], x)
@@ -55,3 +63,13 @@ def _number(c: sp.Expr) -> Any:
     if isinstance(c, sp.Rational):
         return mpmath.mpf(int(c.p)) / int(c.q)
     return mpmath.mpmathify(sp.N(c, DIGITS + 15))
+
+
+def squares_of_roots(factor: Factor) -> list[sp.Expr]:
+    """The two values of x² at the roots of x⁴ + bx² + c that are not in decimals."""
+    squares = []
+    for root in factor.roots:
+        real = root.kind == "surd"
+        sigma, omega = (root.value, sp.S.Zero) if real else (root.sigma, root.shift)
+        squares.append(tidied(sigma**2 - omega**2) + sp.I * tidied(2 * sigma * omega))
+    return list(dict.fromkeys(squares))

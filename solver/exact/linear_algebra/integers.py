@@ -1,12 +1,15 @@
-"""Rational vectors and matrices as integers over one denominator, where many products are to be taken."""
+"""Rational vectors and matrices as integers over one denominator; integer roots of polynomials."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate
 from math import lcm
 from operator import attrgetter, mul
+from typing import Any
 
 import sympy as sp
+from sympy import QQ
 
 Integers = list[int]
 
@@ -38,3 +41,26 @@ def integer_rows(flat: Sequence[sp.Rational], width: int) -> tuple[list[Integers
 def times(F: list[Integers], v: Integers) -> Integers:
     """The product F v."""
     return [sum(map(mul, row, v)) for row in F]
+
+
+def _horner(coefficients: list[int], x: int) -> list[int]:
+    """Horner's scheme: the coefficients of the quotient by (· − x), then the value at x."""
+    return list(accumulate(coefficients, lambda value, c: value * x + c))
+
+
+def small_integer_roots(coefficients: list[Any]) -> tuple[list[int], list[Any]]:
+    """Integer roots −99 … 99 of a polynomial (highest power first), with multiplicity, and what is left without them.
+
+    Most polynomials of a course split like this, and factoring over the integers costs more than the rest of e^{At}.
+    """
+    if any(c.denominator != 1 for c in coefficients):
+        return [], coefficients
+    roots: list[int] = []
+    rest = [int(c) for c in coefficients]
+    for root in range(-99, 100):
+        while len(rest) > 1 and (rest[-1] % root == 0 if root else rest[-1] == 0):  # a root divides the constant term
+            *quotient, value = _horner(rest, root)
+            if value:
+                break
+            roots, rest = [*roots, root], quotient
+    return roots, [QQ(c) for c in rest]

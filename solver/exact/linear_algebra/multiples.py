@@ -19,6 +19,8 @@ def cleared(v: Vector) -> Vector:
     with the smallest integers is taken, and of two that are alike the one that begins with the rational entry.
     """
     p = v[0].modulus
+    if p.degree == 4 and not any(p.low[1::2]):
+        return min([v, *(tuple(b / a for b in v) for a in v if any(a.coefficients[1:]))], key=_written)
     if p.degree != 2 or not p.domain.is_QQ:
         return without_common_factor([v])[0]
     multiples = [without_common_factor([v])[0]]
@@ -29,6 +31,13 @@ def cleared(v: Vector) -> Vector:
         return sum(abs(c) for a in each for c in _over_root(a)), any(lead.coefficients[1:])
 
     return min(multiples, key=size)
+
+
+def _written(v: Vector) -> tuple[int, int, int]:
+    """How much there is to write of a vector, of two alike the one whose one comes first: powers, odd powers, zeros."""
+    powers = [[bool(c) for c in a.coefficients] for a in v]
+    first = next((i for i, a in enumerate(powers) if a[0] and not any(a[1:])), len(v))
+    return sum(map(sum, powers)), sum(any(a[1::2]) for a in powers), first
 
 
 def _over_root(a: Algebraic) -> tuple[Any, ...]:

@@ -1,19 +1,19 @@
 """Eigenvalues by the irreducible factors of the characteristic polynomial.
 
-Factors of degree 1 and 2 give exact roots. A factor of degree ≥ 3 gives decimals (Cardano's formulas help nobody).
+Factors of degree 1 and 2 give exact roots, and so do x⁴ + bx² + c whose roots are short. Another factor of degree ≥ 3
+gives decimals (Cardano's formulas help nobody).
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import accumulate
 from typing import Any
 
 import mpmath
 import sympy as sp
-from sympy import QQ
 
+from solver.exact.linear_algebra.biquadratic import biquadratic_roots, has_rational_coefficients
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import (
     Modulus,
@@ -22,6 +22,7 @@ from solver.exact.linear_algebra.fields import (
     in_powers,
     vanishing_factors,
 )
+from solver.exact.linear_algebra.integers import small_integer_roots
 from solver.exact.linear_algebra.radicals import is_negative, square_root
 from solver.exact.linear_algebra.signs import possible_signs
 
@@ -103,35 +104,12 @@ def irreducible_factors(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
     """The monic irreducible factors of χ over K with their multiplicities."""
     result = faddeev_leverrier(A)
     x, K = sp.Dummy("x"), result.domain
-    roots, rest = _small_integer_roots(list(result.chi)) if K.is_QQ else ([], list(result.chi))
+    roots, rest = small_integer_roots(list(result.chi)) if K.is_QQ else ([], list(result.chi))
     found = [(sp.Poly([K.one, K(-root)], x, domain=K), roots.count(root)) for root in dict.fromkeys(roots)]
     if len(rest) == 1:
         return found
     _, listed = sp.Poly(rest, x, domain=K).factor_list()
     return found + [(p.set_domain(K).monic(), multiplicity) for p, multiplicity in listed]
-
-
-def _horner(coefficients: list[int], x: int) -> list[int]:
-    """Horner's scheme: the coefficients of the quotient by (· − x), then the value at x."""
-    return list(accumulate(coefficients, lambda value, c: value * x + c))
-
-
-def _small_integer_roots(coefficients: list[Any]) -> tuple[list[int], list[Any]]:
-    """Integer roots −99 … 99 of a polynomial (highest power first), with multiplicity, and what is left without them.
-
-    Most polynomials of a course split like this, and factoring over the integers costs more than the rest of e^{At}.
-    """
-    if any(c.denominator != 1 for c in coefficients):
-        return [], coefficients
-    roots: list[int] = []
-    rest = [int(c) for c in coefficients]
-    for root in range(-99, 100):
-        while len(rest) > 1 and (rest[-1] % root == 0 if root else rest[-1] == 0):  # a root divides the constant term
-            *quotient, value = _horner(rest, root)
-            if value:
-                break
-            roots, rest = [*roots, root], quotient
-    return roots, [QQ(c) for c in rest]
 
 
 def _modulus(p: sp.Poly) -> Modulus:
@@ -188,7 +166,29 @@ def _factor(p: sp.Poly, multiplicity: int) -> Factor:
         return Factor(modulus, multiplicity, (Root(value, multiplicity, kind, value, sp.Integer(0)),))
     if p.degree() == 2:
         return Factor(modulus, multiplicity, _pair(c[1], c[0], multiplicity))
-    return Factor(modulus, multiplicity, _decimal_roots(p, multiplicity))
+    roots = (
+        _biquadratic(c, multiplicity)
+        if p.degree() == 4 and c[1] == c[3] == 0 and has_rational_coefficients(K)
+        else None
+    )
+    return Factor(modulus, multiplicity, roots or _decimal_roots(p, multiplicity))
+
+
+def _biquadratic(c: list[sp.Expr], multiplicity: int) -> tuple[Root, ...] | None:
+    """The roots of x⁴ + c₂x² + c₀ with square roots; None where these are long."""
+    found = biquadratic_roots(c[2], c[0])
+    if found is None:
+        return None
+    roots: list[Root] = []
+    for each in found:
+        sigma, shift = each.sigma, each.shift
+        if each.real:
+            roots.append(Root(sigma + shift, multiplicity, "surd", sigma, shift))
+        else:
+            roots += [
+                Root(sigma + sign * sp.I * shift, multiplicity, "complex", sigma, sign * shift) for sign in (1, -1)
+            ]
+    return tuple(roots)
 
 
 def _pair(b: sp.Expr, c: sp.Expr, multiplicity: int) -> tuple[Root, ...]:

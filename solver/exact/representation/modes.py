@@ -140,7 +140,7 @@ def is_upper(mode: Mode) -> bool:
     return roots.index(mode.root) == min(
         i
         for i, other in enumerate(roots)
-        if other.sigma == mode.root.sigma and abs(other.shift) == abs(mode.root.shift)
+        if other.kind == mode.root.kind and other.sigma == mode.root.sigma and abs(other.shift) == abs(mode.root.shift)
     )
 
 

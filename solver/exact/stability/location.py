@@ -79,8 +79,8 @@ def _measure(root: Root, factor: Factor, *, discrete: bool) -> sp.Expr | None:
         return root.sigma if root.value.has(sp.I) else root.value
     if not root.value.has(sp.I):
         return sp.Abs(root.value)
-    if root.kind == "decimal":
-        return sp.sqrt(root.sigma**2 + root.shift**2)
+    if root.kind == "decimal" or factor.degree > 2:
+        return sp.sqrt(sp.expand(root.sigma**2 + root.shift**2))
     return sp.sqrt(sp.expand(factor.coefficients[-1]))
 
 
@@ -96,8 +96,8 @@ def _in_half_plane(factor: Factor) -> list[int | None]:
         if of_c == 1:  # a pair, or two real roots of one sign
             return [None if of_b is None else -of_b] * 2
         return [-1, 1] if of_c == -1 else [1 if of_b == -1 else None, None]
-    if factor.degree == 2:
-        return [sign_of(root.sigma) for root in roots]
+    if factor.degree == 2 or roots[0].kind != "decimal":
+        return [sign_of(root.value if root.kind == "surd" else root.sigma) for root in roots]
     even = all(c == 0 for c in factor.coefficients[1::2])
     return [_near_boundary(root.sigma, even, root) for root in roots]
 
@@ -122,6 +122,9 @@ def _in_disc(factor: Factor) -> list[int | None]:
             return [sign_of(sp.expand(root.value**2) - 1) for root in roots]
         jury = [sign_of(x) for x in (1 + c[1] + c[2], 1 - c[1] + c[2], 1 - c[2])]
         return [-1, -1] if jury == [1, 1, 1] else [1 if -1 in jury else None, None]
+    if roots[0].kind != "decimal":
+        squares = [root.sigma**2 + root.shift**2 for root in roots]
+        return [_sign_of_square(square - 1) for square in squares]
     reciprocal = list(c) in ([x / c[-1] for x in reversed(c)],)
     return [_near_boundary(sp.sqrt(root.sigma**2 + root.shift**2) - 1, reciprocal, root) for root in roots]
 

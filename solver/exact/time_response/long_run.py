@@ -24,7 +24,9 @@ def decays(factor: Factor, *, discrete: bool) -> bool:
         c0, c1 = (expression(K, c) for c in factor.modulus.low)
         conditions = (1 + c1 + c0, 1 - c1 + c0, 1 - c0) if discrete else (c0, c1)
         return all(map(is_positive, conditions))
-    return all((abs(complex(root.value)) < 1 if discrete else root.sigma < 0) for root in factor.roots)
+    if discrete:
+        return all(is_positive(sp.expand(1 - root.sigma**2 - root.shift**2)) for root in factor.roots)
+    return all(is_positive(-(root.value if root.kind == "surd" else root.sigma)) for root in factor.roots)
 
 
 def constant_root(factor: Factor, *, discrete: bool) -> bool:

@@ -75,7 +75,12 @@ def _of_step(image: RationalMatrix, y: sp.Expr, t: sp.Symbol) -> Peak | None:
         return None
     (each, order), *_ = moving
     root = next((root for root in each.factor.roots if root.kind == "complex" and is_positive(root.shift)), None)
-    if root is None or order != 1 or any(sp.cancel(sp.diff(y, t, i).subs(t, 0)) != 0 for i in (0, 1)):
+    if (
+        root is None
+        or order != 1
+        or each.factor.degree != 2
+        or any(sp.cancel(sp.diff(y, t, i).subs(t, 0)) != 0 for i in (0, 1))
+    ):
         return None
     return Peak(sp.pi / root.shift, final[0] * (1 + sp.exp(sp.pi * root.sigma / root.shift)))
 

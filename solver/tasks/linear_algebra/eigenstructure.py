@@ -71,8 +71,12 @@ def eigenvalues_of(A: ImmutableMatrix) -> Derivation[exact.Spectrum]:
 
 
 def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
-    """The quadratic formula, or decimals for a factor that has no such formula of degree two."""
+    """The quadratic formula, for λ² where only even powers occur, or decimals where that is no help."""
     p, roots = factor.polynomial(x), [root.value for root in factor.roots]
+    if factor.degree > 2 and factor.roots[0].kind != "decimal":
+        split = Claim(p, product(*(x - root for root in roots)), "the factor written with its roots")
+        squares = exact.squares_of_roots(factor)
+        return Step("biquadratic", claims={"split": split}, p=p, roots=roots, squares=squares)
     if factor.degree > 2:
         split = Claim(p, product(*(x - root for root in roots)), "the factor written with its decimal roots")
         return Step("decimal_roots", claims={"split": split}, p=p, roots=roots, degree=factor.degree)
