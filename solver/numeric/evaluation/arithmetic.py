@@ -156,7 +156,7 @@ class Multiple:
 
     def size(self, value: Any) -> Any:
         """Return absolute values as floats."""
-        return np.abs(self.approximate(value))
+        return np.abs(self.approximate(value)) if isinstance(value, np.ndarray) else abs(complex(value))
 
     def approximate(self, value: Any) -> Any:
         """Return values as complex doubles."""

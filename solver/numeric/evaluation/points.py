@@ -21,6 +21,9 @@ SEED = 20_011  # any constant will do
 WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
 BINDS_NOTHING = (sp.Add, sp.Mul, sp.Pow, sp.Tuple, sp.ImmutableDenseMatrix)
 
+MANY_BITS = 150
+"""Decimals of more bits are what an oracle has found with many digits."""
+
 
 def free_symbols(formula: Any) -> frozenset[Any]:
     """Return the symbols whose values the formula needs."""
@@ -46,11 +49,32 @@ def _symbols_of_stated(formula: Stated) -> frozenset[Any]:
     return (inside - {bound}).union(*map(free_symbols, others))
 
 
-@lru_cache(maxsize=8192)
 def _symbols_in(expression: sp.Basic) -> frozenset[Any]:
+    return _made_of(expression)[0]
+
+
+@lru_cache(maxsize=8192)
+def _made_of(expression: sp.Basic) -> tuple[frozenset[Any], bool]:
+    """Return the free symbols, and whether there are decimals of fewer bits than an oracle's own."""
     if isinstance(expression, BINDS_NOTHING):  # sympy would go through the whole expression each time
-        return frozenset().union(*map(_symbols_in, expression.args))
-    return frozenset(expression.free_symbols)
+        found = [_made_of(part) for part in expression.args]
+        return frozenset().union(*(symbols for symbols, _ in found)), any(decimals for _, decimals in found)
+    return frozenset(expression.free_symbols), any(each._prec < MANY_BITS for each in expression.atoms(sp.Float))
+
+
+def holds_decimals(formula: Any) -> bool:
+    """Whether a formula or a value holds decimals."""
+    if isinstance(formula, Stated):
+        return any(map(holds_decimals, formula.operands))
+    if isinstance(formula, sp.Basic):
+        return _made_of(formula)[1]
+    if isinstance(formula, MatrixBase):
+        return any(map(holds_decimals, entries(formula)))
+    if isinstance(formula, dict):
+        return any(map(holds_decimals, formula.values()))
+    if isinstance(formula, list | tuple):
+        return any(map(holds_decimals, formula))
+    return isinstance(formula, float | complex)
 
 
 def whole_symbols(*formulas: Any, names: Collection[str] = (), symbols: frozenset[Any] | None = None) -> frozenset[Any]:

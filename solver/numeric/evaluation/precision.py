@@ -6,21 +6,14 @@ Decimals are known to their own digits, and so is what is found by samples: inte
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Any, NamedTuple
 
-import sympy as sp
-from sympy.matrices.matrixbase import MatrixBase
-
-from solver.matrices import entries
+from solver.numeric.evaluation.points import holds_decimals
 from solver.numeric.evaluation.stated import about
 from solver.stated import Stated
 
 TOLERANCE = 1e-9
 """The largest relative difference of values that are known in doubles."""
-
-MANY_BITS = 150
-"""Decimals of more bits are what an oracle has found with many digits."""
 
 
 class Precision(NamedTuple):
@@ -31,9 +24,9 @@ class Precision(NamedTuple):
 
 
 DECIMALS = Precision(TOLERANCE, TOLERANCE)
-SAMPLES = Precision(1e-11, 1e-11)
-SHOWN = Precision(1e-12, 1e-12)
-EXACT = Precision(1e-12, 1e-20)
+SAMPLES = Precision(1e-10, 1e-10)
+SHOWN = Precision(1e-10, 1e-10)
+EXACT = Precision(1e-10, 1e-20)
 
 
 def precision_of(*formulas: Any, shown: bool = False) -> Precision:
@@ -50,25 +43,3 @@ def is_sampled(formula: Any) -> bool:
     if isinstance(formula, Stated):
         return bool(about(formula.operation, "SAMPLED")) or any(map(is_sampled, formula.operands))
     return isinstance(formula, list | tuple) and any(map(is_sampled, formula))
-
-
-def holds_decimals(formula: Any) -> bool:
-    """Whether a value holds decimals."""
-    if isinstance(formula, Stated):
-        return any(map(holds_decimals, formula.operands))
-    if isinstance(formula, sp.Basic):
-        return _holds_decimals(formula)
-    if isinstance(formula, MatrixBase):
-        return any(map(_holds_decimals, entries(formula)))
-    if isinstance(formula, dict):
-        return any(map(holds_decimals, formula.values()))
-    if isinstance(formula, list | tuple):
-        return any(map(holds_decimals, formula))
-    return isinstance(formula, float | complex)
-
-
-@lru_cache(maxsize=8192)
-def _holds_decimals(expression: sp.Basic) -> bool:
-    if isinstance(expression, sp.Float):
-        return bool(expression._prec < MANY_BITS)
-    return any(_holds_decimals(part) for part in expression.args)
