@@ -4,7 +4,7 @@ from solver.numeric.evaluation.claims import check_claim, check_residual, check_
 from solver.numeric.evaluation.environment import Environments
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import evaluate, values_at
-from solver.numeric.evaluation.points import free_symbols
+from solver.numeric.evaluation.points import free_symbols, holds_decimals
 from solver.numeric.evaluation.precision import TOLERANCE
 from solver.numeric.evaluation.ranks import independent, rank
 from solver.numeric.evaluation.relations import check_relation
@@ -26,6 +26,7 @@ __all__ = [
     "equality_residual",
     "evaluate",
     "free_symbols",
+    "holds_decimals",
     "independent",
     "rank",
     "values_at",

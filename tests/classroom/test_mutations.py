@@ -102,7 +102,7 @@ def is_right(part, question, name, ours, value, what):
     """Whether a changed value is still right; None where only the solver's own oracles could tell."""
     if name in SCALABLE and ("halved" in what or "reversed" in what):
         return True
-    if what == "an item twice" and name in ("values", "exceptions", "conditions"):
+    if what == "an item twice" and name == "conditions":
         return True
     if question.task.answers[name].is_free(question.given) or (part.task, name) == ("stability", "array"):
         return True if same(ours, value) else still_right(part.task, name, question.given, ours, value)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array, multiple
-from solver.numeric.evaluation.precision import DECIMALS, EXACT, SHOWN, TOLERANCE, Precision
+from solver.numeric.evaluation.precision import DECIMALS, EXACT, SHOWN, TOLERANCE, Precision, precision_of
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, filled, shape_of
 from solver.words import Phrase
 
@@ -133,6 +133,11 @@ def _with_many_digits(sides: Sides, point: Point, tolerance: float) -> tuple[flo
             raise Undefined("the values are too large to be compared")
         return math.inf, digits
     return float(residual[0]), digits
+
+
+def with_many_digits(residual: float, *formulas: Any) -> Residual:
+    """Return a residual found with 50 digits or more, with the tolerance that suits what was compared."""
+    return Residual(residual, precision_of(*formulas).tolerance)
 
 
 def worst_of(residuals: Iterable[float]) -> float:

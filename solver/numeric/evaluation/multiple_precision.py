@@ -51,6 +51,50 @@ def inverse(M: Array) -> Array:
     return table[:, n:]
 
 
+def solution(M: Array, right: Array) -> Array:
+    """M⁻¹ N of arrays of mpmath numbers, by elimination; raises Undefined if M is singular."""
+    n = len(M)
+    table = np.hstack([M, right])
+    for j in range(n):
+        p = j + int(np.argmax([abs(entry) for entry in table[j:, j]]))
+        if table[p, j] == 0:
+            raise Undefined("the matrix to invert is singular")
+        table[[j, p]] = table[[p, j]]
+        for i in range(j + 1, n):
+            if table[i, j] != 0:
+                table[i, j + 1 :] -= table[j, j + 1 :] * (table[i, j] / table[j, j])
+    X = right.copy()
+    for i in range(n - 1, -1, -1):
+        known = table[i, i + 1 : n] @ X[i + 1 :] if i + 1 < n else 0
+        X[i] = (table[i, n:] - known) / table[i, i]
+    return X
+
+
+def remainder(columns: Array, right: Array, context: Any, nothing: float) -> Array:
+    """What is left of the columns of N (n×k) when their parts in the span of the columns of M (n×m) are taken away.
+
+    By orthogonalization, the longest column first; a column of which less than `nothing` is left adds nothing.
+    """
+    rest = [columns[:, j] for j in range(columns.shape[1]) if any(columns[:, j])]
+    rest = [column / _length(column, context) for column in rest]
+    left = right.copy()
+    while rest:
+        lengths = [_length(column, context) for column in rest]
+        longest = int(np.argmax(lengths))
+        if lengths[longest] <= nothing:
+            break
+        q = rest.pop(longest) / lengths[longest]
+        for _ in range(2):  # twice is enough (Kahan)
+            rest = [column - q * context.fdot(column, q, conjugate=True) for column in rest]
+            for j in range(left.shape[1]):
+                left[:, j] = left[:, j] - q * context.fdot(left[:, j], q, conjugate=True)
+    return left
+
+
+def _length(column: Array, context: Any) -> Any:
+    return context.sqrt(context.fsum(column, absolute=True, squared=True))
+
+
 def exponential(M: Array, context: Any) -> tuple[Array, Array]:
     """Return e^M (mpmath numbers) and the absolute error of each entry (floats).
 

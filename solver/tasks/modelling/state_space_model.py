@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Refusal, Task
+from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.tasks.modelling.linear_model import is_linear, state_space_of
@@ -14,6 +15,9 @@ from solver.words import Phrase, Reason, formula
 
 if TYPE_CHECKING:
     from solver.systems import Equations, System
+
+EXACT = 1e-10
+"""What doubles leave of the equations where all values are exact."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,7 +78,8 @@ def moves_as_the_equations_say(given: Given[Equations, StateSpaceModelOptions], 
     )
     found = {name: answers[name] for name in "ABCD" if name in answers}
     for name, label, residual in judges.model_residuals(question, found, free=with_derivatives(given)):
-        yield Check.within(label, "numpy.linalg.lstsq, transformed equations", residual, 1e-6, answer=name)
+        near = 1e-6 if numeric.holds_decimals([sides, found]) else EXACT
+        yield Check.within(label, "numpy.linalg.lstsq, transformed equations", residual, near, answer=name)
 
 
 @state_space_model.verification("eliminated")
@@ -85,4 +90,4 @@ def hold_along_the_equations(given: Given[Equations, StateSpaceModelOptions], an
     for symbol, value in dict(answers["eliminated"]).items():
         residual = judges.eliminated_residual(sides, dict(model.jets), sp.Symbol(str(symbol), real=True), value)
         label = Phrase("${symbol}$ put into the equations", symbol=formula(symbol))
-        yield Check.within(label, "numpy.linalg.lstsq", residual, 1e-8)
+        yield Check.within(label, "numpy.linalg.lstsq", residual, 1e-8 if numeric.holds_decimals(value) else EXACT)

@@ -78,6 +78,8 @@ def condition_checks(matrix: Any, conditions: Iterable[Any], answer: str, along:
         answer,
         lambda: judges.every_fall_is_named(matrix, listed, along),
     )
+    if len(listed) > 1:
+        yield that("no condition is listed twice", answer, lambda: judges.all_differ(listed), "random points")
 
 
 def _blocks(pair: Pair, matrix: Any, answer: str) -> Iterator[Check]:

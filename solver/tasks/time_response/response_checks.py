@@ -128,13 +128,13 @@ def final_value_checks(given: Given[StateSpace, ResponseOptions], value: Any) ->
     truth, column = Truth.of(given), _column(value)
 
     def residual() -> float:
-        found = judges.simulations(truth.system, truth.x0, truth.inputs, truth.time, late=True)
-        return max(
-            judges.difference(judges.final_output(each, discrete=truth.system.discrete), column, point)
-            for point, each in found
+        return judges.limit_residual(
+            judges.simulations(truth.system, truth.x0, truth.inputs, truth.time, late=True),
+            column,
+            discrete=truth.system.discrete,
         )
 
-    yield numeric.check_residual(r"limit of $y$", "numpy.linalg.solve", residual, 1e-7, answer="y_final")
+    yield numeric.check_residual(r"limit of $y$", "numpy.linalg.solve", residual, answer="y_final")
 
 
 def peak_checks(given: Given[StateSpace, ResponseOptions], peak: Any, time: Any) -> Iterable[Check]:
@@ -145,21 +145,13 @@ def peak_checks(given: Given[StateSpace, ResponseOptions], peak: Any, time: Any)
         if value is not None:
             label = "time of the largest $|y|$" if which == 0 else "largest $|y|$"
             residual = partial(_peak_residual, truth, value, which)
-            yield numeric.check_residual(label, "simulation", residual, 1e-7, answer=name)
+            yield numeric.check_residual(label, "simulation", residual, answer=name)
 
 
 def _peak_residual(truth: Truth, submitted: Any, which: int) -> float:
     """How far the time (0) or the value (1) of the peak is off."""
-    peak_of = _peak_in_samples if truth.system.discrete else judges.largest_output
     found = judges.simulations(truth.system, truth.x0, truth.inputs, truth.time)
-    return max(judges.difference(peak_of(each)[which], _column(submitted), point) for point, each in found)
-
-
-def _peak_in_samples(simulation: Any) -> tuple[float, float]:
-    y = judges.samples_of_output(simulation, 400)[:, 0]
-    k = int(abs(y).argmax())
-    k = next(i for i in range(len(y)) if abs(y[i]) >= abs(y[k]) * (1 - 1e-12))
-    return float(k), float(y[k])
+    return judges.peak_residual(found, _column(submitted), which, discrete=truth.system.discrete)
 
 
 def _column(value: Any) -> Any:

@@ -8,12 +8,16 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.arithmetic import Array, multiple
+from solver.numeric.evaluation.compare import with_many_digits, worst_of
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.multiple_precision import solution
 from solver.numeric.judges.design.placement import rational_points
 
 Fraction = tuple[Any, Any]
 NEAR = 1e-5
+MANY = multiple(50)
 POINTS = (0.7 + 1.9j, -2.3 + 0.8j, 1.6 - 0.6j, 3.1 + 2.7j)
 
 
@@ -73,11 +77,15 @@ def first_row_form(plant: Fraction, x: Any) -> Any:
     return A, B, sp.ImmutableMatrix(1, n, [b[i + 1] - d[0, 0] * a[i + 1] for i in range(n)]), d
 
 
-def _transfer(matrices: Any, point: Any, at: complex) -> complex:
-    A, B, C, D = (
-        np.array(sp.Matrix(M).subs(point).evalf(20).tolist(), dtype=complex).reshape(M.shape) for M in matrices
-    )
-    return complex((C @ np.linalg.solve(at * np.eye(len(A)) - A, B) + D)[0, 0])
+def _transfer(matrices: Any, point: Any, at: complex) -> Any:
+    """Return C (xI − A)⁻¹ B + D at a point, with 50 digits."""
+    A, B, C, D = (value_of(M, Environment.at([point], MANY)).value[0] for M in matrices)
+    pencil = MANY.number(at) * np.eye(len(A), dtype=int).astype(object) - A
+    return (C @ solution(pencil, B) + D)[0, 0]
+
+
+def _number(expression: Any, point: Any) -> Any:
+    return np.ravel(value_of(expression, Environment.at([point], MANY)).value)[0]
 
 
 def _fits(matrices: Any, inputs: int = 1) -> bool:
@@ -92,9 +100,9 @@ def realization_residual(matrices: Any, plant: Fraction, x: Any) -> float:
     worst = 0.0
     for point in rational_points(*matrices, *(p.subs(x, 0) for p in plant)):
         for at in POINTS:
-            expected = complex((plant[0] / plant[1]).subs({**point, x: at}))
-            worst = worst_of((worst, abs(_transfer(matrices, point, at) - expected) / abs(expected)))
-    return worst
+            expected = _number(plant[0] / plant[1], {**point, x: at})
+            worst = worst_of((worst, float(abs(_transfer(matrices, point, at) - expected) / abs(expected))))
+    return with_many_digits(worst, *matrices, *plant)
 
 
 def matched_residual(matrices: Any, K: Any, target: Any, x: Any) -> float:
@@ -105,6 +113,6 @@ def matched_residual(matrices: Any, K: Any, target: Any, x: Any) -> float:
     loop = (sp.Matrix(A - B * K), B, sp.Matrix(C - D * K), D)
     worst = 0.0
     for point in rational_points(*matrices, K, target.subs(x, sp.Rational(1, 7))):
-        ratios = [_transfer(loop, point, at) / complex(target.subs({**point, x: at})) for at in POINTS]
-        worst = worst_of((worst, *(abs(ratio / ratios[0] - 1) for ratio in ratios)))
-    return worst
+        ratios = [_transfer(loop, point, at) / _number(target, {**point, x: at}) for at in POINTS]
+        worst = worst_of((worst, *(float(abs(ratio / ratios[0] - 1)) for ratio in ratios)))
+    return with_many_digits(worst, *matrices, K, target)

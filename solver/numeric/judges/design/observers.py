@@ -3,25 +3,51 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
+from operator import mul
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
-from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.arithmetic import Array, multiple
+from solver.numeric.evaluation.compare import Residual, worst_of
 from solver.numeric.evaluation.environment import Environment
-from solver.numeric.evaluation.expressions import evaluate, value_of
-from solver.numeric.evaluation.points import admissible, free_symbols
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.multiple_precision import determinant, remainder, solution
+from solver.numeric.evaluation.points import admissible, free_symbols, holds_decimals
+from solver.numeric.evaluation.precision import EXACT
 from solver.numeric.judges.design.placement import fixed_modes, rational_points
 from solver.numeric.judges.linear_algebra.eigen import spectrum_residual
+
+MANY = multiple(50)
+NOTHING = 1e-30
+"""A part of a vector of unit length that is smaller than this is rounding."""
+FLOATS = 1e-6
+"""Tolerance of a closed loop of decimals."""
 
 
 def row_space_residual(X: Any, C: Any) -> float:
     """Return how far the rows of X (k×n) are from combinations of the rows of C (p×n), relative to their size."""
     if X.cols != C.cols:
         return float("inf")
-    return worst_of(_row_space_residual_at(*values) for values in _at_points(X, C))
+    if holds_decimals([X, C]):
+        return worst_of(_row_space_residual_at(*values) for values in _at_points(X, C))
+    points = admissible(free_symbols([X, C]), 2)
+    return exactly(worst_of(_left_over(_at(C, point).T, _at(X, point).T) for point in points))
+
+
+def exactly(residual: float) -> Residual:
+    """Return a residual of exact values found with many digits."""
+    return Residual(residual, EXACT.tolerance)
+
+
+def _left_over(columns: Array, right: Array) -> float:
+    """Return what of the right side no combination of columns reaches, relative to the largest entries."""
+    if not right.size:
+        return 0.0
+    left = remainder(columns, right, MANY.context, NOTHING)
+    return float(max(map(abs, left.ravel())) / max(1, *map(abs, right.ravel())))
 
 
 def _row_space_residual_at(X: Array, C: Array) -> float:
@@ -37,7 +63,17 @@ def driven_error_residual(A: Any, C: Any, E: Any, J: Any, G: Any) -> float:
     q, n = E.shape
     if J.shape != (q, q) or G.shape != (q, n):
         return float("inf")
-    return worst_of(_driven_error_at(*values) for values in _at_points(A, C, E, J, G))
+    if holds_decimals([A, C, E, J, G]):
+        return worst_of(_driven_error_at(*values) for values in _at_points(A, C, E, J, G))
+    points = admissible(free_symbols([A, C, E, J, G]), 2)
+    return exactly(worst_of(_driven_exactly(*(_at(M, point) for M in (A, C, E, J, G))) for point in points))
+
+
+def _driven_exactly(A: Array, C: Array, E: Array, J: Array, G: Array) -> float:
+    """What `_driven_error_at` does, with many digits."""
+    identity = _identity(len(J))
+    operator = np.kron((C @ A).T, identity) - np.kron(C.T, J)
+    return _left_over(operator, (E @ A - J @ E - G).flatten(order="F")[:, None])
 
 
 def _driven_error_at(A: Array, C: Array, E: Array, J: Array, G: Array) -> float:
@@ -45,9 +81,9 @@ def _driven_error_at(A: Array, C: Array, E: Array, J: Array, G: Array) -> float:
     identity = np.eye(len(J))
     operator = np.kron((C @ A).T, identity) - np.kron(C.T, J)
     right = (E @ A - J @ E - G).flatten(order="F")
-    solution = np.linalg.lstsq(operator, right, rcond=None)[0]
+    L = np.linalg.lstsq(operator, right, rcond=None)[0]
     size = max(1.0, *(float(np.linalg.norm(each)) for each in (E @ A, J @ E, G)))
-    return float(np.linalg.norm(operator @ solution - right)) / size
+    return float(np.linalg.norm(operator @ L - right)) / size
 
 
 def _at_points(*formulas: Any) -> Iterator[list[Array]]:
@@ -94,39 +130,55 @@ def closing_residual(plant: tuple[Any, ...], G: Any, x: Any, groups: Sequence[An
     flat = [*plant, G.subs(x, sp.Rational(1, 3)), *(M for group in groups for M in _members(group))]
     worst = 0.0
     for point in rational_points(*flat):
-        here = [M.subs(point) for M in plant]
-        loops = [_array(_with_poles(group, point)) for group in groups]
-        worst = worst_of((worst, _closing_residual_at([_array(M) for M in here], G.subs(point), x, loops, order)))
-    return worst
+        loops = [_at(_with_poles(group, point), {}) for group in groups]
+        here = [_at(M, point) for M in plant]
+        worst = worst_of((worst, _closing_residual_at(here, G.subs(point), x, loops, order)))
+    decimals = holds_decimals([*plant, G, *(M for group in groups for M in _members(group))])
+    return Residual(worst, FLOATS if decimals else EXACT.tolerance)
 
 
 def _members(group: Any) -> list[Any]:
     return [group[0], group[1], list(group[2])] if isinstance(group, tuple) else [group]
 
 
-def _array(M: Any) -> Array:
-    return np.array([[complex(sp.N(entry, 20)) for entry in row] for row in M.tolist()]).reshape(M.shape)
-
-
 def _closing_residual_at(plant: list[Array], G: Any, x: Any, loops: list[Array], order: int) -> float:
-    """Fit the monic polynomial by its values at points of a circle around all poles, and see how well it fits."""
+    """Return how far the values on a circle around all poles are from those of a polynomial with that lead.
+
+    Its coefficients are found by the discrete Fourier transform; those above the order must be zero.
+    """
     A, B, C, D = plant
-    reach = max(float(np.max(np.abs(np.linalg.eigvals(M)), initial=0.0)) for M in (A, *loops) if M.size)
-    radius, count = 1.5 * (reach or 1.0), 2 * order + 5
-    points = radius * np.exp(2j * np.pi * (np.arange(count) + 0.3) / count)
-    values = np.array([_denominator_at(s, (A, B, C, D), evaluate(G, {x: s}), loops) for s in points]) / radius**order
-    far = np.atleast_2d(evaluate(G, {x: 1e9 * radius})) if np.any(D) else np.zeros((B.shape[1], len(C)))
-    lead = 1.0 / np.linalg.det(np.eye(len(far)) - far @ D)
-    powers = (points[:, None] / radius) ** np.arange(order)
-    right = values - lead * (points / radius) ** order
-    fitted = powers @ np.linalg.lstsq(powers, right, rcond=None)[0] if order else np.zeros(count)
-    return float(np.max(np.abs(fitted - right)) / max(1.0, float(np.max(np.abs(values)))))
+    reach = max(float(np.max(np.abs(np.linalg.eigvals(_doubles(M))), initial=0.0)) for M in (A, *loops) if M.size)
+    radius, count = MANY.number(1.5 * (reach or 1.0)), 2 * order + 5
+    turns = [MANY.context.expjpi(MANY.context.mpf(2 * k) / count) for k in range(count)]
+    points = [radius * MANY.context.expjpi(MANY.context.mpf("0.6") / count) * turn for turn in turns]
+    values = [_denominator_at(s, (A, B, C, D), _at(G, {x: s}), loops) / radius**order for s in points]
+    scaled = [sum(value * turns[-k * i % count] for i, value in enumerate(values)) / count for k in range(count)]
+    far = _at(G, {x: 1e60}) if np.any(D) else np.zeros((B.shape[1], len(C)), dtype=object)
+    lead = 1 / determinant(_identity(len(far)) - far @ D)
+    lead *= MANY.context.expjpi(MANY.context.mpf("0.6") * order / count)
+    wrong = [abs(scaled[order] - lead), *map(abs, scaled[order + 1 :])]
+    return float(max(wrong) / max(1, *map(abs, values)))
 
 
-def _denominator_at(s: complex, plant: tuple[Array, ...], G: Array, loops: list[Array]) -> complex:
+def _denominator_at(s: Any, plant: tuple[Array, ...], G: Array, loops: list[Array]) -> Any:
     """The polynomial of the loops over det(I − G G_p) det(sI − A), at s."""
     A, B, C, D = plant
-    pencil = s * np.eye(len(A)) - A
-    G_p = C @ np.linalg.solve(pencil, B) + D
-    wanted = np.prod([np.linalg.det(s * np.eye(len(M)) - M) for M in loops])
-    return complex(wanted / (np.linalg.det(np.eye(len(G)) - G @ G_p) * np.linalg.det(pencil)))
+    pencil = s * _identity(len(A)) - A
+    G_p = C @ solution(pencil, B) + D
+    wanted = reduce(mul, [determinant(s * _identity(len(M)) - M) for M in loops if len(M)], MANY.number(1))
+    return wanted / (determinant(_identity(len(G)) - G @ G_p) * determinant(pencil))
+
+
+def _identity(n: int) -> Array:
+    return np.eye(n, dtype=int).astype(object)
+
+
+def _doubles(M: Array) -> Array:
+    return np.asarray(MANY.approximate(M), dtype=complex)
+
+
+def _at(M: Any, point: Mapping[Any, Any]) -> Array:
+    """Return a matrix at a point, with many digits."""
+    if 0 in M.shape:
+        return np.zeros(M.shape, dtype=object)
+    return np.asarray(np.broadcast_to(value_of(M, Environment.at([point], MANY)).value, (1, *M.shape))[0])

@@ -10,15 +10,18 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.compare import Residual, worst_of
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.inside import admits
-from solver.numeric.evaluation.points import SEED, admissible, free_symbols
+from solver.numeric.evaluation.points import SEED, admissible, free_symbols, holds_decimals
+from solver.numeric.evaluation.precision import TOLERANCE
 from solver.numeric.judges.linear_algebra.eigen import spectrum_residual
 from solver.stated.algebra import difference, product
 
 DIGITS = 60
 NEAR = 1e-9
+MULTIPLE = 1e-14
+"""Eigenvalues found with 60 digits are known to more than this, fourfold ones too."""
 
 
 def placed_residual(
@@ -159,14 +162,18 @@ def modes_residual(expected: Sequence[Any], found: Sequence[Any]) -> float:
     """Return the largest distance of numbers paired off greedily, relative to their size; infinite unless as many."""
     if len(expected) != len(found):
         return float("inf")
-    left = [complex(sp.N(value)) for value in found]
+    left = _numbers(found)
     worst = 0.0
-    for value in expected:
-        z = complex(sp.N(value))
+    for z in _numbers(expected):
         nearest = min(left, key=lambda other: abs(other - z))
         left.remove(nearest)
-        worst = worst_of((worst, abs(nearest - z) / (1 + abs(z))))
-    return worst
+        worst = worst_of((worst, float(abs(nearest - z) / (1 + abs(z)))))
+    return Residual(worst, TOLERANCE if holds_decimals([expected, found]) else MULTIPLE)
+
+
+def _numbers(values: Sequence[Any]) -> list[Any]:
+    with mpmath.workdps(DIGITS):
+        return [mpmath.mpmathify(sp.N(value, DIGITS)) for value in values]
 
 
 def fixed_modes_residual(A: Any, B: Any, found: Sequence[Any], row: Any = None, unknowns: Sequence[Any] = ()) -> float:

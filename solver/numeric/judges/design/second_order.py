@@ -10,7 +10,7 @@ import mpmath
 import sympy as sp
 
 from solver.conditions import conditions_of
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.compare import with_many_digits, worst_of
 from solver.numeric.evaluation.points import SEED, PointSource
 from solver.numeric.evaluation.values import NotEvaluable
 
@@ -147,7 +147,7 @@ def second_order_residual(
             size = max(abs(each) for each in expected)
             gaps = [abs(a - b) / size for a, b in zip(values, expected, strict=True)]
             worst = worst_of((worst, *(float(gap) for gap in gaps)))
-    return worst
+    return with_many_digits(worst, given, band, answer)
 
 
 def complex_of(value: Any, point: Mapping[Any, Any]) -> Any:

@@ -8,23 +8,41 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from solver.numeric.evaluation.arithmetic import Array, equilibration
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.arithmetic import Array, equilibration, multiple
+from solver.numeric.evaluation.compare import with_many_digits, worst_of
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.multiple_precision import remainder
+from solver.numeric.evaluation.points import holds_decimals
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.design.placement import rational_points
 
 Matrices = tuple[Any, Any, Any, Any]
+MANY = multiple(50)
+NOTHING = 1e-30
+"""A part of a vector of unit length that is smaller than this is rounding."""
+
+
+def _in_numbers(M: Any, point: Mapping[Any, Any], *, exact: bool) -> Array:
+    """Return a matrix at a point: with 50 digits where all is exact, else in doubles."""
+    if not exact:
+        return _floats(M, point)
+    if 0 in M.shape:
+        return np.zeros(M.shape, dtype=object)
+    return np.asarray(np.broadcast_to(value_of(M, Environment.at([point], MANY)).value, (1, *M.shape))[0])
 
 
 def _floats(M: Any, point: Mapping[Any, Any]) -> Array:
     return np.array(sp.Matrix(M).subs(point).evalf(20).tolist(), dtype=complex).reshape(M.shape)
 
 
-def _steady(matrices: Matrices, point: Mapping[Any, Any], *, discrete: bool) -> tuple[Array, Array]:
+def _steady(matrices: Matrices, point: Mapping[Any, Any], *, discrete: bool, exact: bool) -> tuple[Array, Array]:
     """Return [[A₀, B], [C, D]] and [0; I] at a point."""
-    A, B, C, D = (_floats(M, point) for M in matrices)
+    A, B, C, D = (_in_numbers(M, point, exact=exact) for M in matrices)
     n, p = len(A), len(C)
-    return np.block([[A - discrete * np.eye(n), B], [C, D]]), np.vstack([np.zeros((n, p)), np.eye(p)])
+    right = np.vstack([np.zeros((n, p), dtype=int), np.eye(p, dtype=int)])
+    M = np.block([[A - int(discrete) * np.eye(n, dtype=int), B], [C, D]])
+    return (M, MANY.array(right)) if exact else (M, right.astype(float))
 
 
 def least_squares(M: Array, right: Array, rcond: float | None = None) -> Array:
@@ -39,6 +57,9 @@ def least_squares(M: Array, right: Array, rcond: float | None = None) -> Array:
 
 def _misfit(M: Array, right: Array) -> float:
     """Return the largest entry of M X − right for the best X, relative to the largest of right."""
+    if M.dtype == object:
+        left = remainder(M, right, MANY.context, NOTHING)
+        return float(max(map(abs, left.ravel())) / max(1, *map(abs, right.ravel())))
     if not M.shape[1]:
         return float(np.max(np.abs(right), initial=0.0))
     X = least_squares(M, right)
@@ -52,14 +73,14 @@ def steady_residual(matrices: Matrices, known: Mapping[str, Any], *, discrete: b
     shapes = {"F": (n, p), "N": (m, p)}
     if any(value.shape != shapes[name] for name, value in known.items()):
         return float("inf")
-    worst = 0.0
+    worst, exact = 0.0, not holds_decimals([matrices, known])
     for point in rational_points(*matrices, *known.values()):
-        M, right = _steady(matrices, point, discrete=discrete)
+        M, right = _steady(matrices, point, discrete=discrete, exact=exact)
         columns = {"F": M[:, :n], "N": M[:, n:]}
-        free = np.hstack([np.zeros((n + p, 0)), *(part for name, part in columns.items() if name not in known)])
-        left_over = right - sum(columns[name] @ _floats(value, point) for name, value in known.items())
+        free = np.hstack([M[:, :0], *(part for name, part in columns.items() if name not in known)])
+        left_over = right - sum(columns[name] @ _in_numbers(V, point, exact=exact) for name, V in known.items())
         worst = worst_of((worst, _misfit(free, left_over)))
-    return worst
+    return with_many_digits(worst, matrices, known)
 
 
 def feedforward_residual(matrices: Matrices, K_o: Any, K: Any, poles: Sequence[Any] = (), *, discrete: bool) -> float:
@@ -70,13 +91,13 @@ def feedforward_residual(matrices: Matrices, K_o: Any, K: Any, poles: Sequence[A
     A, B, C, _ = matrices
     if K_o.shape != (B.cols, C.rows):
         return float("inf")
-    worst = 0.0
+    worst, exact = 0.0, K is not None and not holds_decimals([matrices, K_o, K])
     for point in rational_points(*matrices, K_o, *((K,) if K is not None else ()), list(poles)):
-        gain = _floats(K, point) if K is not None else gain_of_poles(A, B, poles, point)
-        M, right = _steady(matrices, point, discrete=discrete)
-        stacked = np.vstack([M, np.hstack([gain, np.eye(B.cols)])])
-        worst = worst_of((worst, _misfit(stacked, np.vstack([right, _floats(K_o, point)]))))
-    return worst
+        gain = _in_numbers(K, point, exact=exact) if K is not None else gain_of_poles(A, B, poles, point)
+        M, right = _steady(matrices, point, discrete=discrete, exact=exact)
+        stacked = np.vstack([M, np.hstack([gain, np.eye(B.cols, dtype=int)])])
+        worst = worst_of((worst, _misfit(stacked, np.vstack([right, _in_numbers(K_o, point, exact=exact)]))))
+    return with_many_digits(worst, matrices, K_o, K) if exact else worst
 
 
 def gain_of_poles(A: Any, B: Any, poles: Sequence[Any], point: Mapping[Any, Any]) -> Array:

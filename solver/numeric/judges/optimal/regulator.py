@@ -19,6 +19,7 @@ from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
+from solver.numeric.judges.optimal.refined import MANY, Refined, many_at, sharpened
 from solver.words import Phrase
 
 TRIES = 40
@@ -139,7 +140,8 @@ def gain_residual(weights: Weights, K: Any) -> float:
         best = np.linalg.solve(optimum.R, optimum.B.T @ P) if P is not None else None
         if best is None:
             return float("inf")
-        return relative(value - best, value, best, optimum.K)
+        found = relative(value - best, value, best, optimum.K)
+        return sharpened(found, weights, optimum, K, lambda many: (many_at(K, optimum.point) - many.K, many.K))
 
     return worst(weights, judge, K)
 
@@ -164,7 +166,13 @@ def loop_residual(weights: Weights, loop: Any) -> float:
 
     def judge(optimum: Optimum) -> float:
         value = matrix_at(loop, optimum.point, optimum.A.shape)
-        return relative(value - optimum.closed_loop, value, optimum.closed_loop)
+        found = relative(value - optimum.closed_loop, value, optimum.closed_loop)
+
+        def gap(many: Refined) -> tuple[Array, ...]:
+            own = many.A - many.B @ many.K
+            return many_at(loop, optimum.point) - own, own
+
+        return sharpened(found, weights, optimum, loop, gap)
 
     return worst(weights, judge, loop)
 
@@ -175,7 +183,12 @@ def control_residual(weights: Weights, u: Any, states: Sequence[Any]) -> float:
     def judge(optimum: Optimum) -> float:
         value = matrix_at(u, optimum.point, (optimum.B.shape[1], 1))
         x = np.array([[optimum.point[state]] for state in states])
-        return relative(value + optimum.K @ x, value, optimum.K)
+        found = relative(value + optimum.K @ x, value, optimum.K)
+
+        def gap(many: Refined) -> tuple[Array, ...]:
+            return many_at(u, optimum.point) + many.K @ MANY.array(x), many.K
+
+        return sharpened(found, weights, optimum, u, gap)
 
     return worst(weights, judge, u, sp.ImmutableMatrix([list(states)]))
 
@@ -188,6 +201,13 @@ def cost_residual(weights: Weights, cost: Any, x0: Any, factor: Any) -> float:
         X = cost_matrix(optimum, optimum.K)
         start = matrix_at(x0, optimum.point, (optimum.A.shape[0], 1))
         best = float(np.real(evaluate(factor, optimum.point))) * (start.T @ X @ start)
-        return relative(value - best, value, best)
+        found = relative(value - best, value, best)
+
+        def gap(many: Refined) -> tuple[Array, ...]:
+            first = many_at(x0, optimum.point)
+            own = many_at(factor, optimum.point) * (first.T @ many.P @ first)
+            return many_at(cost, optimum.point) - own, own
+
+        return sharpened(found, weights, optimum, [cost, x0, factor], gap)
 
     return worst(weights, judge, cost, x0, factor)

@@ -3,21 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
+from functools import reduce
+from operator import mul
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.compare import Residual, worst_of
+from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.equalities import equality_residual
-from solver.numeric.evaluation.expressions import evaluate
-from solver.numeric.evaluation.points import PointSource, free_symbols
+from solver.numeric.evaluation.expressions import evaluate, value_of
+from solver.numeric.evaluation.multiple_precision import determinant, solution
+from solver.numeric.evaluation.points import PointSource, free_symbols, holds_decimals
+from solver.numeric.evaluation.precision import SHOWN
 from solver.numeric.evaluation.values import ShapeMismatch
+from solver.numeric.judges.optimal.refined import MANY, Refined, sharpened
 from solver.numeric.judges.optimal.regulator import Optimum, Weights, hurwitz, matrix_at, optima, relative, worst
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse, transpose
 from solver.words import Phrase
+
+LARGEST_FACTOR = 1000
+"""An equation may be multiplied by a fraction of such numbers; one a little beside it is an error."""
+NEAR = 1e-8
 
 
 def riccati_residual(weights: Weights, P: Any) -> float:
@@ -35,7 +46,10 @@ def symmetry_residual(weights: Weights, P: Any) -> float:
 
     def judge(optimum: Optimum) -> float:
         value = matrix_at(P, optimum.point, optimum.A.shape)
-        return relative(value - value.T, value)
+        found = relative(value - value.T, value)
+        if found > 0 and not holds_decimals(P):
+            return equality_residual(transpose(P), P, [optimum.point])
+        return found
 
     return worst(weights, judge, P)
 
@@ -73,9 +87,21 @@ def hamiltonian_spectrum_residual(weights: Weights, eigenvalues: Sequence[Any]) 
         for x in size * np.exp(1j * np.array([0.4, 1.3, 2.1])) * np.array([0.7, 1.0, 1.6]):
             stated, found = np.linalg.det(x * np.eye(2 * n) - H), np.prod((x - values) * (x + values))
             gaps.append(abs(stated - found) / max(abs(stated), abs(found)))
-        return float(max(gaps))
+        return sharpened(float(max(gaps)), weights, optimum, listed, lambda many: _spectral_gap(many, listed, optimum))
 
     return worst(weights, judge, listed)
+
+
+def _spectral_gap(many: Refined, listed: Any, optimum: Optimum) -> tuple[Array, ...]:
+    """Return the difference of det(xI − H) and Π(x − λᵢ)(x + λᵢ) at some x, and the product."""
+    values = value_of(listed, Environment.at([dict(optimum.point)], MANY)).value[0, 0]
+    n = len(many.A)
+    x = MANY.number(0.9 + 1.1j) * (1 + sum(abs(value) for value in values) / n)
+    G = many.B @ solution(many.R, many.B.T)
+    one = np.eye(n, dtype=int).astype(object)
+    pencil = np.block([[x * one - many.A, G], [many.Q, x * one + many.A.T]])
+    found = reduce(mul, [(x - value) * (x + value) for value in values])
+    return np.array([determinant(pencil) - found]), np.array([found])
 
 
 def hamiltonian(optimum: Optimum) -> Array:
@@ -129,7 +155,9 @@ def _gap_up_to_factor(row: Array, other: Array) -> float:
     size, factor = np.vdot(other, other), np.vdot(other, row)
     if size == 0 or factor == 0:
         return float("inf") if np.abs(row).max() > 0 else 0.0
-    return relative(row - factor / size * other, row)
+    exactly = Fraction(float(np.real(factor / size))).limit_denominator(LARGEST_FACTOR)
+    ratio = float(exactly) if abs(factor / size - float(exactly)) < NEAR * abs(factor / size) else factor / size
+    return Residual(relative(row - ratio * other, row), SHOWN.tolerance)
 
 
 def unknown_matrix(n: int) -> sp.ImmutableMatrix:

@@ -14,7 +14,7 @@ import numpy as np
 import sympy as sp
 
 from solver.numeric.evaluation.arithmetic import Array, multiple
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.compare import with_many_digits, worst_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.multiple_precision import determinant
@@ -59,7 +59,7 @@ def pole_residual(plant: Quadruple, poles: Sequence[Any]) -> float:
         if len(poles) != len(small):
             return float("inf")
         worst = worst_of((worst, _difference(small, numbers_at(poles, point))))
-    return worst
+    return with_many_digits(worst, *plant, poles)
 
 
 def cancelled_residual(plant: Quadruple, cancelled: Sequence[Any]) -> float:
@@ -71,7 +71,7 @@ def cancelled_residual(plant: Quadruple, cancelled: Sequence[Any]) -> float:
         if len(small) + len(cancelled) != len(A):
             return float("inf")
         worst = worst_of((worst, _difference(A, numbers_at(cancelled, point), small)))
-    return worst
+    return with_many_digits(worst, *plant, cancelled)
 
 
 def order_of_minimal_part(plant: Quadruple) -> int:
@@ -90,7 +90,7 @@ def characteristic_residual(plant: Quadruple, candidate: Any) -> float:
         if candidate.rows != candidate.cols or candidate.rows != len(small):
             return float("inf")
         worst = worst_of((worst, _difference(small, [], _value(candidate, point))))
-    return worst
+    return with_many_digits(worst, *plant, candidate)
 
 
 def quadruple_at(plant: Quadruple, point: Any) -> tuple[Array, Array, Array, Array]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.compare import with_many_digits, worst_of
 from solver.numeric.evaluation.multiple_precision import determinant
 from solver.numeric.evaluation.points import SEED
 from solver.numeric.judges.representation.minimal import (
@@ -36,7 +36,7 @@ def zero_residual(plant: Quadruple, zeros: Sequence[Any]) -> float:
     worst = 0.0
     for point in points_of(plant, zeros):
         worst = worst_of((worst, _zeros_at(quadruple_at(plant, point), numbers_at(zeros, point))))
-    return worst
+    return with_many_digits(worst, *plant, zeros)
 
 
 def _zeros_at(plant: tuple[Array, Array, Array, Array], zeros: list[Any]) -> float:
@@ -45,16 +45,17 @@ def _zeros_at(plant: tuple[Array, Array, Array, Array], zeros: list[Any]) -> flo
     random = Random(SEED)  # noqa: S311 - nothing secret
     rank = _normal_rank(A, B, C, D)
     square = C.shape[0] == B.shape[1] == rank
-    quotients = []
+    quotients, worst = [], 0.0
     for _ in range(1 if square else 2):
         mixed = (A, B, C, D) if square else _squared(A, B, C, D, rank, random)
         quotient, left = _divided(_system_polynomial(*mixed), zeros)
         if left > 1e-9:
             return left
+        worst = max(worst, left)
         quotients.append(quotient)
     if square:
-        return 0.0 if len(quotients[0]) == 1 else float("inf")
-    return 0.0 if rank == 0 or _coprime(*quotients) else float("inf")
+        return worst if len(quotients[0]) == 1 else float("inf")
+    return worst if rank == 0 or _coprime(*quotients) else float("inf")
 
 
 def _normal_rank(A: Array, B: Array, C: Array, D: Array) -> int:

@@ -19,7 +19,7 @@ from solver.numeric.evaluation.arithmetic import Array, multiple
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.inside import admits
-from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
+from solver.numeric.evaluation.points import SEED, PointSource, free_symbols, holds_decimals
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Undefined, filled
 from solver.words import Phrase
 
@@ -178,13 +178,14 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
         if array.shape != (n + 1, n // 2 + 1):
             return Phrase("the array must have {rows} rows and {columns} columns", rows=n + 1, columns=n // 2 + 1)
         small = {symbol: mp.mpf(10) ** -12 for symbol in free_symbols(array) - free_symbols(A)}
+        near = mp.mpf(10) ** (-6 if small else -9 if holds_decimals([A, array]) else -20)
         rows = value_of(array, Environment.at([{**point, **small}], multiple(60))).value[0].tolist()
         multiplied = rows[0][0] / coefficients[0]
         if mp.re(multiplied) > 0 and not mp.im(multiplied):  # the array of a positive multiple of the polynomial
             coefficients = [multiplied * c for c in coefficients]
         for i, row in enumerate(rows):
             wanted = _expected(rows, i, coefficients, mp)
-            if not any(_proportional(row, each, mp) for each in wanted):
+            if not any(_proportional(row, each, mp, near) for each in wanted):
                 return Phrase("row {row} does not follow from the rows above it", row=i + 1)
     return ""
 
@@ -248,8 +249,8 @@ def _at(row: list[Any], j: int) -> Any:
     return row[j] if j < len(row) else 0 * row[0]
 
 
-def _proportional(row: list[Any], wanted: list[Any], mp: Any) -> bool:
-    """Whether row = c · wanted with c > 0 (c = 1 if one entry is all), each entry to a millionth of its own size."""
+def _proportional(row: list[Any], wanted: list[Any], mp: Any, near: Any) -> bool:
+    """Whether row = c · wanted with c > 0 (c = 1 if one entry is all), each entry relative to its own size."""
     if not wanted[0] or not row[0]:
         return False
     c = row[0] / wanted[0]
@@ -257,7 +258,7 @@ def _proportional(row: list[Any], wanted: list[Any], mp: Any) -> bool:
         return False
     if not any(wanted[1:]):  # one entry tells no factor from a mistake
         c = mp.mpf(1)
-    return all(abs(x - c * y) <= mp.mpf(10) ** -6 * max(abs(x), abs(c * y)) for x, y in zip(row, wanted, strict=True))
+    return all(abs(x - c * y) <= near * max(abs(x), abs(c * y)) for x, y in zip(row, wanted, strict=True))
 
 
 def planar_kind(A: Any, point: Point) -> str:

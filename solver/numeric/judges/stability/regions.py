@@ -25,7 +25,7 @@ EDGES = 10
 NEAR = sp.Rational(1, 10**5)
 ROUNDED, DECIMALS = 3, 16
 """Bounds with so many decimals (at least, less than) are taken as rounded."""
-STEPS = (sp.Rational(1, 10**3), sp.Rational(1, 10**7))
+STEPS = (sp.Rational(1, 10**3), sp.Rational(1, 10**7), sp.Rational(1, 10**13))
 Rational = dict[Any, Any]
 
 

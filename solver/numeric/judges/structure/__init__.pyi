@@ -1,6 +1,7 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.structure.controllability import (
+    all_differ,
     every_fall_is_named,
     hidden_modes_decay,
     hidden_modes_residual,
@@ -16,6 +17,7 @@ from solver.numeric.judges.structure.decomposition import (
 )
 
 __all__ = [
+    "all_differ",
     "coordinates_residual",
     "every_fall_is_named",
     "hidden_modes_decay",

@@ -89,22 +89,73 @@ def _complex(point: Mapping[Any, Any]) -> dict[Any, complex]:
     return {symbol: complex(value) for symbol, value in point.items()}
 
 
+def hidden_of_both_residual(A: Any, B: Any, C: Any, modes: Sequence[Any]) -> float:
+    """Return what `hidden_modes_residual` does, for the modes that B does not reach or C does not see.
+
+    B or C is None where it does not matter. Those are the modes that B does not reach, and of the part that it reaches
+    those that C does not see.
+    """
+    symbols = free_symbols([A, list(modes), *(M for M in (B, C) if M is not None)])
+    worst = 0.0
+    for point in PointSource(symbols).several(2 if symbols else 1):
+        exact = {symbol: sp.Rational(value.real) for symbol, value in _complex(point).items()}
+        hidden, F, H = [], A.xreplace(exact), C.xreplace(exact) if C is not None else None
+        if B is not None:
+            hidden = [_unreached(F, B.xreplace(exact))]
+            F, H = _restricted(F, B.xreplace(exact), H)
+        if H is not None:
+            hidden.append(_unreached(F.T, H.T))
+        whole = sp.ImmutableMatrix(sp.diag(*hidden))
+        if len(modes) != whole.rows:
+            return float("inf")
+        if whole.rows:
+            worst = worst_of(
+                (worst, spectrum_residual(whole, [(sp.Integer(0) + mode).xreplace(exact) for mode in modes]))
+            )
+    return worst
+
+
 def _unreached(A: Any, B: Any) -> Any:
     """N A Nᴴ with orthonormal rows N of the complement of the span of B, AB, …, in decimals."""
+    F, _, outside = _bases(A, B)
+    return _in_basis(F, outside)
+
+
+def _bases(A: Any, B: Any) -> tuple[Array, list[Array], list[Array]]:
+    """Return A with many digits, an orthonormal basis of the span of B, AB, …, and one of its complement."""
     many = multiple(DIGITS)
     F, G = (value_of(M, Environment.at([{}], many)).value[0] for M in (A, B))
-    n, noise = len(F), 1e-40 * float(np.max(many.size(F), initial=0.0))
+    noise = _noise(F)
     reached: list[Array] = []
     fresh = [G[:, j] for j in range(G.shape[1])]
     while fresh:
         added = [q for v in fresh if (q := _added(reached, v, many.context)) is not None]
         fresh = [v for q in added if float(np.max(many.size(v := F @ q))) > noise]
     whole = list(reached)
-    unit = many.array(np.eye(n))
-    complement = [q for j in range(n) if (q := _added(whole, unit[:, j], many.context)) is not None]
-    rows = [[sum(a.conjugate() * b for a, b in zip(q, F @ p, strict=True)) for p in complement] for q in complement]
-    k = len(complement)
+    unit = many.array(np.eye(len(F)))
+    return F, reached, [q for j in range(len(F)) if (q := _added(whole, unit[:, j], many.context)) is not None]
+
+
+def _noise(F: Array) -> float:
+    return 1e-40 * float(np.max(multiple(DIGITS).size(F), initial=0.0))
+
+
+def _in_basis(F: Array, basis: list[Array]) -> Any:
+    """Qᴴ F Q in decimals."""
+    k, noise = len(basis), _noise(F)
+    rows = [[sum(a.conjugate() * b for a, b in zip(q, F @ p, strict=True)) for p in basis] for q in basis]
     return sp.ImmutableMatrix(k, k, [_decimal(entry) if abs(entry) > noise else 0 for row in rows for entry in row])
+
+
+def _restricted(A: Any, B: Any, C: Any) -> tuple[Any, Any]:
+    """Return A and C (or None) on the span of B, AB, …, in an orthonormal basis of it, in decimals."""
+    F, reached, _ = _bases(A, B)
+    if C is None or not reached:
+        return _in_basis(F, reached), None
+    H = value_of(C, Environment.at([{}], multiple(DIGITS))).value[0]
+    columns = [H @ q for q in reached]
+    seen = sp.ImmutableMatrix(len(H), len(columns), lambda i, j: _decimal(columns[j][i]))
+    return _in_basis(F, reached), seen
 
 
 def _added(basis: list[Array], v: Array, mp: Any) -> Array | None:
@@ -201,6 +252,27 @@ def _roots(f: Any, x: Any) -> list[Any]:
         return list(p.sqf_part().nroots(n=DIGITS + 10, maxsteps=500))
     except (sp.polys.polyerrors.DomainError, NoConvergence) as failure:
         raise NotEvaluable("the roots of a condition could not be computed") from failure
+
+
+def all_differ(conditions: Sequence[Any]) -> bool:
+    """Whether no two conditions are the same equations, up to constant factors and their order."""
+    symbols = frozenset().union(*(condition.free_symbols for condition in conditions))
+    points = PointSource(symbols).several(3)
+    listed = [[_direction(f, points) for f in _equations(condition)] for condition in conditions]
+    return not any(
+        len(one) == len(other) and all(any(_parallel(f, g) for g in other) for f in one)
+        for i, one in enumerate(listed)
+        for other in listed[:i]
+    )
+
+
+def _direction(f: Any, points: Sequence[Point]) -> Array:
+    values = np.array([complex(np.ravel(value_of(f, Environment.at([point])).value)[0]) for point in points])
+    return values / (np.linalg.norm(values) or 1.0)
+
+
+def _parallel(one: Array, other: Array) -> bool:
+    return bool(np.linalg.norm(one - np.vdot(other, one) * other) < 1e-12)
 
 
 def every_fall_is_named(M: Any, conditions: Sequence[Any], along: Any = None) -> bool:

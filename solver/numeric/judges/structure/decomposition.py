@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from random import Random
 from typing import Any
 
 import numpy as np
@@ -19,9 +18,10 @@ from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
-from solver.numeric.evaluation.points import SEED, admissible, free_symbols
+from solver.numeric.evaluation.points import admissible, free_symbols
 from solver.numeric.evaluation.ranks import independent, rank
 from solver.numeric.judges.linear_algebra.similar import SMALL, misfit
+from solver.numeric.judges.structure.controllability import hidden_of_both_residual
 
 PATTERNS: Mapping[str, tuple[tuple[int, ...], ...]] = {
     "controllable": ((0,), (0, 1)),
@@ -195,20 +195,8 @@ def _at(answers: Mapping[str, Any], point: Any) -> dict[str, Array]:
 
 def hidden_polynomial_residual(part: str, plant: tuple[Any, Any, Any], modes: Sequence[Any]) -> float:
     """Return the largest relative difference of det(xI − A) of the hidden parts and Π(x − λᵢ) at random x."""
-    worst = 0.0
-    random = Random(SEED)  # noqa: S311 - nothing secret
-    for point, whole in references(part, *plant, others=list(modes)):
-        k, n = whole.orders[0], len(whole.A)
-        if len(modes) != n - k:
-            return float("inf")
-        values = at(sp.Matrix(n - k, 1, list(modes)), point).flatten()
-        scale = max(1.0, float(np.max(np.abs(whole.A), initial=0.0)))
-        for _ in range(3):
-            x = scale * complex(random.uniform(0.5, 1.5), random.uniform(0.5, 1.5))
-            left = np.linalg.det(x * np.eye(n) - whole.A) / np.linalg.det(x * np.eye(k) - whole.A[:k, :k])
-            right = np.prod(x - values)
-            worst = worst_of((worst, float(abs(left - right) / max(abs(left), abs(right)))))
-    return worst
+    A, B, C = plant
+    return hidden_of_both_residual(A, B if part != "observable" else None, C if part != "controllable" else None, modes)
 
 
 def _mask(part: str, orders: tuple[int, ...]) -> Array:

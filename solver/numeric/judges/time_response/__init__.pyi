@@ -2,6 +2,7 @@
 
 from solver.numeric.judges.time_response.exponential import exponential_residual, power_residual
 from solver.numeric.judges.time_response.matrix_functions import matrix_function_residual
+from solver.numeric.judges.time_response.refined import limit_residual, peak_residual
 from solver.numeric.judges.time_response.response import (
     beginnings,
     convolution_formula,
@@ -12,29 +13,21 @@ from solver.numeric.judges.time_response.response import (
     samples,
     time_scale,
 )
-from solver.numeric.judges.time_response.trajectory import (
-    difference,
-    final_output,
-    largest_output,
-    samples_of_output,
-    simulations,
-)
+from solver.numeric.judges.time_response.trajectory import simulations
 
 __all__ = [
     "beginnings",
     "convolution_formula",
-    "difference",
     "exponential_residual",
-    "final_output",
     "impulses",
     "intervals",
-    "largest_output",
+    "limit_residual",
     "matrix_function_residual",
+    "peak_residual",
     "power_residual",
     "residual_of_pairs",
     "sampled",
     "samples",
-    "samples_of_output",
     "simulations",
     "time_scale",
 ]

@@ -15,7 +15,7 @@ from solver.numeric.evaluation.points import admissible, free_symbols
 from solver.stated.algebra import exponential, power, product
 
 TIMES = (0.0, 2.3, 0.61)
-"""Times in units of 1/ρ(A), the spectral radius (of a nilpotent A: of one over its norm); many digits cost least at the last."""
+"""Times in units of 1/ρ(A), the spectral radius (A nilpotent: of one over its norm); last the one of many digits."""
 
 LAST_EXPONENT = 8
 

@@ -13,8 +13,10 @@ from solver.numeric.evaluation.arithmetic import DOUBLE, Array
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
-from solver.numeric.evaluation.points import PointSource, free_symbols, whole_symbols
+from solver.numeric.evaluation.points import PointSource, free_symbols, holds_decimals, whole_symbols
+from solver.numeric.evaluation.precision import TOLERANCE
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable
+from solver.numeric.judges.time_response.exact_functions import exact_residual
 from solver.words import Phrase
 
 POINTS = 4
@@ -29,7 +31,13 @@ def matrix_function_residual(A: Any, function: Any, variable: Any, F: Any) -> fl
     symbols = (free_symbols(A) | free_symbols(F) | free_symbols(function)) - {variable}
     source = PointSource(symbols, whole_symbols(function, names={"k"}) - {variable})
     points = source.several(POINTS if symbols else 1)
-    return worst_of(_residual_at(A, function, variable, F, point) for point in points)
+    found = worst_of(_residual_at(A, function, variable, F, point) for point in points)
+    if not found <= TOLERANCE or holds_decimals([A, F, function]):
+        return found
+    try:
+        return exact_residual(A, function, variable, F, points[-1])
+    except NotEvaluable:
+        return found
 
 
 def _residual_at(A: Any, function: Any, variable: Any, F: Any, point: Mapping[Any, complex]) -> float:

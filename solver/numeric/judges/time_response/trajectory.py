@@ -40,6 +40,9 @@ class Simulation:
     x0: Array
     inputs: Any
     time: Any
+    point: Mapping[Any, complex]
+    exact: tuple[Any, ...]
+    """A, B, C, D, x0 and the inputs as they are given."""
 
     def input_at(self, times: Array) -> Array:
         """Return u at some times (N×m)."""
@@ -96,7 +99,8 @@ def _in_numbers(point: Mapping[Any, complex], matrices: Sequence[Any], inputs: A
     here = Environment.at([dict(point)])
     A, B, C, D, x0 = (value_of(M, here).value[0] if 0 not in M.shape else np.zeros(M.shape) for M in matrices)
     known = {symbol: sp.Float(complex(value).real) for symbol, value in point.items()}
-    return Simulation(A, B, C, D, x0, inputs.xreplace(known) if inputs is not None else None, t)
+    own = inputs.xreplace(known) if inputs is not None else None
+    return Simulation(A, B, C, D, x0, own, t, point, (*matrices, inputs))
 
 
 def final_output(simulation: Simulation, *, discrete: bool) -> Array:
