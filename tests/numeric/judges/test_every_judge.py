@@ -52,10 +52,7 @@ def test_wrong_answers_are_rejected(topic, case):
 def test_a_set_point_beside_the_right_one_is_measured_against_the_size_of_its_terms():
     """x₁ is 1 by one row and 1 + d by another: at best both are off by d/2, where the terms are of size 2."""
     d = sp.Rational(1, 1000)
-    M, condition = (
-        sp.ImmutableMatrix([[0, 1], [1, 0]]),
-        (sp.ImmutableMatrix([[1, 0]]), sp.ImmutableMatrix([[1 + sp.N(d)]])),
-    )
+    M, L, V = sp.ImmutableMatrix([[0, 1], [1, 0]]), sp.ImmutableMatrix([[1, 0]]), sp.ImmutableMatrix([[1 + sp.N(d)]])
     assert design.set_point_residual(M, 1, [(L, V)]) == pytest.approx(float(d) / 4, rel=1e-2)
 
 
