@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from typing import Any
 
@@ -13,13 +14,11 @@ from solver.derivation.displayed import STANDS, Written
 from solver.displayed.judging import Judge
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.sides import frozen, listed
-from solver.displayed.statements import Chain, chains_in, chains_of, name_in, spelled
+from solver.displayed.statements import Chain, chains_in, chains_of, name_in
 from solver.displayed.unknowns import Unknowns
 from solver.engine import verdict
-from solver.formula import latex
 from solver.lazy import numeric
 from solver.problem.model import Part
-from solver.render.symbols import named
 from solver.render.wording import WordedStep, Wording
 from solver.symbols import COURSE, NOTATIONS
 from solver.systems import StateSpace, TransferFunction
@@ -52,7 +51,7 @@ def displayed_checks(
     worded: Sequence[WordedStep],
     part: Part,
     symbols: Mapping[str, str],
-    free: Collection[str] = (),
+    free: AbstractSet[str] = frozenset(),
     notation: str = COURSE,
 ) -> tuple[Check, ...]:
     """Return the checks of all equalities that the steps of a part display, beyond those of their claims.
@@ -64,28 +63,31 @@ def displayed_checks(
     _give(names, part, NOTATIONS[notation])
     of_system = _symbols(value for known in names.fixed.values() for value in known) | {*part.system.parameters}
     last = _displayed_last(worded)
-    open_names = frozenset(symbols[each] for each in free if last.get(symbols.get(each)) == result.answers.get(each))
+    open_names = frozenset(
+        symbols[each]
+        for each in free & result.answers.keys()
+        if last.get(symbols[each]) == result.answers[each] or _is_empty(result.answers[each])
+    )
     given = of_system | _symbols(part.options.values())
     for answer, symbol in symbols.items():
         if answer in result.answers and symbol:
             _fix(names, symbol, result.answers[answer])
     answered = _symbols(result.answers.values())
-    names.symbols = {spelled(latex(named(symbol.name))): symbol for symbol in given | answered if symbol.name != "I"}
-    parameters = {symbol.name for symbol in of_system}  # C may be a capacitance beside the matrix
+    own = {symbol.name for symbol in of_system}  # C may be a capacitance beside the matrix
     matrices = {
         name: frozen(found[0])
         for name, found in names.fixed.items()
-        if isinstance(found[0], sp.MatrixBase) and name not in parameters
+        if isinstance(found[0], sp.MatrixBase) and name not in own
     }
     variables = frozenset(VARIABLES.values())
     of_system |= variables
     unknowns = Unknowns(given | variables, answered, of_system)
     judge = Judge(names, unknowns, numeric.Environments(), open_names, matrices)
-    _go_through(judge, worded)
+    _go_through(judge, worded, given | answered)
     return tuple(judge.checks)
 
 
-def _go_through(judge: Judge, worded: Sequence[WordedStep]) -> None:
+def _go_through(judge: Judge, worded: Sequence[WordedStep], parameters: AbstractSet[Any]) -> None:
     """Let the judge see the displays of the steps in the order of reading."""
     for number, step in enumerate(worded, start=1):
         for each in step.walk():
@@ -96,7 +98,7 @@ def _go_through(judge: Judge, worded: Sequence[WordedStep]) -> None:
                 if displayed.relation == STANDS:
                     judge.stands(*displayed.sides)
                     continue
-                chains = chains_of(displayed)
+                chains = chains_of(displayed, parameters)
                 for chain in chains * min(len(chains), 2):  # what is explained behind an equation may stand in it
                     _judge(judge, chain)
     judge.finish()
@@ -121,6 +123,11 @@ def _displayed_last(worded: Sequence[WordedStep]) -> dict[str | None, Any]:
         for name, value in [displayed.sides]
         if isinstance(name, Written) and not isinstance(value, Written)
     }
+
+
+def _is_empty(value: Any) -> bool:
+    """Whether a value is a matrix without entries, which no step displays."""
+    return isinstance(value, sp.MatrixBase) and 0 in value.shape
 
 
 def _symbols(values: Iterable[Any]) -> frozenset[Any]:

@@ -30,7 +30,6 @@ class Names:
 
     fixed: dict[str, list[Any]] = field(default_factory=dict)
     found: dict[str, Any] = field(default_factory=dict)
-    symbols: dict[str, Any] = field(default_factory=dict)
     bound: set[str] = field(default_factory=set)
     changed: set[str] = field(default_factory=set)
 
@@ -40,11 +39,11 @@ class Names:
             return self.found[name]
         if name in self.fixed:
             return self.fixed[name][0]
-        return self.symbols.get(name, CONSTANTS.get(name))
+        return CONSTANTS.get(name)
 
     def is_free(self, name: str) -> bool:
         """Whether a display may give the name a value: it has none of the part, and none was displayed before."""
-        return not (name == "I" or any(name in table for table in (self.bound, self.fixed, self.symbols, CONSTANTS)))
+        return not (name == "I" or any(name in table for table in (self.bound, self.fixed, CONSTANTS)))
 
     def bind(self, name: str, value: Any) -> None:
         """Let a name stand for a value until a step says that it stands for another one."""

@@ -3,7 +3,7 @@ r"""Written formulas cut at their top level into chains: `F = 1,\quad N = G = 2`
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -52,12 +52,13 @@ class Chain:
     relations: tuple[str, ...]
 
 
-def chains_of(displayed: Displayed) -> list[Chain]:
+def chains_of(displayed: Displayed, parameters: Collection[Any] = ()) -> list[Chain]:
     """Return the chains of a display; what no tree can be made of is left out (the wording refuses it).
 
+    Where one of the `parameters` is printed it is a value, whatever else on the page has its name.
     Of `s = a ± b = [x, y]` the sum and the product of both values are stated: they are a pair without an order.
     """
-    chains = _chains(displayed)
+    chains = _chains(displayed, parameters)
     if not any(
         isinstance(side, Written) and (r"\pm" in side.latex or r"\mp" in side.latex) for side in displayed.sides
     ):
@@ -100,7 +101,7 @@ def _branches(meaning: Meaning) -> tuple[Meaning, Meaning] | None:
     return replace(meaning, parts=upper), replace(meaning, parts=lower)
 
 
-def _chains(displayed: Displayed) -> list[Chain]:
+def _chains(displayed: Displayed, parameters: Collection[Any]) -> list[Chain]:
     finished: list[Chain] = []
     sides: list[Any] = []
     relations: list[str] = []
@@ -110,7 +111,7 @@ def _chains(displayed: Displayed) -> list[Chain]:
         if not isinstance(side, Written):
             sides.append(side)
             continue
-        *before, last = chains_in(legible(side)) or (Chain((EMPTY,), ()),)
+        *before, last = chains_in(legible(side, parameters)) or (Chain((EMPTY,), ()),)
         for chain in before:
             finished.append(Chain((*sides, *_with(side.values, chain.sides)), (*relations, *chain.relations)))
             sides, relations = [], []
@@ -123,15 +124,14 @@ def _with(values: tuple[Any, ...], sides: Iterable[Side]) -> list[Side]:
     return [replace(side, values=values) for side in sides] if values else list(sides)
 
 
-def legible(written: Written) -> str:
-    """Return a written formula with names in place of its marks: of symbols their own, of other values `value0`..."""
+def legible(written: Written, parameters: Collection[Any] = ()) -> str:
+    """Return a written formula with names in place of its marks: of variables their own, of values `value0`..."""
 
     def name(match: re.Match[str]) -> str:
         number = ord(match[0]) - FIRST_MARK
         value = written.values[number]
-        return (
-            f"{{{latex(named(value.name))}}}" if isinstance(value, sp.Symbol) else rf"\operatorname{{{VALUE}{number}}}"
-        )
+        is_variable = isinstance(value, sp.Symbol) and value not in parameters
+        return f"{{{latex(named(value.name))}}}" if is_variable else rf"\operatorname{{{VALUE}{number}}}"
 
     return _MARK.sub(name, written.latex) if written.values else written.latex
 
