@@ -269,3 +269,22 @@ def test_of_more_solutions_than_anyone_would_read_the_stabilizing_one_is_given()
     assert next(step for step in result.steps if step.kind == "many").values["count"] == 32
     expected = solve_continuous_are(floats(A), floats(plant.B), floats(Q), floats(ONE))
     assert np.abs(floats(result.answers["P"]) - expected).max() < 1e-6 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize(
+    ("pole", "definiteness"),
+    [("a", ["positive definite", "positive semidefinite"]), ("-a", ["positive semidefinite", "negative definite"])],
+)
+def test_without_a_weight_the_solutions_are_definite_as_their_signs_say(pole, definiteness):
+    a = sp.Symbol("a", positive=True)
+    result = ask(
+        "lqr", system([[a if pole == "a" else -a]], B=[1]), Q=sp.zeros(1).as_immutable(), R=sp.eye(1).as_immutable()
+    )
+    assert (result.status, result.answers["definiteness"]) == (Status.VERIFIED, definiteness)
+
+
+def test_a_double_root_among_the_cases_is_no_error():
+    plant = system([[0, 1], [0, -1]], B=[0, 1])
+    result = ask("lqr", plant, Q=sp.eye(2).as_immutable(), R=sp.eye(1).as_immutable())
+    assert result.status is Status.VERIFIED
+    assert result.answers["P"] == sp.Matrix([[2, 1], [1, 1]])

@@ -11,6 +11,9 @@ from solver.exact.linear_algebra.fields import Algebraic, Modulus
 
 Vector = tuple[Any, ...]
 
+LARGEST = 1000
+"""Integers beyond this are harder to read than fractions, or decimals, beside a one."""
+
 
 def cleared(v: Vector) -> Vector:
     """V times the factor that makes its coefficients integers (polynomials) without a common divisor, lead positive.
@@ -77,6 +80,8 @@ def without_common_factor(chain: list[Vector]) -> list[Vector]:
     numerators = [K.numer(c * K.convert(denominator, R)) for c in coefficients]
     divisor = reduce(R.gcd, numerators)
     factor = K.convert(denominator, R) / K.convert(divisor, R)
+    if K.is_QQ and max(abs(c * factor) for c in coefficients) > LARGEST:
+        return chain
     first = next(c for v in chain for a in v for c in reversed(a.coefficients) if c)
     if K.is_QQ and first < 0:
         factor = -factor

@@ -140,9 +140,7 @@ def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) ->
         return {0: "positive definite", n: "negative definite"}.get(solution.flips, "indefinite")
     if not P.free_symbols:
         return exact.definiteness_of_numbers(P)
-    if solution.flips == 0:
-        return "positive semidefinite"
-    return "depends on the parameters"
+    return exact.definiteness(P) or "depends on the parameters"
 
 
 def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
