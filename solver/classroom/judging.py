@@ -12,6 +12,7 @@ from solver.classroom.entries import all_right, entrywise, shaped, word_of
 from solver.classroom.values import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import Answers, Check, CheckStatus, Given, Task
+from solver.lazy import numeric
 from solver.words import Reason
 
 STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
@@ -84,7 +85,8 @@ def _checks(question: Question, values: Mapping[str, Submitted]) -> list[Check] 
     """Return the checks of some values, None where the verification can't work on them."""
     answers = Answers(**{name: each.value for name, each in values.items()})
     try:
-        return list(question.task.verify(question.given, answers))
+        with numeric.typed_decimals(any(each.decimals for each in values.values())):
+            return list(question.task.verify(question.given, answers))
     except STRANGE:
         return None
 

@@ -4,7 +4,7 @@ from solver.numeric.evaluation.claims import check_claim, check_residual, check_
 from solver.numeric.evaluation.environment import Environments
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import evaluate, values_at
-from solver.numeric.evaluation.points import free_symbols, holds_decimals
+from solver.numeric.evaluation.points import free_symbols, holds_decimals, typed_decimals
 from solver.numeric.evaluation.precision import TOLERANCE
 from solver.numeric.evaluation.ranks import independent, rank
 from solver.numeric.evaluation.relations import check_relation
@@ -29,5 +29,6 @@ __all__ = [
     "holds_decimals",
     "independent",
     "rank",
+    "typed_decimals",
     "values_at",
 ]

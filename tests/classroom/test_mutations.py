@@ -138,7 +138,7 @@ def _close(a, b, seed):
     at = {symbol: sp.Rational(draw.randint(11, 97), 31) for symbol in symbols}
     at |= {symbol: sp.Integer(seed - 1) for symbol in at if symbol.name == "k" and not symbol.is_positive}
     difference = sp.N((a - b).xreplace(at), 20, maxn=200)
-    return bool(abs(difference) <= 1e-9 * max(1, abs(sp.N(a.xreplace(at), 20))))
+    return bool(abs(difference) <= 1e-15 * max(1, abs(sp.N(a.xreplace(at), 20))))
 
 
 @pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))

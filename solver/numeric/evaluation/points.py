@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from functools import lru_cache
 from random import Random
 from typing import Any
@@ -21,6 +23,7 @@ SEED = 20_011  # any constant will do
 WHOLE_ARGUMENTS = (sp.factorial, sp.binomial, KroneckerDelta)
 BINDS_NOTHING = (sp.Add, sp.Mul, sp.Pow, sp.Tuple, sp.ImmutableDenseMatrix)
 
+_typed: ContextVar[bool] = ContextVar("typed", default=False)
 MANY_BITS = 150
 """Decimals of more bits are what an oracle has found with many digits."""
 
@@ -62,19 +65,34 @@ def _made_of(expression: sp.Basic) -> tuple[frozenset[Any], bool]:
     return frozenset(expression.free_symbols), any(each._prec < MANY_BITS for each in expression.atoms(sp.Float))
 
 
+@contextmanager
+def typed_decimals(typed: bool) -> Iterator[None]:
+    """While this lasts rational numbers may be decimals that someone typed, so that nothing is taken as exact."""
+    before = _typed.set(typed)
+    try:
+        yield
+    finally:
+        _typed.reset(before)
+
+
 def holds_decimals(formula: Any) -> bool:
-    """Whether a formula or a value holds decimals."""
-    if isinstance(formula, Stated):
-        return any(map(holds_decimals, formula.operands))
+    """Whether a formula or a value holds decimals, or may hold typed ones."""
+    return _typed.get() or _has_decimals(formula)
+
+
+def _has_decimals(formula: Any) -> bool:
     if isinstance(formula, sp.Basic):
         return _made_of(formula)[1]
-    if isinstance(formula, MatrixBase):
-        return any(map(holds_decimals, entries(formula)))
-    if isinstance(formula, dict):
-        return any(map(holds_decimals, formula.values()))
-    if isinstance(formula, list | tuple):
-        return any(map(holds_decimals, formula))
-    return isinstance(formula, float | complex)
+    parts: Iterable[Any] = ()
+    if isinstance(formula, Stated):
+        parts = formula.operands
+    elif isinstance(formula, MatrixBase):
+        parts = entries(formula)
+    elif isinstance(formula, dict):
+        parts = formula.values()
+    elif isinstance(formula, list | tuple):
+        parts = formula
+    return isinstance(formula, float | complex) or any(map(_has_decimals, parts))
 
 
 def whole_symbols(*formulas: Any, names: Collection[str] = (), symbols: frozenset[Any] | None = None) -> frozenset[Any]:
