@@ -85,6 +85,55 @@ def test_rational_functions_stay_exact_for_irreducible_factors():
     assert sp.Matrix([[1, 1, 0], [0, 1, 1], [1, 1, 1]]).inv() == F
 
 
+def test_high_powers_are_exact_and_held_to_the_last_digit():
+    plant = system([[1, 1], [1, 0]])
+    for exponent in (100, -100, 1476, 10_000):
+        result = ask("matrix_function", plant, function=A**exponent)
+        F = result.answers["F"]
+        assert result.status is Status.VERIFIED, result.reason
+        assert F[0, 1] == sp.fibonacci(exponent)
+        wrong = sp.ImmutableMatrix(F + sp.Matrix([[0, 1], [0, 0]]))
+        assert rejected("matrix_function", plant, {"F": wrong}, function=A**exponent)
+    assert "digits" in str(asked([[1, 2], [3, 4]], A**10_000).reason)
+
+
+NAMED = sp.Matrix(3, 3, sp.symbols("a b c d g h p q r", real=True))
+
+
+@pytest.mark.parametrize("f", [A**2, A**3, 1 / A, A**2 - 3 * A + 2 * IDENTITY, (A - IDENTITY) / (A + IDENTITY)])
+@pytest.mark.parametrize("rows", [NAMED, NAMED[:2, :2]])
+def test_rational_functions_of_any_matrix_need_no_eigenvalues(rows, f):
+    result = ask("matrix_function", system(rows), function=f)
+    assert result.status is Status.VERIFIED, result.reason
+    point = {symbol: sp.Rational(2 + 3 * i * i, 7 - i) for i, symbol in enumerate(NAMED[:6])}
+    point |= {symbol: sp.Rational(1, 3 + i) for i, symbol in enumerate(NAMED[6:])}
+    M, one = rows.subs(point), sp.eye(rows.rows)
+    wanted = {
+        A**2: M * M,
+        A**3: M**3,
+        1 / A: M.inv(),
+        A**2 - 3 * A + 2 * IDENTITY: M * M - 3 * M + 2 * one,
+        (A - IDENTITY) / (A + IDENTITY): (M - one) * (M + one).inv(),
+    }
+    assert result.answers["F"].subs(point) == wanted[f]
+
+
+def test_a_high_power_of_many_parameters_is_refused():
+    assert "too many terms" in str(ask("matrix_function", system(NAMED), function=A**20).reason)
+
+
+@pytest.mark.parametrize(("text", "accepted"), [("A^10000", True), ("A^100 + 2A^65", True), ("A^(-10000)", True)])
+def test_whole_exponents_of_the_matrix_go_to_ten_thousand(text, accepted):
+    names = Names({}, {name: sp.Symbol(name) for name in "AItk"})
+    assert (parse_expression(text, names) is not None) is accepted
+
+
+@pytest.mark.parametrize("text", ["A^10001", "(A + I)^65", "(A^100)^100", "A^10000 A^10000", "t^65"])
+def test_other_exponents_stay_small(text):
+    with pytest.raises(ExpressionError):
+        parse_expression(text, Names({}, {name: sp.Symbol(name) for name in "AItk"}))
+
+
 def test_a_root_of_a_zero_that_has_all_its_eigenvectors_exists():
     result = asked([[0, 0], [0, 0]], sp.sqrt(A))
     assert result.status is Status.VERIFIED, result.reason

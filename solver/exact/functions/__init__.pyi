@@ -2,8 +2,13 @@
 
 from solver.exact.functions.closed_forms import MatrixFunction, exponential, interpolation_coefficients, power
 from solver.exact.functions.interpolation import Condition, interpolation
-from solver.exact.functions.matrix_functions import FunctionOfMatrix, matrix_function
+from solver.exact.functions.matrix_functions import (
+    FunctionOfMatrix,
+    asks_for_roots,
+    matrix_function,
+)
 from solver.exact.functions.rational import RationalMatrix, resolvent_matrix
+from solver.exact.functions.remainders import Remainder, remainder_identity
 from solver.exact.functions.scalar_functions import ScalarFunction
 from solver.exact.functions.transforms import (
     Denominators,
@@ -20,7 +25,9 @@ __all__ = [
     "FunctionOfMatrix",
     "MatrixFunction",
     "RationalMatrix",
+    "Remainder",
     "ScalarFunction",
+    "asks_for_roots",
     "exponential",
     "interpolation",
     "interpolation_coefficients",
@@ -28,6 +35,7 @@ __all__ = [
     "pairs_for",
     "partial_fractions",
     "power",
+    "remainder_identity",
     "resolvent",
     "resolvent_cancels",
     "resolvent_matrix",

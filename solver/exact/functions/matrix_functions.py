@@ -18,18 +18,21 @@ from sympy.polys.matrices import DomainMatrix
 from solver.exact.functions.closed_forms import exponential, interpolation_coefficients, power
 from solver.exact.functions.interpolation import Condition, interpolation
 from solver.exact.functions.rational import highest_power, residue_at
+from solver.exact.functions.remainders import LOW, reduced
 from solver.exact.functions.residues import FactorResidues, interpolation_residues, residues_at, resolvent_residues
 from solver.exact.functions.scalar_functions import ScalarFunction, at_root, multiplied_out
-from solver.exact.linear_algebra.faddeev import faddeev_leverrier
-from solver.exact.linear_algebra.fields import NotExact, collected, domain_matrix, expression, matrix_of
+from solver.exact.linear_algebra.fields import NotExact, collected
 from solver.exact.linear_algebra.radicals import complex_parts
-from solver.exact.linear_algebra.spectrum import Factor, is_lower, spectrum
+from solver.exact.linear_algebra.spectrum import Factor, irreducible_factors, is_lower, spectrum
 from solver.matrices import entries
 
 
 @dataclass(frozen=True)
 class FunctionOfMatrix:
-    """f(A) = Σ αᵢ Aⁱ (i < n), with the conditions at the eigenvalues that fix the αᵢ."""
+    """f(A) = Σ αᵢ Aⁱ (i < n), with the conditions at the eigenvalues that fix the αᵢ.
+
+    There are no conditions where the αᵢ are those of the remainder modulo χ, since the eigenvalues are no help.
+    """
 
     value: sp.ImmutableMatrix
     coefficients: tuple[sp.Expr, ...]
@@ -39,13 +42,15 @@ class FunctionOfMatrix:
 @lru_cache(maxsize=64)
 def matrix_function(A: sp.ImmutableMatrix, f: ScalarFunction) -> FunctionOfMatrix:
     """f(A) (n×n); raises NotExact where f is not defined on the spectrum of A."""
+    if not asks_for_roots(A, f):
+        return FunctionOfMatrix(*reduced(A, f), ())
     conditions = tuple(conditions_for(A, f))
     if _is_power(f):
         k = _exponent(f)
         alpha = interpolation_coefficients(A, k, discrete=True)
         return FunctionOfMatrix(power(A, k).matrix, alpha, conditions)
     if f.rational is not None:
-        return _reduced(A, f, conditions)
+        return FunctionOfMatrix(*reduced(A, f), conditions)
     t = sp.Symbol("t")
     is_exponential = f.expression == sp.exp(f.variable * t)
     value = exponential(A, t).matrix if is_exponential else _summed(resolvent_residues(A), f, A.shape)
@@ -70,6 +75,18 @@ def _minimal_interpolation(A: sp.ImmutableMatrix) -> tuple[FactorResidues, ...]:
         for p in range(m)
     ]
     return tuple(residues_at(numerator, coefficients[::-1], factor) for factor in factors)
+
+
+def asks_for_roots(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
+    """Whether f(A) needs the eigenvalues of A, or a low power of f has short values at them."""
+    if f.rational is None:
+        return True
+    x = f.variable
+    if max(sp.degree(part, x) for part in f.rational) > LOW:
+        return False
+    if all(p.degree() == 1 for p, _ in irreducible_factors(A)):
+        return True
+    return not A.free_symbols and all(root.kind != "decimal" for root in spectrum(A).roots)
 
 
 def _is_power(f: ScalarFunction) -> bool:
@@ -160,27 +177,3 @@ def _tidied(entry: sp.Expr) -> sp.Expr:
     nested = any(each.base.has(sp.Pow) for each in entry.atoms(sp.Pow) if each.exp == sp.S.Half)
     found: sp.Expr = multiplied_out(sp.sqrtdenest(entry)) if nested else entry
     return found
-
-
-def _reduced(A: sp.ImmutableMatrix, f: ScalarFunction, conditions: tuple[Condition, ...]) -> FunctionOfMatrix:
-    """A rational function modulo χ, and its value by Horner's rule."""
-    fl = faddeev_leverrier(A)
-    numerator, denominator = f.rational or (sp.Integer(0), sp.Integer(1))
-    x = f.variable
-    own = sp.Poly(numerator, x), sp.Poly(denominator, x)
-    entries = sp.ImmutableMatrix([[*A.flat(), *(c for p in own for c in p.all_coeffs())]])
-    K = domain_matrix(entries).domain
-    chi = sp.Poly([K.convert(c, fl.domain) for c in fl.chi], x, domain=K)
-    p, q = (sp.Poly([K.from_sympy(c) for c in each.all_coeffs()], x, domain=K) for each in own)
-    common = q.gcd(chi)
-    if common.degree() > 0:
-        raise NotExact("functions/division_by_zero", factor=common.as_expr().subs(x, sp.Symbol("lamda")))
-    alpha = (p * q.rem(chi).invert(chi)).rem(chi) if q.degree() > 0 else (p.quo_ground(q.LC())).rem(chi)
-    low = alpha.rep.to_list()[::-1]
-    low += [K.zero] * (A.rows - len(low))
-    M = domain_matrix(A).convert_to(K)
-    identity = M.eye(A.rows, K).to_dense()
-    total = identity * low[-1]
-    for c in reversed(low[:-1]):
-        total = total * M + identity * c
-    return FunctionOfMatrix(matrix_of(total), tuple(expression(K, c) for c in low), conditions)

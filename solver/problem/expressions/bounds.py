@@ -21,6 +21,9 @@ MAX_BITS = 2048
 MAX_ROOT_BITS = 64
 MAX_OTHER_ROOT_BITS = 256
 MAX_EXPONENT = 64
+MAX_POWER_OF_MATRIX = 10_000
+"""The largest whole exponent of a matrix by itself, which is never multiplied out as a polynomial."""
+
 MAX_ARGUMENT = {"exp": 1e3, "sinh": 1e3, "cosh": 1e3, "tanh": 1e3, "sin": 1e30, "cos": 1e30, "tan": 1e30}
 """How large the argument of a function may be if it is a constant."""
 
@@ -93,8 +96,9 @@ class _Bounds:
         base, exponent = self.size(node.base), self.size(node.exponent)
         if isinstance(node.base, Name) and node.base.name == "e" and self.names.is_constant("e"):
             return self.function("exp", exponent, node.exponent)
-        if not exponent.as_exponent <= MAX_EXPONENT:
-            raise _error(f"exponents go from -{MAX_EXPONENT} to {MAX_EXPONENT}", node.exponent)
+        most = MAX_POWER_OF_MATRIX if self.names.is_matrix(node.base) else MAX_EXPONENT
+        if not exponent.as_exponent <= most:
+            raise _error(f"exponents go from -{most} to {most}", node.exponent)
         if exponent.value is not None and exponent.value.denominator == 1:
             if base.value == 0 and exponent.value <= 0:
                 raise _error("division by zero" if exponent.value else "0^0 has no value", node)

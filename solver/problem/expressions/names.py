@@ -8,9 +8,14 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from solver.problem.expressions.notation import CONSTANTS
+from solver.problem.expressions.syntax import Name, Node
 
 if TYPE_CHECKING:
     import sympy as sp
+
+
+MATRIX = "A"
+"""The variable that stands for a matrix, where one is declared."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +39,10 @@ class Names:
     def declares(self, name: str) -> bool:
         """Whether the problem or the task gives the name a meaning."""
         return any(name in table for table in (self.variables, self.functions, self.values, self.symbols))
+
+    def is_matrix(self, node: Node) -> bool:
+        """Whether a part of an expression is the matrix A of which a function is asked, by itself."""
+        return isinstance(node, Name) and node.name == MATRIX and MATRIX in self.variables
 
     def is_constant(self, name: str) -> bool:
         """Whether the name is a constant of the notation: pi, e, j, inf, unless the problem declares it."""

@@ -131,6 +131,9 @@ class _Shapes:
         if n is None or natural:
             return self.other_power(node)
         base = self.shape(node.base)
+        if abs(n) > MAX_DEGREE and self.names.is_matrix(node.base):
+            whole = Polynomial(MAX_DEGREE)  # by itself, in sums with other powers
+            return Shape(*((whole, ONE) if n >= 0 else (ONE, whole)), base.atoms)
         above, below = (_power(part, abs(n)).over(base.atoms) for part in (base.above, base.below))
         return Shape(*((above, below) if n >= 0 else (below, above)), base.atoms, base.nesting)
 

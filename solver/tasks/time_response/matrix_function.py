@@ -25,6 +25,7 @@ from solver.options.expression import Expression
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import inverse
 from solver.tasks.freedom import a_root_is_asked_for
+from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.time_response.state_transition_matrix import require_diagonalizable
@@ -72,8 +73,12 @@ def _scalar(f: Expr) -> Expr:
 def by_cayley_hamilton(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivation[Answers]:
     """f(A) = Σ αᵢ Aⁱ, i < n, with αᵢ fixed by f(λ) = Σ αᵢ λⁱ and its λ-derivatives at repeated λ."""
     A, f = given.system.A, _asked(given)
+    scalar = exact.ScalarFunction(f, sp.Symbol("A"))
+    if not exact.asks_for_roots(A, scalar):
+        answers = yield from _by_the_remainder(A, scalar)
+        return answers
     spectrum = yield from eigenvalues_of(A)
-    found = exact.matrix_function(A, exact.ScalarFunction(f, sp.Symbol("A")))
+    found = exact.matrix_function(A, scalar)
     m = len(found.coefficients)
     unknowns = sp.symbols(f"alpha_:{m}")
     polynomial = total(*(product(a, power(sp.Symbol("A"), i)) for i, a in enumerate(unknowns)))
@@ -100,10 +105,48 @@ def by_cayley_hamilton(given: Given[StateSpace, MatrixFunctionOptions]) -> Deriv
         "assemble",
         claims={"F": Claim(combination, found.value, "sum of the powers of $A$")},
         polynomial=polynomial,
-        f=f,
+        f=_shown(f),
         principal=_has_root(f),
     )
     return Answers(F=found.value)
+
+
+def _by_the_remainder(A: ImmutableMatrix, f: exact.ScalarFunction) -> Derivation[Answers]:
+    """f = p/q reduced modulo χ, which needs no eigenvalue: p = q g + h χ and χ(A) = 0 give f(A) = g(A)."""
+    lamda = sp.Symbol("lamda")
+    yield from determinant_of(A, lamda)
+    value = exact.matrix_function(A, f)
+    found = exact.remainder_identity(A, f, lamda)
+    q, g = found.denominator, found.remainder
+    claims = {}
+    if found.quotient is not None:
+        divided = g if q == 1 else product(q, g)
+        identity = divided if found.quotient == 0 else total(product(found.quotient, found.chi), divided)
+        claims["remainder"] = Claim(found.numerator, identity, r"division with remainder by $\chi$")
+    yield Step(
+        "remainder",
+        claims=claims,
+        unclaimed="" if claims else "the remainder is checked by the sum of powers that it gives",
+        f=_scalar(f.expression),
+        remainder=g,
+        fraction=q != 1,
+    )
+    combination = _dot(value.coefficients, exact.powers(A, len(value.coefficients)))
+    yield Step(
+        "assemble",
+        claims={"F": Claim(combination, value.value, "sum of the powers of $A$")},
+        polynomial=None,
+        f=_shown(f.expression),
+        principal=False,
+    )
+    return Answers(F=value.value)
+
+
+def _shown(f: Expr) -> Expr | None:
+    """The function as it is written of a matrix; None for a quotient, which of matrices is none."""
+    A = sp.Symbol("A")
+    quotients = (each for each in f.atoms(sp.Pow) if each.base.has(A) and each.exp.could_extract_minus_sign())
+    return None if f != 1 / A and any(quotients) else f
 
 
 def _has_root(f: Expr) -> bool:
@@ -137,7 +180,9 @@ def by_modal_matrix(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivati
         Lambda=sp.ImmutableMatrix(sp.diag(*structure.eigenvalues)),
         f=f,
     )
-    yield Step("back", claims={"F": Claim(product(V, modes, inverted), found.value, "product of the matrices")}, f=f)
+    yield Step(
+        "back", claims={"F": Claim(product(V, modes, inverted), found.value, "product of the matrices")}, f=_shown(f)
+    )
     return Answers(F=found.value)
 
 

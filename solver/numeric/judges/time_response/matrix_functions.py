@@ -17,6 +17,7 @@ from solver.numeric.evaluation.points import PointSource, free_symbols, holds_de
 from solver.numeric.evaluation.precision import TOLERANCE
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable
 from solver.numeric.judges.time_response.exact_functions import exact_residual
+from solver.numeric.judges.time_response.rational_functions import equals_in_fractions, is_rational
 from solver.words import Phrase
 
 POINTS = 4
@@ -28,11 +29,19 @@ def matrix_function_residual(A: Any, function: Any, variable: Any, F: Any) -> fl
     """Return the largest difference of F and f(A) (n×n), relative to the largest entry of f(A)."""
     if F.shape != A.shape:
         return float("inf")
+    if is_rational(A, function, variable, F):
+        return 0.0 if equals_in_fractions(A, function, variable, F) else float("inf")
     symbols = (free_symbols(A) | free_symbols(F) | free_symbols(function)) - {variable}
     source = PointSource(symbols, whole_symbols(function, names={"k"}) - {variable})
     points = source.several(POINTS if symbols else 1)
-    found = worst_of(_residual_at(A, function, variable, F, point) for point in points)
-    if not found <= TOLERANCE or holds_decimals([A, F, function]):
+    decimals = holds_decimals([A, F, function])
+    try:
+        found = worst_of(_residual_at(A, function, variable, F, point) for point in points)
+    except NotEvaluable:  # too large for doubles
+        if decimals:
+            raise
+        return exact_residual(A, function, variable, F, points[-1])
+    if not found <= TOLERANCE or decimals:
         return found
     try:
         return exact_residual(A, function, variable, F, points[-1])
