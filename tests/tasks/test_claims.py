@@ -27,6 +27,15 @@ PLANTS = {
     "discrete, complex": whole([[0, 1], [-2, 2]], discrete=True),
 }
 QUICK = {"distinct", "discrete, complex"}
+PROGRAMS = ("numpy", "scipy", "mpmath", "sympy", "random points", "ranks of", "contour integral", "orthonormal basis")
+WAYS = {
+    "inspection", "counted", "compared", "positive", "decimals", "residual", "recursion", "coefficients",
+    "greatest common divisors", "characteristic polynomial", "characteristic polynomial of its companion matrix",
+    "Gauss–Legendre quadrature", "Cauchy's integral formula", "invariant subspaces in floats",
+    "orthogonal bases (50 digits)", "return difference at random points",
+}  # fmt: skip
+"""How checks are made: by a program or with points, or in one of these ways."""
+
 CASES = [
     pytest.param(task, method, plant, id=f"{task}-{method}-{name}", marks=() if name in QUICK else pytest.mark.slow)
     for name, plant in PLANTS.items()
@@ -73,7 +82,12 @@ def test_corrupted_claims_are_rejected(task, method, plant):
 
 
 @pytest.mark.parametrize(("task", "method", "plant"), CASES)
-def test_a_step_without_claims_says_why(task, method, plant):
-    for step in ask(task, plant, method).steps:
+def test_steps_and_checks_say_what_they_rest_on(task, method, plant):
+    result = ask(task, plant, method)
+    for step in result.steps:
         for each in step.walk():
             assert each.claims or each.unclaimed, each
+    for check in result.checks:
+        assert str(check.oracle) in WAYS or str(check.oracle).startswith(PROGRAMS), check
+        assert str(check.claim) not in WAYS - {"characteristic polynomial"}, check
+        assert not str(check.claim).startswith(PROGRAMS[:5]), check

@@ -49,12 +49,14 @@ def lyapunov_solution_of(
         reason = "the equations have no unique solution; the eigenvalues tell why"
         yield Step("singular", unclaimed=reason, solvable=solvable, discrete=discrete)
         return None
+    elimination = _elimination(unknowns)
     yield Step(
         "solution",
         claims={"solves": Claim(left_side(A, P, dual=dual, discrete=discrete), negative, "the Lyapunov equation")},
-        steps=_elimination(unknowns),
+        steps=elimination,
         P=P,
         count=len(unknowns.equations),
+        reduced=bool(elimination),
         discrete=discrete,
     )
     return P
