@@ -85,6 +85,8 @@ def second_order(given: Mapping[str, Any], band: sp.Expr | int = 4) -> SecondOrd
     found = _solve(pair, known, sp.Integer(0) + band)
     _check_damping(found, known)
     for name in set(known) - set(pair):
+        if name == "overshoot" and not known[name]:
+            continue  # none: that is so for ζ = 1
         value, asked = sp.N(specified(name, found.zeta, found.omega_n, band)), sp.N(known[name])
         if not (value.is_number and asked.is_number) or abs(value / asked - 1) > sp.Rational(1, 100):
             shown = {"value": sp.N(value, 4), "asked": sp.N(asked, 4)}
@@ -94,7 +96,7 @@ def second_order(given: Mapping[str, Any], band: sp.Expr | int = 4) -> SecondOrd
 
 def _check_ranges(known: Mapping[str, sp.Expr]) -> None:
     for name, value in known.items():
-        if value.is_number and not value.is_positive:
+        if value.is_number and (value.is_negative if name == "overshoot" else not value.is_positive):
             raise Inconsistent("second_order/not_positive", name=name)
     overshoot = known.get("overshoot")
     if overshoot is not None and overshoot.is_number and overshoot >= 1:
@@ -115,7 +117,9 @@ def _determining(known: Mapping[str, sp.Expr]) -> tuple[str, str]:
 
 
 def damping_of_overshoot(overshoot: sp.Expr) -> sp.Expr:
-    """ζ = −ln M/√(π² + ln² M); decimals for a number."""
+    """ζ = −ln M/√(π² + ln² M), 1 for M = 0; decimals for a number."""
+    if overshoot.is_zero:
+        return sp.Integer(1)
     log = sp.log(overshoot)
     zeta = -log / sp.sqrt(sp.pi**2 + log**2)
     return sp.N(zeta, DIGITS) if zeta.is_number else zeta
@@ -213,7 +217,8 @@ def _check_damping(found: SecondOrder, known: Mapping[str, sp.Expr]) -> None:
         return
     if zeta <= 0:
         raise Inconsistent("second_order/no_damping", pair=found.used)
-    if zeta >= 1 and set(known) & {"peak_time", "rise_time", "overshoot"}:
+    without_peak = {"peak_time", "rise_time"} | ({"overshoot"} if known.get("overshoot") else set())
+    if zeta >= 1 and set(known) & without_peak:
         raise Inconsistent("second_order/overdamped", pair=found.used)
 
 

@@ -95,12 +95,13 @@ def second_order_of(options: StepSpecifications) -> Derivation[exact.SecondOrder
         found = exact.second_order(given, c)
     except exact.Inconsistent as finding:
         raise Unsolved("second_order/cannot_be_met", why=finding.reason) from finding
+    if "settling_time" in given and found.zeta.is_number and found.zeta > 1:
+        raise Unsolved("second_order/no_settling_formula", zeta=found.zeta)
     claims = {
         name: Claim(exact.specified(name, found.zeta, found.omega_n, c), given[name], name.replace("_", " "))
         for name in given
-        if name in found.used or name not in ("damping_ratio", "natural_frequency")
+        if name in found.used and given[name] != 0
     }
-    claims = {name: claim for name, claim in claims.items() if name in found.used}
     yield Step(
         "damping_and_frequency",
         claims=claims,

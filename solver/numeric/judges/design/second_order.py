@@ -16,6 +16,8 @@ from solver.numeric.evaluation.values import NotEvaluable
 
 DIGITS = 40
 DAMPING = ("damping_ratio", "overshoot")
+ORDER = ("damping_ratio", "natural_frequency", "settling_time", "peak_time", "overshoot", "rise_time")
+"""Of more specifications than two the first are met, not both about the damping; the others are rounded ones."""
 
 Number = Any
 """A number of mpmath."""
@@ -41,13 +43,15 @@ def with_unit_frequency(name: str, zeta: Number, band: Number) -> Number:
 def damping_and_frequency(given: Mapping[str, Any], band: Any = 4) -> tuple[Number, Number]:
     """Return ζ and ω_n that meet two of the specifications (numbers). Raises NotEvaluable if none does."""
     with mpmath.workdps(DIGITS):
-        values = {name: mpmath.mpmathify(sp.N(value, DIGITS)) for name, value in given.items()}
+        values = {name: mpmath.mpmathify(sp.N(given[name], DIGITS)) for name in _met(given)}
         damping = next((name for name in DAMPING if name in values), None)
         speeds = [name for name in values if name not in DAMPING]
         if not speeds:
             raise NotEvaluable("the specifications do not fix the natural frequency")
         if damping == "damping_ratio":
             zeta = values[damping]
+        elif damping and values["overshoot"] == 0:
+            zeta = mpmath.mpf(1)
         elif damping:
             zeta = _bisected(lambda z: with_unit_frequency("overshoot", z, band) - values["overshoot"])
         else:
@@ -56,6 +60,13 @@ def damping_and_frequency(given: Mapping[str, Any], band: Any = 4) -> tuple[Numb
         if name == "natural_frequency":
             return zeta, values[name]
         return zeta, with_unit_frequency(name, zeta, band) / values[name]
+
+
+def _met(given: Mapping[str, Any]) -> list[str]:
+    """Return the names of two specifications that fix the poles; all there are where they do not."""
+    names = [name for name in ORDER if name in given]
+    second = [name for name in names[1:] if not {names[0], name} <= set(DAMPING)]
+    return [names[0], second[0]] if second else names
 
 
 def _mismatch(names: list[str], values: Mapping[str, Number], zeta: Number, band: Number) -> Number:
