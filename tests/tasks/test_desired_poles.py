@@ -116,23 +116,23 @@ def test_each_answer_alone_is_accepted_and_each_corruption_rejected(name):
 
 
 def test_without_overshoot_the_damping_ratio_is_one():
-    for given in ({"settling_time": R(2)}, {"natural_frequency": R(2)}):
-        result = ask("desired_poles", NOTHING, overshoot=R(0), **given)
+    for speed in ({"settling_time": R(2)}, {"natural_frequency": R(2)}):
+        result = ask("desired_poles", NOTHING, overshoot=R(0), **speed)
         assert result.status is Status.VERIFIED
         assert result.answers["damping_ratio"] == 1
         assert result.answers["poles"] == [-2, -2]
 
 
-@pytest.mark.parametrize("given", [{"natural_frequency": R(2)}, {"damping_ratio": R(2)}])
-def test_a_settling_time_of_two_real_poles_has_no_formula(given):
-    result = ask("desired_poles", NOTHING, settling_time=R(1), **given)
+@pytest.mark.parametrize("other", [{"natural_frequency": R(2)}, {"damping_ratio": R(2)}])
+def test_a_settling_time_of_two_real_poles_has_no_formula(other):
+    result = ask("desired_poles", NOTHING, settling_time=R(1), **other)
     assert result.status is Status.UNSOLVED
-    assert str(result.reason) == "second_order/no_settling_formula" or "settling" in str(result.reason)
+    assert "settling" in str(result.reason)
     assert not result.answers
 
 
 @pytest.mark.parametrize("third", [{"overshoot": R(135, 1000)}, {"damping_ratio": R(54, 100), "peak_time": None}])
 def test_rounded_specifications_that_agree_are_met(third):
-    given = {"settling_time": R(2), "peak_time": R(1), **third}
-    result = ask("desired_poles", NOTHING, **{name: value for name, value in given.items() if value is not None})
+    asked = {"settling_time": R(2), "peak_time": R(1), **third}
+    result = ask("desired_poles", NOTHING, **{name: value for name, value in asked.items() if value is not None})
     assert result.status is Status.VERIFIED
