@@ -4,6 +4,7 @@ import ast
 import html
 import json
 import re
+from collections import Counter
 from dataclasses import replace
 from functools import cache
 
@@ -172,6 +173,25 @@ def test_a_language_has_only_files_macros_and_phrases_that_english_has(language)
         assert set(macros.findall(path.read_text(encoding="utf-8"))) <= set(
             macros.findall(english.read_text(encoding="utf-8"))
         ), path.name
+
+
+def displays(path):
+    """What each macro of a template displays and says names stand for, words in formulas left out."""
+    for body in re.split(r"(?=\{% macro )", path.read_text(encoding="utf-8"))[1:]:
+        shown = re.findall(r"\{\{-? *(?:eq|align|stands|row)\(.*?\) *-?\}\}", body, re.DOTALL)
+        yield re.search(r"macro (\w+)", body)[1], Counter(re.sub(r"\\\\text\{.*?\}|\s+", "", each) for each in shown)
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_a_language_displays_what_english_displays(language):
+    folder = root("templates") / "wording"
+    told = 0
+    for path in sorted((folder / language / "lemmas").glob("*.md.jinja")):
+        english = dict(displays(folder / path.relative_to(folder / language)))
+        for macro, shown in displays(path):
+            assert shown == english[macro], (path.name, macro)
+            told += shown.total()
+    assert told > 50
 
 
 def strings_of_the_program():

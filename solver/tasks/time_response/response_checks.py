@@ -145,7 +145,7 @@ def peak_checks(given: Given[StateSpace, ResponseOptions], peak: Any, time: Any)
         if value is not None:
             label = "time of the largest $|y|$" if which == 0 else "largest $|y|$"
             residual = partial(_peak_residual, truth, value, which)
-            yield numeric.check_residual(label, "simulation", residual, answer=name)
+            yield numeric.check_residual(label, "mpmath simulation", residual, answer=name)
 
 
 def _peak_residual(truth: Truth, submitted: Any, which: int) -> float:

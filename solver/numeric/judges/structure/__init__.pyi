@@ -1,12 +1,9 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.structure.controllability import (
-    all_differ,
-    every_fall_is_named,
     hidden_modes_decay,
     hidden_modes_residual,
     krylov_matrix,
-    rank_falls_where,
 )
 from solver.numeric.judges.structure.decomposition import (
     coordinates_residual,
@@ -15,6 +12,7 @@ from solver.numeric.judges.structure.decomposition import (
     separation_residual,
     visible_part_residual,
 )
+from solver.numeric.judges.structure.rank_falls import all_differ, every_fall_is_named, rank_falls_where
 
 __all__ = [
     "all_differ",
