@@ -57,6 +57,7 @@ def slips(tmp_path, code):
         ("f'{a + b}'", set()),
         ("cast(a, -1)", set()),
         ("gc.set_threshold(a, 20)", set()),
+        ("lru_cache(a + 20)(b)", set()),
     ],
 )
 def test_the_slips_of_an_expression(tmp_path, expression, changed):
@@ -68,7 +69,17 @@ def test_the_slips_of_an_expression(tmp_path, expression, changed):
 
 def test_what_is_not_computed_is_left_alone(tmp_path):
     code = '"""A text - with 1."""\nif TYPE_CHECKING:\n    x = 1\n\n\n@f(1)\ndef g(x: "a - b") -> "1":\n    "No 2."\n'
+    code += 'if __name__ == "__main__":\n    exit(g(1))\n'
     assert slips(tmp_path, code) == []
+
+
+def test_what_a_refusal_says_is_left_alone_and_what_it_decides_is_not(tmp_path):
+    code = "def f(a):\n    raise g({} if a == {} else {}, h(a, 'x'))\n"
+    assert {each.kind for each in slips(tmp_path, code.format("'one way'", "'b'", "'the other'"))} == {
+        "swapped argument"
+    }
+    for deciding in (code.format("'one'", 2, "'other'"), code.format("'one way'", 2, "k(a)")):
+        assert {"comparison", "constant"} <= {each.kind for each in slips(tmp_path, deciding)}
 
 
 def test_letters_of_several_bytes_do_not_move_a_slip(tmp_path):

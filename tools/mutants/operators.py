@@ -17,7 +17,7 @@ SYMMETRIC = frozenset("isinstance issubclass zip max min gcd lcm getattr hasattr
 """Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
 UNSEEN_KEYWORDS = frozenset("strict maxsize slots frozen kw_only stacklevel".split())
 """Keywords that guard or make faster what is right without them."""
-SPEED = frozenset({"set_threshold"})
+SPEED = frozenset({"set_threshold", "lru_cache"})
 """Functions whose arguments make the program faster or slower and nothing else."""
 WORDS = (ast.List, ast.Tuple, ast.ListComp, ast.JoinedStr, ast.Dict, ast.Set)
 
@@ -74,10 +74,16 @@ def mutants_of(path: Path, root: Path) -> Iterator[Mutant]:
             yield Mutant(name, function, kind, node.lineno, last_line, start, end, before, after)
 
 
-def _expressions(node: ast.AST, function: str) -> Iterator[tuple[str, ast.expr]]:
-    """Walk through what is computed, with the name of the function around it: no annotations, decorators, texts."""
+def _expressions(node: ast.AST, function: str, raised: bool = False) -> Iterator[tuple[str, ast.expr]]:
+    """Walk through what is computed, with the name of the function around it: no annotations, decorators, texts.
+
+    In what is raised, what decides between two texts is no slip: it changes the words alone.
+    """
+    raised = raised or isinstance(node, ast.Raise)
     for field, value in ast.iter_fields(node):
         if field in {"annotation", "returns", "decorator_list", "type_params"}:
+            continue
+        if field == "test" and raised and _is_choice_of_words(node):
             continue
         for child in value if isinstance(value, list) else [value]:
             if not isinstance(child, ast.AST) or _is_unseen(child):
@@ -89,21 +95,30 @@ def _expressions(node: ast.AST, function: str) -> Iterator[tuple[str, ast.expr]]
                 inside = f"{function}.{child.name}".lstrip(".")
             if isinstance(child, ast.expr):
                 yield inside, child
-            yield from _expressions(child, inside)
+            yield from _expressions(child, inside, raised)
 
 
 def _is_unseen(node: ast.AST) -> bool:
-    return _is_only_typing(node) or _is_only_speed(node) or isinstance(node, ast.JoinedStr)
+    match node:
+        case ast.JoinedStr():
+            return True
+        case ast.If(ast.Name("TYPE_CHECKING")) | ast.If(ast.Compare(ast.Name("__name__"))):
+            return True
+        case ast.Call(function):
+            return _name(function) in SPEED | {"cast"}
+    return False
 
 
-def _is_only_speed(node: ast.AST) -> bool:
-    return isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in SPEED
+def _is_choice_of_words(node: ast.AST) -> bool:
+    """Whether it is one of two texts that a person reads: a single word may be a key."""
+    match node:
+        case ast.IfExp(_, ast.Constant(str() as one), ast.Constant(str() as other)):
+            return " " in one and " " in other
+    return False
 
 
-def _is_only_typing(node: ast.AST) -> bool:
-    if isinstance(node, ast.If) and isinstance(node.test, ast.Name):
-        return node.test.id == "TYPE_CHECKING"
-    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "cast"
+def _name(function: ast.expr) -> str:
+    return function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
 
 
 def _changes(node: ast.expr) -> Iterator[tuple[str, ast.expr]]:
@@ -152,6 +167,5 @@ def _is_text(node: ast.expr) -> bool:
 
 
 def _is_ordered(function: ast.expr, first: ast.expr, second: ast.expr) -> bool:
-    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
     plain = not isinstance(first, ast.Starred) and not isinstance(second, ast.Starred)
-    return plain and name not in SYMMETRIC and ast.dump(first) != ast.dump(second)
+    return plain and _name(function) not in SYMMETRIC and ast.dump(first) != ast.dump(second)
