@@ -155,12 +155,68 @@ def test_refusals_say_why(method, plant, Q, words):
         ("cost_factor: -1, R: 1", "must be positive"),
         ("initial_state: [1, 0]", "say what is weighed"),
         ("Q: [[1]], R: 1", "2 rows"),
+        ("Q: [[1, 0], [0, 1]], R: 1, N: [1, 1]", "too large beside .* it is indefinite"),
+        ("output_weight: 1, N: [0, 1]", "too large beside"),
+        ("R: 1, N: [1, 2, 3]", "2 rows"),
     ],
 )
 def test_what_the_file_shows_to_be_wrong_is_refused(options, words):
     text = f"system: {{A: [[0, 1], [0, 0]], B: [0, 1], C: [1, 0]}}\nfind:\n  a: {{task: lqr, {options}}}\n"
     with pytest.raises(Exception, match=words):
         solve(text)
+
+
+CROSS = {"Q": sp.ImmutableMatrix(sp.diag(2, 3)), "R": ONE, "N": sp.ImmutableMatrix([1, 1])}
+INTEGRATORS = system([[0, 1], [0, 0]], B=[[0], [1]])
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_cross_weight_is_taken_away_by_completing_the_square(method):
+    """By hand: p12² + 2 p12 = 1, K = [p12 + 1, p22 + 1] with (p22 + 1)² = 3 + 2 p12."""
+    result = ask("lqr", INTEGRATORS, method, **CROSS)
+    assert result.status is Status.VERIFIED, result.reason
+    square = next(step for step in result.steps if step.kind == "completed_square").claims
+    assert square["A"].right == sp.ImmutableMatrix([[0, 1], [-1, -1]])
+    assert square["Q"].right == sp.ImmutableMatrix([[1, -1], [-1, 2]])
+    assert result.answers["K"] == sp.ImmutableMatrix([[sp.sqrt(2), sp.sqrt(1 + 2 * sp.sqrt(2))]])
+    assert result.answers["Q"] == CROSS["Q"]
+
+
+def test_a_cross_weight_with_symbols():
+    a, n, q, r = sp.symbols("a n q r")
+    asked = {"Q": sp.ImmutableMatrix([[q]]), "R": sp.ImmutableMatrix([[r]]), "N": sp.ImmutableMatrix([[n]])}
+    result = ask("lqr", system([[a]], B=[1]), **asked)
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["K"][0].equals(a + sp.sqrt(a**2 * r**2 - 2 * a * n * r + q * r) / r)
+
+
+@tried(10)
+@given(st.integers(1, 3), st.integers(1, 2), st.randoms(use_true_random=False))
+def test_cross_weights_agree_with_scipy(n, m, random):
+    """[[Q, N], [Nᵀ, R]] = MᵀM + I is positive definite."""
+    A, B, M = (
+        sp.ImmutableMatrix(rows, columns, lambda *_: random.randint(-2, 2))
+        for rows, columns in ((n, n), (n, m), (n + m, n + m))
+    )
+    W = M.T * M + sp.eye(n + m)
+    asked = {name: sp.ImmutableMatrix(each) for name, each in (("Q", W[:n, :n]), ("R", W[n:, n:]), ("N", W[:n, n:]))}
+    for method in METHODS:
+        result = ask("lqr", system(A, B=B), method, **asked)
+        assert result.status is not Status.FAILED, result.reason
+        if result.status is Status.VERIFIED:
+            Q, R, N = (floats(asked[name]) for name in "QRN")
+            P = solve_continuous_are(floats(A), floats(B), Q, R, s=N)
+            assert np.abs(floats(result.answers["P"]) - P).max() <= 1e-6 * (1 + np.abs(P).max())
+            K = np.linalg.solve(R, floats(B).T @ P + N.T)
+            assert np.abs(floats(result.answers["K"]) - K).max() <= 1e-6 * (1 + np.abs(K).max())
+
+
+@pytest.mark.parametrize("name", ["P", "K", "u", "closed_loop_A", "eigenvalues", "equations", "solutions"])
+def test_answers_of_the_problem_without_cross_weight_are_rejected(name):
+    without = ask("lqr", INTEGRATORS, **{key: value for key, value in CROSS.items() if key != "N"}).answers
+    cross = ask("lqr", INTEGRATORS, **CROSS).answers
+    assert not rejected("lqr", INTEGRATORS, {name: cross[name]}, **CROSS)
+    assert rejected("lqr", INTEGRATORS, {name: without[name]}, **CROSS)
 
 
 RIGHT = ask("lqr", UNSTABLE, **ASKED).answers

@@ -64,7 +64,7 @@ PROMISED = {
         DESIGN, "", "poles gain observer_poles observer_gain reduced", "closed_loop_A eigenvalues compensator S1 S2"
     ),
     "lqr": (
-        DESIGN, "riccati hamiltonian", "Q R output_weight tolerances initial_state cost_factor",
+        DESIGN, "riccati hamiltonian", "Q R N output_weight tolerances initial_state cost_factor",
         "P K u Q R closed_loop_A eigenvalues cost equations solutions definiteness",
     ),
     "kalman_filter": (DESIGN, "riccati hamiltonian", "Q R", "P L error_A eigenvalues"),

@@ -1,9 +1,10 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati, weighted_input
+from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati
 from solver.exact.optimal.riccati_cases import Case, case_split
 from solver.exact.optimal.riccati_entries import riccati_entries
 from solver.exact.optimal.root_choices import OnTheAxis
+from solver.exact.optimal.weighting import completed_square, weighted_input, weighted_transpose
 
 __all__ = [
     "Case",
@@ -12,7 +13,9 @@ __all__ = [
     "Riccati",
     "RiccatiSolution",
     "case_split",
+    "completed_square",
     "riccati",
     "riccati_entries",
     "weighted_input",
+    "weighted_transpose",
 ]

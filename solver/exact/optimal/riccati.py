@@ -28,6 +28,7 @@ from solver.exact.optimal.decimal_matrices import Rows, combined, powers_of, row
 from solver.exact.optimal.root_choices import DIGITS, WORKING_DIGITS, Choice
 from solver.exact.optimal.spectral_factor import Group, combinations, decimal_polynomial, exact_polynomial, groups_of
 from solver.exact.optimal.tower_matrices import polynomial_at, shown, solved
+from solver.exact.optimal.weighting import weighted_input, weighted_transpose
 from solver.exact.structure.controllability import controllability_matrix
 from solver.exact.structure.ranks import HiddenPart, hidden_part
 
@@ -112,21 +113,27 @@ class Riccati:
         """The eigenvalues of the stabilizing solution's closed loop A − GP, by multiplicity."""
         return list(chain.from_iterable(map(_spelled, (group.choices[0] for group in self.groups))))
 
-    def gain(self, B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
-        """K = R⁻¹ Bᵀ P (m×n) of the stabilizing solution."""
+    def gain(
+        self, B: sp.ImmutableMatrix, R: sp.ImmutableMatrix, N: sp.ImmutableMatrix | None = None
+    ) -> sp.ImmutableMatrix:
+        """K = R⁻¹ (Bᵀ P + Nᵀ) (m×n) of the stabilizing solution, N n×m (None: zero)."""
         P, W = self.stabilizing.P, weighted_transpose(B, R)
+        cross = weighted_transpose(N, R) if N is not None else sp.ImmutableMatrix(sp.zeros(*W.shape))
         found = exact_polynomial(domain_matrix(self.H).domain, self.stabilizing.choices) if P.free_symbols else None
         if found is None:
-            return sp.ImmutableMatrix((W * P).expand())
+            return sp.ImmutableMatrix((W * P + cross).expand())
         tower, coefficients = found
         K = tower.K
         entries = solved(tower, polynomial_at(tower, coefficients, domain_matrix(self.H)))
-        weights = domain_matrix(W).convert_to(K.unify(domain_matrix(W).domain))
-        if weights.domain != K:
-            return sp.ImmutableMatrix((W * P).expand())
+        weights, constant = domain_matrix(W).unify(domain_matrix(cross))
+        if weights.domain.unify(K) != K:
+            return sp.ImmutableMatrix((W * P + cross).expand())
         rows = [
-            [reduce(tower.add, (tower.scale(w, entries[k][j]) for k, w in enumerate(row))) for j in range(self.order)]
-            for row in weights.to_list()
+            [
+                reduce(tower.add, (tower.scale(w, entries[k][j]) for k, w in enumerate(row)), tower.constant(added[j]))
+                for j in range(self.order)
+            ]
+            for row, added in zip(weights.convert_to(K).to_list(), constant.convert_to(K).to_list(), strict=True)
         ]
         return sp.ImmutableMatrix([[shown(tower, entry) for entry in row] for row in rows])
 
@@ -218,18 +225,6 @@ def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix
     fixed = tuple(reached == 0 for _, reached in shared)
     endless = tuple(own > 1 and reached > 0 for own, reached in shared)
     return Riccati(A, G, Q, H, groups, fixed, endless)
-
-
-def weighted_input(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
-    """G = B R⁻¹ Bᵀ (n×n)."""
-    left, right = domain_matrix(B).unify(domain_matrix(weighted_transpose(B, R)))
-    return matrix_of(left * right)
-
-
-def weighted_transpose(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
-    """R⁻¹ Bᵀ (m×n)."""
-    wide = domain_matrix(sp.Matrix(sp.BlockMatrix([[R, B.T]])))
-    return matrix_of(wide[:, : R.rows].lu_solve(wide[:, R.rows :]))
 
 
 def _stable(root: sp.Expr) -> bool:

@@ -1,4 +1,4 @@
-"""The linear quadratic regulator: the state feedback that minimizes ∫ xᵀQx + uᵀRu dt."""
+"""The linear quadratic regulator: the state feedback that minimizes ∫ xᵀQx + 2xᵀNu + uᵀRu dt."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
-from solver.stated.algebra import difference, product
+from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
 from solver.tasks import mistakes
 from solver.tasks.design.regulator import Regulator, faulty_weights
@@ -48,10 +48,11 @@ from solver.tasks.design.riccati_solutions import (
 from solver.tasks.design.weights import (
     WeightOptions,
     cost_factor,
+    faulty_cross_weight,
     faulty_state_weight,
+    regulator_of,
     state_weight,
     weights_as_stated,
-    weights_of,
 )
 from solver.words import Phrase, Reason
 
@@ -98,6 +99,7 @@ def wrong_weights(system: Any, options: LqrOptions) -> Iterable[Refusal]:
     """Weights given twice, of the wrong size, or not definite as they must be."""
     yield from faulty_weights(options.Q, options.R)
     yield from faulty_state_weight(system, options)
+    yield from faulty_cross_weight(system, options)
     factor = options.cost_factor
     if factor is not None and factor.is_positive is False:
         yield "cost_factor", Reason("regulators/not_positive", {"name": "cost_factor"})
@@ -106,10 +108,9 @@ def wrong_weights(system: Any, options: LqrOptions) -> Iterable[Refusal]:
 @lqr.method("riccati", title="Riccati equation", source="Lecture note, section 5.3", time="continuous")
 def by_the_riccati_equation(given: Given[WithInput, LqrOptions]) -> Derivation[Answers]:
     """Solve AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 entry by entry and choose the stabilizing solution."""
-    Q, R = yield from weights_of(given)
-    problem = Regulator.of(given.system.A, given.system.B, Q, R)
+    asked, problem = yield from regulator_of(given)
     equation, listed = yield from solutions_by_equations(problem)
-    answers = yield from _control(given, problem, equation)
+    answers = yield from _control(given, asked, equation)
     answers |= listed_answers(problem, listed)
     return answers
 
@@ -122,22 +123,21 @@ def by_the_riccati_equation(given: Given[WithInput, LqrOptions]) -> Derivation[A
 )
 def by_the_hamiltonian_matrix(given: Given[WithInput, LqrOptions]) -> Derivation[Answers]:
     """Take the stable half of the spectrum of the Hamiltonian matrix; its invariant subspace gives P."""
-    Q, R = yield from weights_of(given)
-    problem = Regulator.of(given.system.A, given.system.B, Q, R)
+    asked, problem = yield from regulator_of(given)
     equation = yield from solution_by_hamiltonian(problem)
-    return (yield from _control(given, problem, equation))
+    return (yield from _control(given, asked, equation))
 
 
 @lemma("regulator")
 def _control(given: Given[WithInput, LqrOptions], problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
-    """Find K = R⁻¹BᵀP, u = −K x, the closed loop and the cost."""
-    P, n = equation.stabilizing.P, problem.A.rows
-    K = equation.gain(problem.B, problem.R)
-    yield Step(
-        "gain",
-        claims={"K": Claim(product(inverse(problem.R), sp.ImmutableMatrix(problem.B.T), P), K, "the gain")},
-        K=K,
-    )
+    """Find K = R⁻¹(BᵀP + Nᵀ), u = −K x, the closed loop and the cost."""
+    P, n, N = equation.stabilizing.P, problem.A.rows, problem.N
+    K = equation.gain(problem.B, problem.R, N)
+    Bt = sp.ImmutableMatrix(problem.B.T)
+    stated = product(inverse(problem.R), Bt, P)
+    if N is not None:
+        stated = product(inverse(problem.R), total(product(Bt, P), sp.ImmutableMatrix(N.T)))
+    yield Step("gain", claims={"K": Claim(stated, K, "the gain")}, K=K, cross=N is not None)
     states = states_of(given)
     control = sp.ImmutableMatrix(-K * sp.Matrix(states))
     u = control[0, 0] if control.rows == 1 else control
@@ -175,19 +175,22 @@ def _initial_state(given: Given[WithInput, LqrOptions]) -> ImmutableMatrix | Non
 
 def _problem(given: Given[WithInput, LqrOptions]) -> Weights:
     """The plant and the weights, for the judges."""
-    return judges.Weights(given.system.A, given.system.B, state_weight(given), weights_as_stated(given)[1])
+    Q, R = state_weight(given), weights_as_stated(given)[1]
+    return judges.Weights(given.system.A, given.system.B, Q, R, given.options.N)
 
 
 @lqr.verification("P")
 def is_the_stabilizing_solution(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
-    """P is symmetric, solves the Riccati equation, and A − BR⁻¹BᵀP is Hurwitz; there is only one such P."""
-    yield from stabilizing_checks(_problem(given), answers["P"], "A - BR^{-1}B^{T}P")
+    """P is symmetric, solves the Riccati equation, and A − BR⁻¹(BᵀP + Nᵀ) is Hurwitz; there is only one such P."""
+    loop = "A - BR^{-1}B^{T}P" if given.options.N is None else "A - BR^{-1}(B^{T}P + N^{T})"
+    yield from stabilizing_checks(_problem(given), answers["P"], loop)
 
 
 @lqr.verification("K")
 def is_optimal(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
-    """K stabilizes and is R⁻¹BᵀP for the matrix P of its own cost."""
-    label = "$K$ stabilizes, and $K = R^{-1}B^{T}P$ for the $P$ of its own cost"
+    """K stabilizes and is R⁻¹(BᵀP + Nᵀ) for the matrix P of its own cost."""
+    gain = "R^{-1}B^{T}P" if given.options.N is None else "R^{-1}(B^{T}P + N^{T})"
+    label = Phrase("$K$ stabilizes, and $K = {gain}$ for the $P$ of its own cost", gain=gain)
     yield gain_check(_problem(given), answers["K"], "K", label)
 
 
@@ -239,7 +242,7 @@ def is_the_least_cost(given: Given[WithInput, LqrOptions], answers: Answers) -> 
 
 @lqr.verification("equations")
 def are_the_entries_of_the_equation(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
-    """The entries of AᵀP + PA − P B R⁻¹ Bᵀ P + Q, in any order and scale."""
+    """The entries of the left side of the Riccati equation, in any order and scale."""
     yield equations_check(_problem(given), answers["equations"])
 
 
@@ -254,10 +257,11 @@ lqr.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
 
 @lqr.mistake("it comes from a solution of the Riccati equation that is not the stabilising one", "K")
 def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
-    """K = R⁻¹BᵀP of a P that is not the stabilizing one."""
-    R = wrong.given.options.R or wrong.answers["R"]
+    """K = R⁻¹(BᵀP + Nᵀ) of a P that is not the stabilizing one."""
+    R, N = wrong.given.options.R or wrong.answers["R"], wrong.given.options.N
+    B = wrong.given.system.B
     for P in wrong.answers.get("solutions", ()):
-        yield sp.ImmutableMatrix(R.inv() * wrong.given.system.B.T * P)
+        yield sp.ImmutableMatrix(R.inv() * (B.T * P + (N.T if N is not None else sp.zeros(*B.T.shape))))
 
 
 lqr.mistake(OTHER_SOLUTION, "P")(other_solutions)
@@ -268,3 +272,9 @@ def without_initial_state(system: System, options: LqrOptions) -> tuple[System, 
     """The cost from rest."""
     x0 = options.initial_state
     return None if x0 is None else (system, replace(options, initial_state=sp.ImmutableMatrix(sp.zeros(*x0.shape))))
+
+
+@lqr.mistaken_question("the cross weight is forgotten")
+def without_cross_weight(system: System, options: LqrOptions) -> tuple[System, LqrOptions] | None:
+    """The regulator without N."""
+    return None if options.N is None else (system, replace(options, N=None))

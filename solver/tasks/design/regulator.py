@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Refusal
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 class Regulator:
     """AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 with A n×n, B n×m, Q n×n, R m×m; for a filter A and B stand for Aᵀ and Cᵀ.
 
-    Symbols that are weights by themselves are positive here: `plain` leads back to the symbols of the problem.
+    Symbols that are weights by themselves are positive here: `plain` leads back to the symbols of the problem. `N`
+    (n×m) weighs products in the cost, xᵀQx + 2xᵀNu + uᵀRu; `completed` says that A and Q stand for those without.
     """
 
     A: ImmutableMatrix
@@ -31,13 +32,23 @@ class Regulator:
     R: ImmutableMatrix
     dual: bool
     plain: Mapping[Symbol, Symbol]
+    N: ImmutableMatrix | None = None
+    completed: bool = False
 
     @staticmethod
-    def of(A: Any, B: Any, Q: Any, R: Any, *, dual: bool = False) -> Regulator:
+    def of(A: Any, B: Any, Q: Any, R: Any, *, N: Any = None, dual: bool = False) -> Regulator:
         """Return the problem, with weights taken as positive."""
         positive = {s: sp.Symbol(s.name, positive=True) for s in own_weights(Q, R) if not s.is_positive}
         A, B, Q, R = (sp.ImmutableMatrix(M.xreplace(positive)) for M in (A, B, Q, R))
-        return Regulator(A, B, Q, R, dual, {new: old for old, new in positive.items()})
+        N = N if N is None else sp.ImmutableMatrix(N.xreplace(positive))
+        return Regulator(A, B, Q, R, dual, {new: old for old, new in positive.items()}, N)
+
+    def without_products(self) -> Regulator:
+        """Return the problem of v = u + R⁻¹Nᵀx: A − B R⁻¹ Nᵀ and Q − N R⁻¹ Nᵀ, with the same P."""
+        if self.N is None:
+            return self
+        A, Q = exact.completed_square(self.A, self.B, self.Q, self.R, self.N)
+        return replace(self, A=A, Q=Q, N=None, completed=True)
 
     def restored(self, value: Any) -> Any:
         """Return a result in the symbols of the problem."""
@@ -55,10 +66,11 @@ class Regulator:
 
     @property
     def names(self) -> dict[str, Any]:
-        """The letters of the plant as LaTeX: what stands for A, its transpose, B, its transpose."""
+        """The letters of the plant as LaTeX: what stands for A, its transpose, B, its transpose, and for Q."""
         if self.dual:
-            return {"A": "A^{T}", "At": "A", "B": "C^{T}", "Bt": "C", "dual": True}
-        return {"A": "A", "At": "A^{T}", "B": "B", "Bt": "B^{T}", "dual": False}
+            return {"A": "A^{T}", "At": "A", "B": "C^{T}", "Bt": "C", "Q_name": "Q", "dual": True}
+        A, Q = (rf"\bar{{{name}}}" if self.completed else name for name in "AQ")
+        return {"A": A, "At": f"{A}^{{T}}", "B": "B", "Bt": "B^{T}", "Q_name": Q, "dual": False}
 
 
 def own_weights(*matrices: Any) -> set[Symbol]:
@@ -93,16 +105,17 @@ def faulty_weights(Q: ImmutableMatrix | None, R: ImmutableMatrix | None, own: st
     if Q is not None and Q.rows == Q.cols:
         if Q != Q.T:
             yield own, Reason("regulators/not_symmetric", {"name": own})
-        elif _word(Q) not in {None, "positive definite", "positive semidefinite"}:
-            yield own, Reason("regulators/not_semidefinite", {"name": own, "word": _word(Q)})
+        elif definiteness_word(Q) not in {None, "positive definite", "positive semidefinite"}:
+            yield own, Reason("regulators/not_semidefinite", {"name": own, "word": definiteness_word(Q)})
     if R is not None and R.rows == R.cols:
         if R != R.T:
             yield "R", Reason("regulators/not_symmetric", {"name": "R"})
-        elif _word(R) not in {None, "positive definite"}:
-            yield "R", Reason("regulators/not_definite", {"name": "R", "word": _word(R)})
+        elif definiteness_word(R) not in {None, "positive definite"}:
+            yield "R", Reason("regulators/not_definite", {"name": "R", "word": definiteness_word(R)})
 
 
-def _word(M: Any) -> str | None:
+def definiteness_word(M: Any) -> str | None:
+    """Return of what definiteness a symmetric matrix is; None where parameters decide."""
     try:
         word: str | None = exact.definiteness(sp.ImmutableMatrix(M))
     except exact.NotExact:

@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Given, Refusal, Step, lemma, option
+from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.options.matrix import MatrixOf
 from solver.options.number import Number
 from solver.stated import Stated
-from solver.stated.algebra import product
-from solver.stated.matrices import transpose
-from solver.tasks.design.regulator import faulty_weights, given_or_identity
+from solver.stated.algebra import difference, product
+from solver.stated.matrices import inverse, transpose
+from solver.tasks.design.regulator import Regulator, definiteness_word, faulty_weights, given_or_identity
 from solver.tasks.plant_options import PlantOptions
 from solver.words import Reason
 
@@ -33,6 +34,9 @@ class WeightOptions(PlantOptions):
     )
     R: ImmutableMatrix | None = option(
         MatrixOf("m", "m"), "weight of the input, m×m, symmetric and positive definite (default I)"
+    )
+    N: ImmutableMatrix | None = option(
+        MatrixOf("n", "m", flat="column"), "cross weight, n×m: the cost has 2xᵀNu too (default 0)"
     )
     output_weight: ImmutableMatrix | None = option(MatrixOf(), "w for Q = w CᵀC, or a matrix W (p×p) for Q = CᵀWC")
     tolerances: ImmutableMatrix | None = option(
@@ -63,14 +67,27 @@ def faulty_state_weight(system: System, options: WeightOptions) -> Iterable[Refu
         yield "tolerances", Reason("regulators/not_positive", {"name": "tolerances"})
 
 
+def faulty_cross_weight(system: System, options: WeightOptions) -> Iterable[Refusal]:
+    """A weight N that is too large beside Q and R: Q − N R⁻¹ Nᵀ must be positive semidefinite."""
+    N: Any = options.N
+    if N is None:
+        return
+    R = given_or_identity(options.R, N.cols)
+    Q = weight_of_state(options, getattr(system, "C", None), N.rows)
+    if R.T != R or Q.T != Q or definiteness_word(R) not in {None, "positive definite"}:
+        return
+    zeros = sp.ImmutableMatrix(sp.zeros(N.rows))
+    word = definiteness_word(exact.completed_square(zeros, N, Q, R, N)[1])
+    if word not in {None, "positive definite", "positive semidefinite"}:
+        yield "N", Reason("regulators/cross_weight_too_large", {"word": word})
+
+
 def weights_as_stated(given: Given[WithInput, WeightOptions]) -> tuple[Any, ImmutableMatrix]:
     """Q, as the formula that gives it where there is one, and R."""
-    C, W, tolerances = given.system.C, given.options.output_weight, given.options.tolerances
+    C, W = given.system.C, given.options.output_weight
     R = given_or_identity(given.options.R, given.system.B.cols)
-    if tolerances is not None:
-        return sp.ImmutableMatrix(sp.diag(*(1 / x**2 for x in tolerances.flat()))), R
     if W is None:
-        return given_or_identity(given.options.Q, given.system.order), R
+        return state_weight(given), R
     if W.shape == (1, 1):
         return product(W[0, 0], transpose(C), C), R
     return product(transpose(C), W, C), R
@@ -78,10 +95,16 @@ def weights_as_stated(given: Given[WithInput, WeightOptions]) -> tuple[Any, Immu
 
 def state_weight(given: Given[WithInput, WeightOptions]) -> ImmutableMatrix:
     """Q (n×n) multiplied out."""
-    stated, _ = weights_as_stated(given)
-    C, W = given.system.C, given.options.output_weight
-    if not isinstance(stated, Stated) or C is None or W is None:
-        return stated
+    return weight_of_state(given.options, given.system.C, given.system.order)
+
+
+def weight_of_state(options: WeightOptions, C: ImmutableMatrix | None, n: int) -> ImmutableMatrix:
+    """Q (n×n) as the options give it, for outputs with C (p×n)."""
+    W, tolerances = options.output_weight, options.tolerances
+    if tolerances is not None:
+        return sp.ImmutableMatrix(sp.diag(*(1 / x**2 for x in tolerances.flat())))
+    if W is None or C is None:
+        return given_or_identity(options.Q, n)
     scale = W[0, 0] * sp.eye(C.rows) if W.shape == (1, 1) else W
     return sp.ImmutableMatrix((C.T * scale * C).expand())
 
@@ -99,6 +122,7 @@ def weights_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[Immut
         unclaimed="" if claims else "the weights are given",
         Q=Q,
         R=R,
+        N=given.options.N,
         way=way,
         scalar=W is not None and W.shape == (1, 1),
         chosen_Q=way == "given" and given.options.Q is None,
@@ -107,6 +131,25 @@ def weights_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[Immut
         factor=cost_factor(given.options),
     )
     return Q, R
+
+
+@lemma("weights")
+def regulator_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[Regulator, Regulator]]:
+    """Show the weights; return the problem asked about, and the one without products of x and u in its cost."""
+    Q, R = yield from weights_of(given)
+    asked = Regulator.of(given.system.A, given.system.B, Q, R, N=given.options.N)
+    plain = asked.without_products()
+    if asked.N is not None:
+        A, B, cross = asked.A, asked.B, product(inverse(asked.R), sp.ImmutableMatrix(asked.N.T))
+        yield Step(
+            "completed_square",
+            claims={
+                "shift": Claim(cross, exact.weighted_transpose(asked.N, asked.R), "the feedback that takes N away"),
+                "A": Claim(difference(A, product(B, cross)), plain.A, "the plant with that feedback"),
+                "Q": Claim(difference(asked.Q, product(asked.N, cross)), plain.Q, "the weight that is left"),
+            },
+        )
+    return asked, plain
 
 
 def cost_factor(options: WeightOptions) -> Expr:

@@ -38,6 +38,7 @@ class Refined(NamedTuple):
     B: Array
     Q: Array
     R: Array
+    N: Array
     P: Array
     K: Array
 
@@ -67,14 +68,14 @@ def refined(weights: Weights, optimum: Optimum) -> Refined:
 def _refined(weights: Weights, items: tuple[Any, ...], start: bytes, shape: tuple[int, int]) -> Refined:
     """Return it; the checks of one part ask for the same ones."""
     point = dict(items)
-    A, B, Q, R = (many_at(M, point) for M in weights)
+    A, B, Q, R, N = (many_at(M, point) for M in weights)
     K = MANY.array(np.frombuffer(start).reshape(shape))
     P = None
     for _ in range(STEPS):
-        found = lyapunov(A - B @ K, Q + K.T @ R @ K)
-        K = solution(R, B.T @ found)
+        found = lyapunov(A - B @ K, Q - N @ K - K.T @ N.T + K.T @ R @ K)
+        K = solution(R, B.T @ found + N.T)
         if P is not None and _largest(found - P) <= ENOUGH * _largest(found):
-            return Refined(A, B, Q, R, found, K)
+            return Refined(A, B, Q, R, N, found, K)
         P = found
     raise NotEvaluable("Newton's method finds no solution with many digits")
 

@@ -1,13 +1,13 @@
 """The linear quadratic regulator judged by its defining properties, with scipy's own Riccati and Lyapunov solvers.
 
-Everything is about (A, B, Q, R) at random admissible values of the parameters: R > 0, Q ≥ 0, a stabilizing solution
-exists. An observer's problem is judged as the regulator's of (Aᵀ, Cᵀ).
+Everything is about (A, B, Q, R, N) at random admissible values of the parameters: R > 0, Q − N R⁻¹ Nᵀ ≥ 0, a
+stabilizing solution exists. An observer's problem is judged as the regulator's of (Aᵀ, Cᵀ).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import sympy as sp
@@ -25,13 +25,22 @@ from solver.words import Phrase
 TRIES = 40
 
 
-class Weights(NamedTuple):
-    """The plant and the weights: A n×n, B n×m, Q n×n, R m×m."""
-
+class _Weights(NamedTuple):
     A: Any
     B: Any
     Q: Any
     R: Any
+    N: Any
+
+
+class Weights(_Weights):
+    """The plant and the weights of xᵀQx + 2xᵀNu + uᵀRu: A n×n, B n×m, Q n×n, R m×m, N n×m (zero if not given)."""
+
+    __slots__ = ()
+
+    def __new__(cls, A: Any, B: Any, Q: Any, R: Any, N: Any = None) -> Self:
+        """Return them, with N in any case."""
+        return super().__new__(cls, A, B, Q, R, sp.ImmutableMatrix(sp.zeros(*B.shape)) if N is None else N)
 
 
 class Optimum(NamedTuple):
@@ -42,6 +51,7 @@ class Optimum(NamedTuple):
     B: Array
     Q: Array
     R: Array
+    N: Array
     P: Array
     K: Array
 
@@ -79,14 +89,16 @@ def _optimum(weights: Weights, point: Mapping[Any, Any]) -> Optimum | None:
     from scipy.linalg import solve_continuous_are  # noqa: PLC0415
 
     try:
-        A, B, Q, R = (_real(evaluate(M, point)) for M in weights)
-        if np.linalg.eigvalsh(R)[0] <= 0 or np.linalg.eigvalsh(Q)[0] < -1e-9 * (1 + np.abs(Q).max()):
+        A, B, Q, R, N = (_real(evaluate(M, point)) for M in weights)
+        if np.linalg.eigvalsh(R)[0] <= 0:
             return None
-        P = solve_continuous_are(A, B, Q, R)
-        K = np.linalg.solve(R, B.T @ P)
+        if np.linalg.eigvalsh(Q - N @ np.linalg.solve(R, N.T))[0] < -1e-9 * (1 + np.abs(Q).max()):
+            return None
+        P = solve_continuous_are(A, B, Q, R, s=N)
+        K = np.linalg.solve(R, B.T @ P + N.T)
     except (LinAlgError, ValueError, Undefined):
         return None
-    return Optimum(dict(point), A, B, Q, R, P, K) if hurwitz(A - B @ K) else None
+    return Optimum(dict(point), A, B, Q, R, N, P, K) if hurwitz(A - B @ K) else None
 
 
 def _real(matrix: Any) -> Array:
@@ -129,7 +141,7 @@ def worst(weights: Weights, judge: Callable[[Optimum], float], *others: Any) -> 
 
 
 def gain_residual(weights: Weights, K: Any) -> float:
-    """Return how far K (m×n) is from R⁻¹BᵀP with the cost matrix P of u = −Kx itself; infinite if it is not stable.
+    """Return how far K (m×n) is from R⁻¹(BᵀP + Nᵀ) with the P of its own cost; infinite if not stable.
 
     A stabilizing K with that property is optimal (Kleinman): P then solves the Riccati equation.
     """
@@ -137,7 +149,7 @@ def gain_residual(weights: Weights, K: Any) -> float:
     def judge(optimum: Optimum) -> float:
         value = matrix_at(K, optimum.point, (optimum.B.shape[1], optimum.A.shape[0]))
         P = cost_matrix(optimum, value)
-        best = np.linalg.solve(optimum.R, optimum.B.T @ P) if P is not None else None
+        best = np.linalg.solve(optimum.R, optimum.B.T @ P + optimum.N.T) if P is not None else None
         if best is None:
             return float("inf")
         found = relative(value - best, value, best, optimum.K)
@@ -147,7 +159,7 @@ def gain_residual(weights: Weights, K: Any) -> float:
 
 
 def cost_matrix(optimum: Optimum, K: Array) -> Array | None:
-    """Return X with x₀ᵀXx₀ = ∫ xᵀ(Q + KᵀRK)x dt under u = −Kx, by scipy; None if A − BK is not stable.
+    """Return X with x₀ᵀXx₀ = ∫ xᵀ(Q − NK − KᵀNᵀ + KᵀRK)x dt under u = −Kx, by scipy; None if A − BK is not stable.
 
     The states are first scaled so that rows and columns of A − BK are of about the same size.
     """
@@ -157,7 +169,7 @@ def cost_matrix(optimum: Optimum, K: Array) -> Array | None:
     if not hurwitz(loop):
         return None
     balanced, (scale, _) = matrix_balance(loop, permute=False, separate=True)
-    weight = (optimum.Q + K.T @ optimum.R @ K) * np.outer(scale, scale)
+    weight = (optimum.Q - optimum.N @ K - K.T @ optimum.N.T + K.T @ optimum.R @ K) * np.outer(scale, scale)
     return np.asarray(solve_continuous_lyapunov(balanced.T, -weight) / np.outer(scale, scale))
 
 
@@ -194,7 +206,7 @@ def control_residual(weights: Weights, u: Any, states: Sequence[Any]) -> float:
 
 
 def cost_residual(weights: Weights, cost: Any, x0: Any, factor: Any) -> float:
-    """Return the relative difference of a cost and the factor times the optimal ∫ xᵀQx + uᵀRu dt from x(0) = x₀."""
+    """Return the relative difference of a cost and the factor times the optimal integral from x(0) = x₀."""
 
     def judge(optimum: Optimum) -> float:
         value = matrix_at(cost, optimum.point, (1, 1))

@@ -1,4 +1,4 @@
-"""The algebraic Riccati equation AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0: judges of a solution, its entries, its spectrum."""
+"""The Riccati equation AᵀP + PA − (PB + N) R⁻¹ (BᵀP + Nᵀ) + Q = 0: judges of a solution, its entries, its spectrum."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from solver.numeric.evaluation.precision import SHOWN
 from solver.numeric.evaluation.values import ShapeMismatch
 from solver.numeric.judges.optimal.refined import MANY, Refined, sharpened
 from solver.numeric.judges.optimal.regulator import Optimum, Weights, hurwitz, matrix_at, optima, relative, worst
+from solver.stated import Stated
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse, transpose
 from solver.words import Phrase
@@ -32,13 +33,20 @@ NEAR = 1e-8
 
 
 def riccati_residual(weights: Weights, P: Any) -> float:
-    """Return the largest entrywise relative difference in AᵀP + PA + Q = P B R⁻¹ Bᵀ P, P exact or in decimals."""
-    A, B, Q, R = weights
+    """Return the largest entrywise relative difference in AᵀP + PA + Q = (PB + N) R⁻¹ (BᵀP + Nᵀ), P exact or not."""
+    Q = weights.Q
     if getattr(P, "shape", None) != Q.shape:
         raise ShapeMismatch(Phrase("P must be {rows}×{columns}", rows=Q.rows, columns=Q.cols))
+    return equality_residual(*sides(weights, P), [optimum.point for optimum in optima(weights, (P,))])
+
+
+def sides(weights: Weights, P: Any) -> tuple[Stated, Stated]:
+    """AᵀP + PA + Q and (PB + N) R⁻¹ (BᵀP + Nᵀ), as stated."""
+    A, B, Q, R, N = weights
     linear = total(product(transpose(A), P), product(P, A), Q)
-    quadratic = product(P, B, inverse(R), transpose(B), P)
-    return equality_residual(linear, quadratic, [optimum.point for optimum in optima(weights, (P,))])
+    if N.is_zero_matrix:
+        return linear, product(P, B, inverse(R), transpose(B), P)
+    return linear, product(total(product(P, B), N), inverse(R), total(product(transpose(B), P), transpose(N)))
 
 
 def symmetry_residual(weights: Weights, P: Any) -> float:
@@ -55,11 +63,11 @@ def symmetry_residual(weights: Weights, P: Any) -> float:
 
 
 def stabilizes(weights: Weights, P: Any) -> bool:
-    """Whether A − B R⁻¹ Bᵀ P is Hurwitz."""
+    """Whether A − B R⁻¹ (BᵀP + Nᵀ) is Hurwitz."""
 
     def holds(optimum: Optimum) -> bool:
         value = matrix_at(P, optimum.point, optimum.A.shape)
-        return hurwitz(optimum.A - optimum.B @ np.linalg.solve(optimum.R, optimum.B.T @ value))
+        return hurwitz(optimum.A - optimum.B @ np.linalg.solve(optimum.R, optimum.B.T @ value + optimum.N.T))
 
     return all(holds(optimum) for optimum in optima(weights, (P,)))
 
@@ -97,28 +105,29 @@ def _spectral_gap(many: Refined, listed: Any, optimum: Optimum) -> tuple[Array, 
     values = value_of(listed, Environment.at([dict(optimum.point)], MANY)).value[0, 0]
     n = len(many.A)
     x = MANY.number(0.9 + 1.1j) * (1 + sum(abs(value) for value in values) / n)
-    G = many.B @ solution(many.R, many.B.T)
     one = np.eye(n, dtype=int).astype(object)
-    pencil = np.block([[x * one - many.A, G], [many.Q, x * one + many.A.T]])
+    G, cross = many.B @ solution(many.R, many.B.T), solution(many.R, many.N.T)
+    A, Q = many.A - many.B @ cross, many.Q - many.N @ cross
+    pencil = np.block([[x * one - A, G], [Q, x * one + A.T]])
     found = reduce(mul, [(x - value) * (x + value) for value in values])
     return np.array([determinant(pencil) - found]), np.array([found])
 
 
 def hamiltonian(optimum: Optimum) -> Array:
-    """H = [[A, −B R⁻¹ Bᵀ], [−Q, −Aᵀ]]."""
-    G = optimum.B @ np.linalg.solve(optimum.R, optimum.B.T)
-    return np.block([[optimum.A, -G], [-optimum.Q, -optimum.A.T]])
+    """H = [[A, −B R⁻¹ Bᵀ], [−Q, −Aᵀ]], with A − B R⁻¹ Nᵀ and Q − N R⁻¹ Nᵀ in place of A and Q."""
+    G, cross = (np.linalg.solve(optimum.R, M.T) for M in (optimum.B, optimum.N))
+    A, Q = optimum.A - optimum.B @ cross, optimum.Q - optimum.N @ cross
+    return np.block([[A, -optimum.B @ G], [-Q, -A.T]])
 
 
 def equations_residual(weights: Weights, equations: Sequence[Any]) -> float:
-    """Return how far n(n+1)/2 expressions in p11, p12, … are from the entries of AᵀP + PA − P B R⁻¹ Bᵀ P + Q.
+    """Return how far n(n+1)/2 expressions in p11, p12, … are from the entries of the Riccati equation.
 
     Each may carry a constant factor, and their order is free. Infinite for another number of them.
     """
     n = weights.A.rows
     P = unknown_matrix(n)
-    A, B, Q, R = weights
-    left = difference(total(product(transpose(A), P), product(P, A), Q), product(P, B, inverse(R), transpose(B), P))
+    left = difference(*sides(weights, P))
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
     if len(equations) != len(pairs):
         return float("inf")
