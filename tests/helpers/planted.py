@@ -308,14 +308,14 @@ PLANTED = {
     "the product of modal matrices": (
         "transition",
         "state_transition_matrix/modal",
-        '("V" ~ middle ~ "V^{-1}")',
-        '("V" ~ middle ~ "V")',
+        '("V" ~ middle(v) ~ "V^{-1}")',
+        '("V" ~ middle(v) ~ "V")',
     ),
     "exponentials of a diagonal": (
         "transition",
         "state_transition_matrix/modal",
-        '"e^{\\\\Lambda t}", v',
-        '"e^{2\\\\Lambda t}", v',
+        '"e^{" ~ form(v)',
+        '"e^{2" ~ form(v)',
     ),
     "the final value theorem": ("final", "lemmas/response", "s\\\\,Y(s)", "Y(s)"),
     "an integrand": ("convolved", "lemmas/response_convolution", "\\\\Phi(t-\\\\tau)\\\\,B", "\\\\Phi(t)\\\\,B"),

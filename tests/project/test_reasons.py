@@ -99,9 +99,6 @@ def test_a_reason_may_hold_a_reason():
          "the modes $\\lambda = 1$, $\\lambda = 2$ are not asymptotically stable, and the output does not show them."),
         ("second_order/too_few", {"name": "peak_time"},
          "two specifications fix a pair of poles; only the peak time is given"),
-        ("modal_matrix/singular", {"value": sp.Integer(0), "algebraic": 2, "geometric": 1, "transform": True},
-         "only 1 independent eigenvector, so the modal matrix would be singular. Use the Laplace transform or the "
-         "Cayley–Hamilton theorem."),
         ("engine/unchecked", {"answers": ["K", "L"]}, "no check could be made of the answers K, L"),
         ("functions/division_by_zero", {"factor": sp.Symbol("lamda")}, "of the matrix ($\\lambda = 0$), so it"),
     ],

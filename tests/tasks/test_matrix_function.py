@@ -49,13 +49,30 @@ def test_functions_agree_with_scipy(matrix, function, method):
     rows = MATRICES[matrix]
     f, theirs = FUNCTIONS[function]
     result = asked(rows, f, method)
-    if method == "modal" and matrix in ("defective", "three equal"):
-        assert result.status is Status.UNSOLVED
-        assert "independent eigenvector" in str(result.reason)
-        return
     assert result.status is Status.VERIFIED, result.reason
     expected = theirs(np.array(rows, dtype=float))
     assert np.abs(numbers(result.answers["F"]) - expected).max() <= 1e-9 * max(1, np.abs(expected).max())
+
+
+def test_the_function_of_a_block_has_derivatives_beside_its_diagonal():
+    rows = MATRICES["three equal"]
+    for f, row in (
+        (sp.sqrt(A), (sp.sqrt(2), sp.sqrt(2) / 4, -sp.sqrt(2) / 32)),
+        (sp.sin(A * t), (sp.sin(2 * t), t * sp.cos(2 * t), -(t**2) * sp.sin(2 * t) / 2)),
+        (A**k, (2**k, k * 2 ** (k - 1), k * (k - 1) * 2 ** (k - 3))),
+        (1 / A, (sp.Rational(1, 2), -sp.Rational(1, 4), sp.Rational(1, 8))),
+    ):
+        result = asked(rows, f, "modal")
+        assert result.status is Status.VERIFIED, result.reason
+        modes = next(step for step in result.steps if step.kind == "modes").values["modes"]
+        expected = sp.Matrix(3, 3, lambda i, j, row=row: row[j - i] if j >= i else 0)
+        assert (modes - expected).expand() == sp.zeros(3)
+        assert result.answers["F"] == asked(rows, f).answers["F"]
+
+
+def test_a_power_of_a_nilpotent_block_ends():
+    F = asked([[0, 1], [0, 0]], A**k, "modal").answers["F"]
+    assert [F.subs(k, i) for i in range(3)] == [sp.eye(2), sp.Matrix([[0, 1], [0, 0]]), sp.zeros(2)]
 
 
 def test_the_root_by_derivative_condition():
@@ -157,9 +174,13 @@ def test_functions_that_do_not_exist_are_refused_in_words(rows, f, says):
 
 
 @tried(15)
-@given(systems(4), st.sampled_from([sp.exp(A), sp.sin(A), A**5, A**2 - 3 * IDENTITY]))
-def test_random_matrices_are_solved_by_cayley_hamilton(M, f):
-    result = ask("matrix_function", system(M), "cayley_hamilton", function=f)
+@given(
+    systems(4),
+    st.sampled_from([sp.exp(A), sp.sin(A), A**5, A**2 - 3 * IDENTITY]),
+    st.sampled_from(["cayley_hamilton", "modal"]),
+)
+def test_random_matrices_are_solved_by_both_methods(M, f, method):
+    result = ask("matrix_function", system(M), method, function=f)
     assert result.status is Status.VERIFIED, result.reason
 
 

@@ -95,7 +95,7 @@ FROM_THE_MATHEMATICS = [
     ("servo", TWO_OUTPUTS, {"poles": [-1, -2, -3, -4]}, "fewer inputs"),
     ("observer_feedback", UNREACHED, {"gain": [0, 1], "observer_poles": [-3, -4]}, "unobservable"),
     ("pole_placement", STABLE, {"poles": [-1, -3], "structure": ["p", 0]}, "contradict"),
-    ("state_transition_matrix", {"A": [[1, 1], [0, 1]]}, {"method": "modal"}, "multiplicity"),
+    ("matrix_function", {"matrix": [[0, 1], [0, 0]]}, {"function": "sqrt(A)", "method": "modal"}, "not differentiable"),
     ("matrix_function", {"matrix": [[0, 1], [0, 0]]}, {"function": "sqrt(A)"}, "not differentiable"),
     ("response", STABLE, {"kind": "zero_state", "input": "1/(t + 1)"}, "not rational"),
     ("response", STABLE, {"kind": "zero_state", "input": "tan(t)"}, "not rational"),

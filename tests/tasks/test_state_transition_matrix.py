@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
+from solver import exact, solve
 from solver.derivation import CheckStatus, Status
 from tests.helpers.asking import ask, at, rejected, system
 from tests.helpers.strategies import systems
@@ -56,11 +57,72 @@ def test_the_coefficients_of_cayley_hamilton_are_those_of_the_course():
     assert [sp.expand(a - b) for a, b in zip(alpha, (2 * e(-t) - e(-2 * t), e(-t) - e(-2 * t)), strict=True)] == [0, 0]
 
 
-def test_the_modal_method_names_the_condition_that_fails():
-    result = ask("state_transition_matrix", system([[-1, 1], [0, -1]]), "modal")
-    assert result.status is Status.UNSOLVED
-    assert "multiplicity 2 but only 1 independent eigenvector" in str(result.reason)
-    assert result.steps, "the steps up to the refusal stay on the page"
+a, c = sp.Symbol("a", real=True), sp.Symbol("c", positive=True)
+TWICE = {
+    "three equal": [[3, 1, 0], [-1, 1, 0], [1, 2, 2]],
+    "two chains": [[2, 1, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 0]],
+    "double integrator": [[0, 1], [0, 0]],
+    "pair": [[1, 1, 0, 0], [-1, 1, 0, 0], [1, 0, 1, 1], [0, 1, -1, 1]],
+    "surd": [[0, 1, 1, 0], [2, 0, 0, 1], [0, 0, 0, 1], [0, 0, 2, 0]],
+    "parameter": [[a, 1], [0, a]],
+    "parameter in a pair": [[0, 1, 1, 0], [-c, 0, 0, 1], [0, 0, 0, 1], [0, 0, -c, 0]],
+}
+
+
+def displayed(step, name):
+    return sp.Matrix(step.values[name])
+
+
+@pytest.mark.parametrize("discrete", [False, True])
+@pytest.mark.parametrize("convention", ["right", "left"])
+@pytest.mark.parametrize("name", TWICE)
+def test_a_defective_matrix_goes_by_chains_and_the_function_of_its_jordan_form(name, convention, discrete):
+    plant = system(TWICE[name], discrete=discrete)
+    result = ask("state_transition_matrix", plant, "modal", convention=convention)
+    assert result.status is Status.VERIFIED, result.reason
+    other = ask("state_transition_matrix", plant, "z_transform" if discrete else "laplace")
+    assert result.answers["Phi"] == other.answers["Phi"]
+    steps = {each.kind: each for each in result.steps}
+    A, modal, J = sp.Matrix(plant.A), displayed(steps["inverse"], "modal"), displayed(steps["modes"], "J")
+    difference = modal * A - J * modal if convention == "left" else A * modal - modal * J
+    assert difference.expand() == sp.zeros(*A.shape)
+    chains = [space.chains for space in exact.eigenstructure(plant.A).eigenspaces]
+    assert sum(J[i, i + 1] for i in range(A.rows - 1)) == sum(len(chain) - 1 for each in chains for chain in each)
+    modes = displayed(steps["modes"], "modes")
+    at_rest = modes.subs(k, 0) if discrete else modes.subs(t, 0)
+    assert at_rest.expand() == sp.eye(A.rows)
+    following = modes.subs(k, 1) - J if discrete else modes.diff(t).subs(t, 0) - J
+    assert following.expand() == sp.zeros(*A.shape)
+
+
+def test_the_function_of_a_block_has_powers_of_time_beside_its_diagonal():
+    three, zero = TWICE["three equal"], [[0, 1, 0], [0, 0, 1], [0, 0, 0]]
+    found = [
+        next(step for step in ask("state_transition_matrix", plant, "modal").steps if step.kind == "modes")
+        for plant in (system(three), system(three, discrete=True), system(zero, discrete=True))
+    ]
+    delta = [sp.KroneckerDelta(k, i) for i in range(3)]
+    rows = [
+        [e(2 * t), t * e(2 * t), t**2 / 2 * e(2 * t)],
+        [2**k, k * 2 ** (k - 1), k * (k - 1) / 2 * 2 ** (k - 2)],
+        delta,
+    ]
+    for step, row in zip(found, rows, strict=True):
+        expected = sp.Matrix(3, 3, lambda i, j, row=row: row[j - i] if j >= i else 0)
+        assert (displayed(step, "modes") - expected).expand() == sp.zeros(3)
+
+
+@pytest.mark.parametrize("discrete", [False, True])
+def test_every_display_of_the_modal_method_is_judged(discrete):
+    time = "time: discrete, " if discrete else ""
+    for convention in ("right", "left"):
+        text = (
+            f"title: T\nsystem: {{{time}A: [[0, 1, 1, 0], [-1, 0, 0, 1], [0, 0, 0, 1], [0, 0, -1, 0]]}}\n"
+            f"find: {{a: {{task: state_transition_matrix, method: modal, convention: {convention}}}}}\n"
+        )
+        part = solve(text).parts[0]
+        assert part.status is Status.VERIFIED, part.reason
+        assert {row.status for row in part.checks} == {CheckStatus.PASSED}
 
 
 @pytest.mark.parametrize("convention", ["right", "left"])
@@ -81,9 +143,7 @@ def test_all_methods_agree_exactly_and_with_scipy(A):
     plant = system(A)
     results = [ask("state_transition_matrix", plant, method) for method in (*CONTINUOUS, "power_series")]
     solved = [result for result in results if result.status is Status.VERIFIED]
-    assert {result.method for result in solved} >= {"laplace", "cayley_hamilton", "power_series"}, [
-        r.reason for r in results
-    ]
+    assert len(solved) == len(results), [r.reason for r in results]
     for result in solved:
         assert result.answers["Phi"] == solved[0].answers["Phi"]
     for time in (0.0, 0.3, 0.9):
@@ -98,7 +158,7 @@ def test_discrete_methods_agree_exactly_and_with_matrix_powers(A):
     plant = system(A, discrete=True)
     results = [ask("state_transition_matrix", plant, method) for method in DISCRETE]
     solved = [result for result in results if result.status is Status.VERIFIED]
-    assert {result.method for result in solved} >= {"z_transform", "cayley_hamilton"}, [r.reason for r in results]
+    assert len(solved) == len(results), [r.reason for r in results]
     for result in solved:
         assert result.answers["Phi"] == solved[0].answers["Phi"]
     for step in range(6):
@@ -107,9 +167,9 @@ def test_discrete_methods_agree_exactly_and_with_matrix_powers(A):
 
 
 @tried(20)
-@given(systems(4, defective=False), st.sampled_from(["right", "left"]))
-def test_the_modal_method_solves_every_diagonalizable_system(A, convention):
-    result = ask("state_transition_matrix", system(A), "modal", convention=convention)
+@given(systems(5), st.sampled_from(["right", "left"]), st.booleans())
+def test_the_modal_method_solves_every_system(A, convention, discrete):
+    result = ask("state_transition_matrix", system(A, discrete=discrete), "modal", convention=convention)
     assert result.status is Status.VERIFIED, result.reason
 
 

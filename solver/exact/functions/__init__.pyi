@@ -2,6 +2,7 @@
 
 from solver.exact.functions.closed_forms import MatrixFunction, exponential, interpolation_coefficients, power
 from solver.exact.functions.interpolation import Condition, interpolation
+from solver.exact.functions.jordan_blocks import exponential_of_blocks, function_of_blocks, power_of_blocks
 from solver.exact.functions.matrix_functions import (
     FunctionOfMatrix,
     asks_for_roots,
@@ -29,12 +30,15 @@ __all__ = [
     "ScalarFunction",
     "asks_for_roots",
     "exponential",
+    "exponential_of_blocks",
+    "function_of_blocks",
     "interpolation",
     "interpolation_coefficients",
     "matrix_function",
     "pairs_for",
     "partial_fractions",
     "power",
+    "power_of_blocks",
     "remainder_identity",
     "resolvent",
     "resolvent_cancels",

@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from math import factorial
-from typing import Any
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
@@ -45,8 +44,7 @@ def matrix_function(A: sp.ImmutableMatrix, f: ScalarFunction) -> FunctionOfMatri
     if not asks_for_roots(A, f):
         return FunctionOfMatrix(*reduced(A, f), ())
     conditions = tuple(conditions_for(A, f))
-    if _is_power(f):
-        k = _exponent(f)
+    if (k := f.power_exponent) is not None:
         alpha = interpolation_coefficients(A, k, discrete=True)
         return FunctionOfMatrix(power(A, k).matrix, alpha, conditions)
     if f.rational is not None:
@@ -89,16 +87,6 @@ def asks_for_roots(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
     return not A.free_symbols and all(root.kind != "decimal" for root in spectrum(A).roots)
 
 
-def _is_power(f: ScalarFunction) -> bool:
-    """Whether f(x) = xᵏ with a symbol k."""
-    e = f.expression
-    return bool(e.is_Pow and e.args[0] == f.variable and e.args[1].is_Symbol)
-
-
-def _exponent(f: ScalarFunction) -> Any:
-    return f.expression.args[1]
-
-
 def _multiplicities_hold(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
     """Whether f has as many derivatives as the multiplicities ask for; if not, the chains may still ask for fewer."""
     try:
@@ -113,8 +101,8 @@ def _multiplicities_hold(A: sp.ImmutableMatrix, f: ScalarFunction) -> bool:
 def conditions_for(A: sp.ImmutableMatrix, f: ScalarFunction) -> Iterator[Condition]:
     """f^{(i)}(λ) = dⁱ/dλⁱ Σ αⱼ λʲ, i less than the multiplicity; those that do not exist are left out."""
     found = spectrum(A)
-    if _is_power(f):
-        yield from interpolation(found, _exponent(f), discrete=True)
+    if f.power_exponent is not None:
+        yield from interpolation(found, f.power_exponent, discrete=True)
         return
     orders = {each.factor: highest_power(each) for each in resolvent_residues(A)}
     n = A.rows if _multiplicities_hold(A, f) else sum(each.degree * order for each, order in orders.items())

@@ -32,6 +32,12 @@ class ScalarFunction:
         polynomial = numerator.is_polynomial(self.variable) and denominator.is_polynomial(self.variable)
         return (numerator, denominator) if polynomial else None
 
+    @cached_property
+    def power_exponent(self) -> sp.Symbol | None:
+        """The symbol k where the function is xᵏ; None for another."""
+        base, exponent = self.expression.as_base_exp()
+        return exponent if base == self.variable and isinstance(exponent, sp.Symbol) else None
+
     def derivative(self, order: int) -> sp.Expr:
         """The derivative as a function of the variable."""
         found: sp.Expr = sp.diff(self.expression, self.variable, order) if order else self.expression

@@ -6,9 +6,10 @@ and then instantiated at each root of p.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache, partial, reduce
+from itertools import islice
 from typing import Any
 
 import sympy as sp
@@ -28,14 +29,14 @@ class Eigenspace:
 
     `over_L` is the row reduction of xI − A over L (None for decimal λ). `nullities` are the dimensions of
     the null spaces of (A − λI)ᵏ, k = 1, 2, … until they stay. `dual` are the rows of V⁻¹ for
-    these columns of V, written as columns; there are none where a chain is longer than one.
+    these columns of V, chain by chain, written as columns.
     """
 
     root: Root
     chains: tuple[Chain, ...]
     nullities: tuple[int, ...]
     over_L: RowReduction | None = field(repr=False)
-    dual: tuple[sp.ImmutableMatrix, ...] = ()
+    dual: tuple[Chain, ...]
 
     @cached_property
     def reduction(self) -> RowReduction | None:
@@ -82,29 +83,35 @@ class Eigenstructure:
 
     @cached_property
     def right_inverse(self) -> sp.ImmutableMatrix:
-        """V⁻¹ (n×n), for a diagonalizable A."""
-        return sp.ImmutableMatrix(sp.Matrix.hstack(*(d for s in self.eigenspaces for d in s.dual)).T)
+        """V⁻¹ (n×n)."""
+        rows = [d.T for s in self.eigenspaces for chain in s.dual for d in chain]
+        return sp.ImmutableMatrix(sp.Matrix.vstack(*rows))
 
     @cached_property
     def left_inverse(self) -> sp.ImmutableMatrix:
-        """M⁻¹ (n×n), for a diagonalizable A."""
-        return sp.ImmutableMatrix(sp.Matrix.hstack(*(d for s in self.left_eigenspaces for d in s.dual)))
+        """M⁻¹ (n×n)."""
+        columns = [d for s in self.left_eigenspaces for chain in s.dual for d in reversed(chain)]
+        return sp.ImmutableMatrix(sp.Matrix.hstack(*columns))
 
     @cached_property
     def jordan_form(self) -> sp.ImmutableMatrix:
         """J (n×n): the eigenvalues on the diagonal, a one above it inside each chain."""
-        blocks = [(space.root.value, len(chain)) for space in self.eigenspaces for chain in space.chains]
-        return sp.ImmutableMatrix(sp.diag(*(_block(value, size) for value, size in blocks)))
+        return self.of_blocks(lambda value, distance: value if distance == 0 else sp.Integer(int(distance == 1)))
+
+    def of_blocks(self, entry: Callable[[sp.Expr, int], sp.Expr]) -> sp.ImmutableMatrix:
+        """The matrix of upper triangular blocks, one a chain, with entry(λ, d) on the d-th diagonal above the main."""
+        blocks = []
+        for space in self.eigenspaces:
+            for chain in space.chains:
+                row = [entry(space.root.value, distance) for distance in range(len(chain))]
+                blocks.append(sp.Matrix(len(row), len(row), lambda i, j, row=row: row[j - i] if j >= i else 0))
+        return sp.ImmutableMatrix(sp.diag(*blocks))
 
     @cached_property
     def left(self) -> sp.ImmutableMatrix:
         """M (n×n): rows with M A = J M; the last row of a chain is a left eigenvector."""
         rows = [v.T for s in self.left_eigenspaces for chain in s.chains for v in reversed(chain)]
         return sp.ImmutableMatrix(sp.Matrix.vstack(*rows))
-
-
-def _block(value: sp.Expr, size: int) -> sp.Matrix:
-    return sp.Matrix(size, size, lambda i, j: value if i == j else sp.Integer(int(j == i + 1)))
 
 
 @lru_cache(maxsize=64)
@@ -135,11 +142,9 @@ def _basis(A: sp.ImmutableMatrix, factor: Factor) -> _Basis:
     return _Basis(*_chains(pencil, reduction, factor.multiplicity), reduction)
 
 
-def _dual(basis: _Basis, other: _Basis) -> list[Vector]:
-    """Rows D with D V = I for eigenvectors V and eigenvectors W of the transpose: D = (Wᵀ V)⁻¹ Wᵀ; none for chains."""
-    if len(basis.nullities) > 1:
-        return []
-    V, W = ([chain[0] for chain in each.chains] for each in (basis, other))
+def _dual(basis: _Basis, other: _Basis) -> list[list[Vector]]:
+    """Rows D with D V = I, as many for each chain: D = (Wᵀ V)⁻¹ Wᵀ for chains V and chains W of the transpose."""
+    V, W = ([v for chain in each.chains for v in chain] for each in (basis, other))
     one = _one((V[0],))
     zero = one - one
     augmented = tuple(
@@ -147,20 +152,23 @@ def _dual(basis: _Basis, other: _Basis) -> list[Vector]:
     )
     inverted = [row[len(V) :] for row in row_reduce(augmented).reduced]
     columns = list(zip(*W, strict=True))
-    return [tuple(_times((row,), column)[0] for column in columns) for row in inverted]
+    rows = iter([tuple(_times((row,), column)[0] for column in columns) for row in inverted])
+    return [list(islice(rows, len(chain))) for chain in basis.chains]
 
 
-def _at_roots(factor: Factor, basis: _Basis, dual: list[Vector]) -> list[Eigenspace]:
-    def column(vector: Vector, root: Root) -> sp.ImmutableMatrix:
-        return sp.ImmutableMatrix([[element_at(c, root)] for c in vector])
+def _at_roots(factor: Factor, basis: _Basis, dual: list[list[Vector]]) -> list[Eigenspace]:
+    def columns(chains: list[list[Vector]], root: Root) -> tuple[Chain, ...]:
+        return tuple(
+            tuple(sp.ImmutableMatrix([[element_at(c, root)] for c in vector]) for vector in chain) for chain in chains
+        )
 
     return [
         Eigenspace(
             root=root,
-            chains=tuple(tuple(column(vector, root) for vector in chain) for chain in basis.chains),
+            chains=columns(basis.chains, root),
             nullities=basis.nullities,
             over_L=basis.reduction if factor.degree < 3 else None,
-            dual=tuple(column(row, root) for row in dual),
+            dual=columns(dual, root),
         )
         for root in factor.roots
     ]

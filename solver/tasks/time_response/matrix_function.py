@@ -28,7 +28,6 @@ from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
-from solver.tasks.time_response.state_transition_matrix import require_diagonalizable
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -163,25 +162,36 @@ def _dot(coefficients: Iterable[Any], terms: Iterable[Any]) -> Any:
 
 @matrix_function.method("modal", title="Modal matrix", source="Lecture note, section 1.13")
 def by_modal_matrix(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivation[Answers]:
-    """f(A) = V f(Λ) V⁻¹; needs n independent eigenvectors."""
+    """f(A) = V f(J) V⁻¹, with J diagonal where A has n independent eigenvectors."""
     A, f = given.system.A, _asked(given)
     yield from eigenvalues_of(A)
     structure = yield from right_eigenvectors_of(A)
-    require_diagonalizable(structure, transform=False)
     scalar = exact.ScalarFunction(f, sp.Symbol("A"))
+    modes = exact.function_of_blocks(structure, scalar)
     found = exact.matrix_function(A, scalar)
     V, inverted = structure.right, structure.right_inverse
-    yield Step("inverse", claims={"inverse": Claim(inverse(V), inverted, "inverse of the modal matrix")}, V=V, n=A.rows)
-    modes: ImmutableMatrix = sp.ImmutableMatrix(sp.diag(*(scalar.at(value) for value in structure.eigenvalues)))
+    J, diagonal = structure.jordan_form, structure.diagonalizable
+    yield Step(
+        "inverse",
+        claims={"inverse": Claim(inverse(V), inverted, "inverse of the modal matrix")},
+        V=V,
+        n=A.rows,
+        diagonal=diagonal,
+    )
     yield Step(
         "modes",
-        unclaimed="a function of a diagonal matrix acts on the diagonal, by definition",
+        claims={} if diagonal else {"similar": Claim(product(A, V), product(V, J))},
+        unclaimed="a function of a diagonal matrix acts on the diagonal, by definition" if diagonal else "",
         modes=modes,
-        Lambda=sp.ImmutableMatrix(sp.diag(*structure.eigenvalues)),
+        J=J,
+        diagonal=diagonal,
         f=f,
     )
     yield Step(
-        "back", claims={"F": Claim(product(V, modes, inverted), found.value, "product of the matrices")}, f=_shown(f)
+        "back",
+        claims={"F": Claim(product(V, modes, inverted), found.value, "product of the matrices")},
+        f=_shown(f),
+        diagonal=diagonal,
     )
     return Answers(F=found.value)
 

@@ -16,7 +16,6 @@ from solver.derivation import (
     Given,
     Step,
     Task,
-    Unsolved,
     option,
 )
 from solver.lazy import exact, numeric
@@ -49,7 +48,7 @@ class StateTransitionMatrixOptions(PlantOptions):
     )
     convention: str = option(
         Choice(("right", "left")),
-        "right: V e^{Λt} V⁻¹ with right eigenvectors as columns; left: M⁻¹ e^{Λt} M with left eigenvectors as rows",
+        "right: V e^{Jt} V⁻¹ with right eigenvectors as columns; left: M⁻¹ e^{Jt} M with left eigenvectors as rows",
         methods=("modal",),
     )
 
@@ -192,32 +191,36 @@ def _matrix_function(given: Given[StateSpace, StateTransitionMatrixOptions]) -> 
 
 @state_transition_matrix.method("modal", title="Modal matrix", source="Lecture note, section 1.13")
 def by_modal_matrix(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Derivation[Answers]:
-    """Φ = V e^{Λt} V⁻¹ (rows of left eigenvectors: M⁻¹ e^{Λt} M); needs n independent eigenvectors."""
+    """Φ = V e^{Jt} V⁻¹ (rows of left eigenvectors: M⁻¹ e^{Jt} M), with J diagonal where the eigenvectors are enough."""
     A, discrete, left = given.system.A, given.system.discrete, given.options.convention == "left"
     x = _time(given)
     yield from eigenvalues_of(A)
     if left:
         structure = exact.eigenstructure(A)
-        require_diagonalizable(structure)
         modal = yield from left_eigenvectors_of(A, structure)
     else:
         structure = yield from right_eigenvectors_of(A)
-        require_diagonalizable(structure)
         modal = structure.right
     inverted = structure.left_inverse if left else structure.right_inverse
+    J, diagonal = structure.jordan_form, structure.diagonalizable
     yield Step(
         "inverse",
         claims={"inverse": Claim(inverse(modal), inverted, "inverse of the modal matrix")},
         modal=modal,
         left=left,
         n=given.system.order,
+        diagonal=diagonal,
     )
-    modes = sp.ImmutableMatrix(sp.diag(*(root**x if discrete else sp.exp(root * x) for root in structure.eigenvalues)))
+    modes = exact.power_of_blocks(structure, x) if discrete else exact.exponential_of_blocks(structure, x)
+    similar = Claim(product(modal, A), product(J, modal)) if left else Claim(product(A, modal), product(modal, J))
     yield Step(
         "modes",
-        unclaimed="a function of a diagonal matrix acts on the diagonal entries, by definition",
+        claims={} if diagonal else {"similar": similar},
+        unclaimed="a function of a diagonal matrix acts on the diagonal entries, by definition" if diagonal else "",
         modes=modes,
-        Lambda=sp.ImmutableMatrix(sp.diag(*structure.eigenvalues)),
+        J=J,
+        diagonal=diagonal,
+        left=left,
         discrete=discrete,
     )
     Phi = _matrix_function(given)
@@ -226,26 +229,11 @@ def by_modal_matrix(given: Given[StateSpace, StateTransitionMatrixOptions]) -> D
         "assemble",
         claims={"Phi": Claim(product(*factors), Phi, "product of the three matrices")},
         left=left,
+        diagonal=diagonal,
         discrete=discrete,
         complex=any(root.kind == "complex" for root in structure.spectrum.roots),
     )
     return Answers(Phi=Phi)
-
-
-def require_diagonalizable(structure: exact.Eigenstructure, *, transform: bool = True) -> None:
-    """The modal matrix must be invertible, i.e. every eigenvalue needs as many eigenvectors as its multiplicity.
-
-    `transform` tells that the Laplace transform is another way.
-    """
-    for space in structure.eigenspaces:
-        if space.geometric < space.algebraic:
-            raise Unsolved(
-                "modal_matrix/singular",
-                value=space.root.value,
-                algebraic=space.algebraic,
-                geometric=space.geometric,
-                transform=transform,
-            )
 
 
 @state_transition_matrix.verification("Phi")
