@@ -31,6 +31,13 @@ def of_modes(found: Sequence[Any], G: Any) -> Iterator[Claim | Check]:
         yield Check.that("a simple pole", "compared", simple == mode.simple)
 
 
+def of_companion_orders(found: tuple[int, int], G: Any) -> Iterator[Claim]:
+    """The degrees of the least common denominators, of the columns and of the rows."""
+    for order, lines in zip(found, (list(zip(*G.denominators, strict=True)), G.denominators), strict=True):
+        degrees = [sp.degree(sp.lcm_list(list(line)), G.variable) for line in lines]
+        yield Claim(total(*degrees), sp.Integer(order))
+
+
 def of_is_upper(found: bool, mode: Any) -> Iterator[Check]:
     """The root is listed before its conjugate."""
     roots = [root.value for root in mode.factor.roots]

@@ -154,6 +154,16 @@ def of_observable_decomposition(found: Any, A: Any, B: Any, C: Any) -> Iterator[
     yield from _parts(found, "observable", A, B, C)
 
 
+def of_reached_in_echelon(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
+    """See `_parts`."""
+    yield from _parts(found, "controllable", A, B, C)
+
+
+def of_seen_in_echelon(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
+    """See `_parts`."""
+    yield from _parts(found, "observable", A, B, C)
+
+
 def of_kalman_decomposition(found: Any, A: Any, B: Any, C: Any) -> Iterator[Claim | Check]:
     """See `_parts`."""
     yield from _parts(found, "full", A, B, C)

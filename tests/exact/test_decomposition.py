@@ -12,6 +12,8 @@ from solver.exact import (
     kalman_decomposition,
     observable_decomposition,
     rank_conditions,
+    reached_in_echelon,
+    seen_in_echelon,
 )
 from tests.helpers.strategies import eigenvalues, jordan_block, unimodular
 from tests.helpers.tried import tried
@@ -43,6 +45,21 @@ def rank_of_reached(A, B):
 
 def is_transformed(found, A, B, C):
     return found.T * found.A == A * found.T and found.T * found.B == B and found.C == C * found.T
+
+
+@tried(25)
+@given(plants())
+def test_in_echelon_bases_the_parts_are_the_same(plant):
+    A, B, C = plant
+    reached, seen = reached_in_echelon(A, B, C), seen_in_echelon(A, B, C)
+    assert reached.orders == controllable_decomposition(A, B, C).orders
+    assert seen.orders == observable_decomposition(A, B, C).orders
+    assert is_transformed(reached, A, B, C)
+    assert is_transformed(seen, A, B, C)
+    assert reached.block(1, 0).is_zero_matrix
+    assert reached.input_block(1).is_zero_matrix
+    assert seen.block(0, 1).is_zero_matrix
+    assert seen.output_block(1).is_zero_matrix
 
 
 @tried(25)

@@ -7,6 +7,13 @@ from solver.exact.representation.luenberger import (
     controllable_coordinates,
     observable_coordinates,
 )
+from solver.exact.representation.minimal import (
+    PolePart,
+    companion_orders,
+    entries_in_lowest_terms,
+    parts_by_poles,
+    rank_factors,
+)
 from solver.exact.representation.modes import (
     Mode,
     diagonal_realization,
@@ -27,13 +34,16 @@ from solver.exact.representation.transfer import TransferMatrix, transfer_matrix
 __all__ = [
     "CompanionCoordinates",
     "Mode",
+    "PolePart",
     "Realization",
     "Realized",
     "TransferMatrix",
     "common_denominators",
+    "companion_orders",
     "controllable_coordinates",
     "controllable_realization",
     "diagonal_realization",
+    "entries_in_lowest_terms",
     "inverse_in_full",
     "is_linear",
     "is_singular",
@@ -44,7 +54,9 @@ __all__ = [
     "modes",
     "observable_coordinates",
     "observable_realization",
+    "parts_by_poles",
     "product_of",
+    "rank_factors",
     "real_and_imaginary",
     "realized",
     "solved_for",

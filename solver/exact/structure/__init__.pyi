@@ -9,6 +9,8 @@ from solver.exact.structure.decomposition import (
     independent_columns,
     kalman_decomposition,
     observable_decomposition,
+    reached_in_echelon,
+    seen_in_echelon,
 )
 from solver.exact.structure.gramian import InputResponse, discrete_gramian, finite_gramian, input_response
 from solver.exact.structure.rank_conditions import rank_conditions
@@ -44,6 +46,8 @@ __all__ = [
     "rank",
     "rank_conditions",
     "reachable_order",
+    "reached_in_echelon",
     "row_reduction",
+    "seen_in_echelon",
     "telling_minors",
 ]

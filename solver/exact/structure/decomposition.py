@@ -151,7 +151,29 @@ def controllable_part(A: sp.MatrixBase, B: sp.MatrixBase) -> Decomposition:
     reached = _independent(plant.reachable())
     rows = _pivots(reached.transpose()) if reached.shape[1] else ()
     others = [i for i in range(plant.n) if i not in rows]
-    return plant.in_bases(reached, _columns(DomainMatrix.eye(plant.n, plant.K).to_dense(), others))
+    return plant.in_bases(reached, _units(plant, others))
+
+
+def reached_in_echelon(A: sp.MatrixBase, B: sp.MatrixBase, C: sp.MatrixBase) -> Decomposition:
+    """The controllable decomposition with the smallest entries that row operations give; raises NotExact.
+
+    T = [nonzero rows of the echelon form of the transposed controllability matrix, unit vectors], so that the new
+    states of the controllable part are some of the old ones as far as these are reached.
+    """
+    plant = _Plant(A, B, C)
+    rows, others = _echelon(plant.reachable().transpose())
+    return plant.in_bases(rows.transpose(), _units(plant, others))
+
+
+def seen_in_echelon(A: sp.MatrixBase, B: sp.MatrixBase, C: sp.MatrixBase) -> Decomposition:
+    """The observable decomposition with unit vectors for what is seen; raises NotExact.
+
+    T = [unit vectors at the pivots of the observability matrix, basis of its null space], so that the observable part
+    has their columns of C, and the nonzero rows of the echelon form times B.
+    """
+    plant = _Plant(A, B, C)
+    _, others = _echelon(plant.seen().transpose())
+    return plant.in_bases(_units(plant, [i for i in range(plant.n) if i not in others]), plant.unseen())
 
 
 def observable_decomposition(A: sp.MatrixBase, B: sp.MatrixBase | None, C: sp.MatrixBase) -> Decomposition:
@@ -216,6 +238,19 @@ def _independent(M: DomainMatrix) -> DomainMatrix:
 
 def _pivots(M: DomainMatrix) -> tuple[int, ...]:
     return row_reduce(tuple(map(tuple, M.to_list()))).pivots
+
+
+def _echelon(M: DomainMatrix) -> tuple[DomainMatrix, list[int]]:
+    """The nonzero rows of the reduced row echelon form, and the columns without a pivot."""
+    found = row_reduce(tuple(map(tuple, M.to_list())))
+    r = len(found.pivots)
+    rows = DomainMatrix([list(row) for row in found.reduced[:r]], (r, M.shape[1]), M.domain)
+    return rows, [j for j in range(M.shape[1]) if j not in found.pivots]
+
+
+def _units(plant: _Plant, chosen: list[int]) -> DomainMatrix:
+    """The unit vectors of these numbers as columns."""
+    return _columns(DomainMatrix.eye(plant.n, plant.K).to_dense(), chosen)
 
 
 def _completing(known: DomainMatrix, candidates: DomainMatrix) -> DomainMatrix:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task
 from solver.lazy import exact, numeric, systems
-from solver.lazy import sympy as sp
 from solver.numeric.judges import representation as judges
 from solver.stated.algebra import product
-from solver.stated.matrices import rank
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.representation.minimal_parts import kept_part_of, least_realization_of
 from solver.tasks.representation.plants import matrices_of, numbers_of, stated_matrix, variable_of
 from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
 from solver.tasks.representation.realization_lemmas import assembled, companion_form_of, direct_path_of
@@ -49,12 +48,8 @@ def by_reduction(given: Given[InputOutput, LoopOptions]) -> Derivation[Answers]:
     G = yield from fractions_of(plant)
     if G.shape == (1, 1):
         return (yield from _from_lowest_terms(plant, G))
-    yield from direct_path_of(G)
-    found = yield from companion_form_of(G, "controllable", first=False, discrete=plant.discrete)
-    start = systems.StateSpace(found.A, found.B, found.C, found.D, discrete=plant.discrete)
-    answers = yield from _reduced(start)
-    answers.pop("cancelled", None)  # they depend on the realization one starts from
-    return answers
+    found = yield from least_realization_of(G, discrete=plant.discrete)
+    return Answers(A=found.A, B=found.B, C=found.C, D=found.D)  # what cancels depends on where one starts from
 
 
 def _from_lowest_terms(plant: TransferFunction, G: exact.TransferMatrix) -> Derivation[Answers]:
@@ -72,11 +67,9 @@ def _from_lowest_terms(plant: TransferFunction, G: exact.TransferMatrix) -> Deri
 def _reduced(plant: StateSpace) -> Derivation[Answers]:
     """The controllable part of the plant, then the observable part of that."""
     A, B, C, D = matrices_of(plant)
-    reachable = exact.controllable_decomposition(A, B, C)
-    A, B, C = yield from _kept(A, B, C, reachable, "controllable")
+    A, B, C = yield from kept_part_of(A, B, C, "controllable")
     if A.rows:
-        seen = exact.observable_decomposition(A, B, C)
-        A, B, C = yield from _kept(A, B, C, seen, "observable")
+        A, B, C = yield from kept_part_of(A, B, C, "observable")
     G = exact.transfer_matrix(*matrices_of(plant), variable_of(plant))
     cancelled = G.cancelled
     yield Step(
@@ -98,38 +91,6 @@ def _reduced(plant: StateSpace) -> Derivation[Answers]:
         yield from assembled(G, exact.Realization(A, B, C, D), cancelled=True, x=G.variable, discrete=plant.discrete)
     found = Answers(A=A, B=B, C=C, D=D)
     return found if cancelled is None else Answers(**found, cancelled=cancelled)
-
-
-def _kept(A: Any, B: Any, C: Any, found: exact.Decomposition, part: str) -> Derivation[tuple[Any, Any, Any]]:
-    """The first part of a decomposition, which is all that the transfer function needs."""
-    n, r = A.rows, found.orders[0]
-    matrix = exact.controllability_matrix(A, B) if part == "controllable" else _observability_matrix(A, C)
-    says = "rank of the controllability matrix" if part == "controllable" else "rank of the observability matrix"
-    claims = {"rank": Claim(rank(matrix), sp.Integer(r), says)}
-    if r == n:
-        yield Step("complete", claims=claims, part=part, n=n, matrix=matrix)
-        return A, B, C
-    kept = found.block(0, 0), found.input_block(0), found.output_block(0)
-    if r:
-        claims["A"] = Claim(product(A, found.T), product(found.T, found.A), "$A T = T \\bar{A}$")
-        claims["B"] = Claim(product(found.T, found.B), B, "$T \\bar{B} = B$")
-        claims["C"] = Claim(product(C, found.T), found.C, "$C T = \\bar{C}$")
-    yield Step(
-        "reduction",
-        claims=claims,
-        part=part,
-        n=n,
-        r=r,
-        matrix=matrix,
-        T=found.T,
-        moved=(found.A, found.B, found.C),
-        kept=kept,
-    )
-    return kept
-
-
-def _observability_matrix(A: Any, C: Any) -> Any:
-    return sp.ImmutableMatrix(exact.controllability_matrix(sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)).T)
 
 
 @minimal_realization.verification("A", "B", "C", "D")
