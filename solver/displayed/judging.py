@@ -159,7 +159,7 @@ class Judge:
 
     def link(self, left: Any, right: Any) -> None:
         """Check that two sides are equal, once; what is the same on both needs no check."""
-        if listed(left) or listed(right) or left == right or (left, right) in self.seen:
+        if listed(left) or listed(right) or left == right or not self.seen.isdisjoint(((left, right), (right, left))):
             return
         if left in self.unknowns.given or right in self.unknowns.given:  # a condition: where t = 0, if a = b
             return

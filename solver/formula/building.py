@@ -11,6 +11,7 @@ from solver.formula.nodes import (
     Accent,
     Fenced,
     Fraction,
+    Function,
     Node,
     Number,
     Operator,
@@ -21,12 +22,14 @@ from solver.formula.nodes import (
     Styled,
     Symbol,
     Table,
+    Text,
 )
 from solver.formula.reading import read
 from solver.formula.vocabulary import LARGE
 
 PLUS, MINUS, TIMES = Operator("+"), Operator("-"), Operator(r"\cdot")
 THIN_SPACE = Space(r"\,")
+_LEAVES = frozenset((Function, Number, Operator, Space, Symbol, Text))
 _IN_SUMS = frozenset(map(Operator, ("+", "-", r"\pm", r"\otimes", r"\ast", r"\approx", "=")))
 
 
@@ -53,6 +56,8 @@ def parenthesized(body: Row) -> Fenced:
 def walk(node: Node) -> Iterator[Node]:
     """Yield a node and all that it is made of."""
     yield node
+    if type(node) in _LEAVES:
+        return
     for name in node.__match_args__:
         yield from _nodes(getattr(node, name))
 

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from sympy import QQ
-from sympy.polys.densebasic import dup_strip
-from sympy.polys.euclidtools import dup_gcd
+from sympy import ZZ
+from sympy.polys.galoistools import gf_gcd, gf_strip
 
 from solver.derivation import Check
 
 NEAR = 1e-7
+PRIME = 2**61 - 1
 APART = 1e-3
 """Distance of eigenvalues at which doubles know them well; those that fall together they know to a few digits."""
 
@@ -36,18 +36,21 @@ def of_resolvent_cancels(found: bool, A: Any) -> Iterator[Check]:
 
 
 def _has_common_factor(A: Any) -> bool:
-    """Whether an entry of the adjugate, which is not zero, and the characteristic polynomial have a common factor."""
+    """Whether an entry of the adjugate, which is not zero, and the characteristic polynomial have a common factor.
+
+    Modulo a prime, where a common factor stays one, and where two polynomials that have none hardly ever get one.
+    """
     n = A.rows
-    rows = [[QQ(entry.p, entry.q) for entry in A.row(i)] for i in range(n)]
-    N = [[QQ(i == j) for j in range(n)] for i in range(n)]
-    chi, coefficients = [QQ(1)], []
+    rows = [[entry.p * pow(entry.q, -1, PRIME) % PRIME for entry in A.row(i)] for i in range(n)]
+    N = [[int(i == j) for j in range(n)] for i in range(n)]
+    chi, coefficients = [1], []
     for k in range(1, n + 1):  # Leverrier: adj(xI − A) = N₁xⁿ⁻¹ + … + Nₙ
         coefficients.append(N)
-        N = [[sum((a * N[m][j] for m, a in enumerate(row) if a), QQ(0)) for j in range(n)] for row in rows]
-        chi.append(-sum(N[i][i] for i in range(n)) / k)
-        N = [[entry + chi[-1] * (i == j) for j, entry in enumerate(row)] for i, row in enumerate(N)]
-    entries = (dup_strip([M[i][j] for M in coefficients]) for i in range(n) for j in range(n))
-    return any(len(dup_gcd(entry, chi, QQ)) > 1 for entry in entries if entry)
+        N = [[sum(a * N[m][j] for m, a in enumerate(row) if a) % PRIME for j in range(n)] for row in rows]
+        chi.append(-sum(N[i][i] for i in range(n)) * pow(k, -1, PRIME) % PRIME)
+        N = [[(entry + chi[-1] * (i == j)) % PRIME for j, entry in enumerate(row)] for i, row in enumerate(N)]
+    entries = (gf_strip([M[i][j] for M in coefficients]) for i in range(n) for j in range(n))
+    return any(len(gf_gcd(entry, chi, PRIME, ZZ)) > 1 for entry in entries if entry)
 
 
 def _vanishes(A: Any, roots: Any) -> bool:

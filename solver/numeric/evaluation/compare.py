@@ -53,7 +53,7 @@ def residuals(
     noise = SAFETY * arithmetic.eps * (l_size + r_size)
     scale = np.maximum(size, noise / tolerance)
     residual = np.where(difference == 0, 0.0, difference / np.where(scale == 0, 1.0, scale))
-    if arithmetic is not DOUBLE:
+    if arithmetic is not DOUBLE and np.isinf(size).any():
         residual = np.where((difference != 0) & (_infinite(l_value) | _infinite(r_value)), np.inf, residual)
     agree = difference <= tolerance * size
     if arithmetic is DOUBLE and agree.all():
