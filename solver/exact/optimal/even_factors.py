@@ -23,8 +23,9 @@ from solver.exact.optimal.root_choices import (
     linear_powers,
     power_product,
     roots_in_decimals,
+    roots_of_quadratic,
 )
-from solver.exact.optimal.square_roots import RootTower
+from solver.exact.optimal.square_roots import RootTower, root_of
 
 
 def near_the_axis(z: Any) -> bool:
@@ -38,7 +39,7 @@ def quadratic_choices(q: sp.Poly, m: int) -> tuple[Choice, ...]:
     square = -coefficients_of(q)[2]
     if known_negative(K, square):
         raise OnTheAxis(q)
-    alpha = sp.sqrt(expression(K, square))
+    alpha = root_of(K, square)
     value = mpmath.sqrt(decimal(K, expression(K, square)))
 
     def factor(k: int) -> Builder:
@@ -83,7 +84,7 @@ def _flipped_as_a_whole(K: Any, e: Any, f: Any, m: int, stable: list[Any]) -> tu
 
         return build
 
-    spelled = _spelled_roots(expression(K, e), expression(K, f))
+    spelled = _spelled_roots(K, e, f)
     return tuple(
         Choice(2 * k, mixed(k), (*stable * (m - k), *(-z for z in stable * k)), () if k else spelled * m)
         for k in range(m + 1)
@@ -123,13 +124,14 @@ def _second_radicand(K: Any, e: Any, f: Any) -> Any:
     return sp.factor(expression(K, -e)) - 2 * sp.sqrt(sp.factor(expression(K, f)))
 
 
-def _spelled_roots(e: sp.Expr, f: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The stable roots of s⁴ + e s² + f: −½√(2√f − e) ± ½√(−2√f − e)."""
-    root = sp.sqrt(f)
-    half, delta = sp.sqrt(sp.expand(2 * root - e)) / 2, sp.expand(-2 * root - e)
-    if not delta.free_symbols and sp.N(delta) < 0:
-        omega = sp.sqrt(sp.expand(-delta)) / 2
-        return (-half + sp.I * omega, -half - sp.I * omega)
-    if is_positive(-delta):
-        return (-half + sp.I * sp.sqrt(-delta) / 2, -half - sp.I * sp.sqrt(-delta) / 2)
-    return (-half - sp.sqrt(delta) / 2, -half + sp.sqrt(delta) / 2)
+def _spelled_roots(K: Any, e: Any, f: Any) -> tuple[sp.Expr, ...]:
+    """The stable roots of s⁴ + e s² + f: of s² + b s + c as below, or −√(−e/2 ± √(e²/4 − f)) where c is irrational."""
+    tower = RootTower(K)
+    _, b, c = _half(K, e, f, 1, 1)(tower)
+    square = e * e / K(4) - f
+    if any(c[1:]) and is_positive(expression(K, square)):
+        other = RootTower(K)
+        delta = other.square_root((square,))
+        squares = [other.add((-e / K(2),), each) for each in (delta, other.negative(delta))]
+        return tuple(-sp.sqrt(other.expression(each)) for each in squares)
+    return roots_of_quadratic(tower, b, c)

@@ -201,6 +201,20 @@ def _is_zero(value: sp.Expr) -> bool:
     return bool(abs(sp.N(value, DIGITS)) < sp.Float(10) ** (-DIGITS // 2))
 
 
+def _root_of_sum(square: sp.Expr) -> sp.Expr:
+    """√square with the positive factors that its terms share before it: √(q r + 2√p r^{3/2}) = √r √(q + 2√p √r)."""
+    fourths = {x: sp.Dummy(str(x), positive=True) for x in sorted(square.free_symbols, key=str) if x.is_positive}
+    above, below = sp.fraction(sp.together(square.subs({x: y**4 for x, y in fourths.items()})))
+    number, rest = sp.terms_gcd(sp.expand(above)).as_coeff_Mul()
+    positive = frozenset(fourths.values())
+    shared, others = sp.sift(
+        sp.Mul.make_args(rest), lambda each: not each.is_Add and each.free_symbols <= positive, binary=True
+    )
+    inner = sp.expand(number * sp.Mul(*others))
+    back = {y: sp.root(x, 4) for x, y in fourths.items()}
+    return (sp.sqrt(sp.Mul(*shared)) * sp.sqrt(inner) / sp.sqrt(below)).xreplace(back)
+
+
 def _real_pair(middle: sp.Expr, square: sp.Expr) -> tuple[tuple[sp.Expr, ...], sp.Expr | None]:
     """The real ones among middle ± √square, and what must not be negative for that where parameters leave it open."""
     if not square.free_symbols:
@@ -210,6 +224,6 @@ def _real_pair(middle: sp.Expr, square: sp.Expr) -> tuple[tuple[sp.Expr, ...], s
             return (), None
     elif is_positive(-square) or sp.factor(square).is_negative:
         return (), None
-    root = sp.sqrtdenest(sp.sqrt(square))
+    root = _root_of_sum(square) if square.free_symbols else sp.sqrtdenest(sp.sqrt(square))
     known = not square.free_symbols or is_positive(square) or sp.factor(square).is_positive
     return (_tidy(middle + root), _tidy(middle - root)), None if known else square

@@ -16,8 +16,8 @@ import mpmath
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact, expression
-from solver.exact.linear_algebra.signs import is_positive, possible_signs
-from solver.exact.optimal.square_roots import Nested, RootTower, without_sign
+from solver.exact.linear_algebra.signs import possible_signs
+from solver.exact.optimal.square_roots import Nested, RootTower, root_of, without_sign
 
 DIGITS = 30
 """Digits of decimals in results."""
@@ -151,7 +151,7 @@ def surd_choices(q: sp.Poly, m: int) -> tuple[Choice, ...]:
     K, (_, b, c) = q.domain, coefficients_of(q)
     square = b * b / K(4) - c
     opposite = sign(K, c) < 0
-    root, middle = sp.sqrt(expression(K, square)), expression(K, b) / 2
+    root, middle = root_of(K, square), expression(K, b) / 2
     sizes = [root - middle, root + middle] if opposite else [middle + root, middle - root]
     values = [decimal(K, size) for size in sizes]
 
@@ -181,13 +181,23 @@ def surd_choices(q: sp.Poly, m: int) -> tuple[Choice, ...]:
 
 def spelled_pair(q: sp.Poly) -> tuple[sp.Expr, ...]:
     """The roots −b/2 ± √(b²/4 − c) of a quadratic."""
-    _, b, c = (expression(q.domain, each) for each in coefficients_of(q))
-    square = sp.factor(b**2 / 4 - c)
-    if is_positive(-square):
-        omega = sp.sqrt(-square)
-        return (-b / 2 + sp.I * omega, -b / 2 - sp.I * omega)
-    delta = sp.sqrt(square)
-    return (-b / 2 - delta, -b / 2 + delta)
+    _, b, c = coefficients_of(q)
+    return roots_of_quadratic(RootTower(q.domain), (b,), (c,))
+
+
+def roots_of_quadratic(tower: RootTower, b: Nested, c: Nested) -> tuple[sp.Expr, ...]:
+    """The roots −b/2 ± √(b²/4 − c) of s² + b s + c, the root in the tower where its sign is known."""
+    K, half = tower.K, tower.K.one / tower.K(2)
+    middle, square = tower.scale(-half, b), tower.add(tower.multiply(b, b), tower.scale(K(-4), c))
+    opposite, real = tower.negative(square), tower.is_positive(square)
+    if real:
+        delta = tower.scale(half, tower.square_root(square))
+        return tuple(tower.expression(tower.add(middle, each)) for each in (tower.negative(delta), delta))
+    if real is False and tower.is_positive(opposite):
+        shift = sp.I * tower.expression(tower.scale(half, tower.square_root(opposite)))
+    else:
+        shift = tower.root_as_written(square) / 2
+    return tuple(tower.expression(middle) + each for each in (shift, -shift))
 
 
 def decimal_choices(stable: Sequence[Any], m: int) -> tuple[Choice, ...]:

@@ -7,13 +7,14 @@ of its index. A root is adjoined only where there is none in the tower already, 
 from __future__ import annotations
 
 from functools import reduce
-from math import isqrt
+from operator import mul
 from typing import Any
 
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact, expression
-from solver.exact.linear_algebra.signs import is_positive, possible_signs
+from solver.exact.linear_algebra.signs import possible_signs
+from solver.exact.optimal.field_roots import common_factors, known_square, root_in
 
 Nested = tuple[Any, ...]
 """An element of the tower."""
@@ -89,7 +90,7 @@ class RootTower:
         if len(self.roots) == DEEPEST:
             raise TooDeep
         level = len(self.squares)
-        self.roots.append(sp.sqrt(self.expression(inside)))
+        self.roots.append(sp.sqrt(self._factored(inside)))
         self.squares.append(self._padded(inside, 2**level))
         return (*(self.K.zero for _ in range(2**level)), outside, *(self.K.zero for _ in range(2**level - 1)))
 
@@ -101,6 +102,11 @@ class RootTower:
                 roots = [root for bit, root in enumerate(self.roots) if index >> bit & 1]
                 terms.append(sp.Mul(expression(self.K, c), *roots))
         return sp.Add(*terms)
+
+    def root_as_written(self, a: Nested) -> sp.Expr:
+        """The root of an element of unknown sign, not adjoined."""
+        outside, inside = self._reduced(_trimmed(a))
+        return expression(self.K, outside) * sp.sqrt(self._factored(inside))
 
     def is_positive(self, a: Nested) -> bool | None:
         """Whether the value is positive; None where parameters leave it open (zero counts as not positive)."""
@@ -128,7 +134,7 @@ class RootTower:
         if not any(a):
             return (self.K.zero,)
         if len(a) == 1:
-            root = _root_in(self.K, a[0])
+            root = root_in(self.K, a[0])
             if root is not None:
                 return (root,)
             return self._root_above(a, 1)
@@ -166,19 +172,16 @@ class RootTower:
 
     def _reduced(self, a: Nested) -> tuple[Any, Nested]:
         """Return c in K and b with √a = c √b, b without denominators and square factors where that can be seen."""
-        K = self.K
-        if K.is_QQ:
-            c = _square_content([x for x in a if x])
-            return K(*c), tuple(x / K(*c) ** 2 for x in a)
-        if len(a) == 1 and K.is_Composite:
-            outside = _known_square(K, a[0])
-            return outside, (a[0] / outside**2,)
-        if _has_factors(K):
-            below = reduce(lambda d, x: d.lcm(x.denom), a, K.one.numer)
-            if is_positive(below.as_expr()):
-                outside = K.one / K(below)
-                return outside, tuple(x / outside**2 for x in a)
-        return K.one, a
+        outside = known_square(self.K, [x for x in a if x])
+        return outside, tuple(x / outside**2 for x in a)
+
+    def _factored(self, a: Nested) -> sp.Expr:
+        """The element as an expression, with common factors that are known to be positive before a sum."""
+        _, powers = common_factors(self.K, [x for x in a if x])
+        factor = reduce(mul, (self.K(each) ** power for each, power in powers), self.K.one)
+        return sp.Mul(*(each.as_expr() ** power for each, power in powers)) * self.expression(
+            tuple(x / factor for x in a)
+        )
 
     def _square_for(self, a: Nested) -> Nested:
         """The square of the last generator in an element of this length."""
@@ -193,6 +196,12 @@ class RootTower:
 
     def _joined(self, below: Nested, above: Nested, size: int) -> Nested:
         return self._padded(below, size // 2) + self._padded(above, size // 2)
+
+
+def root_of(K: Any, square: Any) -> sp.Expr:
+    """The positive root of an element of K, squares taken out where signs are known."""
+    tower = RootTower(K)
+    return tower.expression(tower.square_root((square,)))
 
 
 def sign_known(value: sp.Expr) -> bool | None:
@@ -218,66 +227,3 @@ def _trimmed(a: Nested) -> Nested:
     while len(a) > 1 and not any(_halves(a)[1]):
         a = _halves(a)[0]
     return a
-
-
-def _root_in(K: Any, c: Any) -> Any | None:
-    """A square root of c in K, or None (also where K is neither QQ nor a field of rational functions over it)."""
-    if not c:
-        return K.zero
-    if K.is_QQ:
-        p, q = int(c.numerator), int(c.denominator)
-        if p < 0 or isqrt(p) ** 2 != p or isqrt(q) ** 2 != q:
-            return None
-        return K(isqrt(p), isqrt(q))
-    if not _has_factors(K):
-        return None
-    content, powers = _factors(c)
-    number = _root_in(sp.QQ, content)
-    if number is None or any(power % 2 for _, power in powers):
-        return None
-    root = _rational(K, number)
-    for factor, power in powers:
-        root = root * K(factor) ** (power // 2)
-    return root
-
-
-def _has_factors(K: Any) -> bool:
-    """Whether K is a field of rational functions over the rational numbers."""
-    return bool(K.is_FractionField and (K.domain.is_QQ or K.domain.is_ZZ))
-
-
-def _rational(K: Any, number: Any) -> Any:
-    """A rational number as an element of K."""
-    return K(int(number.numerator)) / K(int(number.denominator))
-
-
-def _factors(c: Any) -> tuple[Any, list[tuple[Any, int]]]:
-    """Return a rational number and the irreducible polynomials with their powers that make up c."""
-    above, numerator = c.numer.factor_list()
-    below, denominator = c.denom.factor_list()
-    content = sp.QQ.convert(above) / sp.QQ.convert(below)
-    return content, [*numerator, *((factor, -power) for factor, power in denominator)]
-
-
-def _known_square(K: Any, c: Any) -> Any:
-    """A factor x with c/x² free of squares and denominators, as far as these are known to be positive."""
-    if not _has_factors(K):
-        return K.one
-    content, powers = _factors(c)
-    outside = _rational(K, sp.QQ(*_square_content([content])))
-    for factor, power in powers:
-        if is_positive(factor.as_expr()):
-            outside = outside * K(factor) ** (power // 2)
-    return outside
-
-
-def _square_content(numbers: list[Any]) -> tuple[int, int]:
-    """Return (p, q) such that the numbers divided by (p/q)² are integers without a common square factor."""
-    q = sp.ilcm(1, *(int(x.denominator) for x in numbers))
-    outside, root_of_q = 1, 1
-    for prime, power in sp.factorint(q).items():
-        root_of_q *= prime ** ((power + 1) // 2)
-    whole = [int(x.numerator) * (root_of_q**2 // int(x.denominator)) for x in numbers]
-    for prime, power in sp.factorint(sp.igcd(0, *whole)).items():
-        outside *= prime ** (power // 2)
-    return outside, root_of_q
