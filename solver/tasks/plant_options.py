@@ -12,6 +12,8 @@ from solver.options.matrix import MatrixOf
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
+    from solver.systems import System
+
 
 @dataclass(frozen=True, kw_only=True)
 class PlantOptions(Options):
@@ -23,6 +25,11 @@ class PlantOptions(Options):
         answer="K",
         loop="closed_loop",
     )
+
+    def parameters_with(self, system: System) -> set[str]:
+        """Return the names of the parameters in a system and in what these options put around it."""
+        found = {symbol for value in self.values for symbol in getattr(value, "free_symbols", ())}
+        return {symbol.name for symbol in {*system.parameters, *found}}
 
 
 @dataclass(frozen=True, kw_only=True)

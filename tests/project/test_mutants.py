@@ -199,6 +199,22 @@ def test_own_tests_come_first_and_the_quick_ones_of_each_function_before_its_oth
     assert order == ["b[1]", "c", "b[2]", "a"]
 
 
+def test_the_test_of_a_file_comes_before_others_of_its_room():
+    (slip, *_) = mutants_of(ROUTH, ROOT)
+    seconds = {"tests/exact/test_a.py::a": 0.1, "tests/exact/test_routh.py::b": 1, "tests/exact/test_routh.py::c": 0.5}
+    order = chosen_for(slip, reached_by(slip, seconds))
+    assert [test.rpartition(":")[2] for test in order] == ["c", "b", "a"]
+
+
+def test_what_is_declared_is_seen_by_the_tests_of_the_tables_too():
+    path = ROOT / "solver" / "tasks" / "time_response" / "response.py"
+    slip = next(each for each in mutants_of(path, ROOT) if not each.function and each.before == "True")
+    running, tables, other = "tests/tasks/test_response.py::a", "tests/project/test_tables.py::b", "tests/exact/t.py::c"
+    record = Record([running], {slip.file: (0, [(100, 100)])}, np.array([[0b10000000]], dtype=np.uint8))
+    reached = Reached({running: 1, tables: 1, other: 1}, [record])
+    assert chosen_for(slip, reached) == [running, tables]
+
+
 @pytest.mark.slow
 def test_a_slip_is_killed_by_a_test_that_sees_it_and_survives_one_that_does_not():
     slip = next(each for each in mutants_of(ROUTH, ROOT) if each.kind == "sign")

@@ -1,6 +1,7 @@
 """Questions without an answer: each is refused in words that name the reason, by the file or by the mathematics."""
 
 import pytest
+import sympy as sp
 import yaml
 
 from solver.derivation import Status
@@ -8,6 +9,7 @@ from solver.engine import solve_problem
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
+from tests.helpers.asking import system
 
 INTEGRATORS = {"A": [[0, 1], [0, 0]], "B": [[0], [1]], "C": [[1, 0]]}
 STABLE = {"A": [[0, 1], [-2, -3]], "B": [[0], [1]], "C": [[1, 0]]}
@@ -31,6 +33,8 @@ FROM_THE_FILE = [
     ("routh_hurwitz", {"polynomial": "1/s"}, {}, "a polynomial is expected here, not a quotient"),
     ("routh_hurwitz", {"polynomial": "s + K"}, {"parameter": "k"}, "'k' is no name in the system"),
     ("routh_hurwitz", {"polynomial": "z + 1", "time": "discrete"}, {}, "in discrete time"),
+    ("routh_hurwitz", {"A": [[0, 1], [-2, "k"]]}, {"parameter": "x2"}, "x2 is no parameter of the system"),
+    ("stability_range", {"A": [[0, 1], [-2, -3]]}, {"parameters": "x1"}, "x1 is no parameter of the system"),
     ("controllability", {"polynomial": "s + 1"}, {}, "needs B; the system is given by its characteristic polynomial"),
     ("matrix_function", WIDE, {"function": "A^2"}, "square"),
     ("controllability", {"A": [[0, 1], [-2, -3]]}, {}, "needs B"),
@@ -102,9 +106,9 @@ FROM_THE_MATHEMATICS = [
 ]
 
 
-def outcome(task, system, options):
+def outcome(task, plant, options):
     """What a problem file with this question ends with: "refused" or the status, and the words."""
-    text = yaml.safe_dump({"system": system, "find": {"a": {"task": task, **options}}})
+    text = yaml.safe_dump({"system": plant, "find": {"a": {"task": task, **options}}})
     try:
         part = solve_problem(read_problem(Source("question.yaml", text), catalogue())).parts[0]
     except InputError as refusal:
@@ -123,6 +127,14 @@ def test_what_the_file_shows_is_refused_at_its_place(row):
     status, reason = outcome(*question)
     assert status == "refused"
     assert words in reason
+
+
+@pytest.mark.parametrize(("task", "option"), [("routh_hurwitz", "parameter"), ("stability_range", "parameters")])
+def test_a_parameter_may_come_with_the_gain_and_is_not_judged_before_the_gain_is_known(task, option):
+    plant, k = system([[0, 1], [-2, -3]], B=[[0], [1]]), sp.Symbol("k")
+    gains = {"with": sp.ImmutableMatrix([[k, 1]]), "without": sp.ImmutableMatrix([[1, 1]]), "not known": None}
+    faults = {name: list(catalogue()[task].refused(plant, {option: ("k",), "gain": K})) for name, K in gains.items()}
+    assert {name for name, found in faults.items() if found} == {"without"}
 
 
 @pytest.mark.parametrize("row", FROM_THE_MATHEMATICS, ids=named)

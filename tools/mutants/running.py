@@ -26,6 +26,10 @@ COPIED = ("solver", "templates", "problems", "tests", "tools", "docs", "pyprojec
 LIBRARIES = ("sympy", "numpy", "scipy.linalg", "mpmath", "hypothesis", "pydantic", "jinja2", "control")
 BUDGET, BUDGET_ELSEWHERE = 12.0, 6.0
 """So many seconds of tests of its room, and of others, are run for one slip: one case of each function first."""
+HOMES = {"options": "tests/problem/", "systems": "tests/problem/"}
+"""Where the tests of a room are that has no folder of its own among them."""
+READING = tuple(f"tests/{name}.py" for name in ("project/test_tables", "problem/test_schema", "tasks/test_promised"))
+"""Tests of what the files declare: they run none of their functions."""
 FORK = multiprocessing.get_context("fork")
 NO_TESTS = int(pytest.ExitCode.NO_TESTS_COLLECTED)
 KILLED, KILLED_ELSEWHERE = 1, 101
@@ -35,7 +39,7 @@ OUTCOMES = ("killed", "timed out", "elsewhere", "survived", "not reached")
 
 def own_tests(room: str) -> str:
     """Where the tests of a room are."""
-    names = (f"tests/{room}/", f"tests/test_{room}.py", "tests/")
+    names = (HOMES.get(room, f"tests/{room}/"), f"tests/test_{room}.py", "tests/")
     return next(name for name in names if (ROOT / name).exists())
 
 
@@ -44,15 +48,18 @@ def chosen_for(mutant: Mutant, reached: Reached) -> list[str]:
 
     Of a file that has nothing but what runs on import, all tests of its room.
     """
-    direct = reached.tests_of(mutant.file, mutant.line) or reached.tests_of_file(mutant.file)
-    direct = direct or {test for test in reached.seconds if test.startswith(own_tests(mutant.room))}
-    own = {test for test in direct if test.startswith(own_tests(mutant.room))}
-    return [*_within(BUDGET, own, reached), *_within(BUDGET_ELSEWHERE, direct - own, reached)]
+    own, name = own_tests(mutant.room), f"/test_{Path(mutant.file).stem}.py::"
+    direct = reached.tests_of(mutant.file, mutant.line)
+    if not direct:
+        direct = reached.tests_of_file(mutant.file) or {test for test in reached.seconds if test.startswith(own)}
+        direct |= {test for test in reached.seconds if test.startswith(READING)}
+    mine = {test for test in direct if test.startswith(own)}
+    return [*_within(BUDGET, mine, reached, name), *_within(BUDGET_ELSEWHERE, direct - mine, reached, name)]
 
 
-def _within(budget: float, tests: Iterable[str], reached: Reached) -> list[str]:
+def _within(budget: float, tests: Iterable[str], reached: Reached, name: str) -> list[str]:
     chosen, spent = [], 0.0
-    for test in _one_of_each_first(tests, reached):
+    for test in _one_of_each_first(tests, reached, name):
         spent += reached.seconds[test]
         if spent > budget and chosen:
             break
@@ -60,15 +67,15 @@ def _within(budget: float, tests: Iterable[str], reached: Reached) -> list[str]:
     return chosen
 
 
-def _one_of_each_first(tests: Iterable[str], reached: Reached) -> list[str]:
-    """Quickest first; the first case of every function before the second of any."""
+def _one_of_each_first(tests: Iterable[str], reached: Reached, name: str) -> list[str]:
+    """The first case of every function before the second; of these the tests of the file itself, then the quickest."""
     seen: dict[str, int] = defaultdict(int)
     turns = []
     for test in sorted(tests, key=lambda test: (reached.seconds[test], test)):
         function = test.partition("[")[0]
-        turns.append((seen[function], reached.seconds[test], test))
+        turns.append((seen[function], name not in test, reached.seconds[test], test))
         seen[function] += 1
-    return [test for _, _, test in sorted(turns)]
+    return [test for *_, test in sorted(turns)]
 
 
 class Chosen:

@@ -69,9 +69,9 @@ routh_hurwitz: Task[Polynomial, RouthHurwitzOptions] = Task(
 @routh_hurwitz.refusal
 def has_no_such_parameter(system: System, options: RouthHurwitzOptions) -> Iterable[Refusal]:
     """The system must have the parameters asked for."""
-    found = {str(symbol.name) for symbol in getattr(system, "parameters", ())}
+    found = options.parameters_with(system)
     for name in options.parameter or ():
-        if found and name not in found:
+        if name not in found and not options.later:
             yield "parameter", Reason("stability/no_parameter", {"name": name})
 
 

@@ -57,9 +57,9 @@ stability_range: Task[StateSpace, StabilityRangeOptions] = Task(
 @stability_range.refusal
 def has_no_such_parameter(system: System, options: StabilityRangeOptions) -> Iterable[Refusal]:
     """The system must have parameters, those asked for among them."""
-    found = {str(symbol.name) for symbol in getattr(system, "parameters", ())}
+    found = options.parameters_with(system)
     for name in options.parameters or ():
-        if found and name not in found:
+        if name not in found and not options.later:
             yield "parameters", Reason("stability/no_parameter", {"name": name})
 
 
