@@ -15,6 +15,8 @@ COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
 }  # fmt: skip
 SYMMETRIC = frozenset("isinstance issubclass zip max min gcd lcm getattr hasattr setattr cast TypeVar Claim".split())
 """Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
+WORDED = frozenset({"check_residual", "that"})
+"""Functions whose first two arguments are words for a reader: what is checked, and by what."""
 UNSEEN_KEYWORDS = frozenset("strict maxsize slots frozen kw_only stacklevel".split())
 """Keywords that guard or make faster what is right without them."""
 SPEED = frozenset({"set_threshold", "lru_cache"})
@@ -159,6 +161,11 @@ def _is_decimal(*nodes: ast.expr) -> bool:
     return any(isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value for node in nodes)
 
 
+def _is_number(node: ast.expr) -> bool:
+    """Whether it is a number as it stands, which commutes with every factor."""
+    return isinstance(node.operand if isinstance(node, ast.UnaryOp) else node, ast.Constant)
+
+
 def _is_text(node: ast.expr) -> bool:
     """Whether an operand is a text or a collection: what is joined to it is no term."""
     if isinstance(node, ast.BinOp):
@@ -168,4 +175,5 @@ def _is_text(node: ast.expr) -> bool:
 
 def _is_ordered(function: ast.expr, first: ast.expr, second: ast.expr) -> bool:
     plain = not isinstance(first, ast.Starred) and not isinstance(second, ast.Starred)
-    return plain and _name(function) not in SYMMETRIC and ast.dump(first) != ast.dump(second)
+    factor = _name(function) == "product" and (_is_number(first) or _is_number(second))
+    return plain and not factor and _name(function) not in SYMMETRIC | WORDED and ast.dump(first) != ast.dump(second)
