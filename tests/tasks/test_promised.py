@@ -13,6 +13,7 @@ PROMISED = {
     "transfer_function": (ANALYSIS, "adjugate faddeev_leverrier", "input output", "G poles zeros cancelled"),
     "similarity_transformation": (ANALYSIS, "", "T", "A B C D"),
     "characteristic_polynomial": (ANALYSIS, "determinant faddeev_leverrier", "", "polynomial"),
+    "resolvent": (ANALYSIS, "adjugate faddeev_leverrier", "", "resolvent polynomial"),
     "eigenstructure": (
         ANALYSIS, "", "", "eigenvalues right_eigenvectors left_eigenvectors jordan_form diagonalizable"
     ),

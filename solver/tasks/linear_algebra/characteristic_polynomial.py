@@ -30,6 +30,9 @@ characteristic_polynomial: Task[StateSpace, PlantOptions] = Task(
 )
 
 
+MINUS_DETERMINANT = r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$"
+
+
 @lemma("determinant")
 def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeVerrier]:
     """χ(x) = det(xI − A), expanded along the row with most zeros; returns χ and the adjugate in x."""
@@ -47,10 +50,16 @@ def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeV
     chi = resolvent.characteristic_polynomial(x)
     claims = expansion_of(pencil, resolvent.adjugate(x), chi)
     yield Step("expansion", claims=claims, x=x, n=A.rows, **shape_of(pencil))
-    factored = exact.factored(A, x)
+    yield from factors_of(A, x)
+    return resolvent
+
+
+@lemma("determinant")
+def factors_of(A: ImmutableMatrix, x: Symbol) -> Derivation[None]:
+    """The irreducible factors of χ(x); no step where it has but one."""
+    chi, factored = exact.faddeev_leverrier(A).characteristic_polynomial(x), exact.factored(A, x)
     if factored != chi:
         yield Step("factors", claims={"factors": Claim(chi, factored, "factors of the characteristic polynomial")}, x=x)
-    return resolvent
 
 
 def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:
@@ -167,7 +176,7 @@ def has_the_values_of_the_determinant(given: Given[StateSpace, PlantOptions], an
     )
 
 
-@characteristic_polynomial.mistake(r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$", "polynomial")
+@characteristic_polynomial.mistake(MINUS_DETERMINANT, "polynomial")
 def minus_determinant(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]:
     """det(A − λI), which is −det(λI − A) for odd n."""
     if wrong.given.system.A.rows % 2:

@@ -1,25 +1,123 @@
-"""The resolvent (xI − A)⁻¹ and its partial fractions: lemmas for transforms in s and in z."""
+"""The resolvent (xI − A)⁻¹, x = s or z, by itself and with its partial fractions: what transforms are made from."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Claim, Derivation, Step, lemma
-from solver.lazy import exact
-from solver.stated.algebra import power, quotient, total
-from solver.stated.matrices import adjugate, inverse
+from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.numeric.judges import linear_algebra as judges
+from solver.stated.algebra import difference, power, product, quotient, total
+from solver.stated.matrices import adjugate, determinant, inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
-from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
+from solver.tasks.linear_algebra.characteristic_polynomial import (
+    MINUS_DETERMINANT,
+    determinant_of,
+    factors_of,
+    minus_determinant,
+    recursion_of,
+)
+from solver.tasks.plant_options import PlantOptions
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
+
+    from solver.systems import StateSpace
+
+resolvent: Task[StateSpace, PlantOptions] = Task(
+    "resolvent",
+    title="Resolvent",
+    doc="The matrix (sI − A)⁻¹, the Laplace transform of e^{At}; in discrete time (zI − A)⁻¹.",
+    needs=("A",),
+    options=PlantOptions,
+    answers=[
+        AnswerName("resolvent", "R", "the resolvent", principal=True),
+        AnswerName("polynomial", r"\chi", "the characteristic polynomial, monic"),
+    ],
+)
+
+
+def _variable(given: Given[StateSpace, PlantOptions]) -> Symbol:
+    """The variable of the transform: s, or z in discrete time."""
+    return sp.Symbol("z" if given.system.discrete else "s")
+
+
+@resolvent.method("adjugate", title="Adjugate over determinant", source="Lecture note, section 1.13")
+def by_adjugate(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
+    """(xI − A)⁻¹ = adj(xI − A)/det(xI − A), the adjugate by cofactors."""
+    A, x = given.system.A, _variable(given)
+    inverted = yield from inverse_of_pencil(A, x)
+    return Answers(resolvent=inverted, polynomial=exact.faddeev_leverrier(A).characteristic_polynomial(x))
+
+
+@resolvent.method(
+    "faddeev_leverrier", title="Faddeev–LeVerrier algorithm", source="Gantmacher, The Theory of Matrices I, IV §5"
+)
+def by_faddeev_leverrier(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
+    """(xI − A)⁻¹ = (N₀ x^{n−1} + … + Nₙ₋₁)/χ(x), with the Nₖ and χ of the recursion."""
+    A, x = given.system.A, _variable(given)
+    found = yield from recursion_of(A)
+    adj, chi, pencil = found.adjugate(x), found.characteristic_polynomial(x), exact.pencil(A, x)
+    *above, last = found.adjugate_coefficients
+    powers = [*(product(N, power(x, A.rows - 1 - k)) for k, N in enumerate(above)), last]
+    yield Step(
+        "sum",
+        claims={
+            "adjugate": Claim(adjugate(pencil), total(*powers), "adjugate by powers"),
+            "entries": Claim(total(*powers), adj, "entries of the adjugate"),
+            "polynomial": Claim(determinant(pencil), chi, "determinant"),
+        },
+        x=x,
+        n=A.rows,
+    )
+    yield from factors_of(A, x)
+    inverted = yield from quotient_of_adjugate(A, x, adj)
+    return Answers(resolvent=inverted, polynomial=chi)
+
+
+@resolvent.verification("resolvent")
+def is_the_inverse(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
+    """(xI − A) R = I, entry by entry, at random x."""
+    A, R, x = given.system.A, answers["resolvent"], _variable(given)
+    identity = sp.ImmutableMatrix(sp.eye(A.rows))
+    inverted = product(difference(product(x, identity), A), R)
+    yield numeric.check_claim(Claim(inverted, identity), Phrase("$({x}I - A) R = I$", x=x))
+
+
+@resolvent.verification("polynomial")
+def has_the_values_of_the_determinant(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
+    """p(x) = det(xI − A) at random x, the determinant by numpy."""
+    A, polynomial, x = given.system.A, answers["polynomial"], _variable(given)
+    yield numeric.check_residual(
+        Phrase(r"$\chi({x}) = \det({x}I - A)$ at random points", x=x),
+        "numpy.linalg.det",
+        lambda: judges.polynomial_residual(A, polynomial, x),
+    )
+
+
+@resolvent.mistake("it is the inverse of $A - sI$", "resolvent")
+def of_the_negative(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]:
+    """(A − xI)⁻¹."""
+    yield -wrong.ours
+
+
+@resolvent.mistake("this is the adjugate; it is not yet divided by the determinant", "resolvent")
+def not_divided(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]:
+    """adj(xI − A)."""
+    yield exact.faddeev_leverrier(wrong.given.system.A).adjugate(_variable(wrong.given))
+
+
+resolvent.mistake(MINUS_DETERMINANT, "polynomial")(minus_determinant)
 
 
 @lemma("resolvent")
 def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
     """det(xI − A) and adj(xI − A); returns the adjugate."""
-    resolvent = yield from determinant_of(A, x)
-    pencil, adj = exact.pencil(A, x), resolvent.adjugate(x)
+    found = yield from determinant_of(A, x)
+    pencil, adj = exact.pencil(A, x), found.adjugate(x)
     yield Step(
         "adjugate",
         claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
@@ -33,6 +131,12 @@ def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMat
 def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
     """(xI − A)⁻¹ = adj(xI − A)/det(xI − A); returns it with cancelled entries."""
     adj = yield from adjugate_of_pencil(A, x)
+    return (yield from quotient_of_adjugate(A, x, adj))
+
+
+@lemma("resolvent")
+def quotient_of_adjugate(A: ImmutableMatrix, x: Symbol, adj: ImmutableMatrix) -> Derivation[ImmutableMatrix]:
+    """(xI − A)⁻¹ from the adjugate; returns it with cancelled entries."""
     pencil, chi = exact.pencil(A, x), exact.factored(A, x)
     inverted = exact.resolvent(A, x)
     yield Step(
