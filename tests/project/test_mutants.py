@@ -61,6 +61,10 @@ def slips(tmp_path, code):
         ("cast(a, -1)", set()),
         ("gc.set_threshold(a, 20)", set()),
         ("lru_cache(a + 20)(b)", set()),
+        ("random.randint(-a, 30)", set()),
+        ("f(10) ** -(a + 3)", set()),
+        ("N(a, 30)", {"N(30, a)"}),
+        ("1 + abs(a)", {"(1 - abs(a))", "(1)"}),
     ],
 )
 def test_the_slips_of_an_expression(tmp_path, expression, changed):

@@ -17,8 +17,12 @@ SYMMETRIC = frozenset("isinstance issubclass zip max min gcd lcm getattr hasattr
 """Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
 WORDED = frozenset({"check_residual", "that"})
 """Functions whose first two arguments are words for a reader: what is checked, and by what."""
-UNSEEN_KEYWORDS = frozenset("strict maxsize slots frozen kw_only stacklevel".split())
-"""Keywords that guard or make faster what is right without them."""
+UNSEEN_KEYWORDS = frozenset("strict maxsize slots frozen kw_only stacklevel maxsteps maxn extraprec prec tol".split())
+"""Keywords that guard, make faster or refine what is right without them."""
+CHANCE = frozenset("Random randint uniform choice".split())
+"""Functions whose arguments say which of many points is drawn, where any point does."""
+DIGITS = frozenset("N evalf workdps".split())
+"""Functions whose number says how many digits are carried: one more changes none that is shown."""
 SPEED = frozenset({"set_threshold", "lru_cache"})
 """Functions whose arguments make the program faster or slower and nothing else."""
 WORDS = (ast.List, ast.Tuple, ast.ListComp, ast.JoinedStr, ast.Dict, ast.Set)
@@ -92,6 +96,8 @@ def _expressions(node: ast.AST, function: str, raised: bool = False) -> Iterator
                 continue
             if isinstance(child, ast.keyword) and child.arg in UNSEEN_KEYWORDS:
                 continue
+            if isinstance(child, ast.Constant) and _is_measure(node):
+                continue
             inside = function
             if isinstance(child, (ast.FunctionDef, ast.ClassDef)):
                 inside = f"{function}.{child.name}".lstrip(".")
@@ -107,7 +113,28 @@ def _is_unseen(node: ast.AST) -> bool:
         case ast.If(ast.Name("TYPE_CHECKING")) | ast.If(ast.Compare(ast.Name("__name__"))):
             return True
         case ast.Call(function):
-            return _name(function) in SPEED | {"cast"}
+            return _name(function) in SPEED | CHANCE | {"cast"}
+        case ast.BinOp(base, ast.Pow(), ast.UnaryOp(ast.USub())):
+            return _is_ten(base)  # a power of ten below which nothing is left: others near it do as well
+    return False
+
+
+def _is_ten(node: ast.expr) -> bool:
+    match node:
+        case ast.Constant(value):
+            return value == 10
+        case ast.Call(_, [only]):
+            return _is_ten(only)
+    return False
+
+
+def _is_measure(node: ast.AST) -> bool:
+    """Whether the numbers in it are counts of digits, or the 1 of the scale 1 + |x|."""
+    match node:
+        case ast.Call(function):
+            return _name(function) in DIGITS
+        case ast.BinOp(ast.Constant(), ast.Add(), ast.Call(function)):
+            return _name(function) == "abs"
     return False
 
 
