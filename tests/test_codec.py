@@ -63,6 +63,11 @@ def test_what_is_no_mathematics_is_not_plain(value):
         encode(value)
 
 
+def test_nodes_of_other_modules_are_not_plain():
+    with pytest.raises(NotPlain, match="system"):
+        decode([("sympy", "os", "system", ())])
+
+
 @pytest.mark.parametrize("node", [("sympy", "os", "system", ()), ("sympy", "sympy.core.sympify", "sympify", ())])
 def test_nodes_cannot_name_anything_but_mathematics(node):
     with pytest.raises((NotPlain, AttributeError)):

@@ -63,6 +63,7 @@ RIGHT = {
     ],
     "identity in a block": [eq(r"\begin{bmatrix}I \\ K_f\end{bmatrix}", sp.Matrix([[1, 0], [0, 1], [4, 2]]))],
     "transposed": [eq("C^{T}", C.T)],
+    "transposed identity": [eq("2A + I^{T}", 2 * A + sp.eye(2))],
     "adjugate": [eq(r"\operatorname{adj}A", sp.Matrix([[-3, -1], [2, 0]]))],
     "rank": [text(r"\operatorname{rank}\begin{bmatrix}B & AB\end{bmatrix} = 2")],
     "fraction": [text(r"\frac{1}{2}\operatorname{tr}A = -\frac{3}{2}")],

@@ -143,6 +143,10 @@ def test_random_problems_agree_with_scipy_or_are_refused(problem):
         ([[-1, 0], [0, -2]], "negative definite"),
         ([[1, 2], [2, 1]], "indefinite"),
         ([[sp.sqrt(2), 2], [2, 2 * sp.sqrt(2)]], "positive semidefinite"),
+        ([[1, 0], [0, sp.Float("1e-13")]], "positive semidefinite"),
+        ([[1, 0], [0, sp.Float("-1e-11")]], "indefinite"),
+        ([[-1, 0], [0, sp.Float("-1e-11")]], "negative definite"),
+        ([[1, 0], [0, sp.Float("1e-20", 30)]], "positive definite"),
     ],
 )
 def test_definiteness_in_words(rows, word):

@@ -87,6 +87,9 @@ BAD = [
     ("x_1_2", 3),
     ("x^{2}'", 5),
     (r"\frac\frac12 3", 5),
+    (r"\frac 1.5 }", 10),
+    (r"\frac 123 }", 10),
+    (r"x^1.5 }", 6),
     (r"\begin{matrix}a & {b & c}\end{matrix}", 21),
 ]
 

@@ -38,6 +38,11 @@ def test_markdown_becomes_html():
     assert "<td><math>inline:1</math></td>" in html
 
 
+def test_a_formula_between_two_dollars_is_displayed_within_a_sentence_too():
+    assert "<math>block:1</math>" in to_html("so that $$x$$ holds", draw)
+    assert "<math>inline:1</math>" in to_html("so that $x$ holds", draw)
+
+
 def test_a_title_has_no_paragraph():
     assert inline_html("Eigenvector for $x$", draw) == "Eigenvector for <math>inline:1</math>"
     assert inline_latex("50 % of $x$") == r"50 \% of $x$"

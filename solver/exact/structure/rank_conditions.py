@@ -103,7 +103,7 @@ def _cases(equations: Sequence[Any], K: Any, depth: int = 6) -> Iterator[tuple[A
         return
     for f in basis:
         factors = [g for g, _ in f.factor_list()[1]]
-        if (len(factors) > 1 or factors[0] != f.monic()) and depth:
+        if factors[0] != f.monic() and depth:
             for g in factors:
                 if _can_vanish(g, K):
                     yield from _cases([*(h for h in basis if h != f), g], K, depth - 1)

@@ -207,8 +207,8 @@ def _largest_sample(image: RationalMatrix, y: sp.Expr, k: sp.Symbol, bound: floa
     constant = slowest(image, discrete=True)
     last = min(int(LATEST * (constant or 0.0)) + _highest_order(image) + 2, SAMPLES)
     values = [float(y.subs(k, i).evalf(DIGITS)) for i in range(last)]
-    largest = max(range(last), key=lambda i: (abs(values[i]) > bound * (1 + 1e-13), abs(values[i])))
-    first = next(i for i in range(last) if abs(values[i]) >= abs(values[largest]) * (1 - 1e-13))
+    largest = max(map(abs, values))
+    first = next(i for i in range(last) if abs(values[i]) >= largest * (1 - 1e-13))
     if first == 0 or abs(values[first]) <= max(bound, abs(values[0])) * (1 + SEEN):
         return None
     return Peak(sp.Integer(first), sp.expand(y.subs(k, first)))

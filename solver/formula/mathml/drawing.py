@@ -101,7 +101,7 @@ class Drawer(Visitor[Drawing]):
         """Return what stands in a row, without an element around it; one that has `begun` goes on from before."""
         kinds = set(map(type, row.items))
         upright = Text in kinds and is_relation_between_words(row.items)
-        forms = bars(row.items) if Operator in kinds or Scripts in kinds else {}
+        forms = bars(row.items) if Operator in kinds else {}
         names = Function in kinds or Scripts in kinds
         markup, width, end = "", 0.0, ""
         before: Node | None = None

@@ -118,7 +118,7 @@ def _impulse(*_: Any) -> Value:
 
 @rule(KroneckerDelta)
 def _kronecker(expression: Any, environment: Environment) -> Value:
-    left, right = (walk(argument, environment) for argument in expression.args[:2])
+    left, right = (walk(argument, environment) for argument in expression.args)
     return _truth(environment.arithmetic.size(left.value - right.value) == 0, environment)
 
 

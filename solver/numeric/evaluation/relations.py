@@ -64,14 +64,14 @@ def order_of(left: Any, right: Any, environments: Environments) -> int | None:
             raise ShapeMismatch("an order of matrices")
         noise = SAFETY * arithmetic.eps * (_size(l) + _size(r))
         first, second = _number(l), _number(r)
-        if first == second:
+        if first == second and not np.isfinite(noise):
             return 0
         difference = first - second
         if max(abs(first.imag), abs(second.imag)) > noise:
             return None
         if not abs(difference.real) <= noise:  # also of infinite numbers, whose noise is no number
             return 1 if first.real > second.real else -1
-    if noise > QUIET * max(1.0, float(abs(first.real))):
+    if not noise < QUIET * max(1.0, float(abs(first.real))):  # also of numbers beyond doubles
         raise NotEvaluable("the decimals in the formula carry too few digits to judge the relation")
     return 0
 

@@ -251,7 +251,7 @@ def _at(row: list[Any], j: int) -> Any:
 
 def _proportional(row: list[Any], wanted: list[Any], mp: Any, near: Any) -> bool:
     """Whether row = c · wanted with c > 0 (c = 1 if one entry is all), each entry relative to its own size."""
-    if not wanted[0] or not row[0]:
+    if not wanted[0]:
         return False
     c = row[0] / wanted[0]
     if not (mp.re(c) > 0 and abs(mp.im(c)) < mp.mpf(10) ** -20 * abs(c)):

@@ -1,0 +1,29 @@
+"""Sums put together without sympy's rewriting are those of its own arithmetic, down to the order of their terms."""
+
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+
+from solver.exact.linear_algebra.assembly import linear_combination, product_of_powers
+from tests.helpers.tried import tried
+
+t, a = sp.symbols("t a")
+FUNCTIONS = [sp.S.One, t, t**2, sp.exp(-t), t * sp.exp(-t), sp.exp(-t) * sp.cos(2 * t), 2 * t**3, sp.Integer(3)]
+NUMBERS = [sp.S.One, sp.S.NegativeOne, sp.Rational(-2, 3), sp.Integer(4), sp.sqrt(2), 1 - sp.sqrt(2), 3 * a, a + 1]
+FACTORS = [t, a**2, sp.exp(-t), sp.cos(t), sp.sqrt(t + 1)]
+
+
+@tried(100)
+@given(st.lists(st.tuples(st.sampled_from(NUMBERS), st.sampled_from(FUNCTIONS)), max_size=5, unique_by=lambda e: e[1]))
+def test_sums_of_numbers_times_functions(terms):
+    expected = sp.Add(*(part * function for number, function in terms for part in sp.Add.make_args(number)))
+    found = linear_combination(iter(terms))
+    assert (found, found.args) == (expected, expected.args)
+
+
+@tried(40)
+@given(st.sampled_from(NUMBERS[:4]), st.lists(st.sampled_from(FACTORS), min_size=1, unique=True))
+def test_products_of_powers(number, factors):
+    expected = sp.Mul(number, *factors)
+    found = product_of_powers(number, factors)
+    assert (found, found.args) == (expected, expected.args)
