@@ -60,6 +60,14 @@ def test_every_realization_has_the_transfer_function(name, method):
         assert all(sp.expand(common.subs(s, pole)) == 0 for pole in poles)
 
 
+@pytest.mark.parametrize("entry", [sp.Float("0.5"), sp.Float("0.5") * sp.I])
+def test_complex_numbers_beside_decimals_have_no_exact_product(entry):
+    T = M([[sp.I, entry], [1, 2]])
+    for computed in (exact.inverse_in_full, exact.is_singular, lambda T: exact.product_of(T, T)):
+        with pytest.raises(exact.NotExact):
+            computed(T)
+
+
 @pytest.mark.parametrize(
     ("u", "image"),
     [

@@ -35,6 +35,8 @@ from solver.formula.width import width
 from tests.helpers.formula_trees import TREES
 
 GOOD = [
+    "{[0, 1)}" * 50,
+    "(1, 2] + " * 30,
     r"\frac{1}{2}x^{2}",
     r"\frac12",
     "x''",

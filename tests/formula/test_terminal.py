@@ -45,6 +45,7 @@ DRAWN = {
     r"\left[\begin{array}{c|c}1 & 2 \\ \hline 3 & 40\end{array}\right]": ["⎡1 │ 2 ⎤", "⎢──┼───⎥", "⎣3 │ 40⎦"],
     r"\begin{cases}1 & t \ge 0 \\ 0 & t < 0\end{cases}": ["⎧1  t ≥ 0", "⎩0  t < 0"],
     r"\begin{aligned}a &= b + c \\ &= d\end{aligned}": ["a = b + c", "  = d"],
+    r"\begin{aligned}a &= b & c &= d \\ ee &= f & g &= hh\end{aligned}": [" a = b  c = d", "ee = f  g = hh"],
     r"\sum_{i=0}^{\infty} x": ["  ∞", "  Σ   x", "i = 0"],
     r"\left(\frac{1}{s}\right)^2": ["   2", "⎛1⎞", "⎜─⎟", "⎝s⎠"],
 }

@@ -1,5 +1,6 @@
 """What must hold of a kernel's result holds of the right one, and of none that is a little wrong."""
 
+from dataclasses import replace
 from importlib import import_module
 from pkgutil import iter_modules
 
@@ -124,6 +125,13 @@ def _is_seen(name, arguments, made):
         return CheckStatus.FAILED in statuses(name, arguments, made())
     except (ValueError, IndexError, KeyError, TypeError, AttributeError, sp.ShapeError):
         return True
+
+
+@pytest.mark.parametrize("unmeasured", [(1, -1), (-2, -1), (1, 3), (1,), (0, 1, 2)])
+def test_states_that_are_not_measured_are_counted_from_zero(unmeasured):
+    arguments = (A, B, ROW)
+    wrong = replace(exact.measured_first(*arguments), unmeasured=unmeasured)
+    assert CheckStatus.FAILED in statuses("measured_first", arguments, wrong)
 
 
 def test_each_postcondition_is_that_of_a_kernel():

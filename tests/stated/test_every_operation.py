@@ -13,11 +13,12 @@ from solver.numeric import NotEvaluable, check_claim
 from solver.numeric.evaluation import operations
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
-from solver.numeric.evaluation.points import free_symbols
+from solver.numeric.evaluation.points import free_symbols, whole_symbols
 from solver.numeric.evaluation.stated import about
 from solver.render.latex import tex
-from solver.stated import Stated, every_operation
+from solver.stated import Stated, calculus, every_operation, lists, transforms
 from tests.stated import cases
+from tests.stated.values import w, x, z
 
 MODULES = [import_module(f"{cases.__name__}.{each.name}") for each in iter_modules(cases.__path__)]
 RIGHT = [pair for module in MODULES for pair in module.RIGHT]
@@ -91,6 +92,22 @@ def test_what_an_operation_binds_needs_no_value(declared):
         outside = [each for i, each in enumerate(formula.operands) if i not in (binding.variable, *binding.within)]
         assert (variable in free_symbols(formula)) == (variable in free_symbols(outside))
         assert any(variable in free_symbols(formula.operands[i]) for i in binding.within) or len(formulas) > 1
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        calculus.convolution_sum(2**x, 3**x, w),
+        transforms.inverse_z(z / (z - 2), z, w),
+        lists.summation(x, x, w, 5),
+        lists.summation(x, x, 0, w),
+        lists.indexed_product(x, x, w, 5),
+        lists.indexed_product(x, x, 1, w),
+    ],
+    ids=name_of,
+)
+def test_what_counts_terms_or_samples_is_a_whole_number(formula):
+    assert whole_symbols(formula) == {w}
 
 
 def test_an_operation_without_an_evaluation_is_told():

@@ -53,9 +53,11 @@ def direction(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> Direction | None:
 def _directions(m: int) -> list[sp.ImmutableMatrix]:
     """Single inputs first, then sums of inputs, then combinations in general position."""
     units = [sp.ImmutableMatrix(m, 1, lambda i, _j, c=c: int(i == c)) for c in range(m)]
-    sums = [sp.ImmutableMatrix(m, 1, list(signs)) for signs in product((1, -1), repeat=m) if m > 1 and signs[0] == 1]
+    if m == 1:
+        return units
+    sums = [sp.ImmutableMatrix(m, 1, list(signs)) for signs in product((1, -1), repeat=m) if signs[0] == 1]
     general = [sp.ImmutableMatrix(m, 1, lambda i, _j, t=t: t**i) for t in (2, 3, -3, 5, 7)]
-    return (units + sums[:8] + general) if m > 1 else units
+    return units + sums[:8] + general
 
 
 def _preliminary_gains(m: int, n: int) -> Iterable[sp.ImmutableMatrix | None]:

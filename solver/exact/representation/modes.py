@@ -147,10 +147,9 @@ def is_upper(mode: Mode) -> bool:
 def _jordan_blocks(G: TransferMatrix, mode: Mode) -> list[Block]:
     """The blocks of one pole, ones below the diagonal."""
     p, m = G.shape
-    M = mode.multiplicity
     if p == m == 1:
         return [_chain(mode.root.value, sp.eye(1), [R[0, 0] * sp.eye(1) for R in mode.residues])]
-    if M == 1 or mode.simple:
+    if mode.simple:
         return _simple_blocks(mode, 1)
     if m <= p:  # a chain for each input, as long as its column needs
         return [

@@ -12,7 +12,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import NoRule, NotEvaluable, Value
-from solver.numeric.evaluation.walk import exactly, floored, on_the_cut, rule, walk
+from solver.numeric.evaluation.walk import exactly, floored, on_the_cut, rule, times, walk
 from solver.words import Phrase
 
 Slope = Callable[[Any], Any]
@@ -131,33 +131,31 @@ def _truth(holds: Any, environment: Environment) -> Value:
 @rule(sp.FallingFactorial)
 def _falling(expression: Any, environment: Environment) -> Value:
     x, n = expression.args
-    return _falling_power(walk(x, environment), n)
+    return _falling_power(walk(x, environment), n, environment)
 
 
 @rule(sp.RisingFactorial)
 def _rising(expression: Any, environment: Environment) -> Value:
     x, n = expression.args
-    return _falling_power(walk(x, environment), n, direction=1)
+    return _falling_power(walk(x, environment), n, environment, direction=1)
 
 
 @rule(sp.binomial)
 def _binomial(expression: Any, environment: Environment) -> Value:
     """x (x − 1) … (x − n + 1)/n!."""
     x, n = expression.args
-    falling = _falling_power(walk(x, environment), n)
+    falling = _falling_power(walk(x, environment), n, environment)
     scale = environment.arithmetic.rational(1, int(sp.factorial(n)))
     return Value(falling.value * scale, falling.magnitude * environment.arithmetic.size(scale))
 
 
-def _falling_power(x: Value, n: Any, direction: int = -1) -> Value:
+def _falling_power(x: Value, n: Any, environment: Environment, direction: int = -1) -> Value:
     if not n.is_Integer or not 0 <= int(n) <= 200:
         raise NotEvaluable("a factorial power is evaluated for a whole number of factors only")
-    value: Any = 1
-    magnitude: Any = 1.0
+    result = exactly(environment.arithmetic.number(1), environment.arithmetic)
     for i in range(int(n)):
-        value = value * (x.value + direction * i)
-        magnitude = magnitude * (x.magnitude + i)
-    return Value(value, magnitude)
+        result = times(Value(x.value + direction * i, x.magnitude + i), result, environment.arithmetic)
+    return result
 
 
 @rule(sp.factorial)

@@ -171,7 +171,7 @@ def _denominators(expression: Any, s: Any) -> set[Any]:
         return _denominators(base, s) | ({base} if exponent < 0 else set())
     if isinstance(expression, sp.Add | sp.Mul):
         return set().union(*(_denominators(argument, s) for argument in expression.args))
-    raise NotEvaluable(Phrase("{function} of {s} is not rational", function=expression.func.__name__, s=str(s)))
+    raise NotEvaluable(Phrase("{function} of {s} is not rational", function=type(expression).__name__, s=str(s)))
 
 
 Polynomial = list[Value]
@@ -216,7 +216,7 @@ def rational(expression: Any, s: Any, point: Environment) -> tuple[Polynomial, P
         result = _power(numerator, abs(int(expression.exp))), _power(denominator, abs(int(expression.exp)))
         return result if expression.exp > 0 else result[::-1]
     if not isinstance(expression, sp.Add | sp.Mul):
-        raise NotEvaluable(Phrase("{function} of {s} is not rational", function=expression.func.__name__, s=str(s)))
+        raise NotEvaluable(Phrase("{function} of {s} is not rational", function=type(expression).__name__, s=str(s)))
     numerator, denominator = rational(expression.args[0], s, point)
     for argument in expression.args[1:]:
         p, q = rational(argument, s, point)

@@ -19,6 +19,8 @@ from solver.stated.matrices import (
 )
 from tests.stated.values import ADJ, CHI, I2, SINGULAR, A, F, M, a, m, s
 
+LARGE = sp.ImmutableMatrix([[2, a, 0, 1], [0, 1, -3, 4], [5, 0, 1, 0], [1, 1, 0, 7]])
+
 RIGHT = [
     (determinant(F), CHI),
     (determinant(SINGULAR), 0),
@@ -26,6 +28,9 @@ RIGHT = [
     (adjugate(F), ADJ),
     (adjugate(SINGULAR), sp.Matrix([[4 * a, -2 * a, 0], [6 - 2 * a, a - 3, 0], [-4, 2, 0]])),
     (adjugate(sp.Matrix([[a]])), sp.Matrix([[1]])),
+    (adjugate(LARGE), LARGE.adjugate()),
+    (inverse(LARGE), LARGE.inv()),
+    (determinant(LARGE), LARGE.det()),
     (partitioned(sp.Matrix([[a, 5], [7, 2]]), (1,), (1,)), sp.Matrix([[a, 5], [7, 2]])),
     (trace(sp.Matrix([[a, 5], [7, 2]])), a + 2),
     (rank(SINGULAR), 2),
