@@ -26,6 +26,16 @@ def of_spectrum(found: Any, A: Any) -> Iterator[Claim]:
         yield from factor_claims(factor)
 
 
+def of_characteristic_factors(found: Any, A: Any) -> Iterator[Claim]:
+    """det(xI − A) = Π p^m; the roots of a factor make it up, if it has some, as one of degree one or two must."""
+    x = sp.Symbol("lamda")
+    whole = product(*(power(factor.polynomial(x), factor.multiplicity) for factor in found))
+    yield Claim(determinant(pencil(A, x)), whole)
+    for factor in found:
+        if factor.roots or factor.degree < 3:
+            yield from factor_claims(factor)
+
+
 def root_claim(root: Any) -> Claim:
     """σ + δ, or σ + jω."""
     shift = root.shift * sp.I if root.value.has(sp.I) else root.shift

@@ -26,13 +26,15 @@ class Context:
     """What the options of a part are read in.
 
     `system` is None where it could not be read; then what depends on its size is not checked. `earlier` has the task
-    and the first method of each part before this one, or None for a part that could not be read.
+    and the first method of each part before this one, or None for a part that could not be read. `around` are the
+    names in what closes a loop around the system, None where that is taken from an earlier part.
     """
 
     lexicon: Lexicon
     system: System | None
     discrete: bool = False
     earlier: Earlier = field(default_factory=dict)
+    around: frozenset[str] | None = frozenset()
 
     def size(self, of: int | str | None) -> int | None:
         """Return a number of rows or columns: itself, or that of "n" states, "m" inputs, "p" outputs if known."""
@@ -51,9 +53,9 @@ class Context:
 
     def names_in_the_system(self) -> tuple[list[str] | None, list[str]]:
         """Return the names of parameters, states, inputs and outputs (None: not known), and the numbers of states."""
-        if self.system is None or isinstance(self.system, EarlierPart):
+        if self.system is None or self.around is None or isinstance(self.system, EarlierPart):
             return None, []
-        known = [str(symbol.name) for symbol in self.system.parameters]
+        known = sorted({*(str(symbol.name) for symbol in self.system.parameters), *self.around})
         if not isinstance(self.system, StateSpace):
             return known, []
         known += [name for of in ("state", "input", "output") for name in self.names(of)]

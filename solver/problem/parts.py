@@ -11,7 +11,7 @@ from solver.derivation.conversion import reachable
 from solver.problem.asked import answer_named, read_asked
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
-from solver.problem.model import Part, Show
+from solver.problem.model import Part, Reference, Show
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of, scalar
 from solver.problem.references import read_option
 from solver.problem.source import Fault, Report, did_you_mean
@@ -201,11 +201,13 @@ class _OptionsReader:
         """Return the options given and the defaults of the others; raises Fault with all that is wrong."""
         report = Report()
         values: dict[str, Any] = {}
-        for entry in self.part:
+        for entry in sorted(self.part, key=self._closes_a_loop, reverse=True):  # their names are parameters too
             if entry.key.text in self.given:
                 with report:
                     option = self._option(entry.key)
-                    values[option.name] = read_option(option, entry.value, self.context)
+                    values[option.name] = value = read_option(option, entry.value, self.context)
+                    if option.loop:
+                        self.context = replace(self.context, around=_with_names(self.context.around, value))
         for option in self.takes.values():
             if option.name not in self.given:
                 with report:
@@ -215,6 +217,10 @@ class _OptionsReader:
                 self._check_plant()
         report.conclude()
         return values
+
+    def _closes_a_loop(self, entry: Entry) -> bool:
+        option = self.takes.get(entry.key.text)
+        return option is not None and bool(option.loop)
 
     def _option(self, key: ScalarNode) -> Option:
         name = key.text
@@ -243,6 +249,13 @@ class _OptionsReader:
         system = self.context.system
         if isinstance(system, StateSpace) and system.B is None:
             raise self.part.entries["gain"].key.fault(f"a gain needs A and B; {system.described}")
+
+
+def _with_names(names: frozenset[str] | None, value: Any) -> frozenset[str] | None:
+    """Add the names of the parameters in a value; None where the value is not known yet."""
+    if names is None or isinstance(value, Reference):
+        return None
+    return names | {str(symbol.name) for symbol in getattr(value, "free_symbols", ())} - {"s", "z"}
 
 
 def _check_needs(task: Task[Any, Any], plant: PlantOf, given: set[str], node: Node) -> None:

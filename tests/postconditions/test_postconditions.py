@@ -32,6 +32,7 @@ CALLS = {
     "row_reduction": [(SINGULAR,), (A,)],
     "hidden_part": [(HIDDEN, SECOND), (A, B)],
     "pencil_ranks": [(HIDDEN, SECOND), (TURNING, sp.ImmutableMatrix([0, 1]))],
+    "characteristic_factors": [(A,), (TURNING,)],
     "spectrum": [(A,), (TURNING,), (HIDDEN,)],
     "multiply": [(A, B)],
     "solve_affine": [(sp.ImmutableMatrix([[1, 1], [2, 2]]), (s, 2 * s), sp.symbols("x1 x2"))],

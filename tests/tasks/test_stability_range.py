@@ -6,7 +6,9 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
+import solver
 from solver.derivation import CheckStatus, Status
+from solver.problem.source import InputError
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.tried import tried
@@ -49,6 +51,7 @@ def test_both_methods_find_the_condition(rows, options, discrete, expected, meth
     assert result.answers["condition"] == expected
 
 
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize(
     ("rows", "expected"),
     [
@@ -59,8 +62,8 @@ def test_both_methods_find_the_condition(rows, options, discrete, expected, meth
         (companion(p, 1, k), (k > 0) & (p - k > 0)),
     ],
 )
-def test_higher_orders_by_routh(rows, expected):
-    result = ask("stability_range", system(rows), "routh")
+def test_higher_orders(rows, expected, method):
+    result = ask("stability_range", system(rows), method)
     assert result.status is Status.VERIFIED, result.reason
     found = result.answers["condition"]
     if expected == sp.false or len(found.free_symbols) == 1:
@@ -75,10 +78,26 @@ def test_a_bound_that_is_a_root_of_a_cubic_is_a_decimal():
     assert abs(float(result.answers["condition"].rhs) - roots[np.isreal(roots)].real[0]) < 1e-12
 
 
-def test_roots_without_a_form_are_left_to_routh():
-    result = ask("stability_range", system(companion(2, 1, k)), "eigenvalues")
-    assert result.status is Status.UNSOLVED
-    assert "degree 3" in str(result.reason)
+def test_a_factor_without_usable_roots_is_left_to_hurwitz():
+    rows = sp.diag(sp.Matrix(companion(2, 3, k)), sp.Matrix([[-a]]), sp.Matrix(companion(1, 5, 4, 1)))
+    result = ask("stability_range", system(rows), "eigenvalues")
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["condition"] == (k > 0) & (k < 6) & (a > 0)
+    kinds = [step.kind for step in result.steps]
+    assert (kinds.count("factor"), kinds.count("no_roots"), kinds.count("determinants")) == (2, 1, 1)
+
+
+def test_in_discrete_time_hurwitz_is_asked_about_the_bilinear_image():
+    result = ask("stability_range", system(companion(sp.Rational(1, 3), half, k), discrete=True), "eigenvalues")
+    assert result.status is Status.VERIFIED, result.reason
+    assert [step.kind for step in result.steps][-4:] == ["no_roots", "bilinear", "determinants", "condition"]
+    assert result.answers["condition"] == (k > (1 - sp.sqrt(19)) / 6) & (k < (1 + sp.sqrt(19)) / 6)
+
+
+def test_roots_of_an_even_factor_with_parameters_are_never_all_inside():
+    result = ask("stability_range", system(companion(0, 3 * p, 0, p**2)), "eigenvalues")
+    assert (result.status, result.answers["condition"]) == (Status.VERIFIED, sp.false)
+    assert "no_roots" in [step.kind for step in result.steps]
 
 
 def test_a_complex_parameter_is_refused_in_words():
@@ -92,6 +111,29 @@ def test_the_closed_loop_is_asked_about_with_gain():
     plant = system([[0, 1], [2, -1]], B=[0, 1])
     result = ask("stability_range", plant, gain=sp.ImmutableMatrix([[k1, k2]]))
     assert result.answers["condition"] == (k1 > 2) & (k2 > -1)
+
+
+GAINS = """
+system: {A: [[0, 1], [2, -1]], B: [0, 1]}
+find:
+  a: {task: stability_range, gain: [k1, k2], parameters: [k1, k2]}
+  b: {task: stability_range, parameters: K, controller: K, feedback: unity, system: {transfer_function: 1/(s^2 + s)}}
+  c: {task: pole_placement, poles: [-1, -2]}
+  d: {task: stability_range, gain: {from: c}, parameters: [q]}
+"""
+
+
+def test_the_symbols_of_what_closes_the_loop_are_parameters():
+    found = solver.solve(GAINS)
+    assert [part.status for part in found.parts] == ["verified", "verified", "verified", "unsolved"]
+    assert [str(found.answers[part]["condition"]) for part in "ab"] == ["(k1 > 2) & (k2 > -1)", "K > 0"]
+    assert "$k_1$ and $k_2$" in found.parts[0].question
+
+
+def test_other_names_are_refused_with_those_there_are():
+    with pytest.raises(InputError, match="'k3' is no name in the system") as fault:
+        solver.solve(GAINS.replace("[k1, k2]}", "[k1, k3]}"))
+    assert "k1, k2" in str(fault.value)
 
 
 SYSTEMS = {

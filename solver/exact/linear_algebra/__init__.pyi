@@ -18,7 +18,7 @@ from solver.exact.linear_algebra.matrices import (
 from solver.exact.linear_algebra.radicals import complex_parts, without_bars
 from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.linear_algebra.signs import always_holds, contradict
-from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, factored, spectrum
+from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, characteristic_factors, factored, spectrum
 
 __all__ = [
     "Eigenspace",
@@ -32,6 +32,7 @@ __all__ = [
     "Spectrum",
     "affine",
     "always_holds",
+    "characteristic_factors",
     "complex_parts",
     "contradict",
     "determinant",

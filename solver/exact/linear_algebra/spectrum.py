@@ -100,6 +100,19 @@ def spectrum(A: sp.ImmutableMatrix) -> Spectrum:
 
 
 @lru_cache(maxsize=64)
+def characteristic_factors(A: sp.ImmutableMatrix) -> tuple[Factor, ...]:
+    """The factors of the spectrum of A (n×n), those of degree ≥ 3 with parameters last and without their roots."""
+    found = []
+    for p, multiplicity in irreducible_factors(A):
+        try:
+            found.append(_factor(p, multiplicity))
+        except NotExact:
+            found.append(Factor(_modulus(p), multiplicity, ()))
+    solved = [factor for factor in found if factor.roots]
+    return (*sorted(solved, key=_order), *(factor for factor in found if not factor.roots))
+
+
+@lru_cache(maxsize=64)
 def irreducible_factors(A: sp.ImmutableMatrix) -> list[tuple[sp.Poly, int]]:
     """The monic irreducible factors of χ over K with their multiplicities."""
     result = faddeev_leverrier(A)

@@ -36,7 +36,7 @@ def routh_array_of(A: ImmutableMatrix, *, discrete: bool) -> Derivation[Tabled]:
     coefficients, ones, x = resolvent.coefficients, 0, sp.Symbol("s")
     if discrete:
         x = sp.Symbol("w")
-        coefficients, ones = yield from _bilinear_image(coefficients, x)
+        coefficients, ones = yield from bilinear_image_of(coefficients, x)
     array = yield from rows_of(exact.routh(coefficients), x)
     return Tabled(array, ones, x)
 
@@ -61,7 +61,7 @@ def rows_of(array: exact.RouthArray, x: Symbol) -> Derivation[exact.RouthArray]:
 
 
 @lemma("routh_array")
-def _bilinear_image(listed: Sequence[Expr], w: Symbol) -> Derivation[tuple[tuple[Expr, ...], int]]:
+def bilinear_image_of(listed: Sequence[Expr], w: Symbol) -> Derivation[tuple[tuple[Expr, ...], int]]:
     """(w − 1)ⁿ χ((w + 1)/(w − 1)); roots at z = 1, which w = ∞ stands for, are divided out first."""
     z = sp.Symbol("z")
     chi = _polynomial(listed, z)

@@ -24,8 +24,10 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import stability as judges
 from solver.options.names import Names
 from solver.stated.calculus import value_at
+from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.stability.hurwitz_conditions import hurwitz_conditions_of
 from solver.tasks.stability.routh_array import routh_array_of
 from solver.words import Phrase, Reason
 
@@ -86,13 +88,20 @@ def by_routh(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answ
 
 @stability_range.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")
 def by_eigenvalues(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answers]:
-    """Re λ < 0 (discrete: |λ| < 1) for the roots of each factor of χ, of degree two at most."""
+    """Re λ < 0 (discrete: |λ| < 1) for the roots of each factor of χ; Hurwitz's conditions where these have no use."""
     A, discrete = given.system.A, given.system.discrete
     wanted = _wanted(given)
-    spectrum = yield from eigenvalues_of(A)
     conditions: list[Expr] = []
     lamda = sp.Symbol("lamda")
-    for factor in spectrum.factors:
+    factors = exact.characteristic_factors(A)
+    if all(factor.roots for factor in factors):
+        yield from eigenvalues_of(A)
+    else:
+        yield from determinant_of(A, lamda)
+    for factor in factors:
+        if factor.degree > 2 and any(c.free_symbols for c in factor.coefficients):
+            conditions += yield from hurwitz_conditions_of(factor, discrete=discrete)
+            continue
         found = _of_factor(factor, discrete=discrete)
         conditions += found
         yield Step(
