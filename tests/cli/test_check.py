@@ -86,3 +86,19 @@ def test_a_marking_is_told_in_the_language_and_the_symbols_asked_for(solve, fold
     refused = solve("check", "placed.yaml", "mine.yaml", "--language", "dee")
     assert refused.code == 2
     assert "did you mean 'de'?" in refused.err
+
+
+def test_one_file_is_an_answer_file_and_so_is_the_first_of_several_that_has_answers(solve, folder):
+    for alone in ("problem.yaml", "right.yaml"):
+        assert "it names no problem; call solve check PROBLEM ANSWERS" in solve("check", alone).err
+    done = solve("check", "named.yaml", "right.yaml")
+    assert "named.yaml (A-17): 3 of 3" in done.out
+    assert "right.yaml: error: it names no problem" in done.err
+
+
+def test_a_marking_in_a_file_has_no_signs_for_a_terminal(solve, folder, monkeypatch):
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    monkeypatch.delenv("NO_COLOR")
+    assert "\x1b[" in solve("check", "problem.yaml", "wrong.yaml").out
+    solve("check", "problem.yaml", "wrong.yaml", "-o", "marking.txt")
+    assert "\x1b" not in (folder / "marking.txt").read_text(encoding="utf-8")

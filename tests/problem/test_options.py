@@ -3,7 +3,6 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from solver.options.matrix import MatrixOf
 from solver.problem.model import Reference
 from solver.problem.refusals import refuse
 from solver.problem.source import InputError
@@ -135,11 +134,6 @@ def test_what_is_wrong_with_an_option_is_said(complaints, given, expected):
     assert len(found) == 2 if "j, -1-2j" in given else len(found) == 1
     assert expected is None or found[0].split(" ", 1)[1] == expected
     assert found[0].startswith("3:")
-
-
-def test_the_example_of_a_matrix_is_a_part_of_the_identity():
-    assert MatrixOf(2, 2).example == "[[1, 0], [0, 1]]"
-    assert MatrixOf(1, 3).example == "[[1, 0, 0]]"
 
 
 def test_the_unpaired_pole_is_underlined_and_its_conjugate_named(read):

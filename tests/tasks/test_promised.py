@@ -128,3 +128,22 @@ def test_choices_are_as_documented(name, option, words):
 
 def test_nothing_promised_is_left_out():
     assert set(PROMISED) <= set(catalogue())
+
+
+def answers_declared(fact):
+    """The names of the answers of which something is declared, in whatever task."""
+    return {answer.name for task in catalogue().values() for answer in task.answers.values() if getattr(answer, fact)}
+
+
+def test_what_marking_knows_of_an_answer_is_declared_wherever_it_stands():
+    counts, in_order, vectors = (answers_declared(fact) for fact in ("count", "ordered", "vectors"))
+    assert counts == {"rank", "right_half_plane_roots", "imaginary_axis_roots", "orders"}
+    assert in_order == {"orders", "definiteness", "determinants"}
+    assert vectors == {
+        "right_eigenvectors", "left_eigenvectors", "T", "null_space", "column_space", "row_space", "left_null_space"
+    }  # fmt: skip
+    for task in catalogue().values():
+        for answer in task.answers.values():
+            assert answer.count == (answer.name in counts)
+            assert answer.ordered == (answer.name in in_order)
+            assert not answer.vectors or answer.free is True

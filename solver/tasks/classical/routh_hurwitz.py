@@ -58,8 +58,12 @@ routh_hurwitz: Task[Polynomial, RouthHurwitzOptions] = Task(
             ("hurwitz_determinants",),
             ordered=True,
         ),
-        AnswerName("right_half_plane_roots", r"n_{+}", "the number of roots with positive real part", optional=True),
-        AnswerName("imaginary_axis_roots", r"n_{0}", "the number of roots on the imaginary axis", optional=True),
+        AnswerName(
+            "right_half_plane_roots", r"n_{+}", "the number of roots with positive real part", optional=True, count=True
+        ),
+        AnswerName(
+            "imaginary_axis_roots", r"n_{0}", "the number of roots on the imaginary axis", optional=True, count=True
+        ),
         AnswerName("stable", r"\text{stable}", "whether all roots lie in the open left half plane", optional=True),
         AnswerName("condition", r"\text{condition}", "where they do", optional=True),
     ],
