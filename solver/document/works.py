@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -55,8 +55,7 @@ class Writer:
         """Return the document of all parts; `name` is the problem's file, `exact` gives the exact answers."""
         problem, told = self.problem, self.presentation
         wording = self._wording(problem.display)
-        system = problem.system if problem.show.system else None
-        given = _given(wording, system, problem.conditions if problem.show.system else ())
+        given = _given(wording, problem, problem.system, problem.conditions) if problem.show.system else ""
         source = problem.source if told.sources and (problem.show.source or not told.is_paper) else ""
         parts = tuple(work for work in works if not (told.is_paper and work.again))
         texts = problem.title, source, problem.statement, given
@@ -109,7 +108,7 @@ class Writer:
             source=wording.say(method.source) if told.sources and (show.source or not told.is_paper) else "",
             marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
             question=wording.question(part, loops=_loops(task, part), asked=asked),
-            given=_given(wording, part.system if part.own_system else None, self._own(part)) if show.system else "",
+            given=self._given_by(part, wording) if show.system else "",
             again=result.method != part.methods[0],
             steps=tuple(map(self._step, worded)),
             answers=tuple(_answers(result, part, answers, wording, data=told.data)),
@@ -123,10 +122,11 @@ class Writer:
             symbols=tuple(symbols_of(result, worded)) if told.data else (),
         )
 
-    def _own(self, part: Part) -> list[Chain]:
-        """The conditions that a part adds to those of the problem."""
+    def _given_by(self, part: Part, wording: Wording) -> str:
+        """Return what a part gives: its own system and assumptions, and the conditions that it adds."""
         told = {chain.place for chain in self.problem.conditions}
-        return [chain for chain in part.conditions if chain.place not in told]
+        own = [chain for chain in part.conditions if chain.place not in told]
+        return _given(wording, part, part.system if part.own_system else None, own)
 
     def _wording(self, display: Display) -> Wording:
         told = self.presentation
@@ -152,9 +152,9 @@ class Writer:
         )
 
 
-def _given(wording: Wording, system: System | None, conditions: Iterable[Chain]) -> str:
+def _given(wording: Wording, of: Problem | Part, system: System | None, conditions: Sequence[Chain]) -> str:
     """Return what is given about a system, if there is one, and about the parameters."""
-    told = [wording.given(system) if system is not None else "", wording.conditions(conditions)]
+    told = [wording.given(system) if system is not None else "", wording.conditions(of.assumed, conditions)]
     return "\n\n".join(filter(None, told))
 
 

@@ -45,12 +45,14 @@ class Lexicon:
     """The names of a problem; remembers which were used, and whether a decimal was typed.
 
     `symbols` are declared ones with their assumptions, `values` what is put in place of a name; `found` all symbols
-    that occur in what was read, by name. `conditions` are those on the symbols, `condition_nodes` where they stand.
+    that occur in what was read, by name. `assumed` are the words that `assume` has for names. `conditions` are those on
+    the symbols, `condition_nodes` where they stand.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
     values: dict[str, sp.Expr] = field(default_factory=dict)
     found: dict[str, sp.Symbol] = field(default_factory=dict)
+    assumed: dict[str, str] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
     decimals: bool = False
     conditions: list[tuple[Sided, Chain]] = field(default_factory=list)
@@ -65,6 +67,12 @@ class Lexicon:
     def chains(self) -> tuple[Chain, ...]:
         """The conditions as they are shown."""
         return tuple(chain for _, chain in self.conditions)
+
+    @property
+    def assumptions(self) -> dict[str, tuple[sp.Symbol, ...]]:
+        """What is assumed of symbols as it is shown: each word with its symbols, without `real`, which all are."""
+        said = {name: word for name, word in self.assumed.items() if word != "real"}
+        return {word: tuple(self.symbols[x] for x in said if said[x] == word) for word in said.values()}
 
     def expression(self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = BARRED) -> sp.Expr:
         """Return a value as a finite exact expression, in which the `variables` may occur and the `barred` may not."""
@@ -153,8 +161,8 @@ def read_lexicon(given: Declarations, report: Report, around: Lexicon | None = N
     for entry in given.assume if isinstance(given.assume, MappingNode) else ():
         with report:
             name = _declared(entry.key, lexicon.symbols)
-            assumption = ASSUMPTIONS[scalar(entry.value).text]
-            lexicon.symbols[name] = sp.Symbol(name, **assumption)
+            lexicon.assumed[name] = scalar(entry.value).text
+            lexicon.symbols[name] = sp.Symbol(name, **ASSUMPTIONS[lexicon.assumed[name]])
     own = set(lexicon.symbols)
     if around is not None:
         lexicon.symbols = {**{name: _plain(x) for name, x in around.symbols.items()}, **lexicon.symbols}

@@ -66,9 +66,9 @@ class Part:
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
     `asked` are the answers that the file asks for, none where it does not say. `show` is what a paper shows of it.
-    `symbols` and `parameters` are those of a part that has its own, `conditions` all that hold in it. `decimals_typed`
-    tells that its question holds decimals. `places` tells where its task, its options and the conditions stand in the
-    file.
+    `symbols` and `parameters` are those of a part that has its own, `assumed` what its own `assume` says of symbols,
+    `conditions` all that hold in it. `decimals_typed` tells that its question holds decimals. `places` tells where its
+    task, its options and the conditions stand in the file.
     """
 
     id: str
@@ -82,6 +82,7 @@ class Part:
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    assumed: Mapping[str, tuple[sp.Symbol, ...]] = field(default_factory=dict)
     conditions: tuple[Chain, ...] = ()
     asked: tuple[str, ...] = ()
     show: Show = Show()
@@ -100,7 +101,8 @@ class Part:
 class Problem:
     """A problem file as read. `system` is None where every part brings its own.
 
-    `file` is the text it was read from, `images` are those of its texts by their addresses.
+    `assumed` has the symbols of which something is assumed, by the word for it. `file` is the text it was read from,
+    `images` are those of its texts by their addresses.
     """
 
     name: str
@@ -112,6 +114,7 @@ class Problem:
     display: Display = Display()
     parameters: Mapping[str, Any] = field(default_factory=dict)
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    assumed: Mapping[str, tuple[sp.Symbol, ...]] = field(default_factory=dict)
     conditions: tuple[Chain, ...] = ()
     show: Show = Show()
     images: Mapping[str, Image] = field(default_factory=dict, repr=False)

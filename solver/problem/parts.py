@@ -98,6 +98,7 @@ class PartReader:
             show=read_show(mapping, self.show),
             symbols={} if lexicon is self.lexicon else {**lexicon.symbols, **lexicon.found},
             parameters={} if lexicon is self.lexicon else dict(lexicon.values),
+            assumed={} if lexicon is self.lexicon else lexicon.assumptions,
             conditions=lexicon.chains,
             places={entry.key.text: entry.value.place for entry in mapping}
             | {f"conditions {i}": chain.place for i, chain in enumerate(lexicon.chains)},

@@ -95,6 +95,7 @@ class _ProblemReader:
             display=replace(display, decimals_typed=typed),
             parameters=dict(self.lexicon.values),
             symbols=dict(sorted({**self.lexicon.symbols, **self.lexicon.found}.items())),
+            assumed=self.lexicon.assumptions,
             conditions=self.lexicon.chains,
             show=self.show,
             images=images,

@@ -18,7 +18,7 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -133,10 +133,12 @@ class Wording:
         """Return what is given about a system in Markdown."""
         return _tidy(self._macro(f"systems/{system.kind}", "given", system))
 
-    def conditions(self, chains: Iterable[Chain]) -> str:
-        """Return what is given about the parameters in Markdown; empty where that is nothing."""
-        listed = list(chains)
-        return _tidy(self._macro("lemmas/conditions", "conditions", listed)) if listed else ""
+    def conditions(self, assumed: Mapping[str, Sequence[Any]], chains: Sequence[Chain]) -> str:
+        """Return what is given about the parameters in Markdown; empty where that is nothing.
+
+        `assumed` has symbols by the word for what is assumed of them, `chains` are the conditions.
+        """
+        return _tidy(self._macro("lemmas/conditions", "conditions", assumed, chains)) if assumed or chains else ""
 
     def tex(self, value: Any) -> str:
         """Return a value as LaTeX."""

@@ -42,6 +42,7 @@ find:
         display=Display("decimal", 4, decimals_typed=True),
         parameters={"m": sp.Integer(2), "d": sp.Rational(1, 2)},
         symbols={"a": a},
+        assumed={"positive": (a,)},
         system=system,
         parts=(
             Part("a", "stability", ("stability",), system, decimals_typed=True),
