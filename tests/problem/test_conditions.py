@@ -175,7 +175,7 @@ def test_the_page_says_what_is_given(language, given, own):
     text = (
         "assume: {zeta: positive, n: integer, a: real, c: positive}\n"
         'conditions: ["0 < zeta < 1", "a != b"]\nsystem: {A: [[n, a], [b, zeta]]}\n'
-        'find:\n  u: characteristic_polynomial\n  v: {task: pole_placement, system: {A: [[0]], B: [c]}, poles: [-1],\n'
+        "find:\n  u: characteristic_polynomial\n  v: {task: pole_placement, system: {A: [[0]], B: [c]}, poles: [-1],\n"
         '    assume: {c: negative}, conditions: ["zeta <= 1/2"]}\n'
     )
     document = document_of(solve_problem(read(text)), Presentation(language=language))
