@@ -38,8 +38,8 @@ PROMISED = {
         ANALYSIS, "rank pbh gramian", "horizon",
         "observability_matrix determinant rank observable unobservable_modes exceptions gramian",
     ),
-    "stabilizability": (ANALYSIS, "", "", "stabilizable hidden_modes"),
-    "detectability": (ANALYSIS, "", "", "detectable hidden_modes"),
+    "stabilizability": (ANALYSIS, "", "", "stabilizable hidden_modes condition"),
+    "detectability": (ANALYSIS, "", "", "detectable hidden_modes condition"),
     "kalman_decomposition": (
         ANALYSIS, "", "part",
         "T A B C orders hidden_modes A_c B_c C_c A_o B_o C_o A_co B_co C_co",

@@ -10,6 +10,7 @@ from solver.exact.stability.location import (
     location,
     off_the_point_one,
     polynomial_conditions,
+    root_conditions,
     stable_where,
 )
 from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
@@ -35,6 +36,7 @@ __all__ = [
     "lyapunov_residual",
     "off_the_point_one",
     "polynomial_conditions",
+    "root_conditions",
     "root_counts",
     "routh",
     "routh_parts",

@@ -166,6 +166,18 @@ def polynomial_conditions(listed: Sequence[sp.Expr], *, discrete: bool) -> list[
     return [sp.Integer(-1)] if any(row.special for row in array.rows) else list(array.first_column)
 
 
+def root_conditions(listed: Sequence[sp.Expr], *, discrete: bool) -> list[sp.Expr]:
+    """Return what must be positive for all roots of a monic polynomial to be inside, as it is known for low degrees."""
+    c = listed
+    if not discrete and len(c) <= 3:
+        return list(c[1:])
+    if discrete and len(c) == 2:
+        return [1 + c[1], 1 - c[1]]
+    if discrete and len(c) == 3:
+        return [1 + c[1] + c[2], 1 - c[1] + c[2], 1 - c[2]]
+    return polynomial_conditions(c, discrete=discrete)
+
+
 def stable_where(A: sp.ImmutableMatrix, *, discrete: bool, wanted: Sequence[sp.Symbol] = ()) -> sp.Basic:
     """The condition on parameters under which A is asymptotically stable; true or false where it does not depend."""
     return all_positive(stability_conditions(A, discrete=discrete), wanted)

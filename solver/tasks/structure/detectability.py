@@ -20,8 +20,21 @@ detectability: Task[WithOutput, PlantOptions] = Task(
     needs=("A", "C"),
     options=PlantOptions,
     answers=[
-        AnswerName("detectable", r"\text{detectable}", "whether every unobservable mode is stable", principal=True),
+        AnswerName(
+            "detectable",
+            r"\text{detectable}",
+            "whether every unobservable mode is stable",
+            optional=True,
+            principal=True,
+        ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the unobservable eigenvalues"),
+        AnswerName(
+            "condition",
+            r"\text{condition}",
+            "for which parameters the system is detectable, where it depends on them",
+            optional=True,
+            principal=True,
+        ),
     ],
 )
 
@@ -32,7 +45,7 @@ def by_hidden_modes(given: Given[WithOutput, PlantOptions]) -> Derivation[Answer
     return (yield from decay_of_hidden_modes(observability_pair(given.system)))
 
 
-@detectability.verification("detectable", "hidden_modes")
+@detectability.verification("detectable", "hidden_modes", "condition")
 def hidden_modes_and_their_decay(given: Given[WithOutput, PlantOptions], answers: Answers) -> Iterable[Check]:
-    """The polynomial of what is hidden, and where its roots lie."""
+    """The polynomial of what is hidden, where its roots lie, and for which parameters."""
     yield from weak_checks(observability_pair(given.system), answers)

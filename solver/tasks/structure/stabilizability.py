@@ -21,9 +21,20 @@ stabilizability: Task[WithInput, PlantOptions] = Task(
     options=PlantOptions,
     answers=[
         AnswerName(
-            "stabilizable", r"\text{stabilizable}", "whether every uncontrollable mode is stable", principal=True
+            "stabilizable",
+            r"\text{stabilizable}",
+            "whether every uncontrollable mode is stable",
+            optional=True,
+            principal=True,
         ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the uncontrollable eigenvalues"),
+        AnswerName(
+            "condition",
+            r"\text{condition}",
+            "for which parameters the system is stabilizable, where it depends on them",
+            optional=True,
+            principal=True,
+        ),
     ],
 )
 
@@ -34,7 +45,7 @@ def by_hidden_modes(given: Given[WithInput, PlantOptions]) -> Derivation[Answers
     return (yield from decay_of_hidden_modes(controllability_pair(given.system)))
 
 
-@stabilizability.verification("stabilizable", "hidden_modes")
+@stabilizability.verification("stabilizable", "hidden_modes", "condition")
 def hidden_modes_and_their_decay(given: Given[WithInput, PlantOptions], answers: Answers) -> Iterable[Check]:
-    """The polynomial of what is hidden, and where its roots lie."""
+    """The polynomial of what is hidden, where its roots lie, and for which parameters."""
     yield from weak_checks(controllability_pair(given.system), answers)

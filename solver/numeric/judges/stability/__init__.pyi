@@ -7,9 +7,10 @@ from solver.numeric.judges.stability.location import (
     routh_fault,
     spread_points,
 )
-from solver.numeric.judges.stability.regions import counterexample
+from solver.numeric.judges.stability.regions import StablePart, counterexample
 
 __all__ = [
+    "StablePart",
     "counterexample",
     "externally_stable",
     "locations",

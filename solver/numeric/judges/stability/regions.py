@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from random import Random
 from typing import Any
@@ -19,6 +20,7 @@ from solver.numeric.evaluation.values import NotEvaluable, Undefined
 from solver.numeric.judges.stability.location import STABLE, located
 from solver.words import Phrase
 
+WORDS = (STABLE, "not asymptotically stable")
 RANDOM_POINTS = 40
 PAIRS = 2
 EDGES = 10
@@ -29,19 +31,33 @@ STEPS = (sp.Rational(1, 10**3), sp.Rational(1, 10**7), sp.Rational(1, 10**13))
 Rational = dict[Any, Any]
 
 
-def counterexample(A: Any, condition: Any, *, discrete: bool) -> str:
+@dataclass(frozen=True)
+class StablePart:
+    """A part of the system that is stable where a condition says so: as a function of the point, with its parameters.
+
+    Points where there is no part do not count; `words` say of the system that the part is stable, and that it is not.
+    """
+
+    words: tuple[str, str]
+    parameters: frozenset[Any]
+    at: Callable[[Rational], Any]
+
+
+def counterexample(A: Any, condition: Any, *, discrete: bool, part: StablePart | None = None) -> str:
     """Return where the condition and the eigenvalues of A disagree, in words, or "" where no such point was found.
 
-    `condition` is a sympy condition or a truth value; parameters take values that their assumptions allow.
+    `condition` is a sympy condition or a truth value; parameters take values that their assumptions allow. It may be
+    about a part alone, whose eigenvalues are some of A's.
     """
     if isinstance(condition, bool):
         condition = sp.true if condition else sp.false
-    symbols = sorted(free_symbols(A), key=str)
+    asked = part or StablePart(WORDS, frozenset(free_symbols(A)), lambda point: A.xreplace(point) if point else A)
+    symbols = sorted(asked.parameters, key=str)
     strange = sorted(map(str, free_symbols(condition) - set(symbols)))
     if strange:
         listed = ", ".join(strange)
         return Phrase("the condition has {strange} in it, which is no parameter of the system", strange=listed)
-    tried = _Trial(A, condition, discrete)
+    tried = _Trial(asked, condition, discrete)
     if not symbols:
         return tried.disagreement({})
     points = [point for point in _points(A, condition, symbols, discrete) if _admissible(point)]
@@ -60,23 +76,27 @@ def counterexample(A: Any, condition: Any, *, discrete: bool) -> str:
 class _Trial:
     """The condition and the eigenvalues at points; remembers the truths found."""
 
-    def __init__(self, A: Any, condition: Any, discrete: bool) -> None:
-        self.A, self.condition, self.discrete = A, condition, discrete
+    def __init__(self, asked: StablePart, condition: Any, discrete: bool) -> None:
+        self.asked, self.condition, self.discrete = asked, condition, discrete
         self.decided = False
         self.vague = list(_rounded_bounds(condition))
         self.known: dict[tuple[Any, ...], bool | None] = {}
 
     def stable(self, point: Rational) -> bool | None:
-        """Whether the system is asymptotically stable at a point; None where it is not defined."""
+        """Whether it is stable at a point; None where it is not defined or does not count."""
         key = tuple(point.values())
         if key not in self.known:
-            exact = self.A.xreplace(point) if point else self.A
             try:
-                self.known[key] = located(exact, {}, discrete=self.discrete).verdict == STABLE
-                self.decided = True
+                self.known[key] = self._located(self.asked.at(point))
             except (Undefined, NotEvaluable):
                 self.known[key] = None
+            self.decided = self.decided or self.known[key] is not None
         return self.known[key]
+
+    def _located(self, part: Any) -> bool | None:
+        if part is None:
+            return None
+        return part.rows == 0 or located(part, {}, discrete=self.discrete).verdict == STABLE
 
     def claimed(self, point: Rational) -> bool | None:
         """Whether the condition holds at a point."""
@@ -95,7 +115,7 @@ class _Trial:
         if stable is None or stable == claimed:
             return ""
         where = ", ".join(f"{symbol} = {sp.N(value, 6)}" for symbol, value in point.items())
-        found = "asymptotically stable" if stable else "not asymptotically stable"
+        found = self.asked.words[0 if stable else 1]
         says = "has no truth value" if claimed is None else "holds" if claimed else "does not hold"
         return (
             Phrase("for {where} the system is {found}, but the condition {says}", where=where, found=found, says=says)

@@ -1,6 +1,7 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.structure.controllability import (
+    HiddenPart,
     hidden_modes_decay,
     hidden_modes_residual,
     krylov_matrix,
@@ -15,6 +16,7 @@ from solver.numeric.judges.structure.decomposition import (
 from solver.numeric.judges.structure.rank_falls import all_differ, every_fall_is_named, rank_falls_where
 
 __all__ = [
+    "HiddenPart",
     "all_differ",
     "coordinates_residual",
     "every_fall_is_named",

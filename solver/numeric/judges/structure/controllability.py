@@ -6,6 +6,7 @@ The basis is found with 50 digits.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import mpmath
@@ -65,6 +66,35 @@ def hidden_modes_decay(A: Any, B: Any, *, discrete: bool) -> bool:
     if len(found) > 1:
         raise NotEvaluable("it depends on the values of the parameters")
     return found.pop()
+
+
+class HiddenPart:
+    """What B does not reach at a point, as a matrix; None where B reaches less than for general parameters."""
+
+    def __init__(self, A: Any, B: Any) -> None:
+        self.A, self.B = A, B
+
+    @cached_property
+    def order(self) -> int:
+        """How many modes B does not reach for general parameters."""
+        points = PointSource(free_symbols([self.A, self.B])).several(2)
+        exact = ({symbol: sp.Rational(value.real) for symbol, value in _complex(point).items()} for point in points)
+        return min(self._at(point).rows for point in exact)
+
+    def __call__(self, point: Mapping[Any, Any]) -> Any:
+        """Return the matrix, exact where A and B are rational there."""
+        found = self._at(point)
+        return found if found.rows == self.order else None
+
+    def _at(self, point: Mapping[Any, Any]) -> Any:
+        A, B = (M.xreplace(dict(point)) for M in (self.A, self.B))
+        if not all(entry.is_Rational for entry in (*A, *B)):
+            return _unreached(A, B)
+        rows = sp.Matrix(krylov_matrix(A, B)).T.nullspace()
+        if not rows:
+            return sp.ImmutableMatrix(0, 0, [])
+        N = sp.Matrix.hstack(*rows).T
+        return sp.ImmutableMatrix((N * N.T).LUsolve(N * A.T * N.T).T)
 
 
 def _decays(H: Any, *, discrete: bool) -> bool:
