@@ -103,6 +103,8 @@ EXACT = [
     (I * omega_n, r"j\omega_n"),
     (pi / 2, r"\frac{\pi}{2}"),
     (sp.Integer(2) ** Rational(1, 3), r"\sqrt[3]{2}"),
+    (2 * sp.Integer(2) ** Rational(1, 4), r"2 \cdot \sqrt[4]{2}"),  # not 2⁴√2
+    (sqrt(5) * a * sp.Integer(2) ** Rational(1, 3), r"\sqrt[3]{2}\sqrt{5}a"),
     (oo, r"\infty"),
     # powers of time steps
     (3 * 2**k, r"3 \cdot 2^{k}"),
