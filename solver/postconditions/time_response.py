@@ -15,8 +15,7 @@ from solver.postconditions.linear_algebra import factor_claims
 def of_read_inputs(found: Sequence[Any], inputs: Sequence[Any], time: Any, *, discrete: bool) -> Iterator[Claim]:
     """What begins at each time is what the inputs hold with a step, or an impulse, at that time."""
     if discrete:
-        begun = [u.xreplace({sp.Heaviside(time): sp.S.One}) for u in inputs]  # k = 0, 1, … is all there is
-        yield Claim(sp.ImmutableMatrix(begun), found[0].inputs)
+        yield from _samples_of_inputs(found, inputs, time)
         return
     smooth = {sp.Heaviside: lambda *_: sp.S.One, sp.DiracDelta: lambda *_: sp.S.Zero}
     whole, parts = sp.ImmutableMatrix(list(inputs)), sp.zeros(len(inputs), 1)
@@ -37,13 +36,26 @@ def of_read_inputs(found: Sequence[Any], inputs: Sequence[Any], time: Any, *, di
         yield Claim(sp.ImmutableMatrix(weights), sp.ImmutableMatrix(own))
 
 
-def of_shifted(found: Any, f: Any, t: Any, delay: Any) -> Iterator[Claim | Check]:
+def _samples_of_inputs(found: Sequence[Any], inputs: Sequence[Any], k: Any) -> Iterator[Claim]:
+    """The pieces add up to the inputs at the samples around each start."""
+    sampled = {sp.Heaviside: lambda at, *_: sp.Heaviside(at, 1), sp.DiracDelta: lambda at: sp.KroneckerDelta(at, 0)}
+    whole, parts = sp.ImmutableMatrix(list(inputs)), sp.zeros(len(inputs), 1)
+    for kind, value in sampled.items():
+        whole = whole.applyfunc(lambda u, kind=kind, value=value: u.replace(kind, value))
+    for piece in found:
+        parts += piece.inputs.xreplace({k: k - piece.delay}) * sp.Heaviside(k - piece.delay, 1)
+    for sample in sorted({max(0, int(piece.delay) + i) for piece in found for i in range(-1, 6)}):
+        at = {k: sp.Integer(sample)}
+        yield Claim(sp.ImmutableMatrix(whole.subs(at)), sp.ImmutableMatrix(parts.subs(at)))
+
+
+def of_shifted(found: Any, f: Any, t: Any, delay: Any, *, discrete: bool = False) -> Iterator[Claim | Check]:
     """f(t − T) after T, zero before."""
     later = f.xreplace({t: t - delay})
     yield Claim(found.replace(sp.Heaviside, lambda *_: sp.S.One), sp.ImmutableMatrix(later))
     if delay != 0:
-        step = sp.Heaviside(t - delay)
-        before = found.xreplace({step: sp.S.Zero})
+        step = sp.Heaviside(t - delay, 1) if discrete else sp.Heaviside(t - delay)
+        before = found.xreplace({step: sp.S.Zero}).replace(sp.KroneckerDelta, lambda *_: sp.S.Zero)
         yield Claim(sp.ImmutableMatrix(before), sp.ImmutableMatrix(sp.zeros(*f.shape)))
         others = found.atoms(sp.Heaviside) - f.xreplace({t: t - delay}).atoms(sp.Heaviside) - {step}
         yield Check.that("the step of a delay", "compared", not others)

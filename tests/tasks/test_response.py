@@ -310,6 +310,43 @@ def test_random_discrete_systems_follow_the_recursion(A, u, moving):
         x = plant.A * x + plant.B * value
 
 
+def begun(f, delay):
+    """f(k − n) step(k − n)."""
+    return f.subs(k, k - delay) * sp.Heaviside(k - delay, 1)
+
+
+@pytest.mark.parametrize("method", ["z_transform", "convolution"])
+def test_a_sequence_that_comes_later_is_the_shifted_response(method):
+    plant = system([[half]], B=[1], C=[[1]], D=[[0]], discrete=True)
+    result = ask("response", plant, method, kind="zero_state", input=(step(k - 10),))
+    assert result.status is Status.VERIFIED, result.reason
+    y = 2 - 2 * half**k
+    assert sp.expand(result.answers["y"] - begun(y, 10)) == 0
+    assert result.answers["y_final"] == 2
+    result = ask("response", plant, method, kind="zero_state", input=(3 * step(k) - 2 * step(k - 4),))
+    assert sp.expand(result.answers["y"] - 3 * y + 2 * begun(y, 4)) == 0
+
+
+@pytest.mark.parametrize("method", ["z_transform", "convolution"])
+def test_what_begins_at_different_samples_is_added_up(method):
+    """A pulse stays a pulse, pulses in a row are one piece, and what D passes on is added."""
+    plant = system([[half, 1], [0, half / 2]], B=[0, 1], C=[[1, 0]], D=[[1]], discrete=True)
+    u = step(k) - step(5 - k) + sp.DiracDelta(k - 2) + 4 * sp.DiracDelta(k - 3)
+    result = ask("response", plant, method, kind="complete", initial_state=sp.ImmutableMatrix([1, 2]), input=(u,))
+    assert result.status is Status.VERIFIED, result.reason
+    x = sp.Matrix([1, 2])
+    for i in range(12):
+        now = int(i >= 0) - int(i <= 5) + int(i == 2) + 4 * int(i == 3)
+        assert result.answers["y"].subs(k, i) == x[0] + now
+        x = plant.A * x + plant.B * now
+
+
+def test_a_later_peak_in_discrete_time():
+    plant = system([[0, 1], [-half, 1]], B=[0, 1], C=[[1, 0]], discrete=True)
+    answers = ask("response", plant, kind="zero_state", input=(step(k - 5),)).answers
+    assert (answers["t_peak"], answers["y_peak"]) == (9, sp.Rational(5, 2))
+
+
 def test_the_peak_in_discrete_time_is_a_sample():
     plant = system([[0, 1], [-half, 1]], B=[0, 1], C=[[1, 0]], D=[[0]], discrete=True)
     answers = respond(plant, u=1).answers

@@ -14,7 +14,7 @@ from sympy.functions.combinatorial.numbers import stirling
 
 from solver.exact.functions.rational import between
 from solver.exact.linear_algebra.fields import NotExact
-from solver.exact.time_response.signals import Signal, Term, delayed, read_signal, written
+from solver.exact.time_response.signals import Signal, delayed, read_signal, written
 
 LATEST_SAMPLE = 40
 """The latest sample at which something may begin in discrete time."""
@@ -33,7 +33,7 @@ class Generator:
 class Piece:
     """What begins in the inputs at one time: `inputs` (m×1) in the time since, and `impulses` (m×1) at its start.
 
-    In discrete time there is one piece, beginning at 0, and impulses are part of its generator.
+    In discrete time impulses are part of the inputs and of their generator.
     """
 
     delay: sp.Expr
@@ -56,42 +56,49 @@ class Piece:
 def read_inputs(inputs: Sequence[sp.Expr], time: sp.Symbol, *, discrete: bool) -> tuple[Piece, ...]:
     """The pieces of the inputs, the first one at time zero; raises NotExact for inputs of another kind."""
     signals = [read_signal(u, time, discrete=discrete) for u in inputs]
-    if discrete:
-        signals = [_from_the_start(signal, time) for signal in signals]
-        written_out = sp.ImmutableMatrix([_expression(signal, time, discrete=True) for signal in signals])
-        none = sp.ImmutableMatrix(sp.zeros(len(signals), 1))
-        return (Piece(sp.S.Zero, written_out, none, _generator(signals, discrete=True)),)
-    return tuple(_piece(signals, delay, time) for delay in delayed(signals))
+    if not discrete:
+        return tuple(_piece(signals, delay, time) for delay in delayed(signals))
+    starts = _starts(signals)
+    ends = [*starts[1:], sp.oo]
+    return tuple(_samples(signals, start, end, time) for start, end in zip(starts, ends, strict=True))
 
 
 def _piece(signals: Sequence[Signal], delay: sp.Expr, t: sp.Symbol) -> Piece:
     """What begins in the signals at one time of continuous time."""
-    local: list[Signal] = []
-    for signal in signals:
-        here = sum(
-            (c * written(term, t, discrete=False) for (d, term), c in signal.terms.items() if d == delay), sp.S.Zero
-        )
-        local.append(read_signal(here.subs(t, t + delay), t, discrete=False))
+    local = [_begun(signal, delay, t, discrete=False) for signal in signals]
     inputs = sp.ImmutableMatrix([_expression(signal, t, discrete=False) for signal in local])
     impulses = sp.ImmutableMatrix([signal.impulses.get(delay, sp.S.Zero) for signal in signals])
     return Piece(delay, inputs, impulses, _generator(local, discrete=False))
 
 
-def _from_the_start(signal: Signal, k: sp.Symbol) -> Signal:
-    """Return f(k) step(k − m) as f(k) less its first m values."""
-    latest = max([*signal.delays, sp.S.Zero])
-    if latest > LATEST_SAMPLE:
+def _starts(signals: Sequence[Signal]) -> list[sp.Expr]:
+    """The samples at which pieces begin, ascending: a pulse just behind another one goes on with that."""
+    begun = {delay for signal in signals for delay, _ in signal.terms}
+    pulses = {at for signal in signals for at in signal.impulses}
+    found = sorted(at for at in delayed(signals) if at == 0 or at in begun or at - 1 not in pulses)
+    if max(found) > LATEST_SAMPLE:
         raise NotExact("signals/late_sample", latest=LATEST_SAMPLE)
-    terms: dict[tuple[sp.Expr, Term], sp.Expr] = {}
-    pulses = dict(signal.impulses)
-    for (delay, term), c in signal.terms.items():
-        terms[sp.S.Zero, term] = terms.get((sp.S.Zero, term), sp.S.Zero) + c
-        for i in map(sp.Integer, range(int(delay))):
-            pulses[i] = pulses.get(i, sp.S.Zero) - c * written(term, k, discrete=True).subs(k, i)
-    return Signal(
-        {key: c for key, c in terms.items() if sp.expand(c) != 0},
-        {at: weight for at, weight in pulses.items() if sp.expand(weight) != 0},
-    )
+    return found
+
+
+def _samples(signals: Sequence[Signal], start: sp.Expr, end: sp.Expr, k: sp.Symbol) -> Piece:
+    """What begins in the signals at a sample, with the pulses from there on before the next piece."""
+    local = [
+        Signal(
+            _begun(signal, start, k, discrete=True).terms,
+            {at - start: weight for at, weight in signal.impulses.items() if start <= at < end},
+        )
+        for signal in signals
+    ]
+    inputs = sp.ImmutableMatrix([_expression(signal, k, discrete=True) for signal in local])
+    none = sp.ImmutableMatrix(sp.zeros(len(signals), 1))
+    return Piece(start, inputs, none, _generator(local, discrete=True))
+
+
+def _begun(signal: Signal, delay: sp.Expr, x: sp.Symbol, *, discrete: bool) -> Signal:
+    """The terms that begin at a delay, in the time since."""
+    here = [c * written(term, x, discrete=discrete) for (begin, term), c in signal.terms.items() if begin == delay]
+    return read_signal(sp.Add(*here).subs(x, x + delay), x, discrete=discrete)
 
 
 def _expression(signal: Signal, x: sp.Symbol, *, discrete: bool) -> sp.Expr:

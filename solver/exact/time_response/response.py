@@ -88,50 +88,72 @@ class ClosedForm:
         """The limit of y; None where none is known to exist."""
         images = [(delay, each.y) for delay, each in self.pieces if each.y is not None]
         if len(images) > 1:
-            late = sp.zeros(*images[0][1].shape)
+            late, discrete = sp.zeros(*images[0][1].shape), self.system.discrete
             for delay, image in images:
-                late += image.function(self.time, discrete=False).matrix.xreplace({self.time: self.time - delay})
-            limits = [limit_of_sum(entry, self.time) for entry in late.flat()]
+                late += image.function(self.time, discrete=discrete).matrix.xreplace({self.time: self.time - delay})
+            limits = [limit_of_sum(entry, self.time, discrete=discrete) for entry in late.flat()]
             return sp.ImmutableMatrix(limits) if all(each is not None for each in limits) else None
         return limit(images[0][1], discrete=self.system.discrete) if images else None
 
     @cached_property
     def y_peak(self) -> Peak | None:
         """The peak of a single output; None where its size is largest at the start or in the limit."""
-        image = self.pieces[0][1].y
-        if self.y is None or image is None or len(self.y) > 1 or len(self.pieces) > 1 or self.impulse is not None:
+        (delay, first), discrete = self.pieces[0], self.system.discrete
+        if first.y is None or self.y is None or len(self.y) > 1 or len(self.pieces) > 1 or self.impulse is not None:
             return None
-        return peak(image, self.y[0], self.time, discrete=self.system.discrete)
+        if delay != 0 and not discrete:
+            return None
+        found = peak(first.y, first.y.function(self.time, discrete=discrete).matrix[0], self.time, discrete=discrete)
+        return found and Peak(found.time + delay, found.value)
 
     def _put_together(self, images: Sequence[tuple[sp.Expr, RationalMatrix]]) -> sp.ImmutableMatrix:
         total = sp.zeros(*images[0][1].shape)
         for delay, image in images:
             f = image.function(self.time, discrete=self.system.discrete).matrix
-            total += f if delay == 0 else shifted(f, self.time, delay)
+            total += shifted(f, self.time, delay, discrete=self.system.discrete)
         return sp.ImmutableMatrix(total)
 
 
-def limit_of_sum(late: sp.Expr, t: sp.Symbol) -> sp.Expr | None:
+def limit_of_sum(late: sp.Expr, t: sp.Symbol, *, discrete: bool = False) -> sp.Expr | None:
     """The limit of what is left of the pieces after the last one has begun, where modes may cancel; None if unknown."""
     try:
-        signal = read_signal(late, t, discrete=False)
+        smooth = late.xreplace(dict.fromkeys(late.atoms(sp.KroneckerDelta), sp.S.Zero))
+        signal = read_signal(smooth, t, discrete=discrete)
     except NotExact:
         return None
     constant = sp.S.Zero
     for (_, (n, growth, angle, _)), c in signal.terms.items():
-        if growth.is_negative:
+        rate = sp.Abs(growth) - 1 if discrete else growth
+        if rate.is_negative:
             continue
-        if n or growth != 0 or angle != 0:
+        if n or growth != int(discrete) or angle != 0:
             return None
         constant += c
     return constant
 
 
-def shifted(f: sp.MatrixBase, t: sp.Symbol, delay: sp.Expr) -> sp.ImmutableMatrix:
-    """f(t − T) step(t − T)."""
-    later = f.xreplace({t: t - delay}) if delay != 0 else f
-    step = sp.Heaviside(t - delay) if delay != 0 else sp.S.One
-    return sp.ImmutableMatrix(later.applyfunc(lambda entry: entry * step))
+def shifted(f: sp.MatrixBase, t: sp.Symbol, delay: sp.Expr, *, discrete: bool = False) -> sp.ImmutableMatrix:
+    """f(t − T) step(t − T); a unit pulse of discrete time needs no step."""
+    if delay == 0:
+        return sp.ImmutableMatrix(f)
+    step = sp.Heaviside(t - delay, 1) if discrete else sp.Heaviside(t - delay)
+
+    def begun(entry: sp.Expr) -> sp.Expr:
+        pulses, others = sp.sift(sp.Add.make_args(entry), lambda term: term.has(sp.KroneckerDelta), binary=True)
+        return sp.Add(sp.Add(*others) * step, *pulses)
+
+    return sp.ImmutableMatrix(_later(f, t, delay).applyfunc(begun))
+
+
+def _later(f: sp.MatrixBase, t: sp.Symbol, delay: sp.Expr) -> sp.MatrixBase:
+    """f(t − T), with cos(πt/4 − 5π/4) multiplied out and δ(k − 5) for δ(k − 3 − 2)."""
+    pulses = {each: sp.Dummy() for each in f.atoms(sp.KroneckerDelta)}
+    back = {
+        dummy: sp.KroneckerDelta(*(a + (0 if a == t else delay) for a in each.args)) for each, dummy in pulses.items()
+    }
+    later = f.xreplace(pulses).xreplace({t: t - delay}).xreplace(back)
+    waves = [each for each in later.atoms(sp.sin, sp.cos) if each.args[0].has(sp.pi)]
+    return later.xreplace({each: each.func(sp.expand(each.args[0])) for each in waves})
 
 
 def response(system: StateSpace, x0: sp.MatrixBase | None, inputs: Sequence[sp.Expr], time: sp.Symbol) -> ClosedForm:
@@ -139,7 +161,8 @@ def response(system: StateSpace, x0: sp.MatrixBase | None, inputs: Sequence[sp.E
     pieces = read_inputs(inputs, time, discrete=system.discrete) if inputs else ()
     if not pieces:
         return ClosedForm(system, ((sp.S.Zero, piece_response(system, x0, None)),), None, time)
-    found = [(piece.delay, piece_response(system, x0 if piece.delay == 0 else None, piece)) for piece in pieces]
+    moving = [piece for piece in pieces if piece or (x0 is not None and piece.delay == 0)] or pieces[:1]
+    found = [(piece.delay, piece_response(system, x0 if piece.delay == 0 else None, piece)) for piece in moving]
     return ClosedForm(system, tuple(found), passed_on(system, pieces, time), time)
 
 

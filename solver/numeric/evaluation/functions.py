@@ -104,8 +104,10 @@ def _direction(expression: Any, environment: Environment) -> Value:
 
 @rule(sp.Heaviside)
 def _step(expression: Any, environment: Environment) -> Value:
-    """The unit step away from its jump; at the jump conventions differ, so there it has no value."""
+    """The unit step away from its jump; at the jump conventions differ, so there it has only a value that is given."""
     argument = _real(walk(expression.args[0], environment), environment)
+    if expression.args[1] == 1:
+        return _truth(argument >= 0, environment)
     if np.any(argument == 0):
         raise ZeroDivisionError("the unit step at its jump")
     return _truth(argument > 0, environment)

@@ -70,7 +70,14 @@ def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: Immutabl
         i = sp.Symbol("i")
         u = piece.inputs.xreplace({t: i})
         stated = summation(product(Phi.xreplace({t: t - 1 - i}), B, u), i, sp.Integer(0), t - 1)
-        yield Step("convolution_sum", claims={"x": Claim(stated, x, "convolution sum")}, B=B, u=u, **names)
+        yield Step(
+            "convolution_sum",
+            claims={"x": Claim(stated, x, "convolution sum")},
+            B=B,
+            u=u,
+            x=asked.begun(x, piece.delay),
+            **names,
+        )
         return
     tau = sp.Symbol("tau")
     u = piece.inputs.xreplace({t: tau})
@@ -82,4 +89,4 @@ def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: Immutabl
     claims = {"x": Claim(total(*terms), x, "convolution")}
     if any(u.flat()) or not piece:
         claims = {"integrand": Claim(product(shifted, B, u), integrand, "what is integrated"), **claims}
-    yield Step("convolution", claims=claims, B=B, tau=tau, u=u, x=exact.shifted(x, t, piece.delay), **names)
+    yield Step("convolution", claims=claims, B=B, tau=tau, u=u, x=asked.begun(x, piece.delay), **names)

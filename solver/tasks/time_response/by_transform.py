@@ -123,6 +123,6 @@ def _transformed_back(
         "transformed_back",
         claims={"x": Claim(invert(carried, s, t), function, "transformed back, term by term")},
         resonant=any(order > 1 and each.factor.multiplicity > 1 for each, order in image.poles),
-        shifted=exact.shifted(function, t, delay),
+        shifted=asked.begun(function, delay),
         **names,
     )

@@ -77,6 +77,11 @@ class Question:
         f: ImmutableMatrix = image.function(self.time, discrete=self.discrete).matrix
         return f
 
+    def begun(self, f: ImmutableMatrix, delay: Any) -> ImmutableMatrix:
+        """A function of the time since a delay, as one of time."""
+        found: ImmutableMatrix = exact.shifted(f, self.time, delay, discrete=self.discrete)
+        return found
+
     def pencil(self) -> ImmutableMatrix:
         """The matrix sI − A (zI − A)."""
         return exact.pencil(self.system.A, self.variable)

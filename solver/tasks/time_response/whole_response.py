@@ -18,7 +18,7 @@ def put_together(asked: Question) -> Derivation[Answers]:
     """The parts added up, and the output; returns the answers."""
     found = asked.answer
     parts = [asked.function(asked.zero_input)] if asked.x0 is not None else []
-    parts += [exact.shifted(asked.function(asked.zero_state(piece)), asked.time, piece.delay) for piece in asked.pieces]
+    parts += [asked.begun(asked.function(asked.zero_state(piece)), piece.delay) for piece in asked.pieces]
     if len(parts) > 1:
         yield Step(
             "sum",
@@ -41,13 +41,13 @@ def put_together(asked: Question) -> Derivation[Answers]:
 
 def _output(asked: Question) -> Step:
     """The output equation y = C x + D u; what impulses the input passes on through D is added beside the claim."""
-    found, system, t = asked.answer, asked.system, asked.time
+    found, system = asked.answer, asked.system
     terms: list[Any] = [product(system.C, found.x)]
     through = system.D is not None and any(system.D.flat()) and bool(asked.inputs)
+    u = sp.zeros(len(asked.inputs), 1)
+    for piece in asked.pieces:
+        u += asked.begun(piece.inputs, piece.delay)
     if through:
-        u = sp.zeros(len(asked.inputs), 1)
-        for piece in asked.pieces:
-            u += exact.shifted(piece.inputs, t, piece.delay)
         terms.append(product(system.D, sp.ImmutableMatrix(u)))
     y: Any = found.y
     smooth = y - found.impulse if found.impulse is not None else y
@@ -56,6 +56,7 @@ def _output(asked: Question) -> Step:
         claims={"y": Claim(total(*terms), sp.ImmutableMatrix(smooth), "output equation")},
         discrete=asked.discrete,
         through=through,
+        u=entry_or_column(sp.ImmutableMatrix(u)) if through else None,
         y=y,
         impulse=found.impulse,
         single=len(y) == 1,
@@ -68,7 +69,7 @@ def behaviour(asked: Question) -> Step:
     claims: dict[str, Claim] = {}
     image = found.pieces[0][1].y
     transform = None if image is None else image.expression(s)
-    if found.y_final is not None and transform is not None and len(found.pieces) == 1:
+    if found.y_final is not None and transform is not None and len(found.pieces) == 1 and found.pieces[0][0] == 0:
         at = sp.Integer(1 if asked.discrete else 0)
         carried = transform.applyfunc(lambda entry: (s - at) * entry)
         claims["final"] = Claim(value_at(carried, s, at), found.y_final, "final value theorem")
