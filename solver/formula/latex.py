@@ -2,6 +2,8 @@ r"""Trees written as LaTeX: one spelling for each tree, with the blanks that a p
 
 from __future__ import annotations
 
+from string import ascii_letters
+
 from solver.formula import vocabulary as v
 from solver.formula.nodes import (
     Accent,
@@ -155,12 +157,7 @@ def _joined(*pieces: str) -> str:
 
 def _runs_into(written: str, piece: str) -> bool:
     """Whether a letter would become part of the command before it."""
-    if not piece[:1].isalpha() or not written[-1:].isalpha():
-        return False
-    end = len(written) - 1
-    while end >= 0 and written[end].isascii() and written[end].isalpha():
-        end -= 1
-    return end >= 0 and written[end] == "\\"
+    return piece[:1].isalpha() and written[-1:].isalpha() and written.rstrip(ascii_letters).endswith("\\")
 
 
 _WRITER, _IN_INDEX = LatexWriter(), LatexWriter(index=True)

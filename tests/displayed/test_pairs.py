@@ -56,6 +56,10 @@ def test_a_law_whose_name_stands_for_nothing_is_counted():
     assert "stands for no value" in str(check.reason)
 
 
+def test_the_left_side_of_a_differential_equation_stands_for_no_value_and_needs_none():
+    assert states(eq(r"\dot{x}", sp.ImmutableMatrix([1, 2]))) == []
+
+
 def test_the_same_value_is_no_change_of_a_name():
     law, name = eq("AW", sp.ImmutableMatrix([2, 3])), Written("W")
     same = [eq("W", sp.ImmutableMatrix([1, 2])), Displayed((name, sp.ImmutableMatrix([1, 2])), STANDS)]

@@ -180,6 +180,16 @@ def test_a_split_knows_contradictions_products_and_its_limits():
     assert case_split([x**5 - x - 1], [x]) is None
 
 
+@pytest.mark.parametrize(
+    ("factor", "centre", "e", "f"), [(1, 1, -10, 1), (3, -2, -4, 2), (-2, 5, 0, -7), (1, 0, 3, -1)]
+)
+def test_an_equation_of_degree_four_that_is_even_about_a_point(factor, centre, e, f):
+    x = sp.Symbol("x")
+    equation = sp.expand(factor * ((x - centre) ** 4 + e * (x - centre) ** 2 + f))
+    found = sorted(float(end[x]) for end in case_split([equation], [x]).ends())
+    assert found == pytest.approx(sorted(float(root) for root in sp.real_roots(equation)))
+
+
 def test_an_equation_with_parameters_below_a_line_is_factored():
     x, y, r = sp.symbols("x y r", positive=True)
     split = case_split([x**2 / r + x * y, x + y - 3], [x, y])

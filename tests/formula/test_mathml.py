@@ -198,6 +198,11 @@ def test_accents(latex: str) -> None:
     assert mathml(latex).markup.split(">", 1)[1].startswith('<mover accent="true">')
 
 
+def test_letters_under_a_wide_accent_or_over_a_line_keep_their_dots() -> None:
+    assert text(r"\hat{ij}")[:2] == "ij"
+    assert text(r"\underline{i}")[0] == "i"
+
+
 def test_a_letter_under_an_accent_loses_its_dot() -> None:
     assert text(r"\dot{i}") == "𝚤˙"
 

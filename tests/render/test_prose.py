@@ -43,6 +43,17 @@ def test_a_formula_between_two_dollars_is_displayed_within_a_sentence_too():
     assert "<math>inline:1</math>" in to_html("so that $x$ holds", draw)
 
 
+@pytest.mark.parametrize("markdown", ["$$\nx\n\ny\n$$", "costs 2$x$", "$x$3 or", "<b>x</b> and <i>y</i>"])
+def test_what_is_no_formula_and_no_markdown_stays_text(markdown):
+    html = to_html(markdown, draw)
+    assert "<math>" not in html
+    assert "<b>" not in html
+
+
+def test_what_follows_a_displayed_formula_is_no_label_of_it():
+    assert "(a)" in to_html("$$\nx\n$$ (a)", draw)
+
+
 def test_a_title_has_no_paragraph():
     assert inline_html("Eigenvector for $x$", draw) == "Eigenvector for <math>inline:1</math>"
     assert inline_latex("50 % of $x$") == r"50 \% of $x$"

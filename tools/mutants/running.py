@@ -54,6 +54,7 @@ def chosen_for(mutant: Mutant, reached: Reached) -> list[str]:
         direct = reached.tests_of_file(mutant.file) or {test for test in reached.seconds if test.startswith(own)}
         direct |= {test for test in reached.seconds if test.startswith(READING)}
     mine = {test for test in direct if test.startswith(own)}
+    mine = mine or {test for test in reached.seconds if test.startswith(own)}  # some run it when they are collected
     return [*_within(BUDGET, mine, reached, name), *_within(BUDGET_ELSEWHERE, direct - mine, reached, name)]
 
 

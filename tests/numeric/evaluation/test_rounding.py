@@ -100,3 +100,18 @@ def test_the_rounding_of_operations_is_known(left, right):
         value, more = _entries(found.value), _entries(exact.value)
         assert np.all(abs(value - more) <= SAFETY * rounding + 1e-300)
         assert np.all(rounding <= 1e-9 * (1 + abs(more).max()))
+
+
+@pytest.mark.parametrize("order", [0, 1, 3, 12])
+def test_the_rounding_of_derivatives_of_an_unknown_function_grows_with_them(order):
+    q = sp.Function("q")(a)
+    found, magnitude = at(sp.Derivative(q, (a, order)) if order else q)
+    exact, _ = at(sp.Derivative(q, (a, order)) if order else q, multiple(40))
+    next_one, _ = at(sp.Derivative(q, (a, order + 1)))
+    assert abs(found - exact) <= SAFETY * DOUBLE.eps * magnitude
+    assert abs(found) < magnitude < 200 * (abs(found) + abs(next_one))
+
+
+def test_the_rounding_of_the_argument_of_an_unknown_function_counts():
+    _, magnitude = at(sp.Function("q")(SPOILED))
+    assert magnitude > LARGE / 4

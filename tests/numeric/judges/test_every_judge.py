@@ -1,5 +1,6 @@
 """Judges accept right answers in whatever form, and reject wrong ones however near."""
 
+from contextlib import suppress
 from importlib import import_module
 from pkgutil import iter_modules
 
@@ -7,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from solver.numeric import TOLERANCE, ShapeMismatch
+from solver.numeric import TOLERANCE, NotEvaluable, ShapeMismatch
 from solver.numeric.judges import design, stability
 from tests.numeric.judges import cases
 
@@ -19,9 +20,9 @@ CASES = [
 ]
 
 
-def verdict(topic, case, answer):
-    """Whether the judge accepts an answer. Raises NotEvaluable where it refuses."""
-    arguments = case.ask(answer)
+def verdict(topic, case, answer, form=lambda value: value):
+    """Whether the judge accepts an answer, in a form of question and answer. Raises NotEvaluable where it refuses."""
+    arguments = form(case.ask(answer))
     named = arguments[-1] if isinstance(arguments[-1], dict) and set(arguments[-1]) & KEYWORDS else {}
     positional = arguments[:-1] if named else arguments
     judge = getattr(import_module(f"solver.numeric.judges.{topic}"), case.judge)
@@ -47,6 +48,29 @@ def test_right_answers_are_accepted(topic, case):
 def test_wrong_answers_are_rejected(topic, case):
     for answer in case.rejected:
         assert not verdict(topic, case, answer), answer
+
+
+def in_decimals(value):
+    """A question and its answer with every number in decimals of 15 digits."""
+    if isinstance(value, sp.MatrixBase):
+        return sp.ImmutableMatrix(value.applyfunc(in_decimals))
+    if isinstance(value, sp.Expr):
+        fractions = {number: number.evalf(15) for number in value.atoms(sp.Rational) if number.q > 1}
+        return value.xreplace(fractions) if value.free_symbols else value.evalf(15)
+    if isinstance(value, list | tuple):
+        parts = map(in_decimals, value)
+        return type(value)(*parts) if hasattr(value, "_fields") else type(value)(parts)
+    return value
+
+
+@pytest.mark.parametrize(("topic", "case"), CASES)
+def test_in_decimals_right_is_right_and_wrong_is_not(topic, case):
+    if case.judge != "is_jordan_form":  # decimals know no multiple eigenvalue
+        for answer in case.accepted:
+            assert verdict(topic, case, answer, in_decimals), answer
+    for answer in case.rejected:
+        with suppress(NotEvaluable):  # decimals that carry too few digits to judge it
+            assert not verdict(topic, case, answer, in_decimals), answer
 
 
 def test_a_set_point_beside_the_right_one_is_measured_against_the_size_of_its_terms():

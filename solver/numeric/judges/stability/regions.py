@@ -158,7 +158,7 @@ def _points(A: Any, condition: Any, symbols: Sequence[Any], discrete: bool) -> I
         exact, rounded = named.get(k, ([], []))
         values = sorted({*exact, *rounded, *_crossings(A, k, discrete=discrete)})
         for value in values:
-            if value in exact:
+            if value not in rounded:
                 yield {k: value}
             for step in STEPS:
                 yield from ({k: value + sign * step * (1 + abs(value))} for sign in (1, -1))

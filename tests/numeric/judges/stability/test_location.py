@@ -99,3 +99,23 @@ def test_an_edge_that_is_included_is_found_out():
     A = sp.ImmutableMatrix([[k]])
     assert not counterexample(A, k < 0, discrete=False)
     assert "k = 0" in counterexample(A, k <= 0, discrete=False)
+
+
+@pytest.mark.parametrize(
+    ("assumed", "pole", "right", "wrong"),
+    [
+        ("negative", k, sp.true, sp.Lt(k, -1)),
+        ("positive", -k, sp.true, sp.Gt(k, 1)),
+        ("nonpositive", k, sp.Lt(k, 0), sp.true),
+        ("nonnegative", -k, sp.Gt(k, 0), sp.true),
+        ("nonzero", -(k**2), sp.true, sp.Gt(k, 0)),
+        ("integer", k - sp.Rational(1, 2), sp.Lt(k, 1), sp.Lt(k, 0)),
+        ("real", k, sp.Lt(k, 0), sp.Le(k, 0)),
+    ],
+)
+def test_only_values_that_the_assumptions_allow_count(assumed, pole, right, wrong):
+    own = {k: sp.Symbol("k", **{"real": True, assumed: True})}
+    A = sp.ImmutableMatrix([[pole.xreplace(own)]])
+    for condition, accepted in ((right, True), (wrong, False)):
+        stated = condition.xreplace(own) if condition is not sp.true else condition
+        assert (counterexample(A, stated, discrete=False) == "") == accepted
