@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+import numpy as np
 import sympy as sp
 
 from solver.derivation import Check, Claim
@@ -43,3 +44,25 @@ def of_riccati(found: Any, *_: Any) -> Iterator[Check]:
     """A solution is exact where it holds no decimals."""
     first = found.stabilizing
     yield Check.that("exactness", "decimals", bool(first.P.has(sp.Float)) != bool(first.exact))
+
+
+def of_minimal_solution(found: Any, A: Any, _B: Any, Q: Any, _R: Any) -> Iterator[Check]:
+    """The modes that do not decay and that Q does not see; none where [λI − A; Q] has rank n at each of them."""
+    if A.free_symbols or Q.free_symbols:
+        return
+    a, q = (np.array(M.evalf(30).tolist(), dtype=float) for M in (A, Q))
+    if found is None:
+        for value in filter(lambda value: value.real > 0, np.linalg.eigvals(a)):
+            sizes = np.linalg.svd(np.vstack([value * np.eye(len(a)) - a, q]), compute_uv=False)
+            yield Check.that("modes that are seen", "numpy.linalg.svd", bool(sizes[-1] > 1e-9 * sizes[0]))
+        return
+    V = np.array(found.unseen.evalf(30).tolist(), dtype=float)
+    within = np.linalg.lstsq(V, a @ V, rcond=None)[0]
+    values = sorted(filter(lambda value: value.real > 0, np.linalg.eigvals(within)), key=_place)
+    modes = sorted(map(complex, found.modes), key=_place)
+    same = len(modes) == len(values) and np.allclose(modes, values, atol=1e-4 * (1 + np.abs(a).max()))
+    yield Check.that("modes that are not seen", "numpy.linalg.eigvals", bool(same))
+
+
+def _place(value: complex) -> tuple[float, float]:
+    return round(value.real, 3), value.imag

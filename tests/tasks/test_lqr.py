@@ -166,6 +166,30 @@ def test_what_the_file_shows_to_be_wrong_is_refused(options, words):
         solve(text)
 
 
+@pytest.mark.parametrize(
+    ("A", "B", "Q", "expected"),
+    [
+        ([[1, 1], [0, 2]], [0, 1], [[0, 0], [0, 0]], [[0, 0], [0, 0]]),
+        ([[1, 1], [0, 2]], [0, 1], [[0, 0], [0, 1]], [[0, 0], [0, 2 + sp.sqrt(5)]]),
+        ([[1, 0], [0, 1]], I2, [[1, 1], [1, 1]], (1 + sp.sqrt(3)) / 2 * sp.ones(2)),  # a continuum of solutions
+        ([[-1, 1], [0, -2]], [0, 1], [[0, 0], [0, 0]], None),
+        ([[0, 1], [0, 1]], [0, 1], I2, None),
+    ],
+)
+def test_what_the_weight_does_not_see_costs_nothing_where_it_may_be_left_alone(A, B, Q, expected):
+    plant, asked = system(A, B=B), {"Q": sp.ImmutableMatrix(Q), "R": sp.ImmutableMatrix(sp.eye(sp.Matrix(B).cols))}
+    result = ask("lqr", plant, **asked)
+    assert result.status is Status.VERIFIED, result.reason
+    found = result.answers.get("minimal_solution")
+    assert (found is None) == (expected is None)
+    assert found is None or (found - sp.Matrix(expected)).expand().is_zero_matrix
+    if found is not None:
+        solutions = [*result.answers.get("solutions", ()), result.answers["P"]]
+        for other in (each for each in solutions if each != found):
+            assert rejected("lqr", plant, {"minimal_solution": other}, **asked)
+        assert rejected("lqr", plant, {"minimal_solution": sp.ImmutableMatrix(found + sp.eye(2) / 100)}, **asked)
+
+
 CROSS = {"Q": sp.ImmutableMatrix(sp.diag(2, 3)), "R": ONE, "N": sp.ImmutableMatrix([1, 1])}
 INTEGRATORS = system([[0, 1], [0, 0]], B=[[0], [1]])
 

@@ -66,7 +66,7 @@ PROMISED = {
     ),
     "lqr": (
         DESIGN, "riccati hamiltonian", "Q R N output_weight tolerances initial_state cost_factor",
-        "P K u Q R closed_loop_A eigenvalues cost equations solutions definiteness",
+        "P K u Q R closed_loop_A eigenvalues cost equations solutions definiteness minimal_solution",
     ),
     "kalman_filter": (DESIGN, "riccati hamiltonian", "Q R", "P L error_A eigenvalues"),
     "optimal_tracking": (DESIGN, "", "Q R gain", "K F N K_o"),

@@ -1,5 +1,6 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.optimal.minimal import MinimalSolution, minimal_solution
 from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati
 from solver.exact.optimal.riccati_cases import Case, case_split
 from solver.exact.optimal.riccati_entries import riccati_entries
@@ -8,12 +9,14 @@ from solver.exact.optimal.weighting import completed_square, weighted_input, wei
 
 __all__ = [
     "Case",
+    "MinimalSolution",
     "NotStabilizable",
     "OnTheAxis",
     "Riccati",
     "RiccatiSolution",
     "case_split",
     "completed_square",
+    "minimal_solution",
     "riccati",
     "riccati_entries",
     "weighted_input",

@@ -216,7 +216,7 @@ def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix
     G = weighted_input(B, R)
     H = sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[A, -G], [-Q, -A.T]])))
     hidden = hidden_part(A, B)
-    unstable = [mode for mode in hidden.spectrum.eigenvalues if not _stable(mode)] if hidden else []
+    unstable = [mode for mode in hidden.spectrum.eigenvalues if not is_stable(mode)] if hidden else []
     if unstable:
         raise NotStabilizable(unstable)
     groups = tuple(groups_of(irreducible_factors(H)))
@@ -227,7 +227,7 @@ def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix
     return Riccati(A, G, Q, H, groups, fixed, endless)
 
 
-def _stable(root: sp.Expr) -> bool:
+def is_stable(root: sp.Expr) -> bool:
     """Whether the real part is negative; raises NotExact where parameters leave it open."""
     if not root.free_symbols:
         return bool(sp.N(sp.re(root), DIGITS) < 0)

@@ -27,6 +27,7 @@ from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
 from solver.tasks import mistakes
+from solver.tasks.design.minimal_solution import MINIMAL, minimal_checks, minimal_solution_of
 from solver.tasks.design.regulator import Regulator, faulty_weights
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -89,6 +90,7 @@ lqr: Task[WithInput, LqrOptions] = Task(
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop"),
         AnswerName("cost", r"J^{*}", "the least cost from the initial state", optional=True),
         *LISTED,
+        MINIMAL,
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},
 )
@@ -110,8 +112,11 @@ def by_the_riccati_equation(given: Given[WithInput, LqrOptions]) -> Derivation[A
     """Solve AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 entry by entry and choose the stabilizing solution."""
     asked, problem = yield from regulator_of(given)
     equation, listed = yield from solutions_by_equations(problem)
+    minimal = yield from minimal_solution_of(problem, listed.solutions)
     answers = yield from _control(given, asked, equation)
     answers |= listed_answers(problem, listed)
+    if minimal is not None:
+        answers["minimal_solution"] = minimal
     return answers
 
 
@@ -250,6 +255,12 @@ def are_the_entries_of_the_equation(given: Given[WithInput, LqrOptions], answers
 def are_all_solutions(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """Every one solves the equation, none is missing or listed twice, and the words fit."""
     yield from listed_checks(_problem(given), answers)
+
+
+@lqr.verification("minimal_solution")
+def is_the_smallest_solution(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
+    """It solves the equation, is positive semidefinite, and leaves alone what Q does not see."""
+    yield from minimal_checks(_problem(given), answers["minimal_solution"])
 
 
 lqr.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)

@@ -14,7 +14,12 @@ from solver.numeric.judges.optimal.riccati import (
     stabilizes,
     symmetry_residual,
 )
-from solver.numeric.judges.optimal.riccati_solutions import all_distinct, definiteness_holds, number_of_solutions
+from solver.numeric.judges.optimal.riccati_solutions import (
+    all_distinct,
+    definiteness_holds,
+    is_minimal,
+    number_of_solutions,
+)
 
 __all__ = [
     "Weights",
@@ -25,6 +30,7 @@ __all__ = [
     "equations_residual",
     "gain_residual",
     "hamiltonian_spectrum_residual",
+    "is_minimal",
     "loop_residual",
     "number_of_solutions",
     "riccati_residual",

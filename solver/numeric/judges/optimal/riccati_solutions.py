@@ -85,6 +85,28 @@ def _is_reached(optimum: Optimum, w: Array) -> bool:
     return bool(np.any(counted & (np.abs(w @ optimum.B) > 1e-6 * products.sum(axis=0))))
 
 
+def is_minimal(weights: Weights, P: Any) -> bool:
+    """Whether a solution P is the smallest positive semidefinite one: it is zero on what the weight does not see.
+
+    What is left of P is positive semidefinite for an observable problem, and there is one such solution only.
+    """
+
+    def holds(optimum: Optimum) -> bool:
+        cross = np.linalg.solve(optimum.R, optimum.N.T)
+        A, Q = optimum.A - optimum.B @ cross, optimum.Q - optimum.N @ cross
+        A = A / max(1.0, float(np.abs(A).max()))
+        rows = np.vstack([Q @ np.linalg.matrix_power(A, i) for i in range(len(A))])
+        _, sizes, directions = np.linalg.svd(rows)
+        unseen = directions[int(np.sum(sizes > 1e-9 * max(1e-300, float(sizes[0])))) :]
+        value = matrix_at(P, optimum.point, optimum.A.shape)
+        size = 1e-8 * float(np.abs(value).max())
+        return bool(np.linalg.eigvalsh((value + value.T) / 2)[0] >= -size) and bool(
+            np.abs(value @ unseen.T).max(initial=0.0) <= size
+        )
+
+    return all(holds(optimum) for optimum in optima(weights, (P,)))
+
+
 def signature_word(optimum: Optimum, P: Any) -> str:
     """Return the definiteness of a symmetric matrix in words, by mpmath.eigsy; in floats, by numpy.linalg.eigvalsh.
 

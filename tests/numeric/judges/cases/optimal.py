@@ -9,6 +9,8 @@ M = sp.ImmutableMatrix
 ROOT = sp.sqrt(2)
 WEIGHTS = Weights(M([[0, 1], [0, 0]]), M([0, 1]), M([[1, 0], [0, 0]]), M([[1]]))
 P, K = M([[ROOT, 1], [1, ROOT]]), M([[1, ROOT]])
+UNSEEN = Weights(M([[1, 0], [0, 1]]), M(sp.eye(2)), M([[0, 0], [0, 1]]), M(sp.eye(2)))
+"""The weight does not see the first state: P = diag(0, 1 + √2) is the smallest solution."""
 OTHER = M([[-ROOT, 1], [1, -ROOT]])
 """The solution of the Riccati equation that makes all eigenvalues unstable."""
 
@@ -85,5 +87,11 @@ CASES = [
             (WORDS[:1], [P, OTHER]),
             (WORDS[:1], None),
         ),
+    ),
+    Case(
+        "is_minimal",
+        lambda answer: (UNSEEN, answer),
+        (M([[0, 0], [0, 1 + ROOT]]), M([[0, 0], [0, 1 + ROOT]]).evalf(15)),
+        (M([[2, 0], [0, 1 + ROOT]]), M([[0, 0], [0, 1 - ROOT]]), M([[0, 1], [1, 3]])),
     ),
 ]
