@@ -94,10 +94,66 @@ def test_without_numbers_there_is_no_figure():
     assert not figures(plant)
 
 
-def test_a_kind_that_parameters_decide_is_not_guessed():
-    result = ask("phase_portrait", system([[0, 1], [-p, -d]]))
-    assert result.status is Status.UNSOLVED
-    assert "discriminant" in str(result.reason)
+a, b = sp.symbols("a b", real=True)
+GENERAL = {
+    "one sign": ([[0, 1], [-a, -1]], "stable focus", [a <= sp.Rational(1, 4)]),
+    "an oscillator": ([[0, 1], [-p, -d]], "stable focus", [4 * p - d**2 <= 0]),
+    "trace": ([[0, 1], [-1, a]], "unstable focus", [a <= 0, a >= 2]),
+    "two rates": ([[-p, 0], [1, a]], "saddle", [a <= 0]),
+    "no chain": ([[a, b], [0, a]], "unstable degenerate node", [a <= 0, sp.Eq(b, 0)]),
+    "a zero eigenvalue": ([[a**2 - 2, 0], [0, 0]], "line of equilibria", [sp.Eq(a**2 - 2, 0)]),
+    "a shear": ([[0, b], [0, 0]], "shear", [sp.Eq(b, 0)]),
+    "surd bounds": ([[0, 1], [a**2 - 5, -1]], "stable focus", [a <= -sp.sqrt(19) / 2, a >= sp.sqrt(19) / 2]),
+    "a star": ([[a, 0], [0, a]], "unstable star", [a <= 0]),
+}
+
+
+@pytest.mark.parametrize("name", GENERAL)
+def test_parameters_are_taken_as_general_and_the_exceptions_named(name):
+    rows, kind, exceptions = GENERAL[name]
+    result = ask("phase_portrait", system(rows))
+    assert result.status is Status.VERIFIED, result.reason
+    assert result.answers["kind"] == kind
+    assert result.answers["exceptions"] == exceptions
+    assert "general" in [step.kind for step in result.steps]
+
+
+@pytest.mark.parametrize("name", [name for name in GENERAL if len(GENERAL[name][2]) == 1 and name != "a star"])
+def test_another_general_kind_with_its_own_exceptions_is_right_too(name):
+    rows, kind, (exception,) = GENERAL[name]
+    plant = system(rows)
+    assert not rejected("phase_portrait", plant, {"kind": kind})
+    assert rejected("phase_portrait", plant, {"kind": "center"})
+    assert rejected("phase_portrait", plant, {"exceptions": [sp.Not(exception)], "kind": kind})
+    assert rejected("phase_portrait", plant, {"exceptions": [], "kind": kind})
+
+
+def test_a_saddle_is_as_general_as_a_focus():
+    plant = system(GENERAL["one sign"][0])
+    assert not rejected("phase_portrait", plant, {"kind": "saddle", "exceptions": [a >= 0]})
+    for wrong in ([a > 0], [a >= 1], [a <= 0], [a >= 0, a < -1]):
+        assert rejected("phase_portrait", plant, {"kind": "saddle", "exceptions": wrong})
+        assert rejected("phase_portrait", plant, {"exceptions": wrong}) or wrong == [a <= 0]
+    focus = {"kind": "stable focus", "exceptions": [a < sp.Rational(1, 4)]}
+    assert rejected("phase_portrait", plant, focus)
+
+
+def test_a_sum_of_squares_is_no_exception():
+    result = ask("phase_portrait", system([[1, a - b], [a - b, -1]]))
+    assert (result.status, result.answers["kind"]) == (Status.VERIFIED, "saddle")
+    assert "exceptions" not in result.answers
+
+
+def test_the_sense_of_rotation_is_that_of_the_general_case():
+    (step,) = (step for step in ask("phase_portrait", system(GENERAL["one sign"][0])).steps if step.kind == "rotation")
+    assert step.values["counterclockwise"] == -1
+
+
+@tried(12)
+@given(st.lists(st.sampled_from([0, 1, -1, 2, a, b, a - b, -a, a + 1]), min_size=4, max_size=4))
+def test_generated_matrices_with_parameters_are_verified(entries):
+    result = ask("phase_portrait", system([entries[:2], entries[2:]]))
+    assert result.status is Status.VERIFIED, (entries, result.reason)
 
 
 @pytest.mark.parametrize(

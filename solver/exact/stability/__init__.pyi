@@ -14,11 +14,13 @@ from solver.exact.stability.location import (
     stable_where,
 )
 from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
+from solver.exact.stability.planar import PlanarSigns, invariants, planar_signs
 from solver.exact.stability.root_counts import RootCounts, hurwitz_matrix, root_counts, sign_changes
 from solver.exact.stability.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 
 __all__ = [
     "Location",
+    "PlanarSigns",
     "RootCounts",
     "RouthArray",
     "RouthRow",
@@ -29,12 +31,14 @@ __all__ = [
     "definiteness",
     "definiteness_of_numbers",
     "hurwitz_matrix",
+    "invariants",
     "is_stable_polynomial",
     "location",
     "lyapunov",
     "lyapunov_equations",
     "lyapunov_residual",
     "off_the_point_one",
+    "planar_signs",
     "polynomial_conditions",
     "root_conditions",
     "root_counts",

@@ -18,7 +18,7 @@ from solver.tasks.stability.trajectories import portrait_of
 from solver.words import Reason
 
 if TYPE_CHECKING:
-    from sympy import Expr, ImmutableMatrix
+    from sympy import ImmutableMatrix
 
     from solver.systems import StateSpace, System
 
@@ -29,8 +29,9 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
     needs=("A",),
     options=PlantOptions,
     answers=[
-        AnswerName("kind", r"\text{kind}", "the kind of equilibrium", principal=True),
+        AnswerName("kind", r"\text{kind}", "the kind of equilibrium (with parameters: in general)", principal=True),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
+        AnswerName("exceptions", r"\text{exceptions}", "where the parameters make it another", optional=True),
     ],
 )
 
@@ -51,9 +52,7 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
     if A.rows != 2:
         raise Unsolved("phase_portrait/another_order", n=A.rows)
     yield from eigenvalues_of(A)
-    tr, det = sp.expand(A[0, 0] + A[1, 1]), sp.expand(A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0])
-    discriminant = sp.expand(tr**2 - 4 * det)
-    signs = [_sign(x, name) for x, name in ((tr, "trace"), (det, "determinant"), (discriminant, "discriminant"))]
+    tr, det, discriminant = exact.invariants(A)
     yield Step(
         "invariants",
         claims={
@@ -61,10 +60,24 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
             "determinant": Claim(determinant(A), det, "determinant"),
             "discriminant": Claim(difference(power(tr, 2), product(4, det)), discriminant, "discriminant"),
         },
-        signs=signs,
     )
-    kind = _kind(A, *signs)
-    yield from _directions(A, kind, signs[2])
+    found = exact.planar_signs(A)
+    signs, kind = found.signs, _kind(A, *found.signs)
+    if found.exceptions:
+        yield Step(
+            "general",
+            unclaimed="conditions, not equalities; the answer has a check of its own",
+            kind=kind,
+            open=[
+                (name, x, sign)
+                for name, x, sign, is_open in zip(
+                    ("trace", "determinant", "discriminant"), (tr, det, discriminant), signs, found.open, strict=True
+                )
+                if is_open
+            ],
+            exceptions=list(found.exceptions),
+        )
+    yield from _directions(A, kind, found)
     yield Step("kind", unclaimed="read off; the answer has a check of its own", kind=kind, equilibria=_equilibria(A))
     if not A.free_symbols and not A.is_zero_matrix:
         t = sp.Symbol("t")
@@ -78,15 +91,8 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
             kind=kind,
             lines=signs[2] >= 0,
         )
-    return Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
-
-
-def _sign(x: Expr, name: str) -> int:
-    """The sign of an invariant; refuses where parameters decide it."""
-    sign = exact.sign_of(x)
-    if sign is None:
-        raise Unsolved("phase_portrait/depends_on_parameters", invariant=name, value=sp.factor(x))
-    return sign
+    answers = Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
+    return Answers(**answers, exceptions=list(found.exceptions)) if found.exceptions else answers
 
 
 def _kind(A: ImmutableMatrix, tr: int, det: int, discriminant: int) -> str:
@@ -103,9 +109,9 @@ def _kind(A: ImmutableMatrix, tr: int, det: int, discriminant: int) -> str:
     return f"{speed} star" if A[0, 1] == 0 and A[1, 0] == 0 else f"{speed} degenerate node"
 
 
-def _directions(A: ImmutableMatrix, kind: str, discriminant: int) -> Derivation[None]:
+def _directions(A: ImmutableMatrix, kind: str, found: exact.PlanarSigns) -> Derivation[None]:
     """Real eigenvalues: the lines of the eigenvectors; a pair: the sense of rotation, seen on the first axis."""
-    if discriminant >= 0:
+    if found.signs[2] >= 0:
         yield from right_eigenvectors_of(A)
         return
     start = sp.ImmutableMatrix([1, 0])
@@ -114,7 +120,7 @@ def _directions(A: ImmutableMatrix, kind: str, discriminant: int) -> Derivation[
         "rotation",
         claims={"velocity": Claim(product(A, start), velocity, "the velocity at (1, 0)")},
         velocity=velocity,
-        counterclockwise=exact.sign_of(A[1, 0]),
+        counterclockwise=found.sign_of(A[1, 0]),
         kind=kind,
     )
 
@@ -127,11 +133,19 @@ def _equilibria(A: ImmutableMatrix) -> ImmutableMatrix | None:
     return sp.ImmutableMatrix([-A[row, 1], A[row, 0]])
 
 
-@phase_portrait.verification("kind")
+@phase_portrait.verification("kind", "exceptions")
 def is_the_kind_of_the_eigenvalues(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
     """Signs and imaginary parts of the eigenvalues, dim ker(A − λI) for a double one, with 100 digits."""
-    found = stability.planar_kinds(given.system.A)
-    yield Check.that("the kind is that of the eigenvalues", "mpmath.eig", found == {str(answers["kind"])})
+    exceptions = answers.get("exceptions")
+    general, special = stability.kinds_and_exceptions(given.system.A, exceptions or ())
+    kinds = {str(answers["kind"])} if "kind" in answers else general
+    if "kind" in answers:
+        right = general == kinds if exceptions is not None or not given.system.parameters else kinds <= general
+        yield Check.that("the kind is that of the eigenvalues", "mpmath.eig", right, answer="kind")
+    if exceptions is not None:
+        fits = len(general) == 1 and not general & special
+        says = "where an exception holds, and only there, the kind is another"
+        yield Check.that(says, "mpmath.eig", fits, answer="exceptions")
 
 
 @phase_portrait.verification("eigenvalues")

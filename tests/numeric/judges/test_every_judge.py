@@ -96,4 +96,4 @@ def test_a_set_point_beside_the_right_one_is_measured_against_the_size_of_its_te
     ],
 )
 def test_phase_portraits_have_the_kind_of_the_textbooks(rows, kind):
-    assert stability.planar_kinds(sp.ImmutableMatrix(rows)) == {kind}
+    assert stability.kinds_and_exceptions(sp.ImmutableMatrix(rows)) == ({kind}, set())

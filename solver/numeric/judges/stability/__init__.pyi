@@ -3,18 +3,18 @@
 from solver.numeric.judges.stability.location import (
     externally_stable,
     locations,
-    planar_kinds,
     routh_fault,
     spread_points,
 )
+from solver.numeric.judges.stability.planar import kinds_and_exceptions
 from solver.numeric.judges.stability.regions import StablePart, counterexample
 
 __all__ = [
     "StablePart",
     "counterexample",
     "externally_stable",
+    "kinds_and_exceptions",
     "locations",
-    "planar_kinds",
     "routh_fault",
     "spread_points",
 ]

@@ -278,8 +278,3 @@ def planar_kind(A: Any, point: Point) -> str:
     if 0 in signs:
         return "line of equilibria"
     return f"{speed} node" if signs[0] == signs[1] else "saddle"
-
-
-def planar_kinds(A: Any) -> set[str]:
-    """Return the kinds at several values of the parameters."""
-    return {planar_kind(A, point) for point in spread_points([A])}

@@ -60,13 +60,13 @@ def counterexample(A: Any, condition: Any, *, discrete: bool, part: StablePart |
     tried = _Trial(asked, condition, discrete)
     if not symbols:
         return tried.disagreement({})
-    points = [point for point in _points(A, condition, symbols, discrete) if _admissible(point)]
+    points = [point for point in _points(A, condition, symbols, discrete) if is_admissible(point)]
     points += _inside(symbols)
     for point in points:
         if fault := tried.disagreement(point):
             return fault
     for point in _boundary_points(tried, points):
-        if _admissible(point) and (fault := tried.disagreement(point)):
+        if is_admissible(point) and (fault := tried.disagreement(point)):
             return fault
     if not tried.decided:
         raise NotEvaluable("no values of the parameters were found at which the system is defined")
@@ -124,7 +124,7 @@ class _Trial:
         )
 
 
-def _admissible(point: Rational) -> bool:
+def is_admissible(point: Rational) -> bool:
     """Whether the values are such as the symbols' assumptions allow."""
     for symbol, value in point.items():
         wrong = (
@@ -146,7 +146,7 @@ def _inside(symbols: Sequence[Any]) -> list[Rational]:
         return []
     drawn = PointSource(symbols).several(RANDOM_POINTS)
     rational = [{symbol: sp.Rational(str(complex(value).real)) for symbol, value in each.items()} for each in drawn]
-    return [point for point in rational if _admissible(point)]
+    return [point for point in rational if is_admissible(point)]
 
 
 def _points(A: Any, condition: Any, symbols: Sequence[Any], discrete: bool) -> Iterable[Rational]:
@@ -164,12 +164,13 @@ def _points(A: Any, condition: Any, symbols: Sequence[Any], discrete: bool) -> I
                 yield from ({k: value + sign * step * (1 + abs(value))} for sign in (1, -1))
         yield from ({k: (low + high) / 2} for low, high in pairwise(values))
     for _ in range(RANDOM_POINTS):
-        yield {symbol: _random_value(symbol, random) for symbol in symbols}
-    for rest in [{symbol: _random_value(symbol, random) for symbol in symbols} for _ in range(EDGES)]:
-        yield from _on_edges(condition, rest)
+        yield {symbol: random_value(symbol, random) for symbol in symbols}
+    for rest in [{symbol: random_value(symbol, random) for symbol in symbols} for _ in range(EDGES)]:
+        yield from on_edges(condition, rest)
 
 
-def _random_value(symbol: Any, random: Random) -> Any:
+def random_value(symbol: Any, random: Random) -> Any:
+    """Return a rational value that the assumptions of a symbol allow, of any size."""
     sign = -1 if symbol.is_negative or (not symbol.is_positive and random.random() < 0.5) else 1
     size = 10 ** random.uniform(-2, 2)
     return (
@@ -201,7 +202,7 @@ def _rounded_bounds(condition: Any) -> Iterable[tuple[Any, Any, Any]]:
                 yield symbol, bound, sp.Rational(51, 10 ** (places + 2))
 
 
-def _on_edges(condition: Any, point: Rational) -> Iterable[Rational]:
+def on_edges(condition: Any, point: Rational) -> Iterable[Rational]:
     """The point moved onto the edge of each comparison that is linear in one of its symbols, and beside it."""
     for each in condition.atoms(sp.core.relational.Relational):
         difference = each.lhs - each.rhs
