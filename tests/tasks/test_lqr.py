@@ -11,6 +11,7 @@ from scipy.linalg import solve_continuous_are
 
 from solver import solve
 from solver.derivation import Status
+from solver.lazy import exact
 from solver.tasks.design.regulator import Regulator
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.tried import tried
@@ -188,6 +189,33 @@ def test_what_the_weight_does_not_see_costs_nothing_where_it_may_be_left_alone(A
         for other in (each for each in solutions if each != found):
             assert rejected("lqr", plant, {"minimal_solution": other}, **asked)
         assert rejected("lqr", plant, {"minimal_solution": sp.ImmutableMatrix(found + sp.eye(2) / 100)}, **asked)
+
+
+ROUNDED = [[4.49, 3.36], [3.36, 2.51]]
+"""The eigenvalues are −0.0028 and 7.0028."""
+
+
+@pytest.mark.parametrize(
+    ("asked", "answer"), [("task: lqr", "K"), ("task: kalman_filter", "L"), ("task: optimal_tracking", "K")]
+)
+def test_a_weight_that_is_indefinite_by_its_rounding_is_used_and_said_to_be(asked, answer):
+    system_ = "system: {A: [[0, 1], [0, -1]], B: [0, 1], C: [1, 0]}"
+    document = solve(f"{system_}\nfind:\n  a: {{{asked}, Q: {ROUNDED}, R: 1}}\n")
+    part = json.loads(document.json())["parts"][0]
+    assert part["status"] == "verified"
+    assert "negative by less than the rounding" in str(part["steps"])
+    assert answer in part["answers"]
+    rougher = [[4.49, 3.36], [3.36, 2.45]]
+    with pytest.raises(Exception, match="positive semidefinite; it is indefinite"):
+        solve(f"{system_}\nfind:\n  a: {{{asked}, Q: {rougher}, R: 1}}\n")
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [[["1/3", 1], [1, "299/100"]], [[1, 2], [2, 3]], [["1/2", 1], [1, "3/2"]], [["449/100", 0], [0, "-1/100"]]],
+)
+def test_other_indefinite_weights_are_not_put_down_to_rounding(rows):
+    assert exact.negative_by_rounding(sp.Matrix(rows)) is None
 
 
 CROSS = {"Q": sp.ImmutableMatrix(sp.diag(2, 3)), "R": ONE, "N": sp.ImmutableMatrix([1, 1])}

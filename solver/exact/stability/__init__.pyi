@@ -1,7 +1,7 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
 from solver.exact.stability.conditions import all_positive
-from solver.exact.stability.definiteness import definiteness_of_numbers
+from solver.exact.stability.definiteness import definiteness_of_numbers, negative_by_rounding
 from solver.exact.stability.inequalities import sign_of
 from solver.exact.stability.location import (
     Location,
@@ -37,6 +37,7 @@ __all__ = [
     "lyapunov",
     "lyapunov_equations",
     "lyapunov_residual",
+    "negative_by_rounding",
     "off_the_point_one",
     "planar_signs",
     "polynomial_conditions",

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import mpmath
 import sympy as sp
 
 DIGITS = 60
+
+BESIDE = sp.Rational(1, 1000)
+"""What an eigenvalue may be of the largest one, to be put down to rounding."""
 
 
 def definiteness_of_numbers(M: sp.MatrixBase) -> str:
@@ -25,3 +30,31 @@ def definiteness_of_numbers(M: sp.MatrixBase) -> str:
         return "indefinite"
     word = "negative" if negative else "positive"
     return f"{word} definite" if positive + negative == M.rows else f"{word} semidefinite"
+
+
+def negative_by_rounding(M: sp.MatrixBase) -> sp.Float | None:
+    """The smallest eigenvalue of a symmetric matrix of decimals, where it is negative by no more than their rounding.
+
+    Entries rounded to d digits behind the point are off by half a unit of the last one at most, and eigenvalues of an
+    n×n matrix by n such halves. None for other matrices, also for those without negative eigenvalues.
+    """
+    digits = [_digits_behind_the_point(entry) for entry in M.flat()]
+    if None in digits or not any(digits):
+        return None
+    with mpmath.workdps(DIGITS):
+        eigenvalues = mpmath.eigsy(
+            mpmath.matrix([[mpmath.mpmathify(x) for x in row] for row in M.evalf(DIGITS).tolist()])
+        )
+        smallest, largest = min(eigenvalues[0]), max(eigenvalues[0])
+    known = sp.Rational(M.rows, 2 * 10 ** max(filter(None, digits)))
+    if not -min(known, BESIDE * sp.Float(largest)) <= smallest < 0:
+        return None
+    return sp.Float(smallest, 15)
+
+
+def _digits_behind_the_point(entry: Any) -> int | None:
+    """How many digits a decimal has behind its point; None where it is none."""
+    if not entry.is_Rational:
+        return None
+    twos, fives = (sp.multiplicity(prime, entry.q) for prime in (2, 5))
+    return max(twos, fives) if entry.q == 2**twos * 5**fives else None

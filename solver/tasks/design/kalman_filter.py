@@ -113,6 +113,7 @@ def _duality(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Regula
         At=A,
         Ct=C,
         chosen=given.options.Q is None or given.options.R is None,
+        rounded=exact.negative_by_rounding(Q),
     )
     return Regulator.of(A, C, Q, R, dual=True)
 

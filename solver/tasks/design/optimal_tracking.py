@@ -19,7 +19,7 @@ from solver.derivation import (
     option,
 )
 from solver.derivation.figures import Diagram
-from solver.lazy import numeric
+from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design, optimal
 from solver.options.matrix import MatrixOf
@@ -116,6 +116,7 @@ def _optimal_gain(given: Given[WithBoth, OptimalTrackingOptions]) -> Derivation[
         Q=Q,
         R=R,
         chosen=given.options.Q is None or given.options.R is None,
+        rounded=exact.negative_by_rounding(Q),
     )
     problem = Regulator.of(given.system.A, given.system.B, Q, R)
     equation = yield from solution_by_hamiltonian(problem)

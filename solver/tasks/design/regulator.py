@@ -105,13 +105,19 @@ def faulty_weights(Q: ImmutableMatrix | None, R: ImmutableMatrix | None, own: st
     if Q is not None and Q.rows == Q.cols:
         if Q != Q.T:
             yield own, Reason("regulators/not_symmetric", {"name": own})
-        elif definiteness_word(Q) not in {None, "positive definite", "positive semidefinite"}:
+        elif not is_semidefinite(Q):
             yield own, Reason("regulators/not_semidefinite", {"name": own, "word": definiteness_word(Q)})
     if R is not None and R.rows == R.cols:
         if R != R.T:
             yield "R", Reason("regulators/not_symmetric", {"name": "R"})
         elif definiteness_word(R) not in {None, "positive definite"}:
             yield "R", Reason("regulators/not_definite", {"name": "R", "word": definiteness_word(R)})
+
+
+def is_semidefinite(Q: ImmutableMatrix) -> bool:
+    """Whether a symmetric matrix may be positive semidefinite: as its parameters are, or but for its rounding."""
+    word = definiteness_word(Q)
+    return word in {None, "positive definite", "positive semidefinite"} or exact.negative_by_rounding(Q) is not None
 
 
 def definiteness_word(M: Any) -> str | None:

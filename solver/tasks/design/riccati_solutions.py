@@ -134,9 +134,9 @@ def _conditional(problem: Regulator, solutions: Sequence[exact.RiccatiSolution])
 
 
 def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) -> str:
-    """Return the word. With (A, Q) observable P has as many negative eigenvalues as p unstable roots, whatever P is."""
+    """Return the word. With (A, Q) observable, Q ≥ 0, P has as many negative eigenvalues as p unstable roots."""
     P, n = solution.P, equation.order
-    if equation.observable:
+    if equation.observable and exact.negative_by_rounding(equation.Q) is None:
         return {0: "positive definite", n: "negative definite"}.get(solution.flips, "indefinite")
     if not P.free_symbols:
         return exact.definiteness_of_numbers(P)

@@ -14,7 +14,13 @@ from solver.options.number import Number
 from solver.stated import Stated
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse, transpose
-from solver.tasks.design.regulator import Regulator, definiteness_word, faulty_weights, given_or_identity
+from solver.tasks.design.regulator import (
+    Regulator,
+    definiteness_word,
+    faulty_weights,
+    given_or_identity,
+    is_semidefinite,
+)
 from solver.tasks.plant_options import PlantOptions
 from solver.words import Reason
 
@@ -77,9 +83,9 @@ def faulty_cross_weight(system: System, options: WeightOptions) -> Iterable[Refu
     if R.T != R or Q.T != Q or definiteness_word(R) not in {None, "positive definite"}:
         return
     zeros = sp.ImmutableMatrix(sp.zeros(N.rows))
-    word = definiteness_word(exact.completed_square(zeros, N, Q, R, N)[1])
-    if word not in {None, "positive definite", "positive semidefinite"}:
-        yield "N", Reason("regulators/cross_weight_too_large", {"word": word})
+    rest = exact.completed_square(zeros, N, Q, R, N)[1]
+    if not is_semidefinite(rest):
+        yield "N", Reason("regulators/cross_weight_too_large", {"word": definiteness_word(rest)})
 
 
 def weights_as_stated(given: Given[WithInput, WeightOptions]) -> tuple[Any, ImmutableMatrix]:
@@ -123,6 +129,7 @@ def weights_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[Immut
         Q=Q,
         R=R,
         N=given.options.N,
+        rounded=exact.negative_by_rounding(Q),
         way=way,
         scalar=W is not None and W.shape == (1, 1),
         chosen_Q=way == "given" and given.options.Q is None,

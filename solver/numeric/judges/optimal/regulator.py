@@ -89,10 +89,11 @@ def _optimum(weights: Weights, point: Mapping[Any, Any]) -> Optimum | None:
     from scipy.linalg import solve_continuous_are  # noqa: PLC0415
 
     try:
+        parametric = any(map(free_symbols, (weights.Q, weights.R, weights.N)))
         A, B, Q, R, N = (_real(evaluate(M, point)) for M in weights)
         if np.linalg.eigvalsh(R)[0] <= 0:
             return None
-        if np.linalg.eigvalsh(Q - N @ np.linalg.solve(R, N.T))[0] < -1e-9 * (1 + np.abs(Q).max()):
+        if parametric and np.linalg.eigvalsh(Q - N @ np.linalg.solve(R, N.T))[0] < -1e-9 * (1 + np.abs(Q).max()):
             return None
         P = solve_continuous_are(A, B, Q, R, s=N)
         K = np.linalg.solve(R, B.T @ P + N.T)
