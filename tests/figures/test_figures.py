@@ -3,7 +3,6 @@
 import re
 import subprocess
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from solver.derivation import Step
 from solver.derivation.figures import Curve, Diagram, Mark, Plot
 from solver.document.works import document_of
 from solver.engine import solve_problem
-from solver.figures.layout import Block, Dot, Label, Layout, Sum, Wire
+from solver.figures.layout import Block, Dot, Label, Layout
 from solver.figures.layouts import LAYOUTS
 from solver.figures.plot_svg import middle
 from solver.figures.sampling import drawing_of, sampled
@@ -80,40 +79,6 @@ def test_no_block_of_a_diagram_lies_on_another(name):
         for b in blocks[i + 1 :]:
             apart = abs(a.x - b.x) >= (a.width + b.width) / 2 or abs(a.y - b.y) >= (a.height + b.height) / 2
             assert apart, (a, b)
-
-
-@pytest.mark.parametrize("name", LAYOUTS)
-def test_every_arrow_ends_at_something_or_is_an_output(name):
-    items = LAYOUTS[name]({}).items
-    boxes = [(i.x, i.y, i.width / 2, i.height / 2) for i in items if isinstance(i, Block)]
-    boxes += [(i.x, i.y, 0.2, 0.2) for i in items if isinstance(i, Sum)]
-    free = 0
-    for wire in (i for i in items if isinstance(i, Wire) and i.arrow):
-        x, y = wire.points[-1]
-        free += not any(abs(x - bx) <= w + 1e-6 and abs(y - by) <= h + 1e-6 for bx, by, w, h in boxes)
-    assert free <= 2
-
-
-def lies_on(point, a, b):
-    """Whether a point lies on a stretch that runs along an axis."""
-    return all(min(u, v) - 1e-6 <= w <= max(u, v) + 1e-6 for w, u, v in zip(point, a, b, strict=True))
-
-
-@pytest.mark.parametrize("name", LAYOUTS)
-def test_every_wire_begins_at_something_but_for_the_input(name):
-    items = LAYOUTS[name]({}).items
-    boxes = [(i.x, i.y, i.width / 2, i.height / 2) for i in items if isinstance(i, Block)]
-    boxes += [(i.x, i.y, 0.2, 0.2) for i in items if isinstance(i, Sum)]
-    wires = [i for i in items if isinstance(i, Wire)]
-    free = []
-    for wire in wires:
-        x, y = wire.points[0]
-        box = any(abs(x - bx) <= w + 1e-6 and abs(y - by) <= h + 1e-6 for bx, by, w, h in boxes)
-        others = [stretch for other in wires if other is not wire for stretch in pairwise(other.points)]
-        if not box and not any(lies_on((x, y), *stretch) for stretch in others):
-            free.append((x, y))
-    assert len(free) == 1
-    assert free[0][0] == min(x for wire in wires for x, _ in wire.points)
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
