@@ -92,7 +92,7 @@ def middle(curve: DrawnCurve) -> int:
     """Return the index of the point half way along a curve, where an arrowhead stands."""
     steps = np.hypot(np.diff(curve.x), np.diff(curve.y))
     way = np.concatenate([[0.0], np.cumsum(steps)])
-    return int(np.clip(np.searchsorted(way, way[-1] / 2), 1, max(len(way) - 1, 1)))
+    return max(int(np.searchsorted(way, way[-1] / 2)), 1)
 
 
 def _math(latex: str) -> str:

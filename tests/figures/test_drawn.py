@@ -11,7 +11,7 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.patches import Circle, Rectangle
 
 from solver import figures
-from solver.derivation.figures import Curve, Diagram, DrawnCurve, Mark, Plot
+from solver.derivation.figures import Curve, Diagram, DrawnCurve, DrawnPlot, Mark, Plot
 from solver.figures.layout import HEIGHT, RADIUS, Block, Dot, Label, Layout, Sum, Wire
 from solver.figures.layouts import LAYOUTS
 from solver.figures.plot_svg import middle
@@ -61,6 +61,9 @@ def test_everything_in_a_layout_is_drawn_where_it_is(name, axes_of):
     assert [[tuple(map(float, p)) for p in line.get_xydata()] for line in axes.lines] == [list(w.points) for w in wires]
     names = [text.get_text() for text in axes.texts if text.get_text()]
     assert sorted(names) == sorted(f"${i.text}$" for i in items(layout, (Block, Label)) if i.text)
+    for label in (item for item in items(layout, Label) if item.text):
+        near = [text for text in axes.texts if text.get_text() == f"${label.text}$"]
+        assert min(np.hypot(text._x - label.x, text._y - label.y) for text in near) < 0.1
     assert max(line.zorder for line in axes.lines) < min(each.zorder for each in axes.patches)
     assert max(each.zorder for each in axes.patches) < min(text.zorder for text in axes.texts if text.get_text())
 
@@ -75,7 +78,7 @@ def test_an_arrowhead_lies_on_the_end_of_its_wire_and_points_along_it(name, axes
         (x0, y0), (x1, y1) = wire.points[-2:]
         along, back = np.array([x1 - x0, y1 - y0]), np.array([x1 - head.xyann[0], y1 - head.xyann[1]])
         assert along @ back == pytest.approx(np.linalg.norm(along) * np.linalg.norm(back))
-        assert 0 < np.linalg.norm(back) <= min(0.3, np.linalg.norm(along)) + 1e-9
+        assert np.linalg.norm(back) == pytest.approx(min(0.3, np.linalg.norm(along)))
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
@@ -210,9 +213,18 @@ def test_a_curve_through_states_has_one_scale_and_its_arrow_half_way(axes_of):
     assert f"({curve.x[at - 1]:.5g},{curve.y[at - 1]:.5g}) ({curve.x[at]:.5g},{curve.y[at]:.5g})" in text
 
 
-@pytest.mark.parametrize(("x", "at"), [((0.0, 1.0), 1), ((5.0,), 0), ((0.0, 1.0, 9.0, 10.0), 2), ((3.0, 3.0, 3.0), 1)])
+@pytest.mark.parametrize(("points", "heads"), [((1.0,), 0), ((1.0, 2.0), 1)])
+def test_a_curve_needs_two_points_for_an_arrowhead(axes_of, points, heads):
+    plot = DrawnPlot("", "x", "y", (DrawnCurve("a", "arrow", points, points),), (), False, (0.0, 3.0, 0.0, 3.0))
+    axes, _ = axes_of(plot)
+    assert len([text for text in axes.texts if not text.get_text()]) == heads
+    assert figures.tikz(plot).count("-latex") == heads
+
+
+@pytest.mark.parametrize(("x", "at"), [((0.0, 1.0), 1), ((0.0, 1.0, 9.0, 10.0), 2), ((3.0, 3.0, 3.0), 1)])
 def test_the_middle_of_a_few_points_is_one_of_them(x, at):
-    assert min(middle(DrawnCurve("", "arrow", x, tuple(0.0 for _ in x))), len(x) - 1) == at
+    assert middle(DrawnCurve("", "arrow", x, tuple(0.0 for _ in x))) == at
+    assert middle(DrawnCurve("", "arrow", tuple(0.0 for _ in x), x)) == at
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,9 @@ COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
     ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
 }  # fmt: skip
-SYMMETRIC = frozenset("isinstance issubclass zip max min gcd lcm getattr hasattr setattr cast TypeVar Claim add".split())
+SYMMETRIC = frozenset(
+    "isinstance issubclass zip max min gcd lcm getattr hasattr setattr hypot add cast TypeVar Claim".split()
+)
 """Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
 WORDED = frozenset({"check_residual", "that"})
 """Functions whose first two arguments are words for a reader: what is checked, and by what."""
