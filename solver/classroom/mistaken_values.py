@@ -121,7 +121,7 @@ def _intermediate(case: Case) -> Values:
 
 def _alike(value: Any, ours: Any) -> bool:
     if isinstance(ours, sp.MatrixBase):
-        return isinstance(value, sp.MatrixBase) and value.shape == ours.shape and value != ours
+        return isinstance(value, sp.MatrixBase) and value != ours
     return is_scalar(ours) and is_scalar(value) and value != ours and not value.is_number
 
 

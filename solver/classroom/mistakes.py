@@ -70,7 +70,7 @@ def _changes_of(task: Task[Any, Any]) -> Iterator[tuple[str, Change]]:
 def _telling(value: Any) -> bool:
     """Whether a mistake would hardly give the value by chance, as it would yes, no, or a rank."""
     if isinstance(value, list):
-        return bool(value) and not isinstance(value[0], bool | str)
+        return bool(value)
     return isinstance(value, sp.MatrixBase) or (is_scalar(value) and not value.is_Integer)
 
 
