@@ -80,6 +80,9 @@ def displayed_checks(
         if isinstance(found[0], sp.MatrixBase) and name not in own
     }
     variables = frozenset(VARIABLES.values())
+    for own_variable in given - variables:
+        if own_variable.name in VARIABLES:  # in continuous time k is a parameter like any other
+            names.fixed.setdefault(own_variable.name, []).append(own_variable)
     of_system |= variables
     unknowns = Unknowns(given | variables, answered, of_system)
     judge = Judge(names, unknowns, numeric.Environments(), open_names, matrices)

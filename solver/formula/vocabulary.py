@@ -48,7 +48,7 @@ r"""What may stand after `\left` and `\right`."""
 
 FRACTIONS = _commands("frac dfrac tfrac binom")
 STACKS = _commands("overset underset")
-ACCENTS = _commands("dot ddot hat tilde bar vec check widehat widetilde overline underline")
+ACCENTS = _commands("dot ddot dddot hat tilde bar vec check widehat widetilde overline underline")
 ALPHABETS = _commands("mathrm mathbf mathit mathsf mathtt mathbb mathcal mathfrak boldsymbol boxed")
 TEXTS = _commands("text mbox textbf textit textrm operatorname")
 TAKES_ARGUMENT = FRACTIONS | STACKS | ACCENTS | ALPHABETS | TEXTS | _commands("sqrt left begin")

@@ -192,7 +192,7 @@ def test_operators_are_operators(latex: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "latex", [r"\dot{x}", r"\ddot{x}", r"\hat{x}", r"\tilde{x}", r"\bar{x}", r"\vec{x}", r"\dot{\hat{x}}"]
+    "latex", [r"\dot{x}", r"\ddot{x}", r"\dddot{x}", r"\hat{x}", r"\tilde{x}", r"\bar{x}", r"\vec{x}", r"\dot{\hat{x}}"]
 )
 def test_accents(latex: str) -> None:
     assert mathml(latex).markup.split(">", 1)[1].startswith('<mover accent="true">')

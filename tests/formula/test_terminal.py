@@ -25,6 +25,7 @@ FLAT = {
     r"\sqrt{1 - \zeta^2}, \sqrt[3]{x}": "√(1 − ζ²), ³√x",
     r"\sqrt{13}, \sqrt{-x}": "√13, √(−x)",
     r"\dot{x} = A\,x, \ddot{y}, \hat{\eta}_2": "ẋ = Ax, ÿ, η̂₂",
+    r"\dddot{y} + \ddot{y}": "y⃛ + ÿ",
     r"\mathcal{L}^{-1}\{(sI - A)^{-1}\}": "ℒ⁻¹{(sI − A)⁻¹}",
     r"K_{\mathrm{co}}x": "K_co x",
     r"\text{asymptotically stable}": "asymptotically stable",

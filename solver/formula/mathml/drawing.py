@@ -37,7 +37,8 @@ from solver.formula.nodes import (
 from solver.formula.signs import is_prefix
 
 MARKS = {
-    **{r"\dot": "˙", r"\ddot": "¨", r"\hat": "ˆ", r"\widehat": "ˆ", r"\tilde": "˜", r"\widetilde": "˜", r"\bar": "¯"},
+    **{r"\dot": "˙", r"\ddot": "¨", r"\dddot": "\u20db", r"\bar": "¯"},
+    **{r"\hat": "ˆ", r"\widehat": "ˆ", r"\tilde": "˜", r"\widetilde": "˜"},
     **{r"\vec": "→", r"\check": "ˇ", r"\overline": "‾", r"\underline": "‾"},
 }
 WIDE = {"ˆ": "\u0302", "˜": "\u0303"}

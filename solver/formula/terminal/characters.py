@@ -37,6 +37,7 @@ ACCENTS = {
     **{
         r"\dot": "\u0307",
         r"\ddot": "\u0308",
+        r"\dddot": "\u20db",
         r"\check": "\u030c",
         r"\underline": "\u0332",
         r"\hat": "\u0302",

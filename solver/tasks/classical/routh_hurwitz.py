@@ -190,8 +190,15 @@ def _condition(
     condition = exact.all_positive([sp.Integer(-1)] if special else list(positive), wanted)
     truth = "always" if condition is sp.true else "never" if condition is sp.false else ""
     undecided = [entry for entry in positive if exact.sign_of(entry) != 1]
-    yield Step("condition", unclaimed="the answer, which has a check of its own", condition=condition, truth=truth,
-               conditions=undecided, special=special)  # fmt: skip
+    yield Step(
+        "condition",
+        unclaimed="the answer, which has a check of its own",
+        condition=condition,
+        truth=truth,
+        conditions=undecided,
+        never=[entry for entry in undecided if exact.sign_of(entry) in (0, -1)],
+        special=special,
+    )
     return {"condition": condition}
 
 

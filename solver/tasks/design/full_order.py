@@ -60,7 +60,7 @@ def observer_gain_of(
         dual = difference(transpose(A), product(transpose(C), transpose(found.K)))
         pencil = difference(product(x, sp.ImmutableMatrix(sp.eye(A.rows))), dual)
         claim = Claim(determinant(pencil), found.polynomial, "the dual closed loop has the same polynomial")
-        yield Step("duality", claims={"dual": claim}, detail="full", method=method)
+        yield Step("duality", claims={"dual": claim}, detail="full", method=method, x=x)
     return found
 
 

@@ -77,6 +77,7 @@ def by_routh(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answ
         "first_column",
         unclaimed="conditions, not equalities; the answer has a check of its own",
         conditions=[x for x in conditions if exact.sign_of(x) != 1],
+        never=[x for x in conditions if exact.sign_of(x) in (0, -1)],
         impossible=impossible,
         ones=tabled.ones,
         discrete=plant.discrete,

@@ -52,6 +52,7 @@ def zero_input_by_convolution(asked: Question, Phi: ImmutableMatrix) -> Derivati
         "free_motion",
         claims={"x": Claim(product(Phi, asked.x0), x, "free motion")},
         discrete=asked.discrete,
+        x0=asked.x0,
     )
 
 

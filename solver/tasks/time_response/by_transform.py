@@ -42,6 +42,7 @@ def zero_input_by_transform(asked: Question) -> Derivation[None]:
         claims={"image": Claim(product(inverse(asked.pencil()), asked.x0), column, "transform of the free motion")},
         discrete=asked.discrete,
         shown=product(exact.resolvent(asked.system.A, asked.variable), asked.x0),
+        x0=asked.x0,
     )
     yield from _transformed_back(asked, image, column, ZERO_INPUT)
 

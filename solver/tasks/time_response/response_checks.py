@@ -114,7 +114,9 @@ def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]
     value = judges.sampled(column, k)
     last = SAMPLES + max([int(at) for at in judges.beginnings(truth.inputs, k)], default=0)
     wanted = judges.samples(system.A, system.B, truth.x0, truth.inputs, k, last)
-    pairs = [(value.xreplace({k: sp.Integer(i)}), x if answer == "x" else truth.output(x, u)) for i, x, u in wanted]
+    # decimals are put in where their rounding is watched: what cancels then is known to be zero
+    at = partial(value_at, value, k) if numeric.holds_decimals(value) else lambda i: value.xreplace({k: i})
+    pairs = [(at(sp.Integer(i)), x if answer == "x" else truth.output(x, u)) for i, x, u in wanted]
     yield numeric.check_residual(
         Phrase("the recursion $x(k + 1) = A x(k) + B u(k)$ for $k = 0, \\ldots, {last}$", last=last - 1),
         "recursion",

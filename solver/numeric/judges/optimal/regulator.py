@@ -43,6 +43,10 @@ class Weights(_Weights):
         return super().__new__(cls, A, B, Q, R, sp.ImmutableMatrix(sp.zeros(*B.shape)) if N is None else N)
 
 
+CANCELLED = 1e-6
+"""The part of the products in a gain that is left where it is said to be other than zero."""
+
+
 class Optimum(NamedTuple):
     """Numbers at one point: the plant, the weights, the stabilizing solution P and the gain K."""
 
@@ -54,6 +58,11 @@ class Optimum(NamedTuple):
     N: Array
     P: Array
     K: Array
+
+    @property
+    def smallest_gain(self) -> Array:
+        """What a gain is compared with where its products BᵀP cancel: they may to a zero."""
+        return np.asarray(CANCELLED * np.abs(np.linalg.inv(self.R)) @ np.abs(self.B).T @ np.abs(self.P))
 
     @property
     def closed_loop(self) -> Array:
@@ -153,8 +162,12 @@ def gain_residual(weights: Weights, K: Any) -> float:
         best = np.linalg.solve(optimum.R, optimum.B.T @ P + optimum.N.T) if P is not None else None
         if best is None:
             return float("inf")
-        found = relative(value - best, value, best, optimum.K)
-        return sharpened(found, weights, optimum, K, lambda many: (many_at(K, optimum.point) - many.K, many.K))
+        found = relative(value - best, value, best, optimum.K, optimum.smallest_gain)
+
+        def gap(many: Refined) -> tuple[Array, ...]:
+            return many_at(K, optimum.point) - many.K, many.K, optimum.smallest_gain
+
+        return sharpened(found, weights, optimum, K, gap)
 
     return worst(weights, judge, K)
 
@@ -196,10 +209,10 @@ def control_residual(weights: Weights, u: Any, states: Sequence[Any]) -> float:
     def judge(optimum: Optimum) -> float:
         value = matrix_at(u, optimum.point, (optimum.B.shape[1], 1))
         x = np.array([[optimum.point[state]] for state in states])
-        found = relative(value + optimum.K @ x, value, optimum.K)
+        found = relative(value + optimum.K @ x, value, optimum.K, optimum.smallest_gain)
 
         def gap(many: Refined) -> tuple[Array, ...]:
-            return many_at(u, optimum.point) + many.K @ MANY.array(x), many.K
+            return many_at(u, optimum.point) + many.K @ MANY.array(x), many.K, optimum.smallest_gain
 
         return sharpened(found, weights, optimum, u, gap)
 

@@ -87,7 +87,7 @@ def _root(f: Any, x: Any) -> Any:
     """A root in decimals: of a polynomial the first one, real if there is one; else by the secant method."""
     roots = _roots(f, x)
     if roots:
-        return min(roots, key=lambda z: (abs(sp.im(z)) > 1e-30, sp.re(z)))
+        return min(roots, key=lambda z: (bool(abs(sp.im(z)) > 1e-30), sp.re(z)))
     raise NotEvaluable("no point was found that satisfies the condition")
 
 

@@ -21,6 +21,8 @@ from solver.numeric.judges.time_response.response import impulses, intervals, sa
 
 NODES = 10
 MOST_STEPS = 60_000
+EARLY = 1e-3
+"""The part of the first step after which an output is seen to rise."""
 FLOOR = 1e-3
 """Numbers smaller than this are compared absolutely."""
 SEEN = 1e-10
@@ -212,13 +214,13 @@ def largest_output(simulation: Simulation) -> tuple[float, float]:
     y = np.array([float((simulation.C @ x[j])[0, 0].real) for j in range(steps + 1)])
     y = y + (simulation.input_at(times) @ simulation.D.T).real[:, 0]
     tops = [j for j in range(1, steps) if abs(y[j]) >= abs(y[j - 1]) and abs(y[j]) >= abs(y[j + 1])]
-    if not tops:
+    spans = [(abs(y[j]), j - 1, 2 * h) for j in tops]
+    if abs(_output(simulation, simulation.x0, 0.0, h * EARLY)) > abs(y[0]) >= abs(y[1]):
+        spans.append((abs(y[0]), 0, h))  # it rises at first and falls within the first step
+    if not spans:
         raise NotEvaluable("the simulated output has no peak")
-    refined = [
-        _refined(simulation, x[j - 1], times[j - 1], 2 * h)
-        for j in tops
-        if abs(y[j]) > 0.99 * max(abs(y[i]) for i in tops)
-    ]
+    highest = max(size for size, _, _ in spans)
+    refined = [_refined(simulation, x[j], times[j], span) for size, j, span in spans if size > 0.99 * highest]
     largest = max(abs(value) for _, value in refined)
     return next((time, value) for time, value in refined if abs(value) > largest * (1 - 1e-10))
 
@@ -244,12 +246,7 @@ def _refined(simulation: Simulation, x: Array, start: float, span: float) -> tup
     """Return (t, y) of the largest |y| in a span, by the polynomial through y at Chebyshev's nodes."""
 
     def output(times: Array) -> Array:
-        values = []
-        for time in np.atleast_1d(times):
-            here = _steps(simulation, x, start, max(float(time) - start, 1e-300), 1)[1]
-            through = simulation.D @ simulation.input_at(np.array([float(time)]))[0][:, None]
-            values.append(float((simulation.C @ here + through)[0, 0].real))
-        return np.array(values)
+        return np.array([_output(simulation, x, start, float(time)) for time in np.atleast_1d(times)])
 
     curve = np.polynomial.Chebyshev.interpolate(output, 16, domain=[start, start + span])
     roots = [complex(root) for root in np.asarray(curve.deriv().roots())]
@@ -258,6 +255,13 @@ def _refined(simulation: Simulation, x: Array, start: float, span: float) -> tup
         raise NotEvaluable("the peak was not found between the steps")
     best = max(stationary, key=lambda time: abs(float(curve(time))))
     return best, float(output(np.array([best]))[0])
+
+
+def _output(simulation: Simulation, x: Array, start: float, time: float) -> float:
+    """y at a time, from the state x at the start."""
+    here = _steps(simulation, x, start, max(time - start, 1e-300), 1)[1]
+    through = simulation.D @ simulation.input_at(np.array([time]))[0][:, None]
+    return float((simulation.C @ here + through)[0, 0].real)
 
 
 def difference(wanted: Any, found: Any, point: Mapping[Any, complex]) -> float:
