@@ -1,5 +1,6 @@
 """Coordinates with the measured quantities first, and error matrices by choice."""
 
+import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import assume, given
@@ -69,3 +70,21 @@ def test_a_left_inverse_undoes_independent_columns():
     assert exact.left_inverse(C) * C == sp.eye(2)
     with pytest.raises(ZeroDivisionError):
         exact.left_inverse(M([[1, 2], [2, 4]]))
+
+
+@pytest.mark.parametrize(
+    "poles",
+    [
+        [-1, -2],
+        [-1 + sp.I, -2 + 3 * sp.I, -1 - sp.I, -2 - 3 * sp.I],
+        [-3, -1 - 2 * sp.I, -1 + 2 * sp.I],
+        [-1 + sp.I, -1 + sp.I, -1 - sp.I, -1 - sp.I],
+        [sp.N(-1 + sp.sqrt(2) * sp.I), sp.N(-2 + 3 * sp.I), sp.N(-2 - 3 * sp.I), -1 - sp.Float("1.4142136") * sp.I],
+    ],
+)
+def test_the_matrix_chosen_for_the_error_is_real_and_has_the_poles(poles):
+    G = exact.chosen_error_matrix([sp.sympify(pole) for pole in poles])
+    assert all(entry.is_real for entry in G)
+    found = np.linalg.eigvals(np.array(G.evalf().tolist(), dtype=float))
+    wanted = np.array([complex(pole) for pole in poles])
+    assert np.allclose(np.sort_complex(np.round(found, 5)), np.sort_complex(np.round(wanted, 5)), atol=1e-4)

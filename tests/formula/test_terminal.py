@@ -28,6 +28,8 @@ FLAT = {
     r"\dddot{y} + \ddot{y}": "y⃛ + ÿ",
     r"\mathcal{L}^{-1}\{(sI - A)^{-1}\}": "ℒ⁻¹{(sI − A)⁻¹}",
     r"K_{\mathrm{co}}x": "K_co x",
+    r"\mathrm{d}t": "dt",
+    r"\mathcal{LK}x": "ℒ𝒦x",
     r"\text{asymptotically stable}": "asymptotically stable",
     r"k_1 > 0 \text{ and } k_2 \ge 1": "k₁ > 0 and k₂ ≥ 1",
     r"\left|z\right| < 1": "|z| < 1",

@@ -141,5 +141,13 @@ def test_each_postcondition_is_that_of_a_kernel():
     assert set(CALLS) <= named <= set(exact.__all__)
 
 
+def test_what_is_checked_is_named():
+    for name, arguments in ((name, CALLS[name][0]) for name in CALLS):
+        named = {"discrete": False} if name in TIMED else {}
+        result = getattr(exact, name)(*arguments, **named)
+        checks = list(check_calls([Call(name, arguments, named, result, 1)], []))
+        assert all(check.claim for check in checks), name
+
+
 def test_of_other_kernels_nothing_is_said():
     assert postcondition_of("exponential") is None
