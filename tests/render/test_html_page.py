@@ -139,6 +139,11 @@ def test_all_formulas_of_the_sample_are_drawn(page: str) -> None:
     assert '<code class="not-drawn"' not in page
 
 
+def test_a_displayed_formula_has_a_box_of_its_own_and_one_in_a_line_has_none() -> None:
+    assert drawn("x", True).startswith('<span class="formula display"><math display="block"')
+    assert drawn("x", False).startswith("<math ")
+
+
 def test_a_formula_that_cannot_be_drawn_is_shown_as_it_stands_and_marked() -> None:
     shown = drawn(r"\foo<b>", False)
     assert shown.startswith('<code class="not-drawn" title="\\foo is not known in formulas here">')

@@ -36,6 +36,13 @@ def templates(tmp_path):
 {{ align([["a", v.x], ["b", "c"]]) }}
 {{ v.words|plain }} ${{ sym.xdot }}$
 {% endmacro %}
+{% macro going_on(v, c) %}
+### Going on
+{{ eq("a", v.x, note="= 2") }}
+{{ eq("a", "b", note="> 0") }}
+{{ eq("a", "b", note="\\text{ !}") }}
+{{ eq("a", "b", holds=false) }}
+{% endmacro %}
 {% macro untitled(v, c) %}
 no title
 {% endmacro %}
@@ -66,6 +73,15 @@ def step(kind, detail="brief", steps=()):
     )
     made.wording = "demo/demo"
     return made
+
+
+def test_a_note_that_states_something_goes_on_with_the_last_side(templates):
+    displayed = Wording(templates=templates).word(step("going_on")).displayed
+    written = [[getattr(side, "latex", side) for side in each.sides] for each in displayed]
+    assert written[0][0] == "a"
+    assert written[0][-1].endswith(" = 2")
+    assert written[1:] == [["a", "b > 0"], ["a", "b"], []]
+    assert displayed[0].sides[-1].values == (lamda,)
 
 
 def test_a_macro_words_a_step(templates):
