@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import json
+import operator
+from fractions import Fraction
+
 import pytest
 import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from solver.conditions import Condition, Parameter
 from solver.derivation import Status
@@ -196,3 +202,35 @@ def test_an_absolute_value_is_resolved_where_the_conditions_say_how():
     found = solved('find:\n  u: {task: stability, system: {A: [["-abs(a - b)"]]}, conditions: ["a < b"]}\n')
     (eigenvalue,) = found["u"].answers["eigenvalues"]
     assert {x.name: eigenvalue.coeff(x) for x in eigenvalue.free_symbols} == {"a": 1, "b": -1}
+
+
+BOUNDS = st.lists(
+    st.tuples(
+        st.integers(-3, 3), st.sampled_from(["<", "<=", ">", ">=", "!="]), st.booleans(), st.sampled_from([1, -2])
+    ),
+    min_size=1,
+    max_size=4,
+)
+
+
+@settings(max_examples=60)
+@given(BOUNDS)
+def test_of_several_bounds_the_narrowest_holds_and_none_may_contradict(bounds):
+    """Each is written as `factor a < factor·bound`, from the left or from the right; the truth is tried on a grid."""
+    turned = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "!=": "!="}
+    compare = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "!=": operator.ne}
+    written = []
+    for value, sign, left, factor in bounds:
+        said = sign if (factor > 0) == left else turned[sign]
+        pair = (f"{factor}*a", str(factor * value)) if left else (str(factor * value), f"{factor}*a")
+        written.append(f"{pair[0]} {said} {pair[1]}")
+    grid = [Fraction(n, 2) for n in range(-8, 9)]
+    left_over = [x for x in grid if all(compare[sign](x, value) for value, sign, _, _ in bounds)]
+    text = f"conditions: {json.dumps(written)}\n{PLANT}{FIND}"
+    ordered = [(value, sign) for value, sign, _, _ in bounds if sign != "!="]
+    if not [x for x in grid if all(compare[sign](x, value) for value, sign in ordered)]:
+        assert "contradicts" in complaints(text)[0][2]
+        return
+    if left_over:
+        a = read(text).symbols["a"]
+        assert a.is_positive is (True if min(left_over) > 0 else None if max(left_over) > 0 else False)
