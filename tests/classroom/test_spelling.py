@@ -50,3 +50,10 @@ def test_a_mapping_in_a_text_is_read_as_one():
     assert isinstance(node, MappingNode)
     assert node.plain() == {"v": "r*w", "i": "[1, 2]"}
     assert isinstance(unfolded(ScalarNode(Place(), "{v}")), ScalarNode)
+
+
+def test_lists_in_a_text_are_read_as_deep_as_a_list_of_matrices_is():
+    node = unfolded(ScalarNode(None, "[[[[1], 2]]]"))
+    for _ in range(3):
+        node = node.items[0]
+    assert node.text == "[1]"
