@@ -26,7 +26,7 @@ from solver.derivation import (
     Unsolved,
 )
 from solver.derivation.conversion import composed, converted, refused
-from solver.known import named_alike, signed, symbols_of, wrong_conditions
+from solver.known import has_real_entries, named_alike, signed, symbols_of, wrong_conditions
 from solver.lazy import exact, noted_calls, numeric
 from solver.lazy import sympy as sp
 from solver.messages import Messages
@@ -134,6 +134,8 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     _refuse(task, asked.system, asked.options)
     plant = _plant(task, task.given(signed(asked.system), asked.options, method))
     given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
+    if not task.complex_entries and not has_real_entries(given.system):
+        raise Unsolved("linear_algebra/not_real")
     return given
 
 

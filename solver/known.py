@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 from typing import Any
 
 from solver.lazy import exact
+from solver.lazy import sympy as sp
 from solver.problem.conditions import differences
 from solver.problem.model import Chain, Part
 from solver.problem.refusals import Refusal
@@ -40,6 +41,12 @@ def named_alike(value: Any, symbols: Mapping[str, Any]) -> Any:
         return type(value)(named_alike(each, symbols) for each in value)
     others = [each for each in getattr(value, "free_symbols", ()) if symbols.get(each.name, each) != each]
     return value.xreplace({each: symbols[each.name] for each in others}) if others else value
+
+
+def has_real_entries(system: Any) -> bool:
+    """Whether no matrix of a system has an imaginary number in it."""
+    values = (getattr(system, each.name) for each in fields(system))
+    return not any(value.has(sp.I) for value in values if hasattr(value, "shape"))
 
 
 def signed(system: Any) -> Any:

@@ -117,7 +117,7 @@ class Task(Generic[S, O]):
     S is the system that its methods get, O the dataclass of its options. `needs` lists the matrices of the system the
     question is about, e.g. ("A",) or ("A", "B"); what is needed with some options only is for a refusal. `example` are
     matrices and options that the file of `solve new` gives, as they are typed, where the needed and the required ones
-    as usual would not do.
+    as usual would not do. The entries of the system are real, but where `complex_entries` says that they need not.
     A task with one way of solving it has a method of the task's own name, which is not spelled in problem files.
     """
 
@@ -131,12 +131,14 @@ class Task(Generic[S, O]):
         answers: Iterable[AnswerName],
         options: type[O],
         example: Mapping[str, str] = MappingProxyType({}),
+        complex_entries: bool = False,
     ) -> None:
         self.name = name
         self.title = title
         self.doc = doc
         self.needs = needs
         self.example = example
+        self.complex_entries = complex_entries
         self.answers = {answer.name: answer for answer in answers}
         self.options_class = options
         self.options = options.declared()

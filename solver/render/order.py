@@ -38,10 +38,10 @@ def ordered_terms(terms: Iterable[Any]) -> list[Any]:
 
 
 def _real_first(ranks: list[tuple[_Rank, Any]]) -> list[Any]:
-    """Return the terms with the imaginary ones last: σ + jω, for numbers and for letters."""
+    """Return the terms with the imaginary ones last: σ + jω, for numbers and for letters; of polynomials each power."""
     if all(rank.imaginary for rank, _ in ranks):
         return [term for _, term in ranks]
-    return [term for rank, term in sorted(ranks, key=lambda pair: pair[0].imaginary)]
+    return [term for rank, term in sorted(ranks, key=lambda pair: (pair[0].key[0], pair[0].imaginary))]
 
 
 def _positive_first(ordered: list[Any]) -> list[Any]:

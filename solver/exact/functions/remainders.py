@@ -38,7 +38,7 @@ def reduced(A: sp.ImmutableMatrix, f: ScalarFunction) -> tuple[sp.ImmutableMatri
     own = sp.Poly(numerator, x), sp.Poly(denominator, x)
     _check_size(A, max(each.degree() for each in own))
     entries = sp.ImmutableMatrix([[*A.flat(), *dict.fromkeys(c for p in own for c in p.all_coeffs())]])
-    K = domain_matrix(entries).domain
+    K = domain_matrix(entries, real=False).domain
     chi = sp.Poly([K.convert(c, fl.domain) for c in fl.chi], x, domain=K)
     p, q = (sp.Poly([K.from_sympy(c) for c in each.all_coeffs()], x, domain=K) for each in own)
     common = q.gcd(chi)
@@ -48,7 +48,7 @@ def reduced(A: sp.ImmutableMatrix, f: ScalarFunction) -> tuple[sp.ImmutableMatri
     alpha = (p * q.invert(chi)).rem(chi) if q.degree() > 0 else p.quo_ground(q.LC())
     low = alpha.rep.to_list()[::-1]
     low += [K.zero] * (A.rows - len(low))
-    M = domain_matrix(A).convert_to(K)
+    M = domain_matrix(A, real=False).convert_to(K)
     identity = M.eye(A.rows, K).to_dense()
     total = identity * low[-1]
     for c in reversed(low[:-1]):

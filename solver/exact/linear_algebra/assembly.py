@@ -17,7 +17,7 @@ _in_order = cmp_to_key(sp.Basic.compare)
 
 
 def linear_combination(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> sp.Expr:
-    """Σ coefficient · function over different functions, none a sum; a sum in a coefficient is multiplied out."""
+    """Σ coefficient · function over different functions, none a sum; a real sum in a coefficient is multiplied out."""
     number: sp.Expr = sp.S.Zero
     products: list[sp.Expr] = []
     for coefficient, function in terms:
@@ -45,7 +45,8 @@ def _rest(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> Iterable[sp.Expr]:
 
 
 def _multiplied_out(coefficient: sp.Expr, function: sp.Expr) -> Iterable[sp.Expr]:
-    return [term * function for term in sp.Add.make_args(coefficient)]
+    parts = [coefficient] if coefficient.has(sp.I) else sp.Add.make_args(coefficient)
+    return [part * function for part in parts]
 
 
 def _scaled(number: sp.Expr, function: sp.Expr) -> sp.Expr:

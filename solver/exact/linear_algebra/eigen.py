@@ -176,7 +176,7 @@ def _at_roots(factor: Factor, basis: _Basis, dual: list[list[Vector]]) -> list[E
 
 def _pencil(A: sp.ImmutableMatrix, p: Modulus) -> Rows:
     """The matrix xI − A over L."""
-    M, K = domain_matrix(A), p.domain
+    M, K = domain_matrix(A, real=False), p.domain
     d = p.degree
     x = [-p.low[0]] if d == 1 else [K.zero, K.one, *[K.zero] * (d - 2)]
 

@@ -60,7 +60,7 @@ class FaddeevLeVerrier:
 @lru_cache(maxsize=64)
 def faddeev_leverrier(A: sp.ImmutableMatrix) -> FaddeevLeVerrier:
     """Run the recursion for A (n×n)."""
-    M = domain_matrix(A)
+    M = domain_matrix(A, real=False)
     K, n = M.domain, A.rows
     if K.is_QQ:
         return _over_integers(M)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -26,12 +27,13 @@ class NotExact(Told):
     """The algebra has no exact form for this; the reason says why. Like Unsolved: nothing went wrong."""
 
 
-def domain_matrix(M: sp.MatrixBase) -> DomainMatrix:
+def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
     """Return M over the smallest field K found for its entries; raises NotExact if there is none.
 
-    Sines and cosines of an angle θ are written as rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K.
+    Entries must be real, where it is not said that they need not. Sines and cosines of an angle θ are written as
+    rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K.
     """
-    if M.has(sp.I):
+    if real and M.has(sp.I):
         raise NotExact("linear_algebra/not_real")
     written = _half_angles(M)
     matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
@@ -48,12 +50,23 @@ def _over_surds_and_parameters(M: sp.MatrixBase) -> DomainMatrix:
         (power for power in M.atoms(sp.Pow) if power.base.is_Rational and power.exp == sp.Rational(1, 2)), key=str
     )
     parameters = sorted(M.free_symbols, key=str)
+    surds += [sp.I] * M.has(sp.I)
     try:
         K = sp.QQ.algebraic_field(*surds).frac_field(*parameters)
         rows = [[K.from_sympy(sp.expand(M[i, j])) for j in range(M.cols)] for i in range(M.rows)]
     except (sp.CoercionFailed, ValueError, NotImplementedError) as failure:
         raise NotExact("linear_algebra/mixed") from failure
     return DomainMatrix(rows, M.shape, K)
+
+
+@lru_cache(maxsize=64)
+def is_real_field(K: Any) -> bool:
+    """Whether K has no imaginary unit in it."""
+    try:
+        (K.domain if K.is_Composite else K).from_sympy(sp.I)
+    except sp.CoercionFailed:
+        return True
+    return False
 
 
 def _half_angles(M: sp.MatrixBase) -> sp.MatrixBase:

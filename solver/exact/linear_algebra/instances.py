@@ -29,7 +29,8 @@ def value_at(coefficients: Sequence[sp.Expr], root: Root) -> sp.Expr:
     if root.kind == "decimal" or len(coefficients) > 2:
         real, imaginary = parts_at(coefficients, root)
         return sp.Add(real, sp.I * imaginary)
-    if len(coefficients) == 2 and root.shift.free_symbols and conditions_of(root.shift.free_symbols):
+    known = root.kind == "surd" or conditions_of(root.shift.free_symbols)
+    if len(coefficients) == 2 and root.shift.free_symbols and known:
         constant, slope = coefficients
         apart = over_root(slope * root.shift) * (sp.I if root.kind == "complex" else 1)
         return sp.factor(constant + slope * root.sigma) + apart

@@ -14,7 +14,7 @@ from solver.matrices import entries
 
 def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
     """A B, exact."""
-    left, right = domain_matrix(A).unify(domain_matrix(B))
+    left, right = domain_matrix(A, real=False).unify(domain_matrix(B, real=False))
     return matrix_of(left * right)
 
 
@@ -27,7 +27,7 @@ def pencil(A: sp.ImmutableMatrix, x: sp.Expr) -> sp.ImmutableMatrix:
 
 def powers(A: sp.ImmutableMatrix, count: int) -> list[sp.ImmutableMatrix]:
     """I, A, A², …: `count` matrices n×n."""
-    M = domain_matrix(A)
+    M = domain_matrix(A, real=False)
     current = DomainMatrix.eye(A.rows, M.domain).to_dense()
     found = []
     for _ in range(count):

@@ -70,6 +70,19 @@ def over_root(value: sp.Expr) -> sp.Expr:
     return below / root if shorter else ratio * root
 
 
+def complex_root(radicand: sp.Expr) -> sp.Expr | None:
+    """√radicand with Re √ ≥ 0 for a number, real or not; None where parameters leave its sign open."""
+    negative = None if radicand.has(sp.I) else is_negative(radicand)
+    if negative is not None:
+        return sp.I * square_root(-radicand) if negative else square_root(radicand)
+    if radicand.free_symbols:
+        return None
+    a, b = sp.expand(radicand).as_real_imag()
+    r = sp.sqrt(sp.expand(a**2 + b**2))
+    real, imaginary = (sp.sqrtdenest(sp.sqrt(sp.expand((r + sign * a) / 2))) for sign in (1, -1))
+    return real + sp.sign(b) * sp.I * imaginary
+
+
 def is_negative(radicand: sp.Expr) -> bool | None:
     """Whether the radicand is negative (for general parameters); None where what is known does not decide."""
     factored = sp.factor(in_sines(radicand)) if radicand.free_symbols else radicand

@@ -20,10 +20,11 @@ from solver.exact.linear_algebra.fields import (
     NotExact,
     expression,
     in_powers,
+    is_real_field,
     vanishing_factors,
 )
 from solver.exact.linear_algebra.integers import small_integer_roots
-from solver.exact.linear_algebra.radicals import is_negative, square_root
+from solver.exact.linear_algebra.radicals import complex_root, is_negative, square_root
 from solver.exact.linear_algebra.signs import possible_signs
 
 DIGITS = 30
@@ -160,19 +161,25 @@ def split_over(factor: Factor, K: Any) -> tuple[Factor, ...]:
 
 
 def _order(factor: Factor) -> tuple[int, Any, str]:
-    """Rational roots ascending, then surds and pairs by σ, then symbols by name, decimals last."""
+    """Rational roots ascending, then surds and pairs by σ, then symbols by name, decimals last.
+
+    Complex ones of a complex matrix by their real parts, the upper one first.
+    """
     first = factor.roots[0]
     if first.kind == "decimal":
         return (3, factor.degree, str(first.value))
     if first.sigma.free_symbols or first.shift.free_symbols:
         return (2, 0, str(first.value))
-    return (0 if first.kind == "rational" else 1, sp.N(first.sigma), str(first.shift))
+    real, imaginary = sp.N(first.sigma).as_real_imag()
+    return (0 if first.kind == "rational" else 1, (real, -imaginary), str(first.shift))
 
 
 def _factor(p: sp.Poly, multiplicity: int) -> Factor:
     K = p.domain
     modulus = _modulus(p)
     c = [expression(K, each) for each in modulus.low]
+    if p.degree() > 1 and not is_real_field(K):
+        return Factor(modulus, multiplicity, _complex_roots(c, multiplicity))
     if p.degree() == 1:
         value = sp.factor(-c[0]) if c[0].free_symbols else -c[0]
         kind = "rational" if value.is_Rational else "symbolic" if value.free_symbols else "surd"
@@ -202,6 +209,17 @@ def _biquadratic(c: list[sp.Expr], multiplicity: int) -> tuple[Root, ...] | None
                 Root(sigma + sign * sp.I * shift, multiplicity, "complex", sigma, sign * shift) for sign in (1, -1)
             ]
     return tuple(roots)
+
+
+def _complex_roots(c: list[sp.Expr], multiplicity: int) -> tuple[Root, ...]:
+    """The roots σ ± δ of a quadratic with complex coefficients, each for itself; raises NotExact for other factors."""
+    if len(c) > 2:
+        raise NotExact("linear_algebra/complex_factor", degree=len(c))
+    sigma = sp.expand(-c[1] / 2)
+    delta = complex_root(sp.expand(sigma**2 - c[0]))
+    if delta is None:
+        raise NotExact("linear_algebra/complex_factor", degree=2)
+    return tuple(Root(sigma + d, multiplicity, "surd", sigma, d) for d in (-delta, delta))
 
 
 def _pair(b: sp.Expr, c: sp.Expr, multiplicity: int) -> tuple[Root, ...]:

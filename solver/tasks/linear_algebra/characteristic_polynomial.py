@@ -26,6 +26,7 @@ characteristic_polynomial: Task[StateSpace, PlantOptions] = Task(
     doc="The monic polynomial χ(λ) = det(λI − A) whose roots are the eigenvalues of A.",
     needs=("A",),
     options=PlantOptions,
+    complex_entries=True,
     answers=[AnswerName("polynomial", r"\chi(\lambda)", r"the monic polynomial $\det(\lambda I - A)$")],
 )
 

@@ -27,6 +27,7 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
     doc="Eigenvalues, right and left eigenvectors (chains of generalized ones where A is defective) and Jordan form.",
     needs=("A",),
     options=PlantOptions,
+    complex_entries=True,
     answers=[
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity", principal=True),
         AnswerName(
@@ -117,7 +118,7 @@ def _eigenspace_steps(A: ImmutableMatrix, spaces: Sequence[exact.Eigenspace], *,
     seen: list[Any] = []
     for i, space in enumerate(spaces, 1):
         value = space.root.value
-        mirrored = bool(value.has(sp.I)) and sp.conjugate(value) in seen
+        mirrored = bool(value.has(sp.I)) and not A.has(sp.I) and sp.conjugate(value) in seen
         seen.append(value)
         kind = "conjugate" if mirrored else "chains" if space.geometric < space.algebraic else "eigenspace"
         pencil = exact.pencil(A, value)

@@ -33,6 +33,7 @@ resolvent: Task[StateSpace, PlantOptions] = Task(
     doc="The matrix (sI − A)⁻¹, the Laplace transform of e^{At}; in discrete time (zI − A)⁻¹.",
     needs=("A",),
     options=PlantOptions,
+    complex_entries=True,
     answers=[
         AnswerName("resolvent", "R", "the resolvent", principal=True),
         AnswerName("polynomial", r"\chi", "the characteristic polynomial, monic"),

@@ -53,6 +53,7 @@ matrix_function: Task[StateSpace, MatrixFunctionOptions] = Task(
     doc="f(A) for a function f that is analytic at the eigenvalues: a power, inverse, exponential, root, sine, …",
     needs=("A",),
     options=MatrixFunctionOptions,
+    complex_entries=True,
     answers=[AnswerName("F", "f(A)", "the function of the matrix", free=a_root_is_asked_for)],
 )
 

@@ -59,6 +59,7 @@ state_transition_matrix: Task[StateSpace, StateTransitionMatrixOptions] = Task(
     doc="Φ(t) = e^{At}, which takes x(0) to x(t) when the input is zero; in discrete time Φ(k) = Aᵏ.",
     needs=("A",),
     options=StateTransitionMatrixOptions,
+    complex_entries=True,
     answers=[
         AnswerName("Phi", r"\Phi", "the state transition matrix in closed form", principal=True),
         AnswerName("Phi_truncated", r"\Phi_{\text{truncated}}", "the first terms of the series", ("power_series",)),
