@@ -45,14 +45,16 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
 
 
 def _over_surds_and_parameters(M: sp.MatrixBase) -> DomainMatrix:
-    """M over QQ<√d, …>(parameters), which sympy does not find by itself."""
+    """M over QQ<√d, …>(parameters, tangents), which sympy does not find by itself."""
     surds = sorted(
         (power for power in M.atoms(sp.Pow) if power.base.is_Rational and power.exp == sp.Rational(1, 2)), key=str
     )
-    parameters = sorted(M.free_symbols, key=str)
     surds += [sp.I] * M.has(sp.I)
+    tangents = sorted(M.atoms(sp.tan), key=str)
+    outside = M.xreplace({tangent: sp.Integer(1) for tangent in tangents})
     try:
-        K = sp.QQ.algebraic_field(*surds).frac_field(*parameters)
+        numbers = sp.QQ.algebraic_field(*surds) if surds else sp.QQ
+        K = numbers.frac_field(*sorted(outside.free_symbols, key=str), *tangents)
         rows = [[K.from_sympy(sp.expand(M[i, j])) for j in range(M.cols)] for i in range(M.rows)]
     except (sp.CoercionFailed, ValueError, NotImplementedError) as failure:
         raise NotExact("linear_algebra/mixed") from failure

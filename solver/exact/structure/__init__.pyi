@@ -1,6 +1,7 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
 from solver.exact.structure.controllability import controllability_matrix, reachable_order
+from solver.exact.structure.critical_angles import CriticalAngles, critical_angles, is_in_angles, vanishing_form
 from solver.exact.structure.critical_values import CriticalValues, critical_values, telling_minors
 from solver.exact.structure.decomposition import (
     Decomposition,
@@ -25,6 +26,7 @@ from solver.exact.structure.ranks import (
 )
 
 __all__ = [
+    "CriticalAngles",
     "CriticalValues",
     "Decomposition",
     "HiddenPart",
@@ -33,12 +35,14 @@ __all__ = [
     "controllability_matrix",
     "controllable_decomposition",
     "controllable_part",
+    "critical_angles",
     "critical_values",
     "discrete_gramian",
     "finite_gramian",
     "hidden_part",
     "independent_columns",
     "input_response",
+    "is_in_angles",
     "kalman_decomposition",
     "null_basis",
     "observable_decomposition",
@@ -50,4 +54,5 @@ __all__ = [
     "row_reduction",
     "seen_in_echelon",
     "telling_minors",
+    "vanishing_form",
 ]

@@ -25,11 +25,11 @@ from solver.numeric.judges import structure as judges
 from solver.options.choice import Choice
 from solver.options.names import Names
 from solver.stated.matrices import determinant, rank
-from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.plant_options import PlantOptions
+from solver.tasks.structure.critical_parameters import angles_of, conditions_of, determinant_step
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
-from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
+from solver.tasks.structure.rank_test import matrix_of
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ class ParameterConditionOptions(PlantOptions):
 
     property: str = option(Choice(("uncontrollable", "unobservable")), "which property the plant is to have")
     parameter: tuple[str, ...] | None = option(
-        Names(), "the parameter asked for; may be left out where there is only one"
+        Names(), "the parameter asked for, or several at once; may be left out where there is only one"
     )
 
 
@@ -55,7 +55,11 @@ parameter_condition: Task[StateSpace, ParameterConditionOptions] = Task(
     needs=("A",),
     options=ParameterConditionOptions,
     answers=[
-        AnswerName("values", r"\text{values}", r"the values of the parameter ($\mathbb{R}$: any value)"),
+        AnswerName(
+            "values",
+            r"\text{values}",
+            r"the values of the parameter ($\mathbb{R}$: any value); of several the conditions on them",
+        ),
     ],
     example={"A": "[[2, k - 1], [0, 2]]", "B": "[1, k]"},
 )
@@ -69,15 +73,13 @@ def matrices_and_one_parameter(system: System, options: ParameterConditionOption
     if getattr(system, other, True) is None:
         yield "property", Reason("parameter_condition/needs_matrix", {"wanted": wanted, "matrix": other})
     names = options.parameter
-    if names and len(names) > 1:
-        yield "parameter", Reason("parameter_condition/one_at_a_time")
     if options.has("gain") or not hasattr(system, "parameters"):
         return
     known = [str(symbol.name) for symbol in system.parameters]
     if not known:
         yield "", Reason("parameter_condition/only_numbers")
-    elif names and names[0] not in known:
-        yield "parameter", Reason("parameter_condition/unknown", {"name": names[0], "known": known})
+    elif unknown := [name for name in names or () if name not in known]:
+        yield "parameter", Reason("parameter_condition/unknown", {"name": unknown[0], "known": known})
     elif not names and len(known) > 1:
         yield "", Reason("parameter_condition/say_which", {"known": known})
 
@@ -86,24 +88,21 @@ def matrices_and_one_parameter(system: System, options: ParameterConditionOption
 def by_minors(given: Given[StateSpace, ParameterConditionOptions]) -> Derivation[Answers]:
     """The rank is below n where all n×n minors vanish: the zeros of the determinant, or common zeros of minors."""
     pair = _pair(given)
-    x = _parameter(given, pair)
+    wanted = _parameters(given, pair)
+    x = wanted[0]
     matrix = yield from matrix_of(pair)
     if exact.rank(matrix) < pair.n:
         claim = Claim(rank(matrix), sp.Integer(exact.rank(matrix)), "rank for general values")
-        yield Step("always", claims={"rank": claim}, x=x, dual=pair.dual, n=pair.n)
+        yield Step("always", claims={"rank": claim}, x=x, several=len(wanted) > 1, dual=pair.dual, n=pair.n)
         return Answers(values=sp.S.Reals)
+    if len(wanted) > 1:
+        return (yield from conditions_of(pair, matrix, wanted))
+    if exact.is_in_angles(matrix, x):
+        return (yield from angles_of(pair, matrix, x))
     found = exact.critical_values(pair.turned(matrix), x)
-    yield _determinant(pair, matrix, x) if matrix.rows == matrix.cols else _minors(pair, matrix, x, found)
+    yield determinant_step(pair, matrix, x) if matrix.rows == matrix.cols else _minors(pair, matrix, x, found)
     yield _roots(pair, matrix, x, found)
     return Answers(values=list(found.values))
-
-
-def _determinant(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
-    """One input (output): the determinant of the square matrix."""
-    det = exact.determinant(matrix)
-    claims = {"expanded": Claim(determinant(matrix), sp.expand(det), "determinant")}
-    claims["factored"] = Claim(sp.expand(det), sp.factor(det), "determinant in factors")
-    return Step("determinant", claims=claims | arithmetic_of(matrix), x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))
 
 
 def _minors(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalValues) -> Step:
@@ -154,16 +153,15 @@ def _pair(given: Given[StateSpace, ParameterConditionOptions]) -> Pair:
     )
 
 
-def _parameter(given: Given[StateSpace, ParameterConditionOptions], pair: Pair) -> Any:
-    """The parameter asked for; the only one, if none is named."""
+def _parameters(given: Given[StateSpace, ParameterConditionOptions], pair: Pair) -> list[Any]:
+    """The parameters asked for; the only one, if none is named."""
     known = {str(symbol.name): symbol for symbol in pair.parameters}
     names = given.options.parameter
-    if names and names[0] not in known:
-        known |= {str(symbol.name): symbol for symbol in given.system.parameters}
-    if names and names[0] in known:
-        return known[names[0]]
+    known = {str(symbol.name): symbol for symbol in given.system.parameters} | known if names else known
+    if names and all(name in known for name in names):
+        return [known[name] for name in names]
     if not names and len(known) == 1:
-        return next(iter(known.values()))
+        return list(known.values())
     raise Unsolved("parameter_condition/which_parameter" if known else "parameter_condition/no_parameter")
 
 
@@ -173,10 +171,37 @@ def the_rank_falls_there_and_only_there(
 ) -> Iterable[Check]:
     """The rank at every value named, and at all real values on lines of this parameter."""
     pair, values = _pair(given), answers["values"]
-    x = _parameter(given, pair)
+    wanted = _parameters(given, pair)
+    x = wanted[0]
     matrix = pair.turned(judges.krylov_matrix(pair.F, pair.G))
     if values == sp.S.Reals:
         yield that("the rank is too low for general values", "values", lambda: numeric.rank(matrix) < pair.n)
         return
     yield that("the rank is $n$ for general values", "values", lambda: numeric.rank(matrix) == pair.n)
-    yield from condition_checks(matrix, [sp.Eq(x, value) for value in values], "values", along=x)
+    if len(wanted) > 1:
+        yield from condition_checks(matrix, values, "values", along=wanted)
+        if len(wanted) == 2:
+            yield that(
+                "the rank is lower at no other pair of values",
+                "values",
+                lambda: judges.every_isolated_fall_is_named(matrix, list(values), wanted),
+            )
+    elif judges.is_in_angles(matrix, x):
+        yield from _angle_checks(matrix, x, values)
+    else:
+        yield from condition_checks(matrix, [sp.Eq(x, value) for value in values], "values", along=x)
+
+
+def _angle_checks(matrix: Any, x: Any, values: Iterable[Any]) -> Iterable[Check]:
+    """The rank at each value for several integers in it, and where it falls in some turns."""
+    for value in values:
+        yield that(
+            "the rank is lower at the values, for each integer in them",
+            "values",
+            lambda value=value: judges.rank_falls_at(matrix, x, value),  # type: ignore[misc]
+        )
+    yield that(
+        "the rank is lower nowhere else in some turns of the angle",
+        "values",
+        lambda: judges.every_angle_is_named(matrix, x, list(values)),
+    )

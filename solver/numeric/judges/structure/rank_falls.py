@@ -73,10 +73,11 @@ def _point_on(equations: Iterable[Any], symbols: Iterable[Any]) -> Point:
         known |= others
         known[x] = _root(f.xreplace(others), x)
     point = {**general, **known}
-    return {symbol: _number(value) for symbol, value in point.items()}
+    return {symbol: number(value) for symbol, value in point.items()}
 
 
-def _number(value: Any) -> Any:
+def number(value: Any) -> Any:
+    """Return a number with the digits in which ranks are found."""
     found = mpmath.mp.clone()
     found.dps = DIGITS + 10
     real, imaginary = sp.N(value, DIGITS + 10).as_real_imag()
@@ -85,13 +86,13 @@ def _number(value: Any) -> Any:
 
 def _root(f: Any, x: Any) -> Any:
     """A root in decimals: of a polynomial the first one, real if there is one; else by the secant method."""
-    roots = _roots(f, x)
+    roots = roots_of(f, x)
     if roots:
         return min(roots, key=lambda z: (bool(abs(sp.im(z)) > 1e-30), sp.re(z)))
     raise NotEvaluable("no point was found that satisfies the condition")
 
 
-def _roots(f: Any, x: Any) -> list[Any]:
+def roots_of(f: Any, x: Any) -> list[Any]:
     """The distinct roots of the numerator of a rational function, with 60 digits."""
     above, _ = sp.fraction(sp.together(f))
     if not above.is_polynomial(x):
@@ -129,11 +130,11 @@ def _parallel(one: Array, other: Array) -> bool:
 def every_fall_is_named(M: Any, conditions: Sequence[Any], along: Any = None) -> bool:
     """Whether one of the conditions holds wherever the rank of M falls on random lines in the space of parameters.
 
-    With `along`, only this parameter varies. Parameters take real values as assumed. Raises NotEvaluable.
+    With `along`, only this parameter varies, or these. Parameters take real values as assumed. Raises NotEvaluable.
     """
     r = rank(M)
     return all(
-        _holds_somewhere(conditions, point) for tau, line in _lines(M, along) for point in _falls(M, r, tau, line)
+        holds_somewhere(conditions, point) for tau, line in _lines(M, along) for point in _falls(M, r, tau, line)
     )
 
 
@@ -141,15 +142,17 @@ def _lines(M: Any, along: Any) -> Iterator[tuple[Any, dict[Any, Any]]]:
     """Lines p + qτ with rational p, q."""
     symbols = sorted(free_symbols(M), key=str)
     tau, random = sp.Dummy("tau"), Random(SEED)  # noqa: S311 - nothing secret
-    if along is not None or len(symbols) < 2:
-        x = along if along is not None else symbols[0] if symbols else tau
+    moving = symbols if along is None else [along] if isinstance(along, sp.Basic) else list(along)
+    if len(moving) < 2:
+        x = moving[0] if moving else tau
         others = {y: sp.Rational(random.randint(10, 40), random.randint(7, 13)) for y in symbols if y != x}
         yield tau, {**{y: _as_assumed(y, v) for y, v in others.items()}, x: tau}
         return
     for _ in range(LINES):
         starts = [sp.Rational(random.randint(-30, 30), 7) for _ in symbols]
         slopes = [sp.Rational(random.randint(1, 20) * random.choice((-1, 1)), 3) for _ in symbols]
-        yield tau, {y: p + q * tau for y, p, q in zip(symbols, starts, slopes, strict=True)}
+        lines = zip(symbols, starts, slopes, strict=True)
+        yield tau, {y: p + q * tau if y in moving else _as_assumed(y, abs(q)) for y, p, q in lines}
 
 
 def _as_assumed(symbol: Any, value: Any) -> Any:
@@ -167,15 +170,15 @@ def _falls(M: Any, r: int, tau: Any, line: Mapping[Any, Any]) -> Iterator[dict[A
     D = DomainMatrix.from_Matrix(on_line, extension=True)
     U, D, W = (each.convert_to(D.domain) for each in (U, D, W))
     minor = (U * D * W).to_field()
-    for root in _roots(minor.domain.to_sympy(minor.det()), tau):
+    for root in roots_of(minor.domain.to_sympy(minor.det()), tau):
         if abs(sp.im(root)) > 1e-30:
             continue
         point = {y: sp.N(value.xreplace({tau: sp.re(root)}), DIGITS + 10) for y, value in line.items()}
-        if _admissible(point) and rank_at(M, {y: _number(value) for y, value in point.items()}) < r:
+        if is_admissible(point) and rank_at(M, {y: number(value) for y, value in point.items()}) < r:
             yield point
 
 
-def _admissible(point: Mapping[Any, Any]) -> bool:
+def is_admissible(point: Mapping[Any, Any]) -> bool:
     """Whether real values are as assumed of their symbols."""
     for symbol, value in point.items():
         small = abs(value) < 1e-25
@@ -186,11 +189,12 @@ def _admissible(point: Mapping[Any, Any]) -> bool:
     return admits(point)
 
 
-def _holds_somewhere(conditions: Sequence[Any], point: Mapping[Any, Any]) -> bool:
+def holds_somewhere(conditions: Sequence[Any], point: Mapping[Any, Any]) -> bool:
+    """Whether all equations of one of the conditions hold at a point."""
     return any(all(_vanishes(f, point) for f in _equations(condition)) for condition in conditions)
 
 
 def _vanishes(f: Any, point: Mapping[Any, Any]) -> bool:
     size = sum((abs(sp.N(term.xreplace(dict(point)), 30)) for term in sp.Add.make_args(sp.expand(f))), sp.Float(0))
-    known = max([1e-15, *(10 * 2.0 ** -int(number._prec) for number in f.atoms(sp.Float))])
+    known = max([1e-15, *(10 * 2.0 ** -int(each._prec) for each in f.atoms(sp.Float))])
     return bool(abs(sp.N(f.xreplace(dict(point)), 30)) <= known * (1 + size))
