@@ -23,7 +23,7 @@ class Kept(jinja2.FileSystemBytecodeCache):
         folder = resources.root("templates") / "__pycache__"
         if not sys.dont_write_bytecode:
             with suppress(OSError):
-                folder.mkdir(exist_ok=True)
+                folder.mkdir()
         super().__init__(str(folder), f"%s.jinja-{jinja2.__version__}.{sys.implementation.cache_tag}")
 
     def load_bytecode(self, bucket: Bucket) -> None:
