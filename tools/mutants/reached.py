@@ -109,7 +109,9 @@ class Recorder:
             self.seconds.pop(self.names.get(report.nodeid, ""), None)
 
     def pytest_sessionfinish(self) -> None:
-        """Write down what was seen."""
+        """Write down what was seen, if anything was."""
+        if not self.ran:
+            return
         files = program().files()
         text = {"seconds": self.seconds, "tests": [*self.ran], "files": files}
         self.file.write_text(json.dumps(text), encoding="utf-8")
