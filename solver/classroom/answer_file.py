@@ -1,13 +1,17 @@
-"""Answer files: YAML as hostile as problem files, read by the same parser with the same bounds."""
+"""Answer files: YAML as hostile as problem files, read by the same parser with the same bounds.
+
+A file is at fault only where it is no YAML or names no part of the problem. Whatever else is strange in it costs
+nothing but itself: what nobody asked for is remarked, a value that cannot be read is not judged.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from solver.problem.model import Problem
-from solver.problem.nodes import MappingNode, Node, ScalarNode
-from solver.problem.source import InputError, Report, Source, did_you_mean
+from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode
+from solver.problem.source import Diagnostic, InputError, Report, Source, did_you_mean
 from solver.problem.yaml_tree import parse_yaml
 from solver.tasks import catalogue
 
@@ -16,11 +20,15 @@ KEYS = ("problem", "student", "answers")
 
 @dataclass(frozen=True)
 class Submission:
-    """A student's answers, not yet read: for each part's id the values by the answer's name, as nodes of the file."""
+    """A student's answers, not yet read: for each part's id the values by the answer's name, as nodes of the file.
+
+    What is left blank is not among them. `strange` is what else stands in the file: unknown keys, parts and answers.
+    """
 
     source: Source
     student: str
     answers: Mapping[str, Mapping[str, Node]]
+    strange: tuple[Diagnostic, ...] = ()
 
 
 def problem_named_in(source: Source) -> str:
@@ -31,9 +39,9 @@ def problem_named_in(source: Source) -> str:
 
 
 def read_submission(source: Source, problem: Problem) -> Submission:
-    """Return the answers of a file to a problem; raises InputError with everything that is wrong with its shape."""
+    """Return the answers of a file to a problem; raises InputError where it names no part of it."""
     root = _root(source)
-    report = Report()
+    report, shapeless = Report(), Report()
     for entry in root:
         if entry.key.text not in KEYS:
             with report:
@@ -42,15 +50,15 @@ def read_submission(source: Source, problem: Problem) -> Submission:
     answers: dict[str, Mapping[str, Node]] = {}
     listed = root.get("answers")
     if not isinstance(listed, MappingNode):
-        with report:
+        with shapeless:
             raise (listed or root).fault("'answers:' must list the answers of each part: a: {K: [1, 2]}")
     else:
         for entry in listed:
             with report:
-                answers[entry.key.text] = _part(entry.key, entry.value, problem)
-    if report.diagnostics:
-        raise InputError(source, report.diagnostics)
-    return Submission(source, _student(root), answers)
+                answers[entry.key.text] = _part(entry.key, entry.value, problem, report)
+    if shapeless.diagnostics or not answers:
+        raise InputError(source, [*report.diagnostics, *shapeless.diagnostics])
+    return Submission(source, _student(root), answers, tuple(report.diagnostics))
 
 
 def _root(source: Source) -> MappingNode:
@@ -65,20 +73,23 @@ def _student(root: MappingNode) -> str:
     return " ".join(node.text.split()) if isinstance(node, ScalarNode) else ""
 
 
-def _part(key: ScalarNode, node: Node, problem: Problem) -> Mapping[str, Node]:
-    """Return the values submitted for a part; raises Fault."""
+def _part(key: ScalarNode, node: Node, problem: Problem, report: Report) -> Mapping[str, Node]:
+    """Return the values submitted for a part; raises Fault where there is no such part. Other names are reported."""
     parts = {part.id: part for part in problem.parts}
     if key.text not in parts:
         note = f"its parts are: {', '.join(parts)}"
         message = f"the problem has no part '{key.text[:40]}'"
         raise key.fault(message, suggestion=did_you_mean(key.text, parts), note=note)
+    if _is_blank(node):
+        return {}
     task = catalogue()[parts[key.text].task]
     if not isinstance(node, MappingNode):
-        if len(task.answers) == 1 and not (isinstance(node, ScalarNode) and node.is_null):
+        if len(task.answers) == 1:
             return {next(iter(task.answers)): node}
-        names = ", ".join(task.answers)
-        raise node.fault(f"the answers of part {key.text} are expected by name", note=f"it has: {names}")
-    report = Report()
+        with report:
+            names = ", ".join(task.answers)
+            raise node.fault(f"the answers of part {key.text} are expected by name", note=f"it has: {names}")
+        return {}
     for entry in node:
         if entry.key.text not in task.answers:
             with report:
@@ -86,5 +97,13 @@ def _part(key: ScalarNode, node: Node, problem: Problem) -> Mapping[str, Node]:
                 note = f"its answers are: {', '.join(task.answers)}"
                 message = f"{task.name} has no answer '{name[:60]}'"
                 raise entry.key.fault(message, suggestion=did_you_mean(name, task.answers), note=note)
-    report.conclude()
-    return {entry.key.text: entry.value for entry in node}
+    return {entry.key.text: entry.value for entry in node if _answers(entry, task.answers)}
+
+
+def _answers(entry: Entry, names: Collection[str]) -> bool:
+    return entry.key.text in names and not _is_blank(entry.value)
+
+
+def _is_blank(node: Node) -> bool:
+    """Whether nothing is written there; an empty list is an answer, the empty set."""
+    return isinstance(node, ScalarNode) and (node.is_null or not node.text.strip())

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.values import Submitted
+from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
 from solver.lazy import numeric
 
@@ -71,7 +71,8 @@ def _same_item(each: Submitted, form: Any, mine: Any) -> bool:
 
 def _agrees(each: Submitted, form: Any, mine: Any) -> bool:
     """Whether an entry is ours, to the digits written. Raises NotEvaluable where numbers can't tell."""
-    return bool(form == mine) or bool(numeric.agrees_to_digits(form, each.decimals, mine))
+    decimals = {symbol: (decimal.number, decimal.half_unit) for symbol, decimal in each.decimals.items()}
+    return bool(form == mine) or bool(numeric.agrees_to_digits(form, decimals, mine))
 
 
 def word_of(right: bool) -> str:

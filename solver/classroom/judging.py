@@ -9,10 +9,11 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.entries import all_right, entrywise, shaped, word_of
-from solver.classroom.values import Submitted
+from solver.classroom.submitted import Submitted, replaced
 from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import Answers, Check, CheckStatus, Given, Task
 from solver.lazy import numeric
+from solver.problem.model import DIGITS
 from solver.words import Reason
 
 STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
@@ -26,11 +27,15 @@ MOST_VECTORS = 5
 
 @dataclass(frozen=True)
 class Question:
-    """A part as it is judged: the task, what is given, and our own verified answers (kind and shape of values)."""
+    """A part as it is judged: the task, what is given, and our own verified answers (kind and shape of values).
+
+    A decimal must have `digits` significant ones, or be right as the exact number that it is.
+    """
 
     task: Task[Any, Any]
     given: Given[Any, Any]
     ours: Mapping[str, Any]
+    digits: int = DIGITS
 
 
 def judge(question: Question, submitted: Mapping[str, Submitted]) -> dict[str, AnswerVerdict]:
@@ -92,6 +97,19 @@ def _checks(question: Question, values: Mapping[str, Submitted]) -> list[Check] 
 
 
 def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) -> AnswerVerdict:
+    """Judge one value; one that is right only for what a decimal of too few digits may stand for is not judged."""
+    each = fitting[name]
+    firm = each.with_digits(question.digits)
+    found = _verdict_to_the_digits(name, {**fitting, name: firm}, question)
+    if found.verdict is not Verdict.WRONG or firm is each:
+        return found
+    if _verdict_to_the_digits(name, fitting, question).verdict is not Verdict.CORRECT:
+        return found
+    reason = Reason("marking/too_few_digits", {"least": question.digits})
+    return AnswerVerdict(name, Verdict.NOT_JUDGED, each.value, reason)
+
+
+def _verdict_to_the_digits(name: str, fitting: Mapping[str, Submitted], question: Question) -> AnswerVerdict:
     """Judge one value: by its checks, then to the digits written, then by what is undecided."""
     each = fitting[name]
     checks = _checks(question, fitting)
@@ -109,7 +127,7 @@ def _verdict(name: str, fitting: Mapping[str, Submitted], question: Question) ->
         return _correct(name, each, TO_THE_DIGITS if each.decimals and failed else "")
     crashed = checks is None and not free and entries is not None
     if failed or crashed or (own and not _some_skipped(own)):
-        if each.decimals and free and _within_rounding(question, name, each, fitting, failed):
+        if each.decimals and free and _rounded(question, name, fitting, failed):
             return _correct(name, each, TO_THE_DIGITS)
         entries = _vectors(question, name, each) if free else entries
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
@@ -143,31 +161,60 @@ def _vectors(question: Question, name: str, each: Submitted) -> Any:
     ours, own = question.ours.get(name), each.value
     if not isinstance(own, sp.MatrixBase) or not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape:
         return None
-    vectors = question.task.answers[name].vectors
-    rows = vectors == "rows"
-    right: set[int] = set()
-    if vectors and max(own.shape) <= MOST_VECTORS:
-        right = _replaceable(question, name, own.T if rows else own, ours.T if rows else ours, transposed=rows)
+    rows = _in_rows(question, name)
+    right = _right_vectors(question, name, each) or set()
     if len(right) == (own.rows if rows else own.cols):  # each is right, but not all together
         right = set()
     return [[word_of((i if rows else j) in right) for j in range(own.cols)] for i in range(own.rows)]
 
 
-def _replaceable(question: Question, name: str, own: Any, ours: Any, *, transposed: bool = False) -> set[int]:
-    """Return the columns of `own` that can each take the place of another column of `ours`."""
-    left, found = list(range(ours.cols)), set[int]()
+def _right_vectors(question: Question, name: str, each: Submitted) -> set[int] | None:
+    """Return the columns (or rows) that can each take the place of another one of ours, to the digits written.
+
+    None where the answer is no matrix of vectors, or too large a one.
+    """
+    ours: Any = question.ours.get(name)
+    vectors = question.task.answers[name].vectors
+    fits = isinstance(ours, sp.MatrixBase) and isinstance(each.form, sp.MatrixBase) and each.form.shape == ours.shape
+    if not vectors or not fits or max(ours.shape) > MOST_VECTORS:
+        return None
+    rows = _in_rows(question, name)
+    mine, own = (ours.T, each.form.T) if rows else (ours, each.form)
+    left, found = list(range(mine.cols)), set[int]()
     for j in range(own.cols):
         for k in left:
-            tried = ours.as_mutable()
+            tried = mine.as_mutable()
             tried[:, k] = own[:, j]
-            value = sp.ImmutableMatrix(tried.T if transposed else tried)
-            checks = _checks(question, {name: Submitted(value, value)})
-            own_checks = [check for check in checks or () if name in check.judges]
-            if own_checks and all(check.status is CheckStatus.PASSED for check in own_checks):
+            form = sp.ImmutableMatrix(tried.T if rows else tried)
+            decimals = {symbol: each.decimals[symbol] for symbol in form.free_symbols & each.decimals.keys()}
+            value = replaced(form, {symbol: decimal.number for symbol, decimal in decimals.items()})
+            if _is_right(question, name, Submitted(value, form, decimals)):
                 found.add(j)
                 left.remove(k)
                 break
     return found
+
+
+def _is_right(question: Question, name: str, each: Submitted) -> bool:
+    """Whether a value passes its own checks, exactly or but for rounding."""
+    own = [check for check in _checks(question, {name: each}) or () if name in check.judges]
+    failed = [check for check in own if check.status is CheckStatus.FAILED]
+    if not failed:
+        return bool(own) and all(check.status is CheckStatus.PASSED for check in own)
+    return bool(each.decimals) and _within_rounding(question, name, each, {name: each}, failed)
+
+
+def _rounded(question: Question, name: str, fitting: Mapping[str, Submitted], failed: list[Check]) -> bool:
+    """Whether rounding explains what is left: of each vector of a matrix by itself, where it is made of such."""
+    each = fitting[name]
+    if not _within_rounding(question, name, each, fitting, failed):
+        return False
+    right = _right_vectors(question, name, each)
+    return right is None or len(right) == (each.value.rows if _in_rows(question, name) else each.value.cols)
+
+
+def _in_rows(question: Question, name: str) -> bool:
+    return question.task.answers[name].vectors == "rows"
 
 
 def _correct(name: str, each: Submitted, note: Reason | str = "") -> AnswerVerdict:
@@ -197,11 +244,11 @@ def _within_rounding(
     if not failed or not _numbers(failed):
         return False
     allowed = 0.0
-    for symbol, (number, half) in each.decimals.items():
+    for symbol, decimal in each.decimals.items():
         changes = [
             abs(moved - start)
-            for sign in (1, -1)
-            for start, moved in _residuals(question, name, each, fitting, symbol, number + sign * half)
+            for half in (decimal.half_unit, -decimal.half_unit)
+            for start, moved in _residuals(question, name, each, fitting, symbol, decimal.number + half)
         ]
         allowed += max(changes, default=0.0)
     return all(check.residual <= 1.05 * allowed + 1e-9 for check in failed if check.residual is not None)
@@ -215,8 +262,8 @@ def _residuals(
     question: Question, name: str, each: Submitted, fitting: Mapping[str, Submitted], symbol: Any, value: Any
 ) -> list[tuple[float, float]]:
     """Pairs of residuals of the same checks, before and after one decimal is moved."""
-    at = {other: number for other, (number, _) in each.decimals.items()} | {symbol: value}
-    moved = Submitted(shaped(each.form, lambda form: form.xreplace(at), keep=True), each.form)
+    at = {other: decimal.number for other, decimal in each.decimals.items()} | {symbol: value}
+    moved = Submitted(replaced(each.form, at), each.form)
     before, after = (_checks(question, {**fitting, name: which}) or [] for which in (each, moved))
     return [
         (a.residual, b.residual)

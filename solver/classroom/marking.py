@@ -13,7 +13,8 @@ import sympy as sp
 from solver.classroom.answer_file import Submission
 from solver.classroom.judging import Question, judge
 from solver.classroom.mistakes import what_went_wrong
-from solver.classroom.values import Reader, Submitted, names_for
+from solver.classroom.submitted import Submitted
+from solver.classroom.values import Reader, names_for
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.derivation import Answers, PartResult, Status
 from solver.engine import Solution, given_of, solve_part
@@ -22,18 +23,19 @@ from solver.messages import Messages
 from solver.problem.asked import asked_of
 from solver.problem.model import Part, Reference
 from solver.problem.nodes import Node
-from solver.problem.source import Fault, InputError, Report
+from solver.problem.source import Diagnostic, Fault
+from solver.render.prose import plain
 from solver.tasks import catalogue
 from solver.words import Reason
 
 Values = dict[str, Submitted]
+"""What was submitted for a part and could be read, by the answers' names."""
 
 
 def mark(solution: Solution, submission: Submission, templates: Path | None = None) -> Marking:
     """Return the marking of a submission to a solved problem, in the language and notation of the problem.
 
-    A folder of templates comes before the installed ones. Raises InputError with everything in the file that cannot
-    be read.
+    A folder of templates comes before the installed ones.
     """
     return Marker(solution, submission, templates).marking()
 
@@ -44,7 +46,8 @@ def mark_within(solution: Solution, submission: Submission, limits: Limits, temp
     try:
         marking: Marking = call_within(limits, marker.marking)
     except Exceeded:
-        return Marking(submission.student, tuple(marker.within(part, limits) for part in solution.problem.parts))
+        parts = tuple(marker.within(part, limits) for part in solution.problem.parts)
+        return Marking(submission.student, parts, marker.remarks())
     return marking
 
 
@@ -59,12 +62,19 @@ class Marker:
         self.results: dict[str, list[PartResult]] = {}
         for result in solution.parts:
             self.results.setdefault(result.id, []).append(result)
-        self.values = self._read_all()
+        self.unread: dict[str, dict[str, Reason]] = {}
+        self.values = {part.id: self._read_all(part) for part in solution.problem.parts}
         self.judged: dict[str, dict[str, AnswerVerdict]] = {}
 
     def marking(self) -> Marking:
         """Return the verdicts and marks of all parts."""
-        return Marking(self.submission.student, tuple(map(self._next, self.solution.problem.parts)))
+        parts = tuple(map(self._next, self.solution.problem.parts))
+        return Marking(self.submission.student, parts, self.remarks())
+
+    def remarks(self) -> tuple[str, ...]:
+        """What stands in the file that nobody asked for, in words."""
+        strange = (Reason("marking/strange", _placed(diagnostic)) for diagnostic in self.submission.strange)
+        return tuple(map(self.messages.reason, strange))
 
     def _next(self, part: Part) -> PartVerdict:
         verdict = self.part(part)
@@ -90,20 +100,17 @@ class Marker:
         """The marks of a part; one each where the problem gives none to any part."""
         return _fraction(part.marks) if part.marks is not None else Fraction(int(not self._any_marks()))
 
-    def _read_all(self) -> dict[str, Values]:
-        """Read every value submitted by the kind of our own answer; all that can't be read is reported together."""
-        report = Report()
-        found: dict[str, Values] = {}
-        for part in self.solution.problem.parts:
-            found[part.id] = {}
-            ours = self._ours(part.id)
-            reader = Reader(self._names(part, ours), discrete=part.system.discrete)
-            for name, node in self.submission.answers.get(part.id, {}).items():
-                if name in ours:
-                    with report:
-                        found[part.id][name] = _read(reader, node, ours[name])
-        if report.diagnostics:
-            raise InputError(self.submission.source, report.diagnostics)
+    def _read_all(self, part: Part) -> Values:
+        """Read every value submitted for a part by the kind of our own answer; `unread` has why others are not."""
+        found, unread = Values(), self.unread.setdefault(part.id, {})
+        ours = self._ours(part.id)
+        reader = Reader(self._names(part, ours), discrete=part.system.discrete)
+        for name, node in self.submission.answers.get(part.id, {}).items():
+            if name in ours:
+                try:
+                    found[name] = _read(reader, node, ours[name])
+                except Fault as fault:
+                    unread[name] = Reason("marking/not_read", _placed(fault.diagnostics[0]))
         return found
 
     def _names(self, part: Part, ours: Mapping[str, Any]) -> Any:
@@ -141,7 +148,9 @@ class Marker:
         return any(part.marks is not None for part in self.solution.problem.parts)
 
     def _unreadable(self, part: Part, name: str) -> AnswerVerdict:
-        """There is no answer of ours of this name to read and judge the value by."""
+        """The value is not read, or there is no answer of ours of this name to read and judge it by."""
+        if (why := self.unread[part.id].get(name)) is not None:
+            return AnswerVerdict(name, Verdict.NOT_JUDGED, reason=why)
         for result in self.results[part.id]:
             if result.status is not Status.VERIFIED:
                 reason = Reason("marking/no_solution", {"status": str(result.status), "why": result.reason})
@@ -169,7 +178,7 @@ class Marker:
         return verdicts
 
     def _question(self, part: Part, earlier: Mapping[str, PartResult], ours: Mapping[str, Any]) -> Question:
-        return Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), ours)
+        return Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), ours, part.digits)
 
     def _sources(self, part: Part) -> list[str]:
         """The earlier parts that the options of a part are taken from."""
@@ -237,6 +246,12 @@ def _read(reader: Reader, node: Node, ours: Any) -> Submitted:
         raise
     except (ValueError, TypeError, ArithmeticError, AttributeError, RecursionError) as strange:
         raise node.fault("this value cannot be read as an answer") from strange
+
+
+def _placed(what: Diagnostic) -> dict[str, Any]:
+    """Return what is wrong with something in the file, with its place; texts as Markdown."""
+    texts = {"message": what.message, "suggestion": what.suggestion, "note": what.note}
+    return {"line": what.line, "column": what.column, **{name: plain(text) for name, text in texts.items()}}
 
 
 def _fraction(number: Any) -> Fraction:

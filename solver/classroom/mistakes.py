@@ -16,7 +16,7 @@ from solver.classroom.entries import entrywise, is_scalar
 from solver.classroom.judging import STRANGE, Question, judge
 from solver.classroom.mistaken_questions import CHANGED, Change, declared
 from solver.classroom.mistaken_values import TRANSFORMED, Case
-from solver.classroom.values import Submitted
+from solver.classroom.submitted import Decimal, Submitted
 from solver.classroom.verdicts import Verdict
 from solver.derivation import Attempt, PartResult, Task, Unsolved
 from solver.engine import given_of, solve_part
@@ -113,16 +113,20 @@ def _some_signs(submitted: Submitted, ours: Any) -> bool:
     return _signs(submitted, ours) > 1
 
 
-def _one_unit_off(submitted: Submitted, ours: Any) -> bool:
-    """Whether decimals are right but for one unit of the last digit: cut off, not rounded."""
-    wider = {symbol: (number, 2 * half) for symbol, (number, half) in submitted.decimals.items()}
-    return bool(wider) and _right(entrywise(replace(submitted, decimals=wider), ours))
+def _cut_off(submitted: Submitted, ours: Any) -> bool:
+    """Whether decimals stand for numbers whose further digits are cut off, not rounded: up to a unit farther from 0."""
+    beyond = {symbol: _beyond(each) for symbol, each in submitted.decimals.items()}
+    return bool(beyond) and _right(entrywise(replace(submitted, decimals=beyond), ours))
+
+
+def _beyond(decimal: Decimal) -> Decimal:
+    return decimal._replace(number=decimal.number + decimal.half_unit * (1 if decimal.number >= 0 else -1))
 
 
 ALIKE: tuple[tuple[str, Callable[[Submitted, Any], bool]], ...] = (
     ("the sign of an entry is reversed", _one_sign),
     ("the signs of some entries are reversed", _some_signs),
-    ("the last digit is cut off, not rounded", _one_unit_off),
+    ("the last digit is cut off, not rounded", _cut_off),
 )
 
 

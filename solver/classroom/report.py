@@ -40,7 +40,8 @@ def as_data(marking: Marking) -> dict[str, Any]:
     """Return the marking as dictionaries, lists, texts and numbers."""
     head = {"student": marking.student} if marking.student else {}
     totals = {"marks": number(marking.marks), "out_of": number(marking.out_of)}
-    return {"version": 1, **head, **totals, "parts": [_part_data(part) for part in marking.parts]}
+    remarks = {"remarks": list(marking.remarks)} if marking.remarks else {}
+    return {"version": 1, **head, **totals, "parts": [_part_data(part) for part in marking.parts], **remarks}
 
 
 def _part_data(part: PartVerdict) -> dict[str, Any]:
@@ -78,7 +79,9 @@ def print_marking(marking: Marking, name: str, console: Console, messages: Messa
 
     who = f"{name} ({marking.student})" if marking.student else name
     say = messages.say
-    console.rule(f"{who}: {say(earned(marking))}", align="left", style="dim")
+    console.rule(Text(f"{who}: {say(earned(marking))}"), align="left", style="dim")
+    for remark in marking.remarks:
+        console.print(Text(f"    {inline_as_text(remark)}", style="yellow"))
     for part in marking.parts:
         head = Text(f"{part.id}  ", style="bold")
         note = f" ({part.note})" if part.note else ""

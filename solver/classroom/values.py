@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
 
 from solver.classroom.spelling import matching, respelled, split, unfolded
+from solver.classroom.submitted import Decimal, Submitted
 from solver.problem.expressions import ExpressionError, Names, parse_alternatives, parse_equation, parse_expression
 from solver.problem.expressions.tokens import is_decimal, tokenize
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -32,25 +32,13 @@ _OR = re.compile(r"\s+(?:or|OR)\s+|\s*(?:\|\|?|∨)\s*")
 _EQUATION = re.compile(r"^(Eq|Ne)\s*\((.*)\)$", re.DOTALL)
 
 
-@dataclass(frozen=True)
-class Submitted:
-    """A value as sympy has it (`value`), the same with a symbol for each decimal (`form`), and how far these may move.
-
-    `decimals` gives for each such symbol its value and half a unit of its last digit.
-    """
-
-    value: Any
-    form: Any
-    decimals: Mapping[sp.Symbol, tuple[sp.Rational, sp.Rational]] = field(default_factory=dict)
-
-
 class Reader:
     """Reads values in which the names of a problem and of its answers have their meaning."""
 
     def __init__(self, names: Names, *, discrete: bool = False) -> None:
         self.names = names
         self.discrete = discrete
-        self.decimals: dict[sp.Symbol, tuple[sp.Rational, sp.Rational]] = {}
+        self.decimals: dict[sp.Symbol, Decimal] = {}
 
     def read(self, node: Node, ours: Any) -> Submitted:
         """Return the value of a node for an answer of the kind of `ours`; raises Fault."""
@@ -161,8 +149,7 @@ class Reader:
                 continue
             symbol = sp.Dummy(f"d_{len(self.decimals)}", real=True)
             name = f"decimal{len(self.decimals)}"
-            number = sp.Rational(token.text)
-            self.decimals[symbol] = (number, _half_unit(token.text))
+            self.decimals[symbol] = _decimal(token.text)
             known[name] = symbol
             pieces.append(f"{text[at : token.at]}({name})")
             at = token.end
@@ -229,11 +216,12 @@ def _symbols_of(value: Any) -> set[sp.Symbol]:
     return set(getattr(value, "free_symbols", ()))
 
 
-def _half_unit(text: str) -> sp.Rational:
-    """Half a unit of the last digit written: 0.67 → 1/200, 1.5e3 → 50."""
+def _decimal(text: str) -> Decimal:
+    """Return what a decimal stands for: 0.67 is known to 1/200 and has two digits, 1.5e3 to 50; 0.0 has none."""
     mantissa, _, exponent = text.lower().partition("e")
-    digits = len(mantissa.partition(".")[2])
-    return sp.Rational(1, 2) * sp.Rational(10) ** (int(exponent or 0) - digits)
+    places = len(mantissa.partition(".")[2])
+    half_unit = sp.Rational(1, 2) * sp.Rational(10) ** (int(exponent or 0) - places)
+    return Decimal(sp.Rational(text), half_unit, len(mantissa.replace(".", "").lstrip("0")))
 
 
 def _rows(node: Node, ours: sp.MatrixBase) -> list[Sequence[Node]]:

@@ -75,10 +75,11 @@ class PartVerdict:
 
 @dataclass(frozen=True, slots=True)
 class Marking:
-    """A marked answer file: who, and how each part of the problem was answered."""
+    """A marked answer file: who, how each part of the problem was answered, and remarks on what else stands in it."""
 
     student: str
     parts: tuple[PartVerdict, ...]
+    remarks: tuple[str, ...] = ()
 
     @property
     def marks(self) -> Fraction:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -58,7 +59,11 @@ def check_files(request: CheckRequest) -> int:
     problem, answers = _told_apart(request.files)
     if request.output and request.output != STANDARD and len(answers) > 1 and Path(request.output).is_file():
         raise click.UsageError(f"{request.output} is one file; name a folder for {len(answers)} answer files.")
-    desk = _Desk(request, len(answers))
+    read = {Path(file).resolve() for file in request.files if file != STANDARD}
+    for path in (request.output, request.table):
+        if path and path != STANDARD and Path(path).resolve() in read:
+            raise click.UsageError(f"{path} is one of the files that are read; it is not overwritten.")
+    desk = _Desk(request, answers)
     codes = [desk.mark(problem, file) for file in answers]
     if request.table:
         parts = list(dict.fromkeys(part.id for solution in desk.solutions.values() for part in solution.problem.parts))
@@ -85,13 +90,14 @@ def _is_answer_file(file: str) -> bool:
 class _Desk:
     """Marks answer files one after the other; a problem is solved once."""
 
-    def __init__(self, request: CheckRequest, files: int) -> None:
+    def __init__(self, request: CheckRequest, files: Sequence[str]) -> None:
         self.request = request
+        self.stems = _stems(files)
         self.solved: dict[str, Solved] = {}
         self.solutions: dict[str, Solution] = {}
         self.rows: list[tuple[str, Marking | None]] = []
-        self.meter = Meter(files)
-        self.several = files > 1
+        self.meter = Meter(len(files))
+        self.several = len(files) > 1
 
     def mark(self, problem: str | None, file: str) -> int:
         """Mark one file; whatever is wrong with it becomes words on standard error and an exit code."""
@@ -176,13 +182,30 @@ class _Desk:
 
     def _path(self, file: str, format_: str) -> Path:
         """Where the marking of a file goes: as named, into the folder named, or beside the answers."""
-        stem = "answers" if file == STANDARD else Path(file).stem
-        name = stem + SUFFIXES[format_]
         if self.request.output is None:
-            return Path(name) if file == STANDARD else Path(file).with_name(name)
+            beside = Path("answers") if file == STANDARD else Path(file)
+            return beside.with_name(beside.stem + SUFFIXES[format_])
         place = Path(self.request.output)
         folder = self.several or place.is_dir() or self.request.output.endswith("/")
-        return place / name if folder else place
+        return place / (self.stems[file] + SUFFIXES[format_]) if folder else place
+
+
+def _stems(files: Iterable[str]) -> dict[str, str]:
+    """Return what the sheets of the files are named in one folder: where names are alike, with the folders before."""
+    whole = {file: ("answers",) if file == STANDARD else _names(Path(file).resolve()) for file in files}
+    found: dict[str, str] = {}
+    for file, names in whole.items():
+        others = [other for each, other in whole.items() if each != file]
+        count = next((k for k in range(1, len(names)) if all(other[-k:] != names[-k:] for other in others)), len(names))
+        stem = "-".join(names[-count:])
+        number = next(n for n in range(1, len(whole) + 1) if (stem if n == 1 else f"{stem}-{n}") not in found.values())
+        found[file] = stem if number == 1 else f"{stem}-{number}"
+    return found
+
+
+def _names(path: Path) -> tuple[str, ...]:
+    """The folders of a file, and its name without the ending."""
+    return (*path.parts[1:-1], path.stem)
 
 
 def _total(marking: Marking) -> Phrase:

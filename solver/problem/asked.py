@@ -1,4 +1,4 @@
-"""Which answers of a part are asked for and earn its marks."""
+"""What is asked of a part's answers: which earn its marks, and with how many digits."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 from solver.derivation import Task
 from solver.problem.model import Part
-from solver.problem.nodes import MappingNode, ScalarNode, SequenceNode, scalar
+from solver.problem.nodes import MappingNode, ScalarNode, SequenceNode, scalar, whole_number
 from solver.problem.source import Report, did_you_mean
 
 
@@ -28,6 +28,21 @@ def read_asked(part: MappingNode, task: Task[Any, Any], methods: Sequence[str]) 
             found.append(name)
     report.conclude()
     return tuple(found)
+
+
+MOST_DIGITS = 12
+"""Significant digits that a problem may ask of decimals."""
+
+
+def read_digits(holder: MappingNode, default: int, report: Report) -> int:
+    """Return the significant digits that a student's decimals must have, as the key `digits` of a problem or part says.
+
+    What is wrong with it goes to the report.
+    """
+    if "digits" in holder:
+        with report:
+            return whole_number(holder["digits"], "digits", 1, MOST_DIGITS)
+    return default
 
 
 def answer_named(node: ScalarNode, task: Task[Any, Any], methods: Sequence[str]) -> str:

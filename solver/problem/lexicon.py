@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -73,6 +73,12 @@ class Lexicon:
         """What is assumed of symbols as it is shown: each word with its symbols, without `real`, which all are."""
         said = {name: word for name, word in self.assumed.items() if word != "real"}
         return {word: tuple(self.symbols[x] for x in said if said[x] == word) for word in said.values()}
+
+    @property
+    def declared(self) -> dict[str, Any]:
+        """What a part of its own names keeps of them: its symbols, values and assumptions."""
+        symbols = {**self.symbols, **self.found}
+        return {"symbols": symbols, "parameters": dict(self.values), "assumed": self.assumptions}
 
     def expression(self, node: Node, variables: Collection[str] = (), barred: Mapping[str, str] = BARRED) -> sp.Expr:
         """Return a value as a finite exact expression, in which the `variables` may occur and the `barred` may not."""

@@ -60,12 +60,17 @@ class Show:
     source: bool = True
 
 
+DIGITS = 2
+"""Significant digits that a student's decimal must have where nothing is said."""
+
+
 @dataclass(frozen=True, slots=True)
 class Part:
     """One question: a task by its methods, with validated options; `system` is the part's own or the problem's.
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
-    `asked` are the answers that the file asks for, none where it does not say. `show` is what a paper shows of it.
+    `asked` are the answers that the file asks for, none where it does not say; a decimal must have `digits` significant
+    ones to be judged. `show` is what a paper shows of it.
     `symbols` and `parameters` are those of a part that has its own, `assumed` what its own `assume` says of symbols,
     `conditions` all that hold in it. `decimals_typed` tells that its question holds decimals. `places` tells where its
     task, its options and the conditions stand in the file.
@@ -85,6 +90,7 @@ class Part:
     assumed: Mapping[str, tuple[sp.Symbol, ...]] = field(default_factory=dict)
     conditions: tuple[Chain, ...] = ()
     asked: tuple[str, ...] = ()
+    digits: int = DIGITS
     show: Show = Show()
     decimals_typed: bool = False
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)

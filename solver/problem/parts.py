@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from solver.derivation import Option, Task
 from solver.derivation.conversion import reachable
-from solver.problem.asked import answer_named, read_asked
+from solver.problem.asked import answer_named, read_asked, read_digits
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
 from solver.problem.model import Part, Reference, Show
@@ -18,7 +18,7 @@ from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
-OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "conditions", "answers", "show")
+OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "conditions", "answers", "digits", "show")
 IN_WORDS = {
     "transfer_function": "a transfer function (or A, B and C)",
     "matrix": "a matrix",
@@ -42,10 +42,11 @@ class PlantOf(NamedTuple):
 class PartReader:
     """Reads the parts one after the other; knows the earlier ones, to which later ones may refer."""
 
-    def __init__(self, catalogue: Mapping[str, Task[Any, Any]], lexicon: Lexicon, show: Show) -> None:
+    def __init__(self, catalogue: Mapping[str, Task[Any, Any]], lexicon: Lexicon, show: Show, digits: int) -> None:
         self.catalogue = catalogue
         self.lexicon = lexicon
         self.show = show
+        self.digits = digits
         self.earlier: dict[str, tuple[Task[Any, Any], str] | None] = {}
         self.discrete: set[str] = set()
 
@@ -80,6 +81,7 @@ class PartReader:
         asked: tuple[str, ...] = ()
         with report:
             asked = read_asked(mapping, task, methods)
+        digits = read_digits(mapping, self.digits, report)
         with report:
             split = _split_marks(mapping, task, methods)
             marks = sum(split.values()) if split else _marks(mapping["marks"]) if "marks" in mapping else None
@@ -95,13 +97,12 @@ class PartReader:
             own_system="system" in mapping or (plant.system != common and _renames(mapping)),
             answer_marks=split,
             asked=asked,
+            digits=digits,
             show=read_show(mapping, self.show),
-            symbols={} if lexicon is self.lexicon else {**lexicon.symbols, **lexicon.found},
-            parameters={} if lexicon is self.lexicon else dict(lexicon.values),
-            assumed={} if lexicon is self.lexicon else lexicon.assumptions,
             conditions=lexicon.chains,
             places={entry.key.text: entry.value.place for entry in mapping}
             | {f"conditions {i}": chain.place for i, chain in enumerate(lexicon.chains)},
+            **({} if lexicon is self.lexicon else lexicon.declared),
         )
 
     def _task(self, node: Node) -> Task[Any, Any]:

@@ -8,10 +8,11 @@ from pathlib import PurePath
 from typing import Any
 
 from solver.derivation import Task
+from solver.problem.asked import read_digits
 from solver.problem.conditions import check_occurring
 from solver.problem.files import load
 from solver.problem.lexicon import Declarations, Lexicon, check_used, read_lexicon
-from solver.problem.model import Display, Part, Problem, Show
+from solver.problem.model import DIGITS, Display, Part, Problem, Show
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar, whole_number
 from solver.problem.parts import PartReader, PlantOf, read_show
 from solver.problem.shape_check import check_shape
@@ -126,7 +127,8 @@ class _ProblemReader:
 
         `by_names` tells that the values of parameters hold decimals, `typed` that these or the common system do.
         """
-        reader = PartReader(self.catalogue, self.lexicon, self.show)
+        digits = DIGITS if self.spoilt("digits") else read_digits(self.root, DIGITS, self.report)
+        reader = PartReader(self.catalogue, self.lexicon, self.show, digits)
         parts: list[Part] = []
         find = self.root.get("find")
         for entry in find if isinstance(find, MappingNode) else ():

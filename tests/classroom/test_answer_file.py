@@ -2,8 +2,9 @@
 
 import pytest
 
-from solver.problem.source import InputError
-from tests.helpers.marked import marked
+from solver.classroom import read_submission
+from solver.problem.source import InputError, Source
+from tests.helpers.marked import marked, solved
 
 pytestmark = pytest.mark.xdist_group("answer_file")  # its problem is solved once
 
@@ -13,22 +14,15 @@ PLANT = "system: {A: [[0, 1], [-2, -3]], B: [0, 1]}\nfind: {a: eigenstructure, b
 @pytest.mark.parametrize(
     ("text", "place", "words"),
     [
-        ("answers: {a: {eigenvalue: [1]}}", ":1:15:", "did you mean 'eigenvalues'"),
         ("answers: {c: {rank: 1}}", ":1:11:", "the problem has no part 'c'"),
         ("answer: {a: {rank: 1}}", ":1:1:", "did you mean 'answers'"),
         ("answers: [1, 2]", ":1:10:", "'answers:' must list"),
         ("- 1", ":1:1:", "an answer file is a mapping"),
-        ("answers: {a: {eigenvalues: [1, 2+]}}", ":1:", "expected"),
-        ("answers: {a: {eigenvalues: [1, 1/2x]}}", ":1:", "unclear"),
-        ("answers: {b: {controllability_matrix: [[1, 2], [3]]}}", ":1:", "same length"),
-        ("answers: {b: {controllable: maybe}}", ":1:29:", "yes or no"),
-        ("answers: {b: {rank: '1 ± 2'}}", ":1:21:", "stands for two values"),
         ("answers: {b: {rank: &x 1}}", ":1:", "anchor"),
         ("answers: {b: {rank: 1, rank: 2}}", ":1:", "twice"),
-        ("answers: {b: {rank: __import__('os')}}", ":1:", ""),
     ],
 )
-def test_a_fault_is_reported_at_its_place(text, place, words):
+def test_a_file_that_is_no_yaml_or_names_no_part_is_at_fault(text, place, words):
     with pytest.raises(InputError) as caught:
         marked(PLANT, text)
     message = caught.value.render()
@@ -36,10 +30,47 @@ def test_a_fault_is_reported_at_its_place(text, place, words):
     assert words in message
 
 
-def test_all_faults_are_reported_together():
-    with pytest.raises(InputError) as caught:
-        marked(PLANT, "answers:\n  a: {eigenvalues: [1+]}\n  b: {rank: 2+, controllable: maybe}\n")
-    assert len(caught.value.diagnostics) == 3
+@pytest.mark.parametrize(
+    ("values", "name", "column", "words"),
+    [
+        ("a: {eigenvalues: [1, 2+]}", "eigenvalues", 34, "expected"),
+        ("a: {eigenvalues: [1, 1/2x]}", "eigenvalues", 34, "unclear"),
+        ("b: {controllability_matrix: [[1, 2], [3]]}", "controllability_matrix", 39, "same length"),
+        ("b: {controllable: maybe}", "controllable", 29, "yes or no"),
+        ("b: {rank: '1 ± 2'}", "rank", 21, "stands for two values"),
+        ("b: {rank: __import__('os')}", "rank", 21, ""),
+        ("b: {controllability_matrix: [[[1]]]}", "controllability_matrix", 41, "a value is expected"),
+    ],
+)
+def test_a_value_that_cannot_be_read_is_not_judged_and_costs_nothing_but_itself(values, name, column, words):
+    part = values[0]
+    other = "b: {rank: 2}" if part == "a" else "a: {diagonalizable: yes}"
+    found = marked(PLANT, f"student: Ada\nanswers: {{{values}, {other}}}")
+    verdict = found[part].answers[name]
+    assert verdict.verdict == "not judged"
+    assert f"line 2, column {column}" in verdict.reason
+    assert words in verdict.reason
+    (right,) = found[other[0]].answers.values()
+    assert right.verdict == "correct"
+
+
+@pytest.mark.parametrize("blank", ["", "null", '""', '"  "'])
+def test_what_is_left_blank_is_not_answered(blank):
+    found = marked(PLANT, f"answers:\n  a: {{eigenvalues: {blank}}}\n  b: {{rank: 2, controllable: {blank}}}\n")
+    assert (found["a"].answers, found["a"].note) == ({}, "not answered")
+    assert list(found["b"].answers) == ["rank"]
+
+
+def test_what_nobody_asked_for_is_remarked_and_the_rest_is_judged():
+    text = "sheet: 3\nstudent: Ada\nanswers: {a: {eigenvalue: [1], diagonalizable: yes}, c: {rank: 1}, b: 2, d: }\n"
+    submission = read_submission(Source("answers.yaml", text), solved(PLANT).problem)
+    assert (submission.student, list(submission.answers)) == ("Ada", ["a", "b"])
+    assert [(each.line, each.column, each.suggestion) for each in submission.strange] == [
+        (1, 1, ""), (3, 15, "eigenvalues"), (3, 54, ""), (3, 71, ""), (3, 74, ""),
+    ]  # fmt: skip
+    found = marked(PLANT, text)
+    assert found["a"].answers["diagonalizable"].verdict == "correct"
+    assert found["b"].note == "not answered"
 
 
 def test_a_matrix_of_the_wrong_shape_is_wrong_and_not_a_fault():

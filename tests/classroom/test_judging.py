@@ -103,6 +103,76 @@ def test_decimals_must_be_right_to_the_last_digit_written():
     assert verdict(PLANT, "a", "eigenvalues", "[3.4495, -1.4496]").verdict == "wrong"
 
 
+DECIMALS = """\
+system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}
+find:
+  a: {task: pole_placement, poles: [-3, -4]}
+  b: {task: response, input: 1}
+  c: {task: eigenstructure, system: {matrix: [[1, 0.1], [0.5, 3]]}}
+  d: {task: pole_placement, poles: [-3, -4], digits: 4, system: {A: [[0, 1], [-3, -1]], B: [0, 3]}}
+  e: {task: eigenstructure, system: {matrix: [[0, 1], [-2, 0]]}}
+  f: {task: pole_placement, poles: [-1, -2], system: {A: [[0, 1], [0, 0]], B: [0, 3]}}
+"""
+"""K is [10, 4], y = 1/2 − e^(−t) + e^(−2t)/2, the eigenvectors of c are (1, −0.24695) and (0.04939, 1); K of d is
+[3, 2]; the eigenvalues of e are ±1.41421j; K of f is [2/3, 1]."""
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value", "expected"),
+    [
+        # an interval as wide as one likes tells nothing; nor does one digit, but where it is the number itself
+        ("a", "K", "[0e5, 0e5]", "not judged"),
+        ("a", "K", "[1.0e1, 4.0]", "correct"),
+        ("a", "K", "[1e1, 4.0]", "correct"),
+        ("a", "K", "[2e1, 4.0]", "wrong"),
+        ("f", "K", "[0.7, 1]", "not judged"),
+        ("f", "K", "[0.67, 1]", "correct"),
+        ("f", "K", "[0.6, 1]", "wrong"),
+        ("f", "K", "[0.0, 1]", "wrong"),
+        ("e", "eigenvalues", "[0e9, 0e9]", "not judged"),
+        ("e", "eigenvalues", "[1.4j, -1.4j]", "correct"),
+        ("d", "K", "[3.0, 2.00]", "correct"),
+        ("d", "K", "[3.001, 2]", "wrong"),
+        # one choice of all decimals, for all times
+        ("b", "y", "0.6 - 1.1 exp(-1.0 t) + 0.5 exp(-2.0 t)", "wrong"),
+        ("b", "y", "0.5 - 1.0 exp(-1.0 t) + 0.5 exp(-2.0 t)", "correct"),
+        ("b", "y", "0.50 - 1.05 exp(-1.0 t) + 0.55 exp(-2.0 t)", "wrong"),
+        ("b", "y", "0.50 (1.0 - exp(-1.0 t))^2", "correct"),
+        ("b", "y", "0.50 - 1.0 exp(-1.1 t) + 0.50 exp(-2.0 t)", "wrong"),
+        # each vector explains what is left in it by its own rounding
+        ("c", "right_eigenvectors", "[[1, 0.049], [-0.25, 1]]", "correct"),
+        ("c", "right_eigenvectors", "[[1, 0.040], [-0.25, 1]]", "wrong"),
+        ("c", "right_eigenvectors", "[[1, 0.05], [-0.25, 1]]", "not judged"),
+        ("c", "right_eigenvectors", "[[1, 0.049], [-0.24, 1]]", "wrong"),
+    ],
+)
+def test_decimals_stand_for_one_number_each_within_half_a_unit_of_their_last_digit(part, name, value, expected):
+    found = verdict(DECIMALS, part, name, value if value.startswith("[") else f'"{value}"')
+    assert found.verdict == expected, found.reason
+    if expected == "not judged":
+        assert "too few digits to tell; 2 significant ones" in found.reason
+
+
+@pytest.mark.parametrize(
+    ("value", "cut"), [("[0.66, 1]", True), ("[0.666, 1]", True), ("[0.68, 1]", False), ("[0.665, 1]", False)]
+)
+def test_the_last_digit_is_said_to_be_cut_off_only_where_it_is(value, cut):
+    assert ("cut off" in verdict(DECIMALS, "f", "K", value).reason) is cut
+
+
+@pytest.mark.parametrize(("digits", "words"), [("0", "of at least 1 and at most 12"), ("two", "a whole number")])
+def test_the_digits_asked_for_are_a_whole_number(digits, words):
+    for text in (f"digits: {digits}\n{DECIMALS}", DECIMALS.replace("digits: 4", f"digits: {digits}")):
+        with pytest.raises(InputError, match=words):
+            solved(text)
+
+
+def test_the_problem_asks_for_digits_and_a_part_for_others():
+    problem = solved(f"digits: 3\n{DECIMALS}").problem
+    assert [part.digits for part in problem.parts] == [3, 3, 3, 4, 3, 3]
+    assert verdict(f"digits: 3\n{DECIMALS}", "f", "K", "[0.67, 1]").verdict == "not judged"
+
+
 def test_marks_are_split_over_the_principal_answers_in_proportion_to_what_is_right():
     found = marked(PLANT, "answers: {b: {K: [13, 9], polynomial: s^2+6s+13}}")["b"]
     assert found.answers["K"].entries == [["correct", "wrong"]]
@@ -207,10 +277,6 @@ def test_values_may_be_written_as_results_are(part, name, value):
     assert found.verdict == "correct", found.reason
 
 
-@pytest.mark.parametrize("value", ['"[oo, 1]"', "[inf, inf]", "[[x_9, 1]]", "[0, 0]", "[]", "[[[1]]]"])
-def test_an_odd_value_is_wrong_or_a_fault_with_a_place(value):
-    try:
-        judged = verdict(PLANT, "b", "K", value).verdict
-    except InputError as error:
-        judged = error.render()
-    assert judged == "wrong" or ":1:" in judged
+@pytest.mark.parametrize("value", ['"[oo, 1]"', "[inf, inf]", "[[x_9, 1]]", "[0, 0]", "[]"])
+def test_an_odd_value_is_wrong(value):
+    assert verdict(PLANT, "b", "K", value).verdict == "wrong"

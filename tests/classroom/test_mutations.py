@@ -12,7 +12,8 @@ import pytest
 import sympy as sp
 
 from solver.classroom.judging import judge
-from solver.classroom.values import Reader, Submitted
+from solver.classroom.submitted import Submitted
+from solver.classroom.values import Reader
 from solver.derivation import Status
 from solver.problem.source import Source
 from solver.problem.yaml_tree import parse_yaml

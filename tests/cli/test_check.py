@@ -53,6 +53,34 @@ def test_a_bad_file_does_not_stop_the_rest_and_the_table_has_a_line_for_each(sol
     ]
 
 
+def test_files_of_one_name_have_a_sheet_each_and_what_is_read_is_not_overwritten(solve, folder):
+    for group in ("north", "south"):
+        (folder / group).mkdir()
+        (folder / group / "ada.yaml").write_text(RIGHT, encoding="utf-8")
+    files = ("north/ada.yaml", "south/ada.yaml", "right.yaml")
+    assert solve("check", "problem.yaml", *files, "-f", "html", "-o", "sheets/").code == 0
+    names = sorted(path.name for path in (folder / "sheets").iterdir())
+    assert names == ["north-ada.marked.html", "right.marked.html", "south-ada.marked.html"]
+    for option in ("--csv", "-o"):
+        done = solve("check", "problem.yaml", "right.yaml", option, "./right.yaml")
+        assert (done.code, "not overwritten" in done.err) == (2, True)
+    assert (folder / "right.yaml").read_text(encoding="utf-8") == RIGHT
+
+
+def test_a_label_that_looks_like_markup_is_printed_as_it_is(solve, folder):
+    text = "student: '[/b] [red]x'\nanswers: {a: {polynomial: 2+, poles: 1}, z: 1}\n"
+    (folder / "odd.yaml").write_text(text, encoding="utf-8")
+    done = solve("check", "problem.yaml", "odd.yaml", "right.yaml")
+    assert done.code == 0
+    assert "[/b] [red]x" in done.out
+    assert "the problem has no part 'z'" in " ".join(done.out.split())
+    data = json.loads(solve("check", "problem.yaml", "odd.yaml", "-f", "json").out)
+    assert [remark.partition(":")[0] for remark in data["remarks"]] == [
+        "line 2, column 31 is left out", "line 2, column 42 is left out",
+    ]  # fmt: skip
+    assert data["parts"][0]["answers"]["polynomial"]["verdict"] == "not judged"
+
+
 def test_a_sheet_shows_values_verdicts_and_on_request_the_solution(solve, folder):
     assert solve("check", "problem.yaml", "wrong.yaml", "-f", "html").code == 1
     sheet = (folder / "wrong.marked.html").read_text(encoding="utf-8")

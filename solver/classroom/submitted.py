@@ -1,0 +1,43 @@
+"""What was submitted: a value, and what its decimals may stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import sympy as sp
+
+
+class Decimal(NamedTuple):
+    """A decimal as it was written: its value, half a unit of its last digit, and how many digits are significant."""
+
+    number: sp.Rational
+    half_unit: sp.Rational
+    digits: int
+
+
+@dataclass(frozen=True)
+class Submitted:
+    """A value as sympy has it (`value`), the same with a symbol for each decimal (`form`), and what these were."""
+
+    value: Any
+    form: Any
+    decimals: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
+
+    def with_digits(self, least: int) -> Submitted:
+        """Return it with the decimals of fewer significant digits as the exact numbers that they are."""
+        coarse = {symbol: decimal.number for symbol, decimal in self.decimals.items() if decimal.digits < least}
+        if not coarse:
+            return self
+        kept = {symbol: decimal for symbol, decimal in self.decimals.items() if symbol not in coarse}
+        return Submitted(self.value, replaced(self.form, coarse), kept)
+
+
+def replaced(value: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
+    """Return a value with numbers in place of symbols, in whatever it is made of."""
+    if isinstance(value, Mapping):
+        return {name: replaced(each, numbers) for name, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [replaced(each, numbers) for each in value]
+    return value.xreplace(numbers) if isinstance(value, sp.Basic) else value
