@@ -195,6 +195,9 @@ def _read_values(parameters: MappingNode, lexicon: Lexicon, report: Report) -> N
             del read[entry.key.text]
             barred = BARRED | {name: later[name] for name in read} | {entry.key.text: "it is what is defined"}
             name = _declared(entry.key, lexicon.values)
+            if (word := getattr(entry.value, "text", "")) in ASSUMPTIONS:
+                note = f"write assume: {{{entry.key.text}: {word}}}"
+                raise entry.value.fault(f"'{word}' is what can be assumed of a name, not a value", note=note)
             lexicon.values[name] = lexicon.expression(entry.value, barred=barred)
 
 

@@ -26,6 +26,8 @@ def ugly(one: Solved) -> Iterator[str]:
     """What is wrong with the form of the answers."""
     decimals_typed = re.search(r"\d\.\d", str(one.question.options) + str(one.question.system)) is not None
     for answer in one.work.answers:
+        if re.search(r"\d\.\d", answer.tex) and not decimals_typed and not re.search(r"\d\.\d", answer.value):
+            yield f"{answer.name}: exact, but shown in decimals: {answer.tex}"
         for pattern, said in PRINTED.items():
             if re.search(pattern, answer.tex):
                 yield f"{answer.name}: {said} in {answer.tex}"

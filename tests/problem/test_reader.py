@@ -134,6 +134,7 @@ def test_greek_letters_and_their_names_are_the_same(read):
         ("parameters: {m: 1/0}", ["1:19-20 division by zero"]),
         ("parameters: {m: inf}", ["1:17-20 a finite value is expected here"]),
         ("parameters: {m: 1, μ: 2, mu: 3}", ["1:26-28 'mu' is given twice: it is the same name as 'mu'"]),
+        ("parameters: {m: positive}", ["1:17-25 'positive' is what can be assumed of a name, not a value"]),
         ("parameters: {m: 1, mm: 2}", ["1:20-22 the parameter 'mm' occurs nowhere"]),
     ],
 )

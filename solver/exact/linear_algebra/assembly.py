@@ -17,7 +17,7 @@ _in_order = cmp_to_key(sp.Basic.compare)
 
 
 def linear_combination(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> sp.Expr:
-    """Σ coefficient · function over different functions, none a sum; a real sum in a coefficient is multiplied out."""
+    """Σ coefficient · function over different functions, none a sum; a real sum with parameters is multiplied out."""
     number: sp.Expr = sp.S.Zero
     products: list[sp.Expr] = []
     for coefficient, function in terms:
@@ -45,8 +45,18 @@ def _rest(terms: Iterable[tuple[sp.Expr, sp.Expr]]) -> Iterable[sp.Expr]:
 
 
 def _multiplied_out(coefficient: sp.Expr, function: sp.Expr) -> Iterable[sp.Expr]:
+    if coefficient.is_Add and coefficient.is_number and not function.is_number:
+        return [_over_one_denominator(coefficient, function)]
     parts = [coefficient] if coefficient.has(sp.I) else sp.Add.make_args(coefficient)
     return [part * function for part in parts]
+
+
+def _over_one_denominator(constant: sp.Expr, function: sp.Expr) -> sp.Expr:
+    """(5 + √5)/10 · f for f/2 + √5 f/10: a sum of roots stays the one coefficient of its function."""
+    content, whole = constant.primitive()
+    if whole.is_negative or (whole.is_negative is None and whole.could_extract_minus_sign()):
+        content, whole = -content, -whole
+    return sp.Mul(content, whole, function)
 
 
 def _scaled(number: sp.Expr, function: sp.Expr) -> sp.Expr:
