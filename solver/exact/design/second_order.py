@@ -60,7 +60,7 @@ class SecondOrder:
     def omega_d(self) -> sp.Expr:
         """ω_n √(1 − ζ²)."""
         if self.zeta.free_symbols or self.omega_n.free_symbols:
-            return self.omega_n * sp.sqrt(1 - self.zeta**2)
+            return self.omega_n * complement(self.zeta)
         return tidied(sp.sqrt(tidied(self.omega_n**2 - self.sigma**2)))
 
     @property
@@ -196,7 +196,7 @@ def _angle(equation: Callable[[Any], Any]) -> sp.Expr:
 
 def specified(name: str, zeta: Any, omega_n: Any, band: Any = 4) -> Any:
     """Return the quantity that a specification names, from ζ and ω_n."""
-    root = sp.sqrt(1 - zeta**2)
+    root = complement(zeta)
     match name:
         case "overshoot":
             return sp.exp(-sp.pi * zeta / root)
@@ -209,6 +209,15 @@ def specified(name: str, zeta: Any, omega_n: Any, band: Any = 4) -> Any:
         case "damping_ratio":
             return zeta
     return omega_n
+
+
+def complement(zeta: sp.Expr) -> sp.Expr:
+    """√(1 − ζ²), π/√(π² + ln² M) for the ζ of an overshoot M."""
+    square = 1 - zeta**2
+    if not zeta.free_symbols or not any(abs(power.exp) == sp.S.Half for power in zeta.atoms(sp.Pow)):
+        return sp.sqrt(square)
+    above, below = sp.fraction(sp.cancel(square))
+    return sp.sqrt(square) if above.is_Add else sp.sqrt(above) / sp.sqrt(below)
 
 
 def _check_damping(found: SecondOrder, known: Mapping[str, sp.Expr]) -> None:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from math import factorial
+from typing import Any
 
 import sympy as sp
 
@@ -141,7 +142,23 @@ def _exponential(value: sp.Expr, t: sp.Symbol) -> sp.Expr:
 
 
 def _times(factor: sp.Expr, entries: list[sp.Expr]) -> list[sp.Expr]:
-    return entries if factor == 1 else [factor * entry for entry in entries]
+    return entries if factor == 1 else [_multiplied(factor, entry) for entry in entries]
+
+
+def _multiplied(factor: sp.Expr, entry: Any) -> sp.Expr:
+    """The product, with numbers below a line cancelled: 2 · a/(2 + 2w²) = a/(1 + w²)."""
+    if entry.is_Add:
+        return sp.Add(*(_multiplied(factor, term) for term in entry.args))
+    number, others = factor, []
+    parts: tuple[Any, ...] = sp.Mul.make_args(entry)
+    for each in parts:
+        if each.is_Pow and each.exp.is_Integer and each.base.is_Add:
+            content, base = each.base.primitive()
+            number *= content**each.exp
+            others.append(base**each.exp)
+        else:
+            others.append(each)
+    return sp.Mul(number, *others)
 
 
 def _root_of(factor: Factor) -> Algebraic:
@@ -160,6 +177,10 @@ def polar(root: Root) -> tuple[sp.Expr, sp.Expr]:
     r = sp.sqrt(square if square.free_symbols else in_sines(square))  # not square_root: ω of either sign has radius |ω|
     if root.kind == "decimal":
         return r, sp.atan2(root.shift, root.sigma).evalf(DIGITS)
+    for cosine in root.sigma.atoms(sp.cos):
+        sine = sp.sin(cosine.args[0])
+        if sp.cancel(root.sigma - r * cosine) == 0 and sp.cancel(root.shift**2 - (r * sine) ** 2) == 0:
+            return r, cosine.args[0] if sp.cancel(root.shift - r * sine) == 0 else -cosine.args[0]
     if is_positive(root.shift):
         return r, sp.acos(sp.radsimp(root.sigma / r))
     return r, sp.atan2(root.shift, root.sigma)  # the "upper" root is the lower one where a parameter is negative

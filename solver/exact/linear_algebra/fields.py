@@ -126,14 +126,19 @@ def _whole_angle(found: sp.Expr, tangent: Any) -> sp.Expr:
 
 
 def trigonometric(found: sp.Expr, angle: sp.Expr) -> sp.Expr:
-    """A rational function of cos θ and sin θ as P(cos θ) + Q(cos θ) sin θ, by sin² = 1 − cos²."""
+    """A rational function of cos θ and sin θ as P(cos θ) + Q(cos θ) sin θ, by sin² = 1 − cos².
+
+    Where Q has the denominator 1 − cos² θ, 1/sin θ stands in place of sin θ/(1 − cos² θ).
+    """
     c, s = sp.Dummy("c"), sp.Dummy("s")
     numerator, denominator = sp.fraction(sp.together(found.xreplace({sp.cos(angle): c, sp.sin(angle): s})))
     a, b = _linear_in(denominator, s, c)
     p, q = _linear_in(numerator * (a - b * s), s, c)
     denominator = a**2 - b**2 * (1 - c**2)
-    whole = sp.cancel(p / denominator) + sp.cancel(q / denominator) * s
-    return sp.expand(whole.xreplace({c: sp.cos(angle), s: sp.sin(angle)}))
+    odd = sp.cancel(q / denominator)
+    below, rest = sp.div(sp.denom(odd), 1 - c**2, c)
+    odd = odd * s if rest != 0 or below == 0 else sp.cancel(sp.numer(odd) / below) / s
+    return sp.expand((sp.cancel(p / denominator) + odd).xreplace({c: sp.cos(angle), s: sp.sin(angle)}))
 
 
 def collected(found: sp.Expr) -> sp.Expr:

@@ -10,6 +10,9 @@ from solver.conditions import conditions_of
 from solver.exact.linear_algebra.fields import collected, in_sines
 from solver.exact.linear_algebra.signs import possible_signs
 
+LARGEST_MULTIPLE = 20
+"""Beyond, cos(n arccos c) is shorter than its value."""
+
 
 def square_root(radicand: sp.Expr) -> sp.Expr:
     """√radicand with squares taken out, as a person writes it: √12 = 2√3, √(4k/m) = 2√(k/m)."""
@@ -54,6 +57,20 @@ def without_bars(value: Any) -> Any:
         if len(signs) == 1 or signs == {0, 1}:
             found[each] = each.args[0] * (-1 if -1 in signs else 1)
     return value.xreplace(found) if found else value
+
+
+def multiple_angles(value: sp.Expr) -> sp.Expr:
+    """The value with cos(n arccos c) and sin(n arccos c), n an integer and c a number, by Chebyshev's polynomials."""
+    found = {}
+    for wave in value.atoms(sp.cos, sp.sin):
+        n, angle = wave.args[0].as_coeff_Mul()
+        if n.is_Integer and abs(n) <= LARGEST_MULTIPLE and isinstance(angle, sp.acos) and angle.args[0].is_number:
+            c, size = angle.args[0], int(abs(n))
+            if isinstance(wave, sp.cos):
+                found[wave] = sp.expand(sp.chebyshevt(size, c))
+            else:
+                found[wave] = sp.expand(sp.sign(n) * sp.chebyshevu(size - 1, c) * sp.sqrt(sp.expand(1 - c**2)))
+    return value.xreplace(found)
 
 
 def over_root(value: sp.Expr) -> sp.Expr:

@@ -15,6 +15,7 @@ import sympy as sp
 
 from solver.exact.functions.rational import RationalMatrix, highest_power, residue_at
 from solver.exact.functions.residues import FactorResidues
+from solver.exact.linear_algebra.radicals import multiple_angles
 from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.linear_algebra.spectrum import DIGITS, Root
 from solver.exact.time_response.long_run import constant_root, limit, slowest
@@ -211,7 +212,7 @@ def _largest_sample(image: RationalMatrix, y: sp.Expr, k: sp.Symbol, bound: floa
     first = next(i for i in range(last) if abs(values[i]) >= largest * (1 - 1e-13))
     if first == 0 or abs(values[first]) <= max(bound, abs(values[0])) * (1 + SEEN):
         return None
-    return Peak(sp.Integer(first), sp.expand(y.subs(k, first)))
+    return Peak(sp.Integer(first), sp.expand(multiple_angles(y.subs(k, first))))
 
 
 def _highest_order(image: RationalMatrix) -> int:

@@ -91,7 +91,7 @@ def observer_matrices_of(
     """J = A22 − L A12, N = A21 − L A11 + J L, M = B2 − L B1 (less N D): the error is then driven by nothing."""
     A11, A12, A21, A22, B1, B2 = parts.blocks.values()
     yield Step("error_equation", unclaimed="the conditions define J, N and M", detail="full", discrete=plant.discrete)
-    J = sp.ImmutableMatrix(A22 - exact.multiply(L, A12))
+    J = sp.ImmutableMatrix((A22 - exact.multiply(L, A12)).applyfunc(exact.tidy))
     N = sp.ImmutableMatrix((A21 - exact.multiply(L, A11) + exact.multiply(J, L)).applyfunc(exact.tidy))
     forward = sp.ImmutableMatrix((B2 - exact.multiply(L, B1)).applyfunc(exact.tidy))
     stated: Stated = difference(B2, product(L, B1))
