@@ -61,6 +61,8 @@ def test_everything_in_a_layout_is_drawn_where_it_is(name, axes_of):
     assert [[tuple(map(float, p)) for p in line.get_xydata()] for line in axes.lines] == [list(w.points) for w in wires]
     names = [text.get_text() for text in axes.texts if text.get_text()]
     assert sorted(names) == sorted(f"${i.text}$" for i in items(layout, (Block, Label)) if i.text)
+    inside = [(text.get_text(), text._x, text._y) for text in axes.texts]
+    assert {(f"${each.text}$", each.x, each.y) for each in items(layout, Block)} <= set(inside)
     for label in (item for item in items(layout, Label) if item.text):
         near = [text for text in axes.texts if text.get_text() == f"${label.text}$"]
         assert min(np.hypot(text._x - label.x, text._y - label.y) for text in near) < 0.1
