@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import product
+from math import prod
 from typing import Any
 
 import sympy as sp
@@ -31,9 +33,15 @@ def all_positive(conditions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol] = ()
     kept = _conjunction(conditions)
     if kept is None:
         return sp.false
-    kept = _without_implied(kept)
-    return sp.And(*(_solved(x, wanted) for x in kept[0]), *(sp.Ne(x, 0) for x in kept[1]))
+    decided = _decided(kept[0])
+    if decided is None:
+        return sp.false
+    positive, nonzero = _without_implied((decided, [x for x in kept[1] if x not in decided and -x not in decided]))
+    return sp.And(*_relations(positive, wanted), *(sp.Ne(x, 0) for x in nonzero))
 
+
+MOST_FACTORS = 6
+"""Of more factors the signs are not tried one by one."""
 
 Kept = tuple[list[sp.Expr], list[sp.Expr]]
 
@@ -71,11 +79,62 @@ def _new(x: sp.Expr, known: list[sp.Expr]) -> list[sp.Expr]:
     return [] if each in known else [each]
 
 
+def _decided(positive: list[sp.Expr]) -> list[sp.Expr] | None:
+    """The products taken apart where their factors can have these signs only; None where no signs are possible."""
+    products = [[each for each in signed_factors(x) if sign_of(each[0]) is None] for x in positive]
+    factors = list(dict.fromkeys(factor for each in products for factor, _ in each))
+    if all(len(each) < 2 for each in products) or len(factors) > MOST_FACTORS:
+        return positive
+    known = [sign_of(sp.Mul(*(f**n for f, n in signed_factors(x) if sign_of(f) is not None))) for x in positive]
+    possible = []
+    for signs in product((1, -1), repeat=len(factors)):
+        at = dict(zip(factors, signs, strict=True))
+        held = (k == prod(at[f] for f, n in each if n % 2) for k, each in zip(known, products, strict=True))
+        listed = [sign * factor for factor, sign in at.items()]
+        if all(held) and not _contradictory(listed):
+            possible.append(listed)
+    if len(possible) == 1:
+        return [sp.expand(x) for x in possible[0]]
+    return positive if possible else None
+
+
+def _contradictory(positive: list[sp.Expr]) -> bool:
+    """Whether it is seen that these cannot be positive together."""
+    signs = _signs_of_symbols(positive)
+    if any(sign_of(sp.expand(x.xreplace(signs))) == -1 for x in positive if x not in signs and -x not in signs):
+        return True
+    alone = [(generator_of(each), each) for symbol, each in _by_symbol(positive).items() if symbol is not None]
+    return any(g is not None and not positive_intervals(each, g) for g, each in alone)
+
+
+def _relations(positive: list[sp.Expr], wanted: Sequence[sp.Symbol]) -> Iterator[Condition]:
+    """The conditions, those on one symbol alone as an interval of it where they are several."""
+    for symbol, each in _by_symbol(positive).items():
+        generator = generator_of(each) if symbol is not None and len(each) > 1 else None
+        if generator is not None:
+            yield relational(positive_intervals(each, generator), generator)
+        else:
+            yield from (_solved(x, wanted) for x in each)
+
+
+def _by_symbol(positive: list[sp.Expr]) -> dict[Any, list[sp.Expr]]:
+    """The expressions by their only symbol; None for those with several."""
+    groups: dict[Any, list[sp.Expr]] = {}
+    for x in positive:
+        groups.setdefault(next(iter(x.free_symbols)) if len(x.free_symbols) == 1 else None, []).append(x)
+    return groups
+
+
+def _signs_of_symbols(positive: list[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
+    """Symbols of the signs that are said of them, by those of the problem."""
+    signs: dict[sp.Expr, sp.Expr] = {x: sp.Dummy(str(x), positive=True) for x in positive if x.is_Symbol}
+    return signs | {-x: -sp.Dummy(str(-x), positive=True) for x in positive if (-x).is_Symbol}
+
+
 def _without_implied(kept: Kept) -> Kept:
     """Leave out what is positive already because some symbols are."""
     positive, nonzero = kept
-    signs: dict[sp.Expr, sp.Expr] = {x: sp.Dummy(str(x), positive=True) for x in positive if x.is_Symbol}
-    signs |= {-x: -sp.Dummy(str(-x), positive=True) for x in positive if (-x).is_Symbol}
+    signs = _signs_of_symbols(positive)
 
     def implied(x: sp.Expr) -> bool:
         return x not in signs and -x not in signs and sign_of(sp.expand(x.xreplace(signs))) == 1
