@@ -1,20 +1,24 @@
 """`solve tasks`, `solve new`, `solve schema`: what can be asked."""
 
 import json
+from dataclasses import dataclass
 from importlib import import_module
 from pkgutil import iter_modules
+from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
 
 import solver.options
-from solver.derivation import OptionKind
+from solver.cli.catalogue_text import one
+from solver.derivation import AnswerName, OptionKind, Options, Task, option
 from solver.options.channel import Channel
 from solver.options.choice import Choice
 from solver.options.expression import Expression
 from solver.options.expression_list import ExpressionList
 from solver.options.flag import Flag
 from solver.options.integer import Integer
+from solver.options.loop_element import LoopElement
 from solver.options.matrix import MatrixOf
 from solver.options.names import Names
 from solver.options.number import Number
@@ -50,6 +54,41 @@ def test_all_about_a_task_is_told(solve, name):
     assert max(map(len, done.out.splitlines())) <= 100
 
 
+@dataclass(frozen=True)
+class Declared(Options):
+    """What a task might take."""
+
+    steps: int = option(Integer(1, 9), "the number of steps", required=True, methods=("slow",))
+    dual: bool = option(Flag(), "whether it is turned round")
+    gain: Any = option(Number(), "a gain")
+
+
+def test_a_task_is_described_by_its_needs_methods_options_and_answers():
+    answers = [AnswerName("rank", "r", r"the rank of $\sym{K}$", ("slow",)), AnswerName("P", "P", "P", optional=True)]
+    task = Task("turn", title="Turning", doc="It turns.", needs=("A", "B"), options=Declared, answers=answers)
+    task.method("slow", title="Slowly", source="A book", time="discrete")(lambda given: given)
+    task.method("quick", title="Quickly")(lambda given: given)
+    assert one(task).split("\n") == [
+        "turn",
+        "  Turning.",
+        "  It turns.",
+        "  Needs A, B of the system.",
+        "",
+        "Methods",
+        "  slow   Slowly; discrete time; A book",
+        "  quick  Quickly",
+        "",
+        "Options",
+        "  steps  the number of steps [a whole number from 1 to 9; required] (only slow)",
+        "  dual   whether it is turned round [true or false; default false]",
+        "  gain   a gain [a number]",
+        "",
+        "Answers",
+        "  rank  the rank of K_f (only slow)",
+        "  P     P (where it makes sense)",
+    ]
+
+
 KINDS = {
     Integer(): "a whole number",
     Integer(1, 12): "a whole number from 1 to 12",
@@ -67,6 +106,8 @@ KINDS = {
     Channel("input"): "an input by number from 1 or by name",
     Channel("state"): "a state by number from 1 or by name",
     Names(): "a list of names",
+    LoopElement(): "an expression in s (discrete: z)",
+    LoopElement(switched=True): "unity, none or an expression in s (discrete: z)",
     TransferFunctionOption(): "a transfer function",
 }
 

@@ -64,28 +64,6 @@ def test_the_schema_of_a_kind_admits_what_is_read_and_nothing_else(kind, fitting
     assert [value for value in [*fitting, *others] if validator.is_valid(value)] == fitting
 
 
-@pytest.mark.parametrize(
-    ("kind", "words"),
-    [
-        (Integer(), "a whole number"),
-        (Integer(1), "a whole number from 1"),
-        (Integer(maximum=9), "a whole number up to 9"),
-        (Integer(1, 9), "a whole number from 1 to 9"),
-        (MatrixOf(), "a matrix; a flat list is a row"),
-        (MatrixOf("n", None, flat="column"), "a matrix n×any; a flat list is a column"),
-        (Channel("state"), "a state by number from 1 or by name"),
-        (Channel("output"), "an output by number from 1 or by name"),
-        (Expression(), "an expression"),
-        (Expression(("t", "k")), "an expression in t, k"),
-        (ExpressionList(("t",)), "an expression or a list of them, in t"),
-        (LoopElement(), "an expression in s (discrete: z)"),
-        (LoopElement(switched=True), "unity, none or an expression in s (discrete: z)"),
-    ],
-)
-def test_what_is_written_is_said_in_words(kind, words):
-    assert kind.words == words
-
-
 def test_values_are_taken_from_earlier_parts_and_words_are_not():
     values = (Number(), Expression(), ExpressionList(), LoopElement(), MatrixOf(), Poles(), TransferFunctionOption())
     assert all(kind.referable for kind in values)
