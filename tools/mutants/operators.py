@@ -116,8 +116,14 @@ def _is_unseen(node: ast.AST) -> bool:
             return True
         case ast.Call(function):
             return _name(function) in SPEED | CHANCE | {"cast"}
-        case ast.BinOp(base, ast.Pow(), ast.UnaryOp(ast.USub())):
-            return _is_ten(base)  # a power of ten below which nothing is left: others near it do as well
+    return _is_tiny(node)
+
+
+def _is_tiny(node: ast.AST) -> bool:
+    """Whether it is a power of ten below which nothing is left: others near it do as well."""
+    match node:
+        case ast.BinOp(base, ast.Pow(), exponent):
+            return _is_ten(base) and ast.unparse(exponent).startswith("-")
     return False
 
 
@@ -186,8 +192,9 @@ def _changes(node: ast.expr) -> Iterator[tuple[str, ast.expr]]:
 
 
 def _is_decimal(*nodes: ast.expr) -> bool:
-    """Whether one of the expressions is a decimal other than 0.0, which is met."""
-    return any(isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value for node in nodes)
+    """Whether one of the expressions is a decimal other than 0.0, which is met, or of a small power of ten."""
+    decimals = (isinstance(node, ast.Constant) and isinstance(node.value, float) and node.value for node in nodes)
+    return any(decimals) or any(_is_tiny(part) for node in nodes for part in ast.walk(node))
 
 
 def _is_number(node: ast.expr) -> bool:

@@ -73,6 +73,19 @@ def test_in_decimals_right_is_right_and_wrong_is_not(topic, case):
             assert not verdict(topic, case, answer, in_decimals), answer
 
 
+OF_ANY_SHAPE = {"row_space_residual", "is_unit_vector", "diagonalizable"}
+"""Judges of rows, however many, of a vector of any size, and of the question itself."""
+
+
+@pytest.mark.parametrize(("topic", "case"), [each for each in CASES if each.values[1].judge not in OF_ANY_SHAPE])
+def test_a_matrix_with_a_row_or_column_more_or_less_is_not_accepted(topic, case):
+    for right in (answer for answer in case.accepted[:2] if isinstance(answer, sp.MatrixBase)):
+        wider = sp.Matrix.hstack(right, sp.zeros(right.rows, 1)), sp.Matrix.vstack(right, sp.zeros(1, right.cols))
+        smaller = [right[:-1, :]] * (right.rows > 1) + [right[:, :-1]] * (right.cols > 1)
+        for answer in (*wider, *smaller):
+            assert not verdict(topic, case, sp.ImmutableMatrix(answer))
+
+
 def test_a_set_point_beside_the_right_one_is_measured_against_the_size_of_its_terms():
     """x₁ is 1 by one row and 1 + d by another: at best both are off by d/2, where the terms are of size 2."""
     d = sp.Rational(1, 1000)
