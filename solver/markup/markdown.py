@@ -27,7 +27,6 @@ def parser() -> MarkdownIt:
     """Return the one parser."""
     found = MarkdownIt("commonmark", {"html": False}).enable("table")
     dollarmath_plugin(found, allow_labels=False, allow_digits=False, allow_blank_lines=False, double_inline=True)
-    found.disable(["html_block", "html_inline"])
     found.validateLink = lambda url: bool(_ALLOWED_LINK.match(url))  # type: ignore[method-assign]  # its documented use
     found.inline.ruler.at("image", _image)
     return found

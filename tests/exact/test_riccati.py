@@ -41,6 +41,12 @@ def test_textbook_solutions(A, B, Q, R, P, count):
     assert all(residual(A, B, Q, R, each.P) == 0 for each in found.solutions)
 
 
+def test_a_large_rational_number_stays_one():
+    found = riccati(*map(sp.ImmutableMatrix, ([[0]], [[1]], [[123456789**2]], [[1]])))
+    assert found.stabilizing.exact
+    assert list(found.stabilizing.P) == [123456789]
+
+
 def test_nested_roots_of_the_unstable_plant_of_the_course():
     A, B, Q, R = [[1, 1], [0, 2]], [[0], [1]], sp.diag(1, 0), sp.Matrix([[1]])
     found = riccati(*map(sp.ImmutableMatrix, (A, B, Q, R)))

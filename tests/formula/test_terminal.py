@@ -101,3 +101,11 @@ def test_every_tree_has_lines_of_one_width(tree):
     box = drawn_box(tree, display=True)
     assert len({cells(line) for line in box.lines}) == 1
     assert len(drawn_box(tree, display=False).lines) == 1
+
+
+@pytest.mark.parametrize("opening", [*v.PAIRS, "|", r"\|", "/"])
+def test_every_bracket_is_as_high_as_what_it_encloses(opening):
+    lines = drawn(rf"\left{opening}\frac{{a}}{{b}}\right{v.PAIRS.get(opening, opening)}")
+    assert len(lines) == 3
+    assert all(line[:1].strip() and line[-1:].strip() for line in lines)
+    assert len(drawn(rf"\left{opening}a\right.")) == 1

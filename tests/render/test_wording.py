@@ -143,6 +143,13 @@ def test_a_question_is_the_prompt_or_comes_from_the_template(templates):
     assert Wording(templates=templates).question(part) == "Order 2, 3 terms."
 
 
+def test_a_long_sum_is_broken_before_signs_between_terms_and_not_before_the_sign_of_one():
+    first = "abcdefgh" * 8
+    lines = [latex(line) for line in broken(read(f"x = -{first} + {first} - {first}"), 68.0)]
+    assert [line[:5].replace(" ", "") for line in lines] == ["x=-", "+abcd", "-abcd"]
+    assert [latex(line) for line in broken(read("a - b"), 68.0)] == ["a - b"]
+
+
 def test_what_is_given_is_shown():
     given = Wording().given(StateSpace(A, B=sp.ImmutableMatrix([0, 1]), D=sp.ImmutableMatrix([[0]])))
     assert "A = " in given

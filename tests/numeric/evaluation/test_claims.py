@@ -6,7 +6,7 @@ import math
 import pytest
 import sympy as sp
 
-from solver.derivation import CheckStatus, Claim, Step
+from solver.derivation import Check, CheckStatus, Claim, Step
 from solver.numeric import check_claim, check_residual, check_steps
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.points import PointSource, free_symbols, whole_symbols
@@ -180,3 +180,10 @@ def test_a_change_of_any_single_entry_is_seen(i, j):
     other = M.copy()
     other[i, j] *= 1 + sp.Rational(1, 10**7)
     assert status(M, other) is CheckStatus.FAILED
+
+
+def test_a_difference_as_large_as_allowed_is_no_error():
+    assert Check.within("a", "b", 0.0, 0.0).status is CheckStatus.PASSED
+    assert Check.within("a", "b", 1e-9, 1e-9).status is CheckStatus.PASSED
+    assert Check.within("a", "b", 1.1e-9, 1e-9).status is CheckStatus.FAILED
+    assert Check.within("a", "b", float("nan"), 1e-9).status is CheckStatus.FAILED
