@@ -30,6 +30,8 @@ HOMES = {"options": "tests/problem/", "systems": "tests/problem/"}
 """Where the tests of a room are that has no folder of its own among them."""
 READING = tuple(f"tests/{name}.py" for name in ("project/test_tables", "problem/test_schema", "tasks/test_promised"))
 """Tests of what the files declare: they run none of their functions."""
+FEW = 4
+"""A line that fewer tests run may be one whose result they remember."""
 FORK = multiprocessing.get_context("fork")
 NO_TESTS = int(pytest.ExitCode.NO_TESTS_COLLECTED)
 KILLED, KILLED_ELSEWHERE = 1, 101
@@ -53,6 +55,8 @@ def chosen_for(mutant: Mutant, reached: Reached) -> list[str]:
     if not direct:
         direct = reached.tests_of_file(mutant.file) or {test for test in reached.seconds if test.startswith(own)}
         direct |= {test for test in reached.seconds if test.startswith(READING)}
+    if len(direct) < FEW:  # what is remembered is found by one test, for all others
+        direct |= reached.tests_of_file(mutant.file)
     mine = {test for test in direct if test.startswith(own)}
     mine = mine or {test for test in reached.seconds if test.startswith(own)}  # some run it when they are collected
     return [*_within(BUDGET, mine, reached, name), *_within(BUDGET_ELSEWHERE, direct - mine, reached, name)]
