@@ -1,6 +1,7 @@
 """A part that takes too long, too much memory, or the process down costs nothing but itself."""
 
 import sys
+import time
 from dataclasses import fields, is_dataclass
 from enum import StrEnum
 
@@ -11,6 +12,7 @@ from solver.document.model import Presentation
 from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.limits import Limits, Supervision, in_child, solve_within
+from solver.limits.call import Exceeded, call_within
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
@@ -190,3 +192,34 @@ def test_a_spawned_child_gives_the_same_results(read_example, monkeypatch):
     parts = solve_problem(problem, in_child()).parts
     assert [part.status for part in parts] == [Status.VERIFIED] * len(parts)
     assert [part.answers for part in parts] == [part.answers for part in solve_problem(problem).parts]
+
+
+def deep(size):
+    found = []
+    for _ in range(size):
+        found = [found]
+    return found
+
+
+def fails(error):
+    raise error
+
+
+@pytest.mark.parametrize(
+    ("function", "argument", "seconds", "reason"),
+    [
+        (fails, MemoryError(), 20, "memory limit of 2000 MB"),
+        (fails, RecursionError(), 20, "nested too deeply"),
+        (fails, ValueError("a fault"), 20, "a fault"),
+        (deep, 100_000, 20, "nested too deeply"),
+        (time.sleep, 30, 0.25, "time limit of 0.25 s"),
+    ],
+)
+def test_a_call_that_does_not_return_says_why(function, argument, seconds, reason):
+    with pytest.raises(Exceeded) as ended:
+        call_within(Limits(seconds, 2000), function, argument)
+    assert reason in str(ended.value.reason)
+
+
+def test_a_call_returns_what_the_function_does():
+    assert call_within(Limits(20, 2000), divmod, 17, 5) == (3, 2)

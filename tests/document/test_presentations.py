@@ -184,3 +184,12 @@ def test_the_marks_are_those_of_the_answers_asked_for(solved):
     submission = "answers: {a: {K: [[4, 6]], polynomial: s^2 + 3s + 2}}\n"
     marking = mark(solved, read_submission(Source("answers.yaml", submission), solved.problem))
     assert (marking.parts[0].marks, marking.parts[0].out_of) == (2, 4)
+
+
+def test_a_part_has_an_anchor_of_letters_digits_and_hyphens():
+    text = TEXT.replace("  b: stability", "  b_2: stability")
+    assert [part.anchor for part in told(text).parts] == [
+        "part-a-ackermann",
+        "part-a-bass-gura",
+        "part-b-2-eigenvalues",
+    ]

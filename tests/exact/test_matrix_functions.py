@@ -7,6 +7,8 @@ from hypothesis import given
 from scipy.linalg import expm
 
 from solver import exact
+from solver.exact.functions.matrix_functions import conditions_for
+from solver.exact.functions.scalar_functions import ScalarFunction
 from tests.helpers.exact_cases import (
     COMPLEX,
     DECIMAL,
@@ -253,3 +255,16 @@ def test_powers_of_random_systems_agree_with_numpy(A):
     for exponent in (0, 1, 2, 3, 7):
         expected = np.linalg.matrix_power(floats(A).real, exponent)
         assert np.abs(floats(closed, k=exponent) - expected).max() <= 1e-9 * max(1, np.abs(expected).max())
+
+
+@pytest.mark.parametrize("A", **each(NUMERIC))
+def test_the_conditions_on_the_coefficients_are_as_many_as_states_and_give_the_function(A):
+    """f(A) = Σ αⱼ Aʲ, where the α meet all the conditions; those of a conjugate pair are two real ones."""
+    variable = sp.Symbol("A")
+    conditions = list(conditions_for(A, ScalarFunction(sp.exp(variable / 2), variable)))
+    assert len(conditions) == A.rows
+    rows = np.array([[complex(entry) for entry in each.row] for each in conditions])
+    alphas = np.linalg.solve(rows, np.array([complex(each.right) for each in conditions]))
+    F = floats(A)
+    powers = sum(alpha * np.linalg.matrix_power(F, j) for j, alpha in enumerate(alphas))
+    assert np.allclose(powers, expm(F / 2), rtol=1e-6, atol=1e-7)

@@ -40,4 +40,6 @@ def test_minors_are_determinants_of_chosen_columns_and_not_too_many():
     assert list(minors_of(rows, 1)) == [x, R.one, R.zero, R.one, x, x + 1]
     with pytest.raises(NotExact):
         list(minors_of([[x] * (MOST_MINORS + 1)], 1))
+    with pytest.raises(NotExact):
+        list(minors_of([[x]] * (MOST_MINORS + 1), 1))
     assert len(list(minors_of([[x] * MOST_MINORS], 1))) == MOST_MINORS

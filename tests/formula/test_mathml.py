@@ -285,3 +285,9 @@ def test_widths_grow_with_the_formula() -> None:
     ]
     assert widths == sorted(widths)
     assert widths[0] == 0.5
+
+
+@pytest.mark.parametrize("brackets", [r"\left({}\right)", "({})", r"\left[{}\right.", r"\left\{{{}\right\}}"])
+def test_every_bracket_takes_its_width(brackets: str) -> None:
+    more = mathml(brackets.format("x")).width - mathml("x").width
+    assert more == pytest.approx(0.4 if brackets.endswith(".") else 0.8)

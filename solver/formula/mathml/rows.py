@@ -25,7 +25,7 @@ def bars(items: Sequence[Node]) -> dict[int, str]:
 def is_relation_between_words(items: Sequence[Node]) -> bool:
     """Whether all is text but one operator (verdict = stable): among mere text its own space would be left out."""
     others = [item for item in items if not isinstance(item, Text | Space)]
-    return len(others) == 1 and isinstance(others[0], Operator) and len(items) > 1
+    return len(others) == 1 and isinstance(others[0], Operator)
 
 
 def thin_space_between(left: Node | None, right: Node) -> bool:
