@@ -14,6 +14,7 @@ from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import Answers, Check, CheckStatus, Given, Task
 from solver.lazy import numeric
 from solver.problem.model import DIGITS
+from solver.symbols import MEANINGS, SAMPLES
 from solver.words import Reason
 
 STRANGE = (ValueError, TypeError, LookupError, ArithmeticError, AttributeError, NotImplementedError)
@@ -76,8 +77,18 @@ def _misfit(name: str, each: Submitted, question: Question) -> AnswerVerdict | N
         reason = Reason("marking/not_finite")
     elif both and each.value.shape != ours.shape and 0 not in ours.shape:
         reason = Reason("marking/size", {"wanted": ours.shape, "given": each.value.shape})
+    elif varying := _varying(name, each, question):
+        reason = Reason("marking/not_constant", {"names": varying})
     entries = shaped(each.value, lambda _: str(Verdict.WRONG))
     return AnswerVerdict(name, Verdict.WRONG, each.value, reason, entries=entries) if reason is not None else None
+
+
+def _varying(name: str, each: Submitted, question: Question) -> list[str]:
+    """Variables in a value of which many are right, such as s or t, where neither ours nor the question has them."""
+    if not question.task.answers[name].is_free(question.given):
+        return []
+    known = _symbols([question.ours.get(name), *question.given.options.values, *_matrices_of(question.given.system)])
+    return sorted(symbol.name for symbol in _symbols([each.value]) - known if symbol.name in {*MEANINGS, *SAMPLES})
 
 
 def _infinite(value: Any) -> bool:

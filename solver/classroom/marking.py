@@ -28,6 +28,9 @@ from solver.render.prose import plain
 from solver.tasks import catalogue
 from solver.words import Reason
 
+NOTHING = sp.Rational(1, 1000)
+"""A gain that is smaller beside ours changes almost nothing."""
+
 Values = dict[str, Submitted]
 """What was submitted for a part and could be read, by the answers' names."""
 
@@ -227,9 +230,9 @@ def _earned(part: Part, ours: Mapping[str, Any], verdicts: Mapping[str, AnswerVe
 
 
 def trivial(own: Any, ours: Any) -> bool:
-    """Whether an earlier answer would trivialise what follows: zeros or a shape that ours does not have."""
+    """Whether an earlier answer would trivialise what follows: zeros, almost nothing, or a shape that ours has not."""
     if isinstance(own, sp.MatrixBase):
-        if not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape:
+        if not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape or _is_nothing(own, ours):
             return True
         zero_rows = [own.row(i).is_zero_matrix and not ours.row(i).is_zero_matrix for i in range(own.rows)]
         identity = own.is_square and own == sp.eye(own.rows) and ours != own
@@ -237,6 +240,14 @@ def trivial(own: Any, ours: Any) -> bool:
     if isinstance(own, list | tuple):
         return len(own) != len(ours)
     return bool(own == 0)
+
+
+def _is_nothing(own: sp.MatrixBase, ours: sp.MatrixBase) -> bool:
+    """Whether numbers are so small beside ours that they could as well be zero."""
+    if own.free_symbols or ours.free_symbols:
+        return False
+    largest, usual = (max((abs(sp.N(entry)) for entry in M.flat()), default=0) for M in (own, ours))
+    return bool(largest < NOTHING * usual)
 
 
 def _read(reader: Reader, node: Node, ours: Any) -> Submitted:

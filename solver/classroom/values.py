@@ -27,8 +27,8 @@ RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!="
              (">", sp.Gt), ("=", sp.Eq))  # fmt: skip
 ALL, NONE = ("reals", "all", "any", "every", "always", "all reals"), ("none", "never", "no", "[]")
 _RELATION = re.compile(r"<=|>=|!=|[≤≥≠<>]|==?")
-_AND = re.compile(r"\s+(?:and|AND)\s+|\s*(?:&&?|∧|;|,)\s*")
-_OR = re.compile(r"\s+(?:or|OR)\s+|\s*(?:\|\|?|∨)\s*")
+_AND = re.compile(r"\s+(?:and|und)\s+|\s*(?:&&?|∧|;|,)\s*", re.IGNORECASE)
+_OR = re.compile(r"\s+(?:or|oder)\s+|\s*(?:\|\|?|∨)\s*", re.IGNORECASE)
 _EQUATION = re.compile(r"^(Eq|Ne)\s*\((.*)\)$", re.DOTALL)
 
 

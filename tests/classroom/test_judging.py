@@ -173,6 +173,65 @@ def test_the_problem_asks_for_digits_and_a_part_for_others():
     assert verdict(f"digits: 3\n{DECIMALS}", "f", "K", "[0.67, 1]").verdict == "not judged"
 
 
+FREE = """\
+system: {A: [[1, 1, 0], [0, 1, 0], [0, 1, 1]], B: [0, 1, 0], C: [1, 1, 1]}
+find:
+  a: {task: kalman_decomposition, part: controllable}
+  b: {task: eigenstructure, system: {matrix: [[0, 1], [-2, -3]]}}
+  c: {task: stability_range, system: {A: [[0, 1, 0], [0, 0, 1], [-K, -2, -3]]}, parameters: [K]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("part", "values", "expected"),
+    [
+        ("a", {"B_c": "[7, 9]"}, ["not judged"]),
+        ("a", {"C_c": "[[1, 2]]"}, ["not judged"]),
+        ("a", {"B_c": '["1/s", 2]'}, ["wrong"]),
+        ("a", {"B_c": "[0, 0]"}, ["wrong"]),
+        ("b", {"right_eigenvectors": "[[1, 1], [-2, -1]]"}, ["correct"]),
+        ("b", {"right_eigenvectors": "[[q, 1], [-2q, -1]]"}, ["correct"]),
+        ("b", {"right_eigenvectors": "[[t, 1], [-2t, -1]]"}, ["wrong"]),
+        ("b", {"right_eigenvectors": '[["exp(s)", 1], ["-2exp(s)", -1]]'}, ["wrong"]),
+        ("b", {"eigenvalues": "[-2, -1]", "right_eigenvectors": "[[1, 1], [-2, -1]]"}, ["correct", "correct"]),
+        ("b", {"eigenvalues": "[-1, -2]", "right_eigenvectors": "[[1, 1], [-2, -1]]"}, ["correct", "wrong"]),
+        ("b", {"eigenvalues": "[-1, -2]", "left_eigenvectors": "[[2, 1], [1, 1]]"}, ["correct", "correct"]),
+        ("b", {"eigenvalues": "[-2, -1]", "left_eigenvectors": "[[2, 1], [1, 1]]"}, ["correct", "wrong"]),
+        ("b", {"eigenvalues": "[-2.0, -1.0]", "right_eigenvectors": "[[1, 1], [-2, -1]]"}, ["correct", "correct"]),
+        ("c", {"condition": "K > 0 und K < 6"}, ["correct"]),
+        ("c", {"condition": "K > 0 AND K < 6"}, ["correct"]),
+        ("c", {"condition": "K < 6 oder K > 0"}, ["wrong"]),
+    ],
+)
+def test_what_is_free_is_judged_with_what_fixes_it(part, values, expected):
+    given = ", ".join(f"{name}: {value}" for name, value in values.items())
+    found = marked(FREE, f"answers: {{{part}: {{{given}}}}}")[part].answers
+    assert [found[name].verdict for name in values] == expected, found
+    if expected == ["not judged"]:
+        (only,) = found.values()
+        assert only.reason == "the coordinates are free: it is judged together with A_c"
+
+
+def test_blocks_in_our_coordinates_are_right_together():
+    ours = solved(FREE).parts[0].answers
+    A, B = (str(ours[name].tolist()) for name in ("A_c", "B_c"))
+    found = marked(FREE, f"answers: {{a: {{A_c: {A}, B_c: {B}}}}}")["a"].answers
+    assert [each.verdict for each in found.values()] == ["correct", "correct"]
+
+
+def test_a_gain_of_almost_nothing_is_not_followed():
+    problem = """\
+system: {A: [[0, 1], [1, 1]], B: [0, 1]}
+find:
+  a: {task: pole_placement, poles: [-1, -2]}
+  b: {task: stability, gain: {from: a}}
+"""
+    answers = "answers: {a: {K: [1e-9, x]}, b: {verdict: unstable}}"
+    assert marked(problem, answers.replace("x", "1e-9"))["b"].answers["verdict"].verdict == "wrong"
+    follows = marked(problem, answers.replace("x", "0.50"))["b"].answers["verdict"]
+    assert (follows.verdict, follows.follows) == ("correct", True)
+
+
 def test_marks_are_split_over_the_principal_answers_in_proportion_to_what_is_right():
     found = marked(PLANT, "answers: {b: {K: [13, 9], polynomial: s^2+6s+13}}")["b"]
     assert found.answers["K"].entries == [["correct", "wrong"]]

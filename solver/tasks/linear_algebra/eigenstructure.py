@@ -203,10 +203,13 @@ def are_the_roots(given: Given[StateSpace, PlantOptions], answers: Answers) -> I
 
 @eigenstructure.verification("right_eigenvectors")
 def are_right_chains(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
-    """A V = V J with independent columns; without J, V⁻¹ A V is some Jordan form."""
+    """A V = V J with independent columns; without J, V⁻¹ A V is some Jordan form, in the order of the eigenvalues."""
     A, V, J = given.system.A, answers["right_eigenvectors"], answers.get("jordan_form")
     if J is not None:
         yield numeric.check_residual(r"$A V = V J$", "numpy", lambda: judges.chain_residual(A, V, J))
+    elif "eigenvalues" in answers:
+        right = judges.are_in_order(A, V, answers["eigenvalues"])
+        yield Check.that("the columns of $V$ stand in the order of the eigenvalues", "mpmath.inverse", right)
     yield numeric.check_residual(
         r"$V^{-1} A V$ is in Jordan form", "mpmath.inverse", lambda: judges.chains_residual(A, V)
     )
@@ -215,10 +218,13 @@ def are_right_chains(given: Given[StateSpace, PlantOptions], answers: Answers) -
 
 @eigenstructure.verification("left_eigenvectors")
 def are_left_chains(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
-    """M A = J M with independent rows; without J, M A M⁻¹ is some Jordan form."""
+    """M A = J M with independent rows; without J, M A M⁻¹ is some Jordan form, in the order of the eigenvalues."""
     A, M, J = given.system.A, answers["left_eigenvectors"], answers.get("jordan_form")
     if J is not None:
         yield numeric.check_residual(r"$M A = J M$", "numpy", lambda: judges.left_residual(A, M, J))
+    elif "eigenvalues" in answers:
+        right = judges.are_in_order(A, M, answers["eigenvalues"], rows=True)
+        yield Check.that("the rows of $M$ stand in the order of the eigenvalues", "mpmath.inverse", right)
     yield numeric.check_residual(
         r"$M A M^{-1}$ is in Jordan form", "mpmath.inverse", lambda: judges.chains_residual(A, M, rows=True)
     )

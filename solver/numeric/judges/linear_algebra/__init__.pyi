@@ -8,6 +8,7 @@ from solver.numeric.judges.linear_algebra.eigen import (
     spectrum_residual,
 )
 from solver.numeric.judges.linear_algebra.jordan import (
+    are_in_order,
     chains_residual,
     diagonalizable,
     is_jordan_form,
@@ -15,6 +16,7 @@ from solver.numeric.judges.linear_algebra.jordan import (
 )
 
 __all__ = [
+    "are_in_order",
     "chain_residual",
     "chains_residual",
     "diagonalizable",

@@ -16,7 +16,7 @@ import sympy as sp
 from solver.numeric.evaluation.arithmetic import Array, multiple
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Environment
-from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.expressions import evaluate, value_of
 from solver.numeric.evaluation.points import admissible, free_symbols
 from solver.numeric.evaluation.ranks import independent
 
@@ -25,6 +25,9 @@ CLUSTER = 1e-6
 """Computed eigenvalues closer than this, relative to the largest of them (at least 1), are one multiple eigenvalue."""
 ZERO = 1e-60
 """Singular values of (A − λI)ᵏ below this, relative to the norm of A to the power k, are zero."""
+
+NEAR = 1e-9
+"""Relative distance of eigenvalues that are the same one."""
 
 Blocks = list[tuple[complex, tuple[int, ...]]]
 
@@ -103,7 +106,34 @@ def chains_residual(A: Any, V: Any, *, rows: bool = False) -> float:
     return worst_of(_chains_at(A, V, point, rows=rows) for point in admissible(free_symbols([A, V]), 2))
 
 
+def are_in_order(A: Any, V: Any, eigenvalues: Sequence[Any], *, rows: bool = False) -> bool:
+    """Whether the columns of V (or its rows) belong to the eigenvalues at the same places, rounded as these may be.
+
+    None other of the eigenvalues may be nearer to what V⁻¹ A V has on its diagonal. Raises NotEvaluable.
+    """
+    if V.shape != A.shape or len(eigenvalues) != A.rows:
+        return False
+    for point in admissible(free_symbols([A, V, list(eigenvalues)]), 2):
+        X = _in_coordinates(A, V, point, rows=rows)
+        if X is None:
+            return False
+        listed = np.array([evaluate(each, point) for each in eigenvalues])
+        apart = np.abs(np.diag(X)[:, None] - listed[None, :])
+        if np.any(np.diag(apart) > apart.min(axis=1) + NEAR * (1 + np.abs(listed))):
+            return False
+    return True
+
+
 def _chains_at(A: Any, V: Any, point: Mapping[Any, complex], *, rows: bool) -> float:
+    X = _in_coordinates(A, V, point, rows=rows)
+    if X is None:
+        return float("inf")
+    scale = max(1.0, float(np.max(np.abs(X))))
+    return float(min(_from_jordan(X), _from_jordan(X.T)) / scale)
+
+
+def _in_coordinates(A: Any, V: Any, point: Mapping[Any, complex], *, rows: bool) -> Array | None:
+    """V⁻¹ A V at a point (with `rows` V A V⁻¹), found with 50 digits; None where V has no inverse."""
     arithmetic = multiple(50)
     mp = arithmetic.context
     here = Environment.at([dict(point)], arithmetic)
@@ -111,10 +141,8 @@ def _chains_at(A: Any, V: Any, point: Mapping[Any, complex], *, rows: bool) -> f
     try:
         similar = V_here * A_here * V_here**-1 if rows else V_here**-1 * A_here * V_here
     except ZeroDivisionError:
-        return float("inf")
-    X = np.array([[complex(similar[i, j]) for j in range(A.rows)] for i in range(A.rows)])
-    scale = max(1.0, float(np.max(np.abs(X))))
-    return float(min(_from_jordan(X), _from_jordan(X.T)) / scale)
+        return None
+    return np.array([[complex(similar[i, j]) for j in range(A.rows)] for i in range(A.rows)])
 
 
 def _from_jordan(X: Array) -> float:

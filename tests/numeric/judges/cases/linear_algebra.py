@@ -44,6 +44,12 @@ CASES = [
         (CHAIN.T, M([[1, 1], [-1, -1]]), sp.eye(2), M([[1, 0], [-1, sp.Rational(1001, 1000)]])),
     ),
     Case(
+        "are_in_order",
+        lambda answer: (A, *answer),
+        ((V, [-1, -2]), (-3 * V, [sp.Float(-1.01), sp.Float(-1.99)]), (V[:, ::-1], [-2, -1])),
+        ((V, [-2, -1]), (V[:, ::-1], [-1, -2]), (V, [-1]), (M([[1, 1], [-1, -1]]), [-1, -2])),
+    ),
+    Case(
         "is_jordan_form",
         lambda answer: answer if isinstance(answer, tuple) else (answer,),
         (J, sp.diag(-1, -2), (J, [-1, -1])),
