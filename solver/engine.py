@@ -48,6 +48,10 @@ DIGITS = 15
 """Significant digits of decimals that a later part takes from an earlier one."""
 
 
+LONG = 10**9
+"""A fraction of larger numbers, where decimals went in, is a decimal again in what comes out."""
+
+
 @dataclass(frozen=True)
 class Solution:
     """A problem with what became of its parts: one result for each part and method, in the order asked."""
@@ -114,6 +118,8 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
         with noted_calls(steps) as calls:
             given = given_of(part, method, earlier, steps)
             answers = yield_into(steps, task.methods[method].derive(given))
+        if _rests_on_decimals(part, earlier):
+            answers = Answers(**{name: _short_again(value) for name, value in answers.items()})
         checks = (*numeric.check_steps(steps), *check_calls(calls, steps), *task.verify(given, answers))
         status, reason = verdict(checks, answers)
     except (Unsolved, exact.NotExact) as refusal:
@@ -227,6 +233,32 @@ def _as_printed(matrix: Any) -> Any:
     """Return a matrix with its decimals taken as exact numbers of 15 digits, so that exact algebra goes on."""
     exactly = {each: sp.Rational(str(sp.Float(each, DIGITS))) for each in matrix.atoms(sp.Float)}
     return matrix.xreplace(exactly) if exactly else matrix
+
+
+def _rests_on_decimals(part: Part, earlier: Earlier) -> bool:
+    """Whether a part takes decimals from an earlier one."""
+    references = [*part.options.values(), getattr(part.system, "gain", None)]
+    taken = [earlier[each.part].answers.get(each.answer) for each in references if isinstance(each, Reference)]
+    if isinstance(part.system, EarlierPart):
+        taken += earlier[part.system.part].answers.values()
+    return any(hasattr(value, "has") and value.has(sp.Float) for each in taken for value in _listed(each))
+
+
+def _listed(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value]
+
+
+def _short_again(value: Any) -> Any:
+    """Return an answer with decimals in place of the long fractions that exact algebra made of decimals."""
+    if isinstance(value, list):
+        return [_short_again(each) for each in value]
+    if isinstance(value, dict):
+        return {name: _short_again(each) for name, each in value.items()}
+    if not isinstance(value, (sp.MatrixBase, sp.Basic)):
+        return value
+    long = [each for each in value.atoms(sp.Rational) if max(abs(each.p), each.q) > LONG]
+    decimals: Any = {each: sp.Float(each, DIGITS) for each in long}
+    return value.xreplace(decimals) if long else value  # type: ignore[no-untyped-call]
 
 
 __all__ = [

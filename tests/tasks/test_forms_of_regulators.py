@@ -1,8 +1,11 @@
 """Solutions of Riccati equations in the form a person would write: no root below a root where none is needed."""
 
+import json
+
 import pytest
 import sympy as sp
 
+from solver import solve
 from solver.derivation import Status
 from tests.helpers.asking import ask, system
 
@@ -86,3 +89,22 @@ def test_common_factors_stand_before_the_root():
 def test_numbers_have_as_few_roots_as_can_be(A, Q, expected):
     plant = system(A, B=[0, 1][-len(A) :])
     assert set(ask("lqr", plant, "hamiltonian", **weights(Q, [[1]])).answers["eigenvalues"]) == set(expected)
+
+
+def test_what_later_parts_make_of_decimals_is_decimals():
+    """The gain of three states is known in decimals; what follows from it has no fractions of 15 digits."""
+    text = (
+        "system: {A: [[0, 1, 0], [0, 0, 1], [1, 2, 3]], B: [0, 0, 1], C: [1, 0, 0]}\nfind:\n"
+        "  a: {task: lqr, method: hamiltonian, Q: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], R: 1}\n"
+        "  b: {task: transfer_function, gain: {from: a}}\n"
+        "  c: {task: reference_tracking, gain: {from: a}}\n"
+        "  d: {task: controllability, system: {from: b}}\n"
+    )
+    _, *parts = json.loads(solve(text).json())["parts"]
+    for part in parts:
+        assert part["status"] == "verified", part
+        for answer in part["answers"].values():
+            values = sp.sympify(answer["value"]) if isinstance(answer["value"], str) else sp.S.Zero
+            numbers = values.atoms(sp.Rational) if hasattr(values, "atoms") else set()
+            assert all(max(abs(number.p), number.q) < 1000 for number in numbers)
+    assert parts[1]["answers"]["N"]["value"] == "Matrix([[-1]])"
