@@ -89,8 +89,8 @@ def verdict_of(part: Work, say: Say) -> str:
     passed = sum(row.status is CheckStatus.PASSED for row in part.rows)
     counted = Phrase("{passed} of {count} checks passed", passed=passed, count=len(part.rows))
     checks = say(counted) if part.rows else ""
-    reason = inline_as_text(part.reason)
-    return f"{say(part.status)}: {'; '.join(filter(None, [reason, checks, inline_as_text(part.unchecked)]))}"
+    more = "; ".join(filter(None, [inline_as_text(part.reason), checks, inline_as_text(part.unchecked)]))
+    return f"{say(part.status)}: {more}" if more else say(part.status)
 
 
 def answer_lines(answer: WorkAnswer, width: int = WIDTH) -> list[str]:

@@ -69,6 +69,7 @@ def test_a_key_has_the_answers_asked_for_their_marks_and_the_lines_that_earn_the
     key = shown(format_, detail="key")
     assert key.count("[2]" if format_ == "text" else "2 marks") == 4  # two answers by two methods
     assert "numpy" not in key
+    assert "verified:" not in key  # nothing follows: a key counts no checks
     document = document_of(solved, Presentation("key"))
     assert [[answer.name for answer in part.answers] for part in document.parts[:2]] == [["K", "closed_loop_A"]] * 2
     assert all(len(part.steps) < len(result.steps) for part, result in zip(document.parts, solved.parts, strict=True))
