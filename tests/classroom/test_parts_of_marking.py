@@ -210,3 +210,11 @@ def test_a_matrix_may_be_written_in_one_text(text, value):
     desk = marker(solved(REGULATOR))
     read = Reader(desk._names(desk.solution.problem.parts[0], {})).read(ScalarNode(None, text), value)
     assert read.value == value
+
+
+@pytest.mark.parametrize(("b", "value", "named"), [("1/2", "1/4", True), ("1", "1", False)])
+def test_a_whole_number_is_not_explained_by_a_mistake(b, value, named):
+    plant = f"system: {{A: [[0, 1], [-2, -3]], B: [0, {b}]}}\nfind: {{a: controllability}}\n"
+    found = verdict(plant, "a", "determinant", value)  # of the other sign
+    assert found.verdict == "wrong"
+    assert ("sign" in found.reason) is named

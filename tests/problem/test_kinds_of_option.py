@@ -78,3 +78,16 @@ def test_how_many_outputs_an_earlier_part_gives_is_not_known_yet():
     assert read_problem(Source("p.yaml", text), catalogue()).parts[1].options["output"] == 2
     with pytest.raises(InputError, match="output: there is no such output"):
         read_problem(Source("p.yaml", text.replace("3", "0")), catalogue())
+
+
+def loop(given):
+    text = f"system: {{transfer_function: 1/(s + 1)}}\nfind: {{a: {{task: transfer_function, {given}}}}}\n"
+    return read_problem(Source("p.yaml", text), catalogue()).parts[0].options
+
+
+def test_the_words_for_a_path_are_those_of_the_feedback_alone():
+    assert loop("controller: 2, feedback: none")["feedback"] is None
+    assert loop("feedback: unity")["feedback"] == 1
+    assert str(loop("controller: none, feedback: unity")["controller"]) == "none"  # a name like any other
+    with pytest.raises(InputError, match="an expression is expected here, not a list"):
+        loop("feedback: [1, 2]")
