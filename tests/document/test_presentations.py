@@ -194,3 +194,8 @@ def test_a_part_has_an_anchor_of_letters_digits_and_hyphens():
         "part-a-bass-gura",
         "part-b-2-eigenvalues",
     ]
+
+
+def test_a_part_without_marks_counts_as_one_where_no_part_has_any():
+    assert [part.out_of for part in told().parts] == [4, 4, 0]
+    assert [part.out_of for part in told(TEXT.replace("    marks: 4\n", "")).parts] == [1, 1, 1]

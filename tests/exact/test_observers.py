@@ -83,8 +83,14 @@ def test_a_left_inverse_undoes_independent_columns():
     ],
 )
 def test_the_matrix_chosen_for_the_error_is_real_and_has_the_poles(poles):
-    G = exact.chosen_error_matrix([sp.sympify(pole) for pole in poles])
+    G = exact.chosen_error_matrix(list(map(sp.sympify, poles)))
     assert all(entry.is_real for entry in G)
     found = np.linalg.eigvals(np.array(G.evalf().tolist(), dtype=float))
     wanted = np.array([complex(pole) for pole in poles])
     assert np.allclose(np.sort_complex(np.round(found, 5)), np.sort_complex(np.round(wanted, 5)), atol=1e-4)
+
+
+def test_a_pair_of_poles_in_symbols_has_a_real_block():
+    a, b, s = sp.Symbol("a", positive=True), sp.Symbol("b", positive=True), sp.Symbol("s")
+    G = exact.chosen_error_matrix([-a + b * sp.I, sp.Integer(-3), -a - b * sp.I])
+    assert sp.expand(G.charpoly(s).as_expr() - (s + 3) * ((s + a) ** 2 + b**2)) == 0

@@ -141,6 +141,16 @@ def test_each_postcondition_is_that_of_a_kernel():
     assert set(CALLS) <= named <= set(exact.__all__)
 
 
+def test_what_was_found_twice_is_checked_once():
+    arguments = (A, B, ROW)
+    found = exact.measured_first(*arguments)
+    results = found, replace(found), replace(found, unmeasured=(0, 1))
+    calls = [Call("measured_first", arguments, {}, result, 1) for result in results]
+    once = list(check_calls(calls[:1], []))
+    assert list(check_calls(calls[:2], [])) == once
+    assert CheckStatus.FAILED in {check.status for check in check_calls(calls, [])}
+
+
 def test_what_is_checked_is_named():
     for name, arguments in ((name, CALLS[name][0]) for name in CALLS):
         named = {"discrete": False} if name in TIMED else {}

@@ -150,6 +150,13 @@ def test_a_long_sum_is_broken_before_signs_between_terms_and_not_before_the_sign
     assert [latex(line) for line in broken(read("a - b"), 68.0)] == ["a - b"]
 
 
+def test_a_chain_with_a_wide_first_side_goes_on_below_indented():
+    wide = read(" + ".join(["abcdefghij"] * 7))
+    laid_out = latex(chain([wide, read("b"), read("c")]))
+    assert laid_out.count(r"&\quad = ") == 2
+    assert latex(chain([wide, read("b")], note=read(r"\text{end}"))).endswith("\\text{end}\n\\end{aligned}")
+
+
 def test_what_is_given_is_shown():
     given = Wording().given(StateSpace(A, B=sp.ImmutableMatrix([0, 1]), D=sp.ImmutableMatrix([[0]])))
     assert "A = " in given
