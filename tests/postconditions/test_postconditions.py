@@ -22,6 +22,7 @@ SINGULAR = sp.ImmutableMatrix([[0, 2, 2], [1, 1, 0], [2, 4, 2]])
 ROW = sp.ImmutableMatrix([[1, 0, 0]])
 G = exact.transfer_matrix(TURNING, sp.ImmutableMatrix([0, 1]), sp.ImmutableMatrix([[1, 0]]), None, s)
 FACTOR = exact.spectrum(TURNING).factors[0]
+TINY = sp.Rational(1, 10**12)
 EPSILON = (1, 1, 2, 2, 3)
 
 CALLS = {
@@ -67,6 +68,7 @@ CALLS = {
     "matrix_of": [((2 * K + s * t, K - t), (K, t))],
     "is_singular": [(SINGULAR,), (A,)],
     "measured_first": [(A, B, sp.ImmutableMatrix([[1, 0, 0]])), (A, B, sp.ImmutableMatrix([[1, 1, 0]]))],
+    "minimal_solution": [tuple(sp.ImmutableMatrix([[value]]) for value in (TINY, 1, TINY, 1))],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
 TIMED = (
