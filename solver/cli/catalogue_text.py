@@ -10,6 +10,7 @@ from typing import Any
 from solver.derivation import AnswerName, Method, Option, Task
 from solver.formula.terminal import flat
 from solver.notation import spelled
+from solver.problem.template import OTHER_NAMES
 from solver.symbols import COURSE
 
 WIDTH = 100
@@ -19,7 +20,7 @@ TIMES = {"continuous": "continuous time", "discrete": "discrete time", "both": "
 
 def one(task: Task[Any, Any]) -> str:
     """Return all about a task."""
-    needs = ", ".join(task.needs) if task.needs else "nothing"
+    needs = ", ".join(OTHER_NAMES.get(need, need) for need in task.needs) if task.needs else "nothing"
     lines = [task.name, f"  {task.title}.", *_wrapped(task.doc, "  "), f"  Needs {needs} of the system.", ""]
     lines += ["Methods", *_table(_method_rows(task)), ""] if len(task.methods) > 1 else []
     lines += ["Options", *_table(map(_option_row, task.options.values())), ""]

@@ -11,7 +11,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, quotient, total
 from solver.stated.matrices import inverse
-from solver.systems import OutputFeedback, System, TransferFunction
+from solver.systems import DeadTime, OutputFeedback, System, TransferFunction
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -31,6 +31,8 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
 
     Raises Unsolved where 1 + C G H vanishes, and where the result is improper.
     """
+    if isinstance(loop.plant, DeadTime):
+        raise Unsolved("conversions/dead_time_in_a_loop", closed=loop.feedback is not None)
     G: TransferFunction = yield from converted_to(loop.plant, TransferFunction)
     if G.matrix.shape != (1, 1):
         return (yield from _of_matrices(loop, G))

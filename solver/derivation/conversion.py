@@ -126,8 +126,8 @@ def _ways(system: System) -> Iterable[tuple[type, Provided, tuple[Conversion, ..
     queue: deque[tuple[type, Provided, tuple[Conversion, ...]]] = deque([(start, system.provides, ())])
     seen = {start}
     while queue:
-        kind, has, chain = way = queue.popleft()
-        yield way
+        kind, has, chain = queue.popleft()
+        yield kind, has | {"motion"} if "A" in has else has, chain  # where there is A it can be asked how it moves
         for each in conversions():
             given = frozenset(each.gives(has)) if each.source is kind and each.target not in seen else frozenset()
             if given:

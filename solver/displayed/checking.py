@@ -21,7 +21,7 @@ from solver.lazy import numeric
 from solver.problem.model import Part
 from solver.render.wording import WordedStep, Wording
 from solver.symbols import COURSE, NOTATIONS
-from solver.systems import StateSpace, TransferFunction
+from solver.systems import DeadTime, StateSpace, TransferFunction
 from solver.systems.loops import Loop
 from solver.tasks import catalogue
 from solver.words import Phrase
@@ -147,7 +147,7 @@ def _give(names: Names, part: Part, quantities: Mapping[str, str]) -> None:
         if {"input", "output"} & {name for name, value in part.options.items() if isinstance(value, int)}:
             given = {"A": system.A}  # the channel asked about has its own column and row
         names.fixed.update({name: [value] for name, value in given.items() if value is not None})
-    elif isinstance(system, TransferFunction):
+    elif isinstance(system, TransferFunction | DeadTime):
         value = system.matrix[0] if system.matrix.shape == (1, 1) else system.matrix
         _fix(names, f"G({system.variable.name})", value)
     for name, value in part.options.items():

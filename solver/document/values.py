@@ -13,7 +13,7 @@ from solver.render.plain import sympy_text
 from solver.render.wording import WordedStep
 from solver.stated import Stated
 from solver.symbols import RESERVED
-from solver.systems import System, TransferFunction
+from solver.systems import DeadTime, System, TransferFunction
 
 DIGITS = 17
 """Significant digits that a double can tell apart."""
@@ -37,7 +37,7 @@ def _is_data(value: Any) -> bool:
 
 def texts_of(system: System) -> dict[str, str]:
     """Return the matrices or expressions of a system by name, as sympy reads them back."""
-    if isinstance(system, TransferFunction):
+    if isinstance(system, TransferFunction | DeadTime):
         G = system.matrix
         given = {"G": G[0, 0] if G.shape == (1, 1) else G, "sample_time": system.sample_time}
     else:

@@ -24,6 +24,7 @@ IN_WORDS = {
     "matrix": "a matrix",
     "polynomial": "a polynomial",
     "x0": "initial_state",
+    "motion": "A",
 }
 
 

@@ -10,11 +10,15 @@ import sympy as sp
 
 @dataclass(frozen=True)
 class Rational:
-    """A quotient of polynomials in one variable, as given and cancelled; `text` is how it was given."""
+    """A quotient of polynomials in one variable, as given and cancelled; `text` is how it was given.
+
+    `delay` is the T of a factor e^{−T s} beside it.
+    """
 
     numerator: sp.Poly
     denominator: sp.Poly
     text: str
+    delay: sp.Expr = sp.S.Zero
 
     def cancelled(self) -> sp.Expr:
         """Return the quotient without common factors."""

@@ -212,11 +212,11 @@ class SystemReader:
 
     def quotient(self, key: str) -> Rational | None:
         """Return the proper quotient of polynomials under the key, None if it is wrong."""
-        return self._quotient(self.node[key])
+        return self._quotient(self.node[key], delayed=True)
 
-    def _quotient(self, node: Node) -> Rational | None:
+    def _quotient(self, node: Node, *, delayed: bool = False) -> Rational | None:
         with self.report:
-            return read_transfer_function(node, self.lexicon, self.discrete)
+            return read_transfer_function(node, self.lexicon, self.discrete, delayed=delayed)
         return None
 
     def polynomial(self, key: str) -> Sequence[sp.Expr]:

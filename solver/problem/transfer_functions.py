@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from solver.problem.dead_times import without_dead_time
 from solver.problem.lexicon import Lexicon
 from solver.problem.matrices import MAX_SIZE
 from solver.problem.nodes import MappingNode, Node, SequenceNode, scalar
@@ -17,12 +18,16 @@ from solver.symbols import MEANINGS, SAMPLES
 MAX_TERMS = 500
 MAX_DEGREE = 80
 MAX_FIELD_DEGREE = 8
+ONE_CHANNEL = "it can stand in the transfer function of a system with one input and one output"
 
 
-def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool, *, proper: bool = True) -> Rational:
+def read_transfer_function(
+    node: Node, lexicon: Lexicon, discrete: bool, *, proper: bool = True, delayed: bool = False
+) -> Rational:
     """Return a rational function of s (discrete: z), as it was given; `proper` says that it must be.
 
-    Raises Fault where it is not rational, not proper, of order above 12, or has the denominator zero.
+    Raises Fault where it is not rational, not proper, of order above 12, or has the denominator zero; and where it has
+    a dead time, if it is not said that it may be `delayed`.
     """
     variable = "z" if discrete else "s"
     if not isinstance(node, MappingNode):
@@ -33,6 +38,8 @@ def read_transfer_function(node: Node, lexicon: Lexicon, discrete: bool, *, prop
     else:
         _expect_keys(node, ("zeros", "poles", "gain"), required=False)
         given = _from_zeros(node, lexicon, variable)
+    if given.delay != 0 and not delayed:
+        raise node.fault("a quotient of polynomials in s is expected here, without a dead time", note=ONE_CHANNEL)
     zeros, poles = given.numerator.degree(), given.denominator.degree()
     if proper and zeros > poles:
         message = f"the transfer function is improper: its numerator has degree {zeros}, its denominator {poles}"
@@ -58,6 +65,7 @@ def _from_expression(node: Node, lexicon: Lexicon, variable: str, discrete: bool
     barred[other] = f"in {'discrete' if discrete else 'continuous'} time a transfer function is written in {variable}"
     x = sp.Symbol(variable)
     p, q = lexicon.fraction(node, (variable,), barred)
+    p, q, delay = (p, q, sp.S.Zero) if discrete else without_dead_time(p, q, x, node, lexicon)
     for side in (p, q):
         top, bottom = expanded_size(side, x)
         if max(top.terms, bottom.terms) > MAX_TERMS or max(top.degree, bottom.degree) > MAX_DEGREE:
@@ -66,7 +74,7 @@ def _from_expression(node: Node, lexicon: Lexicon, variable: str, discrete: bool
         p, q = sp.fraction(sp.together(p / q))
     if not (p.is_polynomial(x) and q.is_polynomial(x)):
         raise node.fault(f"a quotient of polynomials in {variable} is expected here")
-    return Rational(*_pair(sp.expand(p), sp.expand(q), x, node), scalar(node).text)
+    return Rational(*_pair(sp.expand(p), sp.expand(q), x, node), scalar(node).text, delay)
 
 
 def _pair(p: sp.Expr, q: sp.Expr, x: sp.Symbol, node: Node) -> tuple[sp.Poly, sp.Poly]:

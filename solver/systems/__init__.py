@@ -9,10 +9,11 @@ from pathlib import Path
 from solver.systems.earlier_part import EarlierPart
 from solver.systems.equations import Equations
 from solver.systems.kind import Kind, System
+from solver.systems.late_input import LateInput
 from solver.systems.loops import OutputFeedback, StateFeedback
 from solver.systems.polynomial import Polynomial
 from solver.systems.state_space import StateSpace
-from solver.systems.transfer_function import TransferFunction
+from solver.systems.transfer_function import DeadTime, TransferFunction
 
 
 @cache
@@ -25,9 +26,11 @@ def kinds() -> dict[str, Kind]:
 
 
 __all__ = [
+    "DeadTime",
     "EarlierPart",
     "Equations",
     "Kind",
+    "LateInput",
     "OutputFeedback",
     "Polynomial",
     "StateFeedback",

@@ -113,6 +113,10 @@ class Quotient(Protocol):
     def denominator(self) -> Poly:
         """The polynomial below, as given."""
 
+    @property
+    def delay(self) -> Expr:
+        """The T of a factor e^{−T s} beside the quotient, zero without."""
+
     def cancelled(self) -> Expr:
         """Return the quotient without common factors."""
 

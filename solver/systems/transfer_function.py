@@ -67,12 +67,74 @@ class TransferFunction:
         return {"input": self.input_names, "output": self.output_names}.get(of, ())
 
 
-def _read_one(reader: Reader) -> TransferFunction:
-    """Return one transfer function."""
+@dataclass(frozen=True)
+class DeadTime:
+    """`rational` is G₀, one input, one output, in continuous time; `delay` is T > 0, a number or a formula."""
+
+    rational: TransferFunction
+    delay: Expr
+
+    discrete = False
+    sample_time = None
+
+    @property
+    def kind(self) -> str:
+        """The name of the kind that words it."""
+        return "transfer_function"
+
+    @property
+    def variable(self) -> Symbol:
+        """The symbol s."""
+        return self.rational.variable
+
+    @property
+    def factor(self) -> Expr:
+        """The factor e^{−T s}."""
+        return sp.exp(-self.delay * self.rational.variable)
+
+    @property
+    def matrix(self) -> ImmutableMatrix:
+        """G (1×1), G₀ cancelled."""
+        return sp.ImmutableMatrix(self.rational.matrix * self.factor)
+
+    @property
+    def uncancelled(self) -> Expr:
+        """G with the factors that cancel."""
+        return self.factor * self.rational.uncancelled[0, 0]
+
+    @property
+    def parameters(self) -> tuple[Symbol, ...]:
+        """The free symbols but the variable, sorted by name."""
+        symbols: set[Any] = {*self.rational.parameters, *self.delay.free_symbols}
+        return tuple(sorted(symbols, key=str))
+
+    @property
+    def provides(self) -> frozenset[str]:
+        """A task can ask for the two factors."""
+        return frozenset({"dead_time"})
+
+    @property
+    def described(self) -> str:
+        """What it is given by, in words."""
+        says = "with its dead time the transfer function is no quotient of polynomials"
+        return f"{says}, and no finite number of states has it"
+
+    def size(self, of: str) -> int | None:
+        """Return the number of inputs "m" or outputs "p"."""
+        return self.rational.size(of)
+
+    def names(self, of: str) -> tuple[str, ...]:
+        """Return the names of the "input" or "output", if there are any."""
+        return self.rational.names(of)
+
+
+def _read_one(reader: Reader) -> TransferFunction | DeadTime:
+    """Return one transfer function; with a dead time beside it where it has one."""
     entry = reader.quotient("transfer_function")
     reader.conclude()
     assert entry is not None  # noqa: S101 - what is wrong with it was concluded above
-    return _of(reader, [[entry]])
+    rational = _of(reader, [[entry]])
+    return rational if entry.delay == 0 else DeadTime(rational, entry.delay)
 
 
 def _read_matrix(reader: Reader) -> TransferFunction:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import factorial
+from typing import Any
 
 import sympy as sp
 from sympy.functions.combinatorial.numbers import stirling
@@ -51,6 +52,19 @@ class Piece:
             return self.impulses
         made = between(self.generator.C, self.generator.A, self.generator.w0).expression(x)
         return sp.ImmutableMatrix(made * (x if discrete else 1) + self.impulses)
+
+
+def later(u: sp.Expr, t: sp.Symbol, delay: sp.Expr) -> sp.Expr:
+    """The input that comes a delay T later, u(t − T), zero before it; steps and impulses bring their own beginning."""
+    if delay == 0:
+        return u
+    found = sp.S.Zero
+    for term in sp.Add.make_args(sp.expand(u)):
+        steps: list[Any] = [each.args[0] for each in term.atoms(sp.Heaviside)]
+        begins = any(x.coeff(t) == 1 and x.xreplace({t: sp.S.Zero}).is_nonpositive for x in steps)
+        started = begins or term.has(sp.DiracDelta)
+        found += term.xreplace({t: t - delay}) * (sp.S.One if started else sp.Heaviside(t - delay))
+    return found
 
 
 def read_inputs(inputs: Sequence[sp.Expr], time: sp.Symbol, *, discrete: bool) -> tuple[Piece, ...]:

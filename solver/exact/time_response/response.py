@@ -101,8 +101,6 @@ class ClosedForm:
         (delay, first), discrete = self.pieces[0], self.system.discrete
         if first.y is None or self.y is None or len(self.y) > 1 or len(self.pieces) > 1 or self.impulse is not None:
             return None
-        if delay != 0 and not discrete:
-            return None
         found = peak(first.y, first.y.function(self.time, discrete=discrete).matrix[0], self.time, discrete=discrete)
         return found and Peak(found.time + delay, found.value)
 

@@ -12,9 +12,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.calculus import value_at
 from solver.stated.matrices import determinant
-from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.structure.pairs import Pair
-from solver.tasks.structure.rank_test import arithmetic_of
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -22,14 +20,6 @@ if TYPE_CHECKING:
 
 MOST = 6
 """So many minors are written out."""
-
-
-def determinant_step(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
-    """One input (output): the determinant of the square matrix."""
-    det = exact.determinant(matrix)
-    claims = {"expanded": Claim(determinant(matrix), sp.expand(det), "determinant")}
-    claims["factored"] = Claim(sp.expand(det), exact.vanishing_form(det), "determinant in factors")
-    return Step("determinant", claims=claims | arithmetic_of(matrix), x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))
 
 
 @lemma("critical_parameters")

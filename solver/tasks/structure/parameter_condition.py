@@ -25,11 +25,12 @@ from solver.numeric.judges import structure as judges
 from solver.options.choice import Choice
 from solver.options.names import Names
 from solver.stated.matrices import determinant, rank
+from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.plant_options import PlantOptions
-from solver.tasks.structure.critical_parameters import angles_of, conditions_of, determinant_step
+from solver.tasks.structure.critical_parameters import angles_of, conditions_of
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
-from solver.tasks.structure.rank_test import matrix_of
+from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -100,9 +101,17 @@ def by_minors(given: Given[StateSpace, ParameterConditionOptions]) -> Derivation
     if exact.is_in_angles(matrix, x):
         return (yield from angles_of(pair, matrix, x))
     found = exact.critical_values(pair.turned(matrix), x)
-    yield determinant_step(pair, matrix, x) if matrix.rows == matrix.cols else _minors(pair, matrix, x, found)
+    yield _determinant(pair, matrix, x) if matrix.rows == matrix.cols else _minors(pair, matrix, x, found)
     yield _roots(pair, matrix, x, found)
     return Answers(values=list(found.values))
+
+
+def _determinant(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
+    """One input (output): the determinant of the square matrix."""
+    det = exact.determinant(matrix)
+    claims = {"expanded": Claim(determinant(matrix), sp.expand(det), "determinant")}
+    claims["factored"] = Claim(sp.expand(det), exact.vanishing_form(det), "determinant in factors")
+    return Step("determinant", claims=claims | arithmetic_of(matrix), x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))
 
 
 def _minors(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalValues) -> Step:

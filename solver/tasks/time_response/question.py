@@ -7,13 +7,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Given
-from solver.lazy import exact
+from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
-    from solver.systems import StateSpace
+    from solver.systems import LateInput, StateSpace
     from solver.tasks.time_response.response import ResponseOptions
 
 
@@ -27,15 +27,20 @@ class Question:
     kind: str
 
     @staticmethod
-    def of(given: Given[StateSpace, ResponseOptions]) -> Question:
-        """The question of a part: the initial state is the option, or else the system's."""
-        x0 = given.options.initial_state if given.options.initial_state is not None else given.system.x0
+    def of(given: Given[StateSpace | LateInput, ResponseOptions]) -> Question:
+        """The question of a part: the initial state is the option, or else the system's; late inputs are delayed."""
+        system: Any = given.system
+        delay: Any = sp.S.Zero
+        if isinstance(system, systems.LateInput):
+            system, delay = system.plant, system.delay
+        x0 = given.options.initial_state if given.options.initial_state is not None else system.x0
         if given.options.kind == "zero_state" or (
             x0 is not None and x0.is_zero_matrix and given.options.kind != "zero_input"
         ):
             x0 = None
         inputs = () if given.options.kind == "zero_input" else given.options.input or ()
-        return Question(given.system, x0, inputs, given.options.kind)
+        t = sp.Symbol("k" if system.discrete else "t")
+        return Question(system, x0, tuple(exact.later(u, t, delay) for u in inputs), given.options.kind)
 
     @property
     def discrete(self) -> bool:

@@ -27,13 +27,13 @@ from solver.tasks.time_response import by_convolution as convolution
 from solver.tasks.time_response import by_transform as transform
 from solver.tasks.time_response.question import Question
 from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks
-from solver.tasks.time_response.whole_response import put_together
+from solver.tasks.time_response.whole_response import passed_on, put_together
 from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
-    from solver.systems import StateSpace, System
+    from solver.systems import LateInput, StateSpace, System
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,11 +52,11 @@ class ResponseOptions(LoopOptions):
     )
 
 
-response: Task[StateSpace, ResponseOptions] = Task(
+response: Task[StateSpace | LateInput, ResponseOptions] = Task(
     "response",
     title="Response",
     doc="States and outputs for an initial state and given inputs: zero-input, zero-state or complete response.",
-    needs=("A",),
+    needs=("motion",),
     options=ResponseOptions,
     answers=[
         AnswerName("x", "x", "the states"),
@@ -93,20 +93,22 @@ def _number_of_inputs(system: System) -> int:
 
 
 @response.method("laplace", title="Laplace transform", source="Lecture note, section 1.13", time="continuous")
-def by_laplace(given: Given[StateSpace, ResponseOptions]) -> Derivation[Answers]:
+def by_laplace(given: Given[StateSpace | LateInput, ResponseOptions]) -> Derivation[Answers]:
     """X(s) = (sI − A)⁻¹ [x(0) + B U(s)], transformed back by partial fractions."""
     answers = yield from _by_transform(Question.of(given))
     return answers
 
 
 @response.method("z_transform", title="z-transform", source="Lecture note, section 7.5", time="discrete")
-def by_z_transform(given: Given[StateSpace, ResponseOptions]) -> Derivation[Answers]:
+def by_z_transform(given: Given[StateSpace | LateInput, ResponseOptions]) -> Derivation[Answers]:
     """X(z) = (zI − A)⁻¹ [z x(0) + B U(z)], transformed back by partial fractions of X(z)/z."""
     answers = yield from _by_transform(Question.of(given))
     return answers
 
 
 def _by_transform(asked: Question) -> Derivation[Answers]:
+    if not asked.system.order:
+        return (yield from passed_on(asked))
     yield from transform.equation_of_transforms(asked)
     yield from inverse_of_pencil(asked.system.A, asked.variable)
     if asked.x0 is not None:
@@ -118,9 +120,11 @@ def _by_transform(asked: Question) -> Derivation[Answers]:
 
 
 @response.method("convolution", title="Convolution", source="Lecture note, equation (1.13.3)")
-def by_convolution(given: Given[StateSpace, ResponseOptions]) -> Derivation[Answers]:
+def by_convolution(given: Given[StateSpace | LateInput, ResponseOptions]) -> Derivation[Answers]:
     """x(t) = Φ(t) x(0) + ∫ Φ(t − τ) B u(τ) dτ; in discrete time x(k) = Aᵏ x(0) + Σ Aᵏ⁻¹⁻ⁱ B u(i)."""
     asked = Question.of(given)
+    if not asked.system.order:
+        return (yield from passed_on(asked))
     yield from convolution.formula_of_convolution(asked)
     Phi = yield from convolution.transition_matrix_of(asked)
     if asked.x0 is not None:
@@ -132,27 +136,33 @@ def by_convolution(given: Given[StateSpace, ResponseOptions]) -> Derivation[Answ
 
 
 @response.verification("x")
-def states_solve_the_state_equation(given: Given[StateSpace, ResponseOptions], answers: Answers) -> Iterable[Check]:
+def states_solve_the_state_equation(
+    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
+) -> Iterable[Check]:
     """x(0) = x0, x' = A x + B u, and the convolution formula by expm and quadrature; discrete: the recursion."""
     yield from checks_of(given, answers["x"], "x")
 
 
 @response.verification("y")
 def output_follows_the_convolution_formula(
-    given: Given[StateSpace, ResponseOptions], answers: Answers
+    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
 ) -> Iterable[Check]:
     """The equation y = C x + D u with x by the convolution formula, in discrete time by the recursion."""
     yield from checks_of(given, answers["y"], "y")
 
 
 @response.verification("y_final")
-def limit_is_the_equilibrium(given: Given[StateSpace, ResponseOptions], answers: Answers) -> Iterable[Check]:
+def limit_is_the_equilibrium(
+    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
+) -> Iterable[Check]:
     """The equilibrium of the system for the limit of its input."""
     yield from final_value_checks(given, answers["y_final"])
 
 
 @response.verification("y_peak", "t_peak")
-def peak_is_that_of_a_simulation(given: Given[StateSpace, ResponseOptions], answers: Answers) -> Iterable[Check]:
+def peak_is_that_of_a_simulation(
+    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
+) -> Iterable[Check]:
     """Simulated step by step, and refined between the steps."""
     yield from peak_checks(given, answers.get("y_peak"), answers.get("t_peak"))
 

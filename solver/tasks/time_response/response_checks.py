@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Check, Claim, Given
-from solver.lazy import numeric
+from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
 from solver.stated.algebra import product, total
@@ -18,7 +18,7 @@ from solver.words import Phrase, formula
 if TYPE_CHECKING:
     from sympy import Symbol
 
-    from solver.systems import StateSpace
+    from solver.systems import LateInput, StateSpace
     from solver.tasks.time_response.response import ResponseOptions
 
 
@@ -36,14 +36,18 @@ class Truth:
     time: Symbol
 
     @staticmethod
-    def of(given: Given[StateSpace, ResponseOptions]) -> Truth:
-        """The question of a part."""
-        system, kind = given.system, given.options.kind
+    def of(given: Given[StateSpace | LateInput, ResponseOptions]) -> Truth:
+        """The question of a part; what a dead time holds back comes later."""
+        system: Any = given.system
+        kind, delay = given.options.kind, sp.S.Zero
+        if isinstance(system, systems.LateInput):
+            system, delay = system.plant, system.delay
         x0 = given.options.initial_state if given.options.initial_state is not None else system.x0
         if x0 is None or kind == "zero_state":
             x0 = sp.ImmutableMatrix(sp.zeros(system.order, 1))
-        inputs = None if kind == "zero_input" else sp.ImmutableMatrix(list(given.options.input or ()))
-        return Truth(system, x0, inputs, sp.Symbol("k" if system.discrete else "t"))
+        t = sp.Symbol("k" if system.discrete else "t")
+        late = [judges.delayed(u, t, delay) for u in given.options.input or ()]
+        return Truth(system, x0, None if kind == "zero_input" else sp.ImmutableMatrix(late), t)
 
     def output(self, x: Any, u: Any) -> Any:
         """C x + D u as stated."""
@@ -52,10 +56,13 @@ class Truth:
         return total(product(system.C, x), product(system.D, u)) if passes else product(system.C, x)
 
 
-def checks_of(given: Given[StateSpace, ResponseOptions], value: Any, answer: str) -> Iterable[Check]:
+def checks_of(given: Given[StateSpace | LateInput, ResponseOptions], value: Any, answer: str) -> Iterable[Check]:
     """The checks of x or of y, each for itself."""
     truth = Truth.of(given)
     column = _column(value)
+    if not truth.system.order:
+        yield numeric.check_claim(Claim(product(truth.system.D, truth.inputs), column), "$y = D u$", answer=answer)
+        return
     judge = _sample_by_sample if given.system.discrete else _interval_by_interval
     try:
         yield from judge(truth, column, answer)
@@ -125,7 +132,7 @@ def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]
     )
 
 
-def final_value_checks(given: Given[StateSpace, ResponseOptions], value: Any) -> Iterable[Check]:
+def final_value_checks(given: Given[StateSpace | LateInput, ResponseOptions], value: Any) -> Iterable[Check]:
     """The limit of y against the equilibrium that a stable system reaches."""
     truth, column = Truth.of(given), _column(value)
 
@@ -139,15 +146,33 @@ def final_value_checks(given: Given[StateSpace, ResponseOptions], value: Any) ->
     yield numeric.check_residual(r"limit of $y$", "numpy.linalg.solve", residual, answer="y_final")
 
 
-def peak_checks(given: Given[StateSpace, ResponseOptions], peak: Any, time: Any) -> Iterable[Check]:
+def peak_checks(given: Given[StateSpace | LateInput, ResponseOptions], peak: Any, time: Any) -> Iterable[Check]:
     """The peak of y and its time (either may be missing) against a simulation."""
-    truth = Truth.of(given)
-
+    truth, start = _from_the_beginning(Truth.of(given))
+    if time is not None:
+        time -= start
     for name, value, which in (("t_peak", time, 0), ("y_peak", peak, 1)):
         if value is not None:
             label = "time of the largest $|y|$" if which == 0 else "largest $|y|$"
             residual = partial(_peak_residual, truth, value, which)
             yield numeric.check_residual(label, "mpmath simulation", residual, answer=name)
+
+
+def _from_the_beginning(truth: Truth) -> tuple[Truth, Any]:
+    """What is at rest before its input begins, in the time since then, and when that is."""
+    t, u = truth.time, truth.inputs
+    if truth.system.discrete or u is None or any(truth.x0):
+        return truth, sp.S.Zero
+    spans = judges.intervals(t, u)
+    if len(spans) != 2 or any(spans[0].smooth(u, t)):
+        return truth, sp.S.Zero
+    start = spans[1].start
+    if any(at != start for at, _ in judges.impulses(u, t)):
+        return truth, sp.S.Zero
+    begun = spans[1].smooth(u, t).xreplace({t: t + start})
+    for _, weights in judges.impulses(u, t):
+        begun += weights * sp.DiracDelta(t)
+    return replace(truth, inputs=sp.ImmutableMatrix(begun)), start
 
 
 def _peak_residual(truth: Truth, submitted: Any, which: int) -> float:

@@ -39,6 +39,16 @@ def put_together(asked: Question) -> Derivation[Answers]:
     return answers
 
 
+@lemma("response")
+def passed_on(asked: Question) -> Derivation[Answers]:
+    """Without states the output is D u."""
+    found = asked.answer
+    y: Any = found.y
+    u = sp.ImmutableMatrix(list(asked.inputs))
+    yield Step("passed_on", claims={"y": Claim(product(asked.system.D, u), y, "output equation")}, u=u[0])
+    return Answers(y=entry_or_column(y))
+
+
 def _output(asked: Question) -> Step:
     """The output equation y = C x + D u; what impulses the input passes on through D is added beside the claim."""
     found, system = asked.answer, asked.system
@@ -76,9 +86,10 @@ def behaviour(asked: Question) -> Step:
     peak = found.y_peak
     if peak is not None:
         y: Any = found.y
+        begun = y[0].xreplace({sp.Heaviside(t - found.pieces[0][0]): sp.S.One})
         if not asked.discrete:
-            claims["slope"] = Claim(value_at(derivative(y[0], t), t, peak.time), sp.Integer(0), "slope at the peak")
-        claims["peak"] = Claim(value_at(y[0], t, peak.time), peak.value, "value at the peak")
+            claims["slope"] = Claim(value_at(derivative(begun, t), t, peak.time), sp.Integer(0), "slope at the peak")
+        claims["peak"] = Claim(value_at(begun, t, peak.time), peak.value, "value at the peak")
     figure = _plot(asked)
     return Step(
         "behaviour",

@@ -6,6 +6,7 @@ from solver.numeric.judges.time_response.refined import limit_residual, peak_res
 from solver.numeric.judges.time_response.response import (
     beginnings,
     convolution_formula,
+    delayed,
     impulses,
     intervals,
     residual_of_pairs,
@@ -18,6 +19,7 @@ from solver.numeric.judges.time_response.trajectory import simulations
 __all__ = [
     "beginnings",
     "convolution_formula",
+    "delayed",
     "exponential_residual",
     "impulses",
     "intervals",

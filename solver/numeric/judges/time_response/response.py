@@ -55,6 +55,15 @@ class Interval:
         return [self.start + (self.end - self.start) * sp.Rational(part, 7) for part in (2, 6)]
 
 
+def delayed(u: Any, t: Any, delay: Any) -> Any:
+    """Return u(t − T), which is zero before t = T."""
+    terms = [] if delay == 0 else sp.Add.make_args(sp.expand(u))
+    late = [
+        term.xreplace({t: t - delay}) * (1 if term.has(sp.DiracDelta) else sp.Heaviside(t - delay)) for term in terms
+    ]
+    return sp.Add(*late) if late else u
+
+
 def intervals(t: Any, *formulas: Any) -> list[Interval]:
     """Return the stretches of t ≥ 0 on which the formulas have no jump. Raises NotEvaluable if their order is open."""
     found = {_jump(jump, t)[1] for formula in formulas for jump in formula.atoms(*JUMPS) if jump.has(t)}
