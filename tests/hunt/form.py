@@ -13,27 +13,27 @@ PRINTED = {
     r"1\.0 ?\\cdot": "1.0 times",
     r"- ?-": "two signs",
     r"\+ ?-": "plus minus",
-    r"- ?\\left\(- ?[^()]*\\right\)": "minus of a negative",
+    r"- ?\\left\(- ?[^()]*\\right\)(?!\^)": "minus of a negative",
     r"\.\d*0{6}": "zeros after the point",
     r"\\frac\{[^{}]*\}\{1\}": "a denominator 1",
 }
 LARGE = 10**6
-FORCED = ("overshoot", "rise_time", "%")
-"""Specifications whose formulas make decimals."""
 
 
 def ugly(one: Solved) -> Iterator[str]:
     """What is wrong with the form of the answers."""
     decimals_typed = re.search(r"\d\.\d", str(one.question.options) + str(one.question.system)) is not None
+    decimals = decimals_typed or any(re.search(r"\d\.\d", answer.value) for answer in one.work.answers)
+    powers = re.search(r"A\^\d\d", str(one.question.options)) is not None  # of which the numbers are large
     for answer in one.work.answers:
-        if re.search(r"\d\.\d", answer.tex) and not decimals_typed and not re.search(r"\d\.\d", answer.value):
+        if re.search(r"\d\.\d", answer.tex) and not decimals:
             yield f"{answer.name}: exact, but shown in decimals: {answer.tex}"
         for pattern, said in PRINTED.items():
             if re.search(pattern, answer.tex):
                 yield f"{answer.name}: {said} in {answer.tex}"
     for name, value in one.values.items():
         for entry in entries_of(value):
-            yield from (f"{name}: {said} in {entry}" for said in of_entry(entry, decimals_typed))
+            yield from (f"{name}: {said} in {entry}" for said in of_entry(entry, decimals_typed or powers))
 
 
 def entries_of(value: Any) -> Iterator[sp.Expr]:
@@ -49,7 +49,7 @@ def entries_of(value: Any) -> Iterator[sp.Expr]:
         yield value
 
 
-def of_entry(entry: sp.Expr, decimals_typed: bool) -> Iterator[str]:
+def of_entry(entry: sp.Expr, large_numbers: bool) -> Iterator[str]:
     """What a person would write otherwise in one expression."""
     if entry.has(sp.atan2):
         yield "atan2"
@@ -61,8 +61,14 @@ def of_entry(entry: sp.Expr, decimals_typed: bool) -> Iterator[str]:
             yield "nested roots that denest"
         if each.exp == sp.Rational(1, 2) and each.base.is_Add and sp.factor(each.base).is_Pow:
             yield "the root of a square"
+        if each.exp == -1 and each.base.is_Add and each.base.free_symbols and sp.factor(each.base).is_Pow:
+            yield "a square below, multiplied out"
+    for product in entry.atoms(sp.Mul):
+        powers = [each for each in product.args if each.is_Pow and each.base.free_symbols and each.exp.free_symbols]
+        if any(each.base in product.as_powers_dict() for each in powers if not each.base.is_number):
+            yield "a power in two parts"
     large = [abs(n.p) for n in entry.atoms(sp.Integer)] + [n.q for n in entry.atoms(sp.Rational)]
-    if not decimals_typed and max(large, default=0) > LARGE:
+    if not large_numbers and max(large, default=0) > LARGE:
         yield "large integers"
     yield from uncancelled(entry)
     if any(abs(each - round(each)) < 1e-12 * abs(each) for each in entry.atoms(sp.Float) if abs(each) > 0.5):

@@ -10,6 +10,7 @@ import sympy as sp
 from tests.hunt.asked import PRIMES, Point, parsed, real
 
 POWER = sp.Symbol("power_of_time")
+HIGHER = re.compile(r"([A-Za-z_]\w*)\^\((\d+)\)")
 SAMPLES = re.compile(r"([A-Za-z_]\w*)\(k\s*([+-]\s*\d+)?\)")
 
 Fraction = tuple[np.ndarray, np.ndarray]
@@ -139,6 +140,7 @@ def _by_equations(point: Point, s: complex) -> np.ndarray:
 
 def _transformed(text: str) -> str:
     """The equation with a power of s for each derivative, of z for each step of time."""
+    text = HIGHER.sub(lambda found: f"({POWER}^{found[2]}*{found[1]})", text)
     text = PRIMES.sub(lambda found: f"({POWER}^{len(found[2])}*{found[1]})", text)
     return SAMPLES.sub(lambda found: f"({POWER}^({found[2] or 0})*{found[1]})", text)
 

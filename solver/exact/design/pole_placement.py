@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from solver.exact.linear_algebra.affine import tidy
 from solver.exact.linear_algebra.fields import domain_matrix, matrix_of
 from solver.exact.linear_algebra.integers import (
     Integers,
@@ -51,7 +52,7 @@ def _gain_of_any_coefficients(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp
         moved = [unit[j] + int(j == i) for j in range(n + 1)]
         rows.append(sp.Matrix(ackermann(A, b, moved)) - rows[0])
     total = sum((each * row for each, row in zip(c, rows, strict=True)), sp.zeros(1, n))
-    return sp.ImmutableMatrix(total.applyfunc(sp.expand))
+    return sp.ImmutableMatrix(total.applyfunc(tidy))
 
 
 def _gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Expr]) -> sp.ImmutableMatrix:
@@ -72,7 +73,7 @@ def _gain(A: sp.MatrixBase, b: sp.MatrixBase, c: Sequence[sp.Expr]) -> sp.Immuta
     row = q
     for each in flat[n][:n]:
         row = row * M + q * each
-    return matrix_of(row)
+    return sp.ImmutableMatrix(matrix_of(row).applyfunc(tidy))
 
 
 def _rational_gain(A: Sequence[sp.Rational], b: Sequence[sp.Rational], c: Sequence[sp.Rational]) -> sp.ImmutableMatrix:

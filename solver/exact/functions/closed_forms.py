@@ -122,17 +122,32 @@ def _discrete(factor: Factor, j: int, Z: Residue, k: sp.Symbol) -> Iterator[Term
     if factor.degree == 1 and factor.roots[0].value == 0:
         yield sp.KroneckerDelta(k, j - 1), expressions(Z[0])
         return
-    if j > 1:
+    named = factor.degree == 1 and bool(factor.roots[0].value.free_symbols)  # k a^{k−1}, but k 2ᵏ/2
+    if j > 1 and not named:
         Z = multiply_by(Z, _root_of(factor).inverse() ** (j - 1))
     binomial = sp.Poly(sp.expand(sp.ff(k, j - 1)) / factorial(j - 1), k)
     for root, real, imaginary in _instances(factor, Z):
         for (exponent,), c in binomial.terms():
-            if imaginary is None:
+            if imaginary is None and named:
+                yield from _powers_of(root.value, k - j + 1, k**exponent, _times(c, real))
+            elif imaginary is None:
                 yield k**exponent * root.value**k, _times(c, real)
             else:
                 r, theta = polar(root)
                 yield k**exponent * r**k * sp.cos(theta * k), _times(2 * c, real)
                 yield k**exponent * r**k * sp.sin(theta * k), _times(-2 * c, imaginary)
+
+
+def _powers_of(base: sp.Expr, exponent: sp.Expr, other: sp.Expr, entries: list[sp.Expr]) -> Iterator[Term]:
+    """The entries times a^{k−1}, a power of a in an entry taken into the exponent: a · a^{k−1} is a^k."""
+    shifts = [entry.as_powers_dict().get(base, sp.S.Zero) for entry in entries]
+    whole = [shift if shift.is_Integer else sp.S.Zero for shift in shifts]
+    for shift in sorted({each for entry, each in zip(entries, whole, strict=True) if entry}):
+        pairs = zip(entries, whole, strict=True)
+        yield (
+            other * base ** (exponent + shift),
+            [entry / base**shift if each == shift else sp.S.Zero for entry, each in pairs],
+        )
 
 
 def _exponential(value: sp.Expr, t: sp.Symbol) -> sp.Expr:

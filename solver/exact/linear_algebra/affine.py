@@ -13,7 +13,17 @@ from solver.exact.linear_algebra.row_reduction import row_reduce
 
 def tidy(value: sp.Expr) -> sp.Expr:
     """Return an expression multiplied out, or factored where it holds symbols (and no decimals)."""
-    return sp.expand(value) if value.has(sp.Float) else collected(value)
+    return sp.expand(value) if value.has(sp.Float) else _minus_taken_in(collected(value))
+
+
+def _minus_taken_in(value: sp.Expr) -> sp.Expr:
+    """(2b − a)/c in place of −(a − 2b)/c: the minus before a product goes into a sum with terms of both signs."""
+    number, rest = value.as_coeff_Mul()
+    if not number.is_negative or rest.is_Add:
+        return value
+    factors: tuple[sp.Expr, ...] = sp.Mul.make_args(rest)
+    mixed = [each for each in factors if each.is_Add and any(term.could_extract_minus_sign() for term in each.args)]
+    return sp.Mul(-number, *(-each if each is mixed[0] else each for each in factors)) if mixed else value
 
 
 @dataclass(frozen=True)

@@ -101,11 +101,11 @@ def whole_angles(found: sp.Expr) -> sp.Expr:
 
 
 def common_factors_below(value: sp.Expr) -> sp.Expr:
-    """The value with 1/(m (a + b)) in place of 1/(m a + m b)."""
+    """The value with 1/(a − 1)² in place of 1/(a² − 2a + 1), and a (a − 2) above it."""
     if value.is_Rational:
         return value
     above, below = sp.fraction(value)
-    return above / sp.factor_terms(below) if below.is_Add and below.free_symbols else value
+    return sp.factor(above) / sp.factor(below) if below.is_Add and below.free_symbols else value
 
 
 def expressions(matrix: DomainMatrix) -> list[sp.Expr]:

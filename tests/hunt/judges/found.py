@@ -131,3 +131,8 @@ def hidden(A: np.ndarray, B: np.ndarray) -> list[complex]:
     U, s, _ = np.linalg.svd(krylov(A / scale, B))
     r = int(np.sum(s > 1e-9 * max(1e-300, s[0]))) if s.size and s[0] > 0 else 0
     return list(np.linalg.eigvals(U[:, r:n].conj().T @ A @ U[:, r:n])) if r < n else []
+
+
+def monic(roots: Any) -> np.ndarray:
+    """The coefficients of the monic polynomial with these roots, of which there may be none."""
+    return np.atleast_1d(np.poly(np.asarray(roots, dtype=complex)))

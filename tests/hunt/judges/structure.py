@@ -10,7 +10,7 @@ from scipy.integrate import quad_vec
 from scipy.linalg import expm, solve_continuous_lyapunov, solve_discrete_lyapunov
 
 from tests.hunt.asked import Point, holds
-from tests.hunt.judges.found import Found, hidden, krylov, rank
+from tests.hunt.judges.found import Found, hidden, krylov, monic, rank
 from tests.hunt.plants import matrices
 
 
@@ -36,7 +36,7 @@ def _pair(point: Point, found: Found, A: np.ndarray, B: np.ndarray, names: tuple
         found.same("determinant", found.matrix("determinant"), [[np.linalg.det(theirs)]])
     if modes in found:
         lost = hidden(A, B)
-        found.same(modes, np.poly(found.list(modes)), np.poly(lost), 1e-6)
+        found.same(modes, monic(found.list(modes)), monic(lost), 1e-6)
     if "gramian" in found:
         found.same("Gramian", found.matrix("gramian"), _gramian(point, A, B), 1e-8)
     if "exceptions" in found:
@@ -97,7 +97,7 @@ def detectability(point: Point, found: Found) -> None:
 
 def _hidden_modes(point: Point, found: Found, A: np.ndarray, B: np.ndarray, verdict: str) -> None:
     lost = hidden(A, B)
-    found.same("hidden modes", np.poly(found.list("hidden_modes")), np.poly(lost), 1e-6)
+    found.same("hidden modes", monic(found.list("hidden_modes")), monic(lost), 1e-6)
     decays = all(abs(mode) < 1 - 1e-9 if point.discrete else mode.real < -1e-9 for mode in lost)
     if "condition" in found:
         found.holds("condition", bool(found.exactly("condition")) == decays)
@@ -127,7 +127,7 @@ def kalman_decomposition(point: Point, found: Found) -> None:
     if part != "full":
         zero = new[first:, :first] if part == "controllable" else new[:first, first:]
         found.same("zero block", zero, np.zeros_like(zero))
-    found.same("hidden modes", np.poly(found.list("hidden_modes")), np.poly(rest) if len(rest) else [1.0], 1e-6)
+    found.same("hidden modes", monic(found.list("hidden_modes")), monic(np.linalg.eigvals(rest)), 1e-6)
 
 
 def _visible(A: np.ndarray, B: np.ndarray, C: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -139,7 +139,7 @@ def _visible(A: np.ndarray, B: np.ndarray, C: np.ndarray) -> tuple[np.ndarray, n
 
 def parameter_condition(point: Point, found: Found) -> None:
     values = found.exactly("values")
-    if not isinstance(values, list):
+    if not isinstance(values, list) or any(value.free_symbols for value in values):
         return
     name = point.option("parameter") or point.question.symbols[0]
     for value in values:
