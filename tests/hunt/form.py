@@ -57,15 +57,15 @@ def of_entry(entry: sp.Expr, large_numbers: bool) -> Iterator[str]:
         if f.is_number and f.has(sp.acos, sp.asin, sp.atan):
             yield "a trigonometric function of an inverse one"
     for each in entry.atoms(sp.Pow):
-        if each.exp == sp.Rational(1, 2) and each.base.has(sp.Pow) and sp.sqrtdenest(each) != each:
+        if each.exp == sp.Rational(1, 2) and each.is_number and sp.sqrtdenest(each) != each:
             yield "nested roots that denest"
         if each.exp == sp.Rational(1, 2) and each.base.is_Add and sp.factor(each.base).is_Pow:
             yield "the root of a square"
         if each.exp == -1 and each.base.is_Add and each.base.free_symbols and sp.factor(each.base).is_Pow:
             yield "a square below, multiplied out"
     for product in entry.atoms(sp.Mul):
-        powers = [each for each in product.args if each.is_Pow and each.base.free_symbols and each.exp.free_symbols]
-        if any(each.base in product.as_powers_dict() for each in powers if not each.base.is_number):
+        bases = [factor.as_base_exp()[0] for factor in product.args]
+        if any(base.free_symbols and bases.count(base) > 1 for base in bases):
             yield "a power in two parts"
     large = [abs(n.p) for n in entry.atoms(sp.Integer)] + [n.q for n in entry.atoms(sp.Rational)]
     if not large_numbers and max(large, default=0) > LARGE:

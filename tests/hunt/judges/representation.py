@@ -31,7 +31,7 @@ def transfer_function(point: Point, found: Found) -> None:
     elif "poles" in found:
         found.holds("number of poles", len(found.list("poles")) == mcmillan_degree(G))
     states = not {"equations", "transfer_matrix"} & set(point.question.system)
-    if "cancelled" in found and not rows and not columns and states:
+    if "cancelled" in found and "poles" in found and not rows and not columns and states:
         found.spectrum("poles and cancelled", [*found.list("poles"), *found.list("cancelled")], matrices(point)[0])
 
 
