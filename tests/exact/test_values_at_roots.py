@@ -17,7 +17,7 @@ from solver.exact.linear_algebra.biquadratic import (
 )
 from solver.exact.linear_algebra.instances import squares_of_roots, value_at
 from solver.exact.linear_algebra.integers import small_integer_roots
-from solver.exact.linear_algebra.spectrum import roots_of
+from solver.exact.linear_algebra.spectrum import roots_of, split_over
 from tests.helpers.exact_cases import companion
 from tests.helpers.tried import tried
 
@@ -153,3 +153,15 @@ def test_the_root_of_a_product(square):
     found = root_of_product(square)
     assert abs(sp.N((found**2 - square).subs({a: 3, p: 5}), 20)) < 1e-15
     assert sp.N(found.subs({a: 3, p: 5})) > 0
+
+
+def test_a_factor_splits_over_a_field_that_holds_its_roots():
+    (factor,) = spectrum(companion((x**2 - 2) ** 2)).factors
+    left, right = split_over(factor, sp.QQ.algebraic_field(sp.sqrt(2)))
+    assert [[(root.value, root.multiplicity) for root in each.roots] for each in (left, right)] == [
+        [(-sp.sqrt(2), 2)],
+        [(sp.sqrt(2), 2)],
+    ]
+    assert split_over(factor, factor.modulus.domain) == (factor,)
+    (whole,) = split_over(factor, sp.QQ.algebraic_field(sp.sqrt(3)))
+    assert whole.degree == 2

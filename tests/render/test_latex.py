@@ -176,6 +176,8 @@ DECIMALS = [
     (sp.Float("1234567"), r"1.2346 \cdot 10^{6}"),
     (sp.Integer(10) ** 20, str(10**20)),
     (pi, "3.1416"),
+    (1 + sqrt(2), "2.4142"),
+    (1 + sqrt(2) * sp.I, "1 + 1.4142j"),
     (((1 + sp.I) ** Rational(1, 3) + (1 - sp.I) ** Rational(1, 3)) * s + s, "3.1684s"),
 ]
 

@@ -54,7 +54,7 @@ def slowest(image: RationalMatrix, *, discrete: bool) -> float | None:
             if root.value.free_symbols:
                 return None
             value = complex(root.value)
-            rate = -mpmath.log(abs(value)) if discrete and value else -value.real
+            rate = -mpmath.log(abs(value)) if discrete else -value.real
             if rate > 1e-12 and not (discrete and not value):
                 rates.append(float(rate))
     return 1 / min(rates) if rates else None
