@@ -130,3 +130,12 @@ def test_a_marking_in_a_file_has_no_signs_for_a_terminal(solve, folder, monkeypa
     assert "\x1b[" in solve("check", "problem.yaml", "wrong.yaml").out
     solve("check", "problem.yaml", "wrong.yaml", "-o", "marking.txt")
     assert "\x1b" not in (folder / "marking.txt").read_text(encoding="utf-8")
+
+
+def test_one_marking_may_replace_a_file_and_several_may_not(solve, folder):
+    (folder / "marking.json").write_text("old", encoding="utf-8")
+    refused = solve("check", "problem.yaml", "right.yaml", "wrong.yaml", "-f", "json", "-o", "marking.json")
+    assert "marking.json is one file; name a folder for 2 answer files." in refused.err
+    assert (folder / "marking.json").read_text(encoding="utf-8") == "old"
+    assert solve("check", "problem.yaml", "right.yaml", "-f", "json", "-o", "marking.json").code == 0
+    assert json.loads((folder / "marking.json").read_text(encoding="utf-8"))["student"] == "A-17"

@@ -165,6 +165,8 @@ def test_the_page_is_opened_in_a_browser(solve, good, monkeypatch):
     monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or True)
     assert solve("good.yaml", "-f", "json,html", "--open").code == 0
     assert opened == [good.with_suffix(".html").as_uri()]
+    assert solve("good.yaml", "-f", "json", "--open").code == 0
+    assert opened[1:] == [good.with_suffix(".json").as_uri()]
 
 
 def test_where_there_is_no_browser_it_says_so(solve, good, monkeypatch):
