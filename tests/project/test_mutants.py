@@ -168,15 +168,17 @@ def test_what_a_run_of_tests_writes_down_is_read(tmp_path):
     code = "import sys, tools.mutants.reached as r; from pathlib import Path; r.FOLDER = Path(sys.argv[1]); "
     code += "import pytest; sys.exit(pytest.main([*sys.argv[2:]], plugins=[r]))"
     test = "tests/exact/test_routh.py::test_a_leading_zero_is_refused"
-    command = [sys.executable, "-c", code, str(tmp_path), "-q", "-p", "no:cacheprovider", "-n", "0", test]
+    reading = "tests/problem/test_options.py::test_defaults_are_filled_in"
+    command = [sys.executable, "-c", code, str(tmp_path), "-q", "-p", "no:cacheprovider", "-n", "0", test, reading]
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
     subprocess.run(command, cwd=ROOT, env={**environment, "PYTHONPATH": str(ROOT)}, check=True, capture_output=True)
     reached = read(tmp_path)
-    assert [*reached.seconds] == [test]
+    assert [*reached.seconds] == [test, reading]
     assert reached.seconds[test] > 0
     statements = [line for line in range(1, 200) if reached.tests_of("solver/exact/stability/routh.py", line)]
     assert statements
     assert reached.tests_of_file("solver/exact/stability/routh.py") == {test}
+    assert reached.tests_of_file("solver/problem/reader.py") == {reading}  # a conftest imports it
     assert not reached.tests_of_file("solver/cli/__init__.py")
 
 

@@ -88,7 +88,6 @@ class Recorder:
         self.names: dict[str, str] = {}
         self.seconds: dict[str, float] = {}
         self.ran: dict[str, np.ndarray[Any, np.dtype[np.uint8]]] = {}
-        program().watch()
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
@@ -128,6 +127,12 @@ def _seconds() -> float:
     """The processor's time of this process and of those it started."""
     both = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(each.ru_utime + each.ru_stime for each in both)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_load_initial_conftests() -> None:
+    """Have the program noted before a conftest imports it."""
+    program().watch()
 
 
 def pytest_configure(config: Any) -> None:
