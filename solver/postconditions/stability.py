@@ -35,6 +35,17 @@ def _has_sign(x: Any, sign: int) -> Iterator[Claim | Check]:
         yield Check.that("a sign", "random points", abs(sign) == 1 and not is_zero)
 
 
+def of_root_conditions(found: Sequence[Any], listed: Sequence[Any], *, discrete: bool) -> Iterator[Claim]:
+    """Of one or two roots: the coefficients; in discrete time p(1), ±p(−1) and 1 − their product."""
+    if len(listed) > 3:
+        return
+    b, c = [*listed[1:], sp.Integer(0)][:2]
+    wanted = [1 + b + c, 1 - b + c, 1 - c] if discrete else [b, c]
+    if len(listed) == 2:
+        wanted = wanted[:-1]
+    yield Claim(sp.ImmutableMatrix([wanted]), sp.ImmutableMatrix([list(found)]))
+
+
 def of_sign_changes(found: int, signs: Sequence[int | None]) -> Iterator[Check]:
     """So many signs differ from the one before."""
     yield Check.that("changes of sign", "counted", sum(a != b for a, b in pairwise(signs)) == found)

@@ -47,6 +47,7 @@ CALLS = {
     "added": [(A, A)],
     "at_rest": [(A,)],
     "location": [(A,), (TURNING,), (sp.ImmutableMatrix([[0, 1], [-1, 0]]),)],
+    "root_conditions": [((sp.Integer(1), K, s),), ((sp.Integer(1), K),)],
     "is_stable_polynomial": [((sp.Integer(1), sp.Integer(2), sp.Integer(sign * 3)),) for sign in (1, -1)],
     "decays": [(FACTOR,)],
     "constant_root": [(FACTOR,), (exact.spectrum(sp.ImmutableMatrix([[0]])).factors[0],)],
@@ -80,6 +81,7 @@ TIMED = (
     "at_rest",
     "location",
     "is_stable_polynomial",
+    "root_conditions",
     "decays",
     "constant_root",
 )
