@@ -12,10 +12,11 @@ import sympy as sp
 from solver.derivation import Check, CheckStatus, Claim
 from solver.derivation.displayed import Written
 from solver.displayed.budget import Budget
+from solver.displayed.matrix_functions import is_left, undone, with_matrices
 from solver.displayed.meaning import Unknown, Writer
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.shapes import SCALAR, Shape, shape_of
-from solver.displayed.sides import frozen, half_unit, has_value, listed, with_matrices
+from solver.displayed.sides import frozen, half_unit, has_value, listed
 from solver.displayed.statements import Chain, Side, legible, name_in, names_in, spelled
 from solver.displayed.tree import Meaning, Unreadable
 from solver.displayed.unknowns import Unknowns
@@ -164,7 +165,10 @@ class Judge:
         if left in self.unknowns.given or right in self.unknowns.given:  # a condition: where t = 0, if a = b
             return
         self.seen.add((left, right))
-        left, right = with_matrices(left, self.matrices), with_matrices(right, self.matrices)
+        left, right = undone(with_matrices(left, self.matrices), with_matrices(right, self.matrices))
+        if is_left(left) or is_left(right):
+            self.skip("a root or logarithm of a matrix within a formula")
+            return
         if {symbol.name for symbol in numeric.free_symbols(left) | numeric.free_symbols(right)} & self.matrices.keys():
             self.skip("a formula in which a matrix stands as a symbol")
             return

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from solver.displayed.matrix_functions import function_of_matrix
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.scalars import FUNCTIONS, plain
 from solver.displayed.shapes import OF_A_MATRIX, SCALAR, Shape, complete, known, of_product, selections, shape_of
@@ -45,11 +46,17 @@ class Writer:
             if argument in VARIABLES.values():  # Re λ < 0 is a condition
                 raise Unknown(meaning.kind)
             if shape_of(argument) != SCALAR:
-                raise Unreadable(Phrase("the function {name} of a matrix", name=meaning.kind))
+                return self._of_matrix(meaning.kind, argument)
             return FUNCTIONS[meaning.kind](plain(argument))
         if meaning.kind == "exp":
             return exponential(argument)
         return Stated(meaning.kind, (argument,))
+
+    def _of_matrix(self, name: str, argument: Any) -> Any:
+        found = function_of_matrix(name, argument)
+        if found is None:
+            raise Unreadable(Phrase("the function {name} of a matrix", name=name))
+        return found
 
     def knows(self, meaning: Meaning) -> bool:
         """Whether every name in a formula stands for a value: laws are written with others."""

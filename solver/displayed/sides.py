@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from math import log10
 from typing import Any
 
@@ -11,7 +10,6 @@ import sympy as sp
 from solver.displayed.tree import Unreadable
 from solver.lazy import numeric
 from solver.stated import Stated
-from solver.stated.algebra import power
 
 DIGITS = 30
 """No decimal is written with more places."""
@@ -27,17 +25,6 @@ def frozen(value: Any) -> Any:
     if isinstance(value, Stated):
         return Stated(value.operation, tuple(map(frozen, value.operands)))
     return sp.ImmutableMatrix(value) if isinstance(value, sp.MutableDenseMatrix) else value
-
-
-def with_matrices(value: Any, matrices: Mapping[str, Any]) -> Any:
-    """Return a value with matrices in place of the symbols that stand for them, as in α₀ + α₁A and A¹⁰."""
-    if isinstance(value, Stated):
-        return Stated(value.operation, tuple(with_matrices(each, matrices) for each in value.operands))
-    if isinstance(value, sp.Symbol):
-        return matrices.get(value.name, value)
-    if isinstance(value, sp.Pow) and isinstance(value.base, sp.Symbol) and value.base.name in matrices:
-        return power(matrices[value.base.name], value.exp)
-    return value
 
 
 def listed(value: Any) -> bool:

@@ -22,6 +22,7 @@ from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
 from solver.options.expression import Expression
+from solver.stated import Stated
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import inverse
 from solver.tasks.freedom import a_root_is_asked_for
@@ -142,11 +143,13 @@ def _by_the_remainder(A: ImmutableMatrix, f: exact.ScalarFunction) -> Derivation
     return Answers(F=value.value)
 
 
-def _shown(f: Expr) -> Expr | None:
+def _shown(f: Expr) -> Expr | Stated | None:
     """The function as it is written of a matrix; None for a quotient, which of matrices is none."""
     A = sp.Symbol("A")
+    if f == 1 / A:
+        return inverse(A)
     quotients = (each for each in f.atoms(sp.Pow) if each.base.has(A) and each.exp.could_extract_minus_sign())
-    return None if f != 1 / A and any(quotients) else f
+    return None if any(quotients) else f
 
 
 def _has_root(f: Expr) -> bool:
