@@ -158,6 +158,7 @@ def test_refusals_say_why(method, plant, Q, words):
         ("Q: [[1]], R: 1", "2 rows"),
         ("Q: [[1, 0], [0, 1]], R: 1, N: [1, 1]", "too large beside .* it is indefinite"),
         ("output_weight: 1, N: [0, 1]", "too large beside"),
+        ("Q: [[q, 0], [0, 0.25]], R: 1, N: [1, 0.5]", "too large beside .* it is indefinite"),
         ("R: 1, N: [1, 2, 3]", "2 rows"),
     ],
 )

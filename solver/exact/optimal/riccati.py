@@ -38,6 +38,9 @@ LARGEST_NUMBER = 10**5
 LONGEST_ENTRY = 90
 """Characters of an entry with nested roots that still is readable; beyond, decimals say more."""
 
+LONGEST_WITH_PARAMETERS = 1000
+"""Characters of an entry with parameters, for which there are no decimals."""
+
 
 class NotStabilizable(Exception):  # noqa: N818 - a finding
     """Modes that the input does not reach are not asymptotically stable; `modes` are their eigenvalues."""
@@ -180,6 +183,11 @@ class Riccati:
             tower, coefficients = found
             entries = solved(tower, polynomial_at(tower, coefficients, H))
             P = [[shown(tower, entry) for entry in row] for row in entries]
+            if (
+                self.H.free_symbols
+                and max(len(str(entry)) for entry in chain.from_iterable(P)) > LONGEST_WITH_PARAMETERS
+            ):
+                raise NotExact("optimal/parameters")
             if self.H.free_symbols or all(map(_readable, chain.from_iterable(P))):
                 p = tuple(shown(tower, c) for c in coefficients)
                 return RiccatiSolution(sp.ImmutableMatrix(P), p, flips, True, choices, radicand)

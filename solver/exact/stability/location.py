@@ -195,7 +195,7 @@ def definiteness(M: sp.ImmutableMatrix) -> str | None:
             return f"{word} definite"
         if all(sign is not None and sign >= 0 for sign in known):
             return f"{word} semidefinite"
-        if None in known:
+        if -1 not in known:
             return None
     return "indefinite"
 
