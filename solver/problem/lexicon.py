@@ -110,7 +110,7 @@ class Lexicon:
         try:
             tokens = list(tokenize(text))
             for token in tokens:
-                if token.text in barred and token.text not in variables and token.kind is Kind.NAME:
+                if token.text in barred and token.text not in variables:
                     message = f"'{text[token.at : token.end]}' cannot stand here: {barred[token.text]}"
                     raise ExpressionError(message, token.at, token.end - token.at)
             value = parse(text, names)

@@ -29,6 +29,7 @@ def names(folder):
         (["good.yaml", "--templates", "nowhere"], "does not exist"),
         (["good.yaml", "--time-limit", "0"], "0"),
         (["good.yaml", "--time-limit", "nan"], "nan"),
+        (["good.yaml", "--time-limit", "86401"], "86401"),
         (["good.yaml", "--memory-limit", "1"], "16"),
         (["good.yaml", "--colour"], "No such option"),
         (["good.yaml", "-o", "-", "-f", "json,md"], "one format"),

@@ -204,3 +204,8 @@ def test_brackets_in_texts_do_not_count_as_nesting():
 )
 def test_size_is_bounded(text, message):
     assert [found[2] for found in complaints(text)] == [message]
+
+
+def test_closing_brackets_open_nothing():
+    text = f"title: '{']' * (yaml_tree.MAX_OPEN_BRACKETS + 1)}'\n"
+    assert parse_yaml(Source("file.yaml", text))["title"].text.endswith("]")
