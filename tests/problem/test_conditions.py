@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from solver.conditions import Condition, Parameter
@@ -215,6 +215,8 @@ BOUNDS = st.lists(
 
 @settings(max_examples=60)
 @given(BOUNDS)
+@example([(-1, "<", True, 1), (3, "<", True, 1)])
+@example([(1, ">", True, 1), (-3, ">", True, 1)])
 def test_of_several_bounds_the_narrowest_holds_and_none_may_contradict(bounds):
     """Each is written as `factor a < factor·bound`, from the left or from the right; the truth is tried on a grid."""
     turned = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "!=": "!="}
