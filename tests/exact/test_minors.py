@@ -1,18 +1,21 @@
-"""Euclid's algorithm on rows and columns against the minors one by one."""
+"""Euclid's algorithm on rows and columns against the minors one by one; angles at which a rank drops."""
 
 from functools import reduce
 
 import pytest
+import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy import QQ
 from sympy.polys.rings import ring
 
 from solver.exact import NotExact
+from solver.exact.structure.critical_angles import _merged
 from solver.exact.structure.minors import MOST_MINORS, diagonal_product, minors_of
 from tests.helpers.tried import tried
 
 R, x = ring("x", QQ)
+pi, a, number = sp.pi, sp.Symbol("a", real=True), sp.Symbol("n", integer=True)
 polynomials = st.lists(st.integers(-2, 2), max_size=3).map(lambda c: sum((n * x**i for i, n in enumerate(c)), R.zero))
 
 
@@ -43,3 +46,18 @@ def test_minors_are_determinants_of_chosen_columns_and_not_too_many():
     with pytest.raises(NotExact):
         list(minors_of([[x]] * (MOST_MINORS + 1), 1))
     assert len(list(minors_of([[x] * MOST_MINORS], 1))) == MOST_MINORS
+
+
+@pytest.mark.parametrize(
+    ("angles", "merged"),
+    [
+        ([pi / 2, -pi / 2], [pi / 2 + number * pi]),
+        ([pi / 3], [pi / 3 + 2 * number * pi]),
+        ([pi / 3, pi / 2], [pi / 3 + 2 * number * pi, pi / 2 + 2 * number * pi]),
+        ([a, -a], [a + 2 * number * pi, -a + 2 * number * pi]),
+    ],
+)
+def test_angles_and_any_number_of_turns(angles, merged):
+    assert [sp.expand(left - right) for left, right in zip(_merged(angles, number), merged, strict=True)] == [0] * len(
+        merged
+    )

@@ -146,3 +146,7 @@ def test_a_solution_shows_the_figures_of_its_steps(plain):
     assert r"\usepackage{tikz}" not in latex_document(document_of(plain))
     assert markdown.count("*Figure") == 2
     assert pdf.pdf_of(latex).startswith(b"%PDF")
+
+
+def test_axes_have_scales_of_their_own_unless_they_are_to_be_equal():
+    assert not Plot("a response", "t", "y", t, 0, 1, ()).equal
