@@ -24,14 +24,14 @@ def share(count: int) -> Callable[[Callable[[Dice], Asked]], Callable[[Dice], As
     return enter
 
 
-def questions(seed: int, tasks: Sequence[str] = (), times: int = 1) -> Iterator[tuple[str, Asked]]:
+def questions(seed: int, tasks: Sequence[str] = (), times: float = 1) -> Iterator[tuple[str, Asked]]:
     """Questions by name: `times` the share of each task."""
     for task, (count, maker) in SHARES.items():
-        for i in range(count * times if not tasks or task in tasks else 0):
+        for i in range(max(1, round(count * times)) if not tasks or task in tasks else 0):
             yield f"{task.replace('_', '-')}-{seed}-{i}", {"task": task, **maker(Dice(f"{task} {seed} {i}"))}
 
 
-def problem(seed: int, tasks: Sequence[str] = (), times: int = 1) -> str:
+def problem(seed: int, tasks: Sequence[str] = (), times: float = 1) -> str:
     """The questions as a problem file."""
     asked = dict(questions(seed, tasks, times))
     return yaml.safe_dump({"title": "Generated", "find": asked}, allow_unicode=True, sort_keys=False, width=1000)

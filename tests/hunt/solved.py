@@ -59,8 +59,8 @@ def solved(path: Path) -> tuple[Solved, ...]:
 
 
 def faults(one: Solved) -> Iterator[str]:
-    """What is wrong with the answers, by the judge of the task, at two points."""
-    for point in points(one.question):
+    """What is wrong with the answers, by the judge of the task, at a point."""
+    for point in points(one.question, 1):
         found = Found(point, one.values)
         judges.of(one.question.task)(point, found)
         yield from dict.fromkeys(found.wrong)

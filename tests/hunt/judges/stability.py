@@ -8,7 +8,7 @@ from tests.hunt.judges.found import Found, hidden, rank
 from tests.hunt.plants import fraction, loop, matrices
 
 SLACK = 1e-6
-TRIED = 60
+TRIED = 40
 
 
 def spectrum_of(point: Point) -> np.ndarray:
