@@ -46,6 +46,13 @@ def of_root_conditions(found: Sequence[Any], listed: Sequence[Any], *, discrete:
     yield Claim(sp.ImmutableMatrix([wanted]), sp.ImmutableMatrix([list(found)]))
 
 
+def of_hurwitz_matrix(found: Any, coefficients: Sequence[Any]) -> Iterator[Claim]:
+    """The odd coefficients a₁, a₃, … above the even ones a₀, a₂, …, and the same two rows again, moved to the right."""
+    n = len(coefficients) - 1
+    rows = [[0] * (i // 2) + list(coefficients[1 - i % 2 :: 2]) + [0] * n for i in range(n)]
+    yield Claim(sp.ImmutableMatrix([row[:n] for row in rows]), found)
+
+
 def of_sign_changes(found: int, signs: Sequence[int | None]) -> Iterator[Check]:
     """So many signs differ from the one before."""
     yield Check.that("changes of sign", "counted", sum(a != b for a, b in pairwise(signs)) == found)

@@ -41,6 +41,7 @@ CALLS = {
     "sign_of": [(sp.Integer(3),), (sp.sqrt(2) - 2,), (sp.Integer(0),), (sp.Symbol("a", positive=True),)],
     "sign_changes": [([1, -1, 0, 1],)],
     "routh": [(EPSILON,), ((1, 2, 3, 4, 5),), ((1, 1, 2, 2),), ((1, 3, K, 6),)],
+    "hurwitz_matrix": [((1, 2, 3, 4),), ((K, 1, s, 3, K, 2, 1),)],
     "resolvent_cancels": [(HIDDEN,), (TURNING,)],
     "shifted": [(sp.ImmutableMatrix([sp.exp(-t)]), t, sp.Integer(2))],
     "read_inputs": [((sp.Heaviside(t - 2) * t, sp.DiracDelta(t)), t)],

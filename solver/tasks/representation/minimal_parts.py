@@ -25,7 +25,7 @@ State = tuple[Any, Any, Any]
 def least_realization_of(given: exact.TransferMatrix, *, discrete: bool) -> Derivation[exact.Realization]:
     """A companion form with a chain for each input or output where one is minimal, else pole by pole."""
     G = exact.entries_in_lowest_terms(given)
-    if given != G:
+    if (given.tops, given.bottoms) != (G.tops, G.bottoms):
         yield Step(
             "entries",
             claims={"lowest": Claim(fractions(given), fractions(G), "each entry in lowest terms")},
