@@ -21,8 +21,20 @@ OPENING, CLOSING = "([{", ")]}"
 
 def respelled(text: str) -> str:
     """Return the text of an expression with functions named as our notation names them."""
-    text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(text))
+    text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(_steps(text)))
     return _INFINITY.sub("inf", text).replace("√(", "sqrt(").replace("–", "-")
+
+
+def _steps(text: str) -> str:
+    """Heaviside(a, 1), which says the value at the jump, as Heaviside(a)."""
+    head, at = "Heaviside(", 0
+    while (at := text.find(head, at)) >= 0:
+        at += len(head)
+        end = matching(text, at - 1)
+        first, *value = split(text[at:end], ",") or [""]
+        if [each.strip() for each in value] == ["1"]:
+            text = text[:at] + first + text[end:]
+    return text
 
 
 def _kronecker(text: str) -> str:

@@ -30,6 +30,16 @@ def of_reachable_order(found: int, A: Any, B: Any) -> Iterator[Claim]:
     yield _has_rank(krylov(A, B), found)
 
 
+def of_critical_angles(found: Any, M: Any, parameter: Any) -> Iterator[Claim]:
+    """At each of the angles the rows of M are dependent, and the families have as many angles a turn."""
+    slope, start = sp.diff(found.angle, parameter), found.angle.xreplace({parameter: sp.Integer(0)})
+    for angle in found.angles:
+        here = M.xreplace({parameter: (angle - start) / slope})
+        yield Claim(determinant(sp.ImmutableMatrix(here if here.rows == here.cols else here * here.T)), sp.Integer(0))
+    a_turn = [2 * sp.pi / sp.diff(family, found.number) for family in found.families]
+    yield Claim(total(*a_turn), sp.Integer(len(found.angles)))
+
+
 def of_rank(found: int, M: Any) -> Iterator[Claim]:
     """The rank."""
     if 0 not in M.shape:

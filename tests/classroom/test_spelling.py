@@ -10,6 +10,7 @@ from solver.problem.nodes import MappingNode, Place, ScalarNode
     ("text", "ours"),
     [
         ("Heaviside(t - 2) + DiracDelta(t)", "step(t - 2) + delta(t)"),
+        ("2*Heaviside(k - 3, 1)*k + Heaviside(t, 2)", "2*step(k - 3)*k + step(t, 2)"),
         ("arctan (x)*Abs(y)", "atan(x)*abs(y)"),
         ("KroneckerDelta(k, 0)", "delta(k)"),
         ("KroneckerDelta(k, )", "delta(k)"),

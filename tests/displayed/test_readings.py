@@ -101,7 +101,6 @@ UNREAD = {
     "a limit without its variable": r"\lim 3",
     "rows of different lengths": r"\begin{bmatrix}1 & 2 \\ 3\end{bmatrix}",
     "a transform of nothing": r"\mathcal{L}^{-1} 3",
-    "a function of a matrix": r"\sin(A)",
     "a sign at the end": "2 +",
 }
 

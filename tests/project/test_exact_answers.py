@@ -34,6 +34,16 @@ NOT_SEEN = {
 }
 """Answers of which some changes pass, and why."""
 
+LATE = "what varies, or jumps later than at the start, is simulated with ten digits"
+NOT_SEEN_IN = dict.fromkeys(
+    [
+        *((stem, name) for stem in ("dead-time", "delayed-inputs") for name in ("y_peak", "t_peak", "y_final")),
+        ("response-discrete", "y_final"),
+    ],
+    LATE,
+)
+"""The same of single problems."""
+
 
 def beside(value: Any) -> Iterator[Any]:
     """The value with a number in it that is a little wrong."""
@@ -78,7 +88,7 @@ def test_what_is_a_little_wrong_is_seen(path):
         (part,) = (part for part in solution.problem.parts if part.id == result.id)
         task, given = catalogue()[part.task], given_of(part, result.method, earlier)
         for name, value in result.answers.items():
-            if holds_decimals(value) or (part.task, name) in NOT_SEEN:
+            if holds_decimals(value) or (part.task, name) in NOT_SEEN or (path.stem, name) in NOT_SEEN_IN:
                 continue
             for wrong in beside(value):
                 assert seen(task, given, result.answers, name, wrong), (part.id, part.task, name, wrong)

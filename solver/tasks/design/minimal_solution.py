@@ -28,7 +28,7 @@ MINIMAL = AnswerName(
 )
 
 
-@lemma("riccati_equations")
+@lemma("minimal_solution")
 def minimal_solution_of(problem: Regulator, listed: list[ImmutableMatrix] | None) -> Derivation[ImmutableMatrix | None]:
     """Show the cost of leaving alone what Q does not see; returns None where that is stabilizing, or has no form."""
     try:
