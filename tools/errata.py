@@ -18,8 +18,8 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom import Verdict, mark, read_submission
-from solver.classroom.answer_file import problem_named_in
-from solver.classroom.report import wrong_places
+from solver.classroom.reading.answer_file import problem_named_in
+from solver.classroom.report.words import wrong_places
 from solver.classroom.verdicts import AnswerVerdict
 from solver.engine import solve_problem
 from solver.problem.files import load

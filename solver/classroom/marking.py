@@ -10,17 +10,19 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.answer_file import Submission
-from solver.classroom.judging import Question, judge
-from solver.classroom.mistakes import what_went_wrong
+from solver.classroom.judging.question import Question
+from solver.classroom.judging.verdict import judge
+from solver.classroom.marks import earned, fraction
+from solver.classroom.mistakes.naming import what_went_wrong
+from solver.classroom.reading.answer_file import Submission
+from solver.classroom.reading.spelling import typed
+from solver.classroom.reading.values import Reader, names_for
 from solver.classroom.submitted import Submitted
-from solver.classroom.values import Reader, names_for
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.derivation import Answers, PartResult, Status
 from solver.engine import Solution, given_of, solve_part
 from solver.limits import Exceeded, Limits, call_within
 from solver.messages import Messages
-from solver.problem.asked import asked_of
 from solver.problem.model import Part, Reference
 from solver.problem.nodes import Node
 from solver.problem.source import Diagnostic, Fault
@@ -101,7 +103,7 @@ class Marker:
 
     def _out_of(self, part: Part) -> Fraction:
         """The marks of a part; one each where the problem gives none to any part."""
-        return _fraction(part.marks) if part.marks is not None else Fraction(int(not self._any_marks()))
+        return fraction(part.marks) if part.marks is not None else Fraction(int(not self._any_marks()))
 
     def _read_all(self, part: Part) -> Values:
         """Read every value submitted for a part by the kind of our own answer; `unread` has why others are not."""
@@ -137,9 +139,8 @@ class Marker:
         verdicts = {name: self._unreadable(part, name) for name in submitted if name not in values}
         for name, verdict in self._judged(part, ours, values).items():
             verdicts[name] = verdict
-        written = {name for name, each in values.items() if each.decimals}
-        ordered = {name: replace(verdicts[name], in_decimals=name in written) for name in submitted}
-        marks = _earned(part, ours, ordered, out_of)
+        ordered = {name: _shown(verdicts[name], node, values.get(name)) for name, node in submitted.items()}
+        marks = earned(part, ours, ordered, out_of)
         undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
         said: Reason | str = "" if submitted else "not answered"
         if undecided:
@@ -215,20 +216,6 @@ class Marker:
         return self._question(part, earlier, ours)
 
 
-def _earned(part: Part, ours: Mapping[str, Any], verdicts: Mapping[str, AnswerVerdict], out_of: Fraction) -> Fraction:
-    """Return the marks of a part: each answer's own where the problem gives them, else equal ones for those asked for.
-
-    Those asked for are what the part names, else the principal answers of its task that this question has. Each earns
-    in proportion to what is right in it; what is not submitted earns nothing, and so does what was not asked for.
-    """
-    if part.answer_marks:
-        each = {name: _fraction(marks) for name, marks in part.answer_marks.items()}
-    else:
-        asked = part.asked or [name for name in asked_of(part, catalogue()[part.task]) if name in ours]
-        each = {name: out_of / len(asked) for name in asked}
-    return sum((each[name] * verdict.share for name, verdict in verdicts.items() if name in each), Fraction(0))
-
-
 def trivial(own: Any, ours: Any) -> bool:
     """Whether an earlier answer would trivialise what follows: zeros, almost nothing, or a shape that ours has not."""
     if isinstance(own, sp.MatrixBase):
@@ -265,5 +252,8 @@ def _placed(what: Diagnostic) -> dict[str, Any]:
     return {"line": what.line, "column": what.column, **{name: plain(text) for name, text in texts.items()}}
 
 
-def _fraction(number: Any) -> Fraction:
-    return Fraction(int(number.p), int(number.q))
+def _shown(verdict: AnswerVerdict, node: Node, read: Submitted | None) -> AnswerVerdict:
+    """The verdict with what was written."""
+    if read is None:
+        return replace(verdict, typed=typed(node))
+    return replace(verdict, typed=read.typed, respelt=read.respelt, in_decimals=bool(read.decimals))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import sympy as sp
@@ -19,11 +19,18 @@ class Decimal(NamedTuple):
 
 @dataclass(frozen=True)
 class Submitted:
-    """A value as sympy has it (`value`), the same with a symbol for each decimal (`form`), and what these were."""
+    """A value as sympy has it (`value`), the same with a symbol for each decimal (`form`), and what these were.
+
+    `typed` is what was written, on one line; `respelt` tells that it is read as something it does not literally say.
+    `others` are what else it may mean: at most one of all readings can count.
+    """
 
     value: Any
     form: Any
     decimals: Mapping[sp.Symbol, Decimal] = field(default_factory=dict)
+    typed: str = ""
+    respelt: bool = False
+    others: tuple[Submitted, ...] = ()
 
     def with_digits(self, least: int) -> Submitted:
         """Return it with the decimals of fewer significant digits as the exact numbers that they are."""
@@ -31,7 +38,7 @@ class Submitted:
         if not coarse:
             return self
         kept = {symbol: decimal for symbol, decimal in self.decimals.items() if symbol not in coarse}
-        return Submitted(self.value, replaced(self.form, coarse), kept)
+        return replace(self, form=replaced(self.form, coarse), decimals=kept)
 
 
 def replaced(value: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:

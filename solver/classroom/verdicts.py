@@ -23,7 +23,8 @@ class Verdict(StrEnum):
 class AnswerVerdict:
     """The verdict of one submitted value.
 
-    `value` is what was submitted, as read (None if it could not be read). `reason` says what is wrong or why it is not
+    `typed` is what was written, `value` how it was read (None if it could not be read); `respelt` tells that the one
+    does not literally say the other. `reason` says what is wrong or why it is not
     judged; `note` is any other remark. Of a marking they are in words (Markdown with $math$). `entries` has the shape
     of a matrix or list and holds "correct" or "wrong". `follows` is true where it is right with the student's own
     earlier answer; `in_decimals` where it was written with decimals.
@@ -37,6 +38,8 @@ class AnswerVerdict:
     entries: Any = None
     follows: bool = False
     in_decimals: bool = False
+    typed: str = ""
+    respelt: bool = False
 
     def worded(self, messages: Messages) -> AnswerVerdict:
         """Return the verdict with its reason and note in words."""

@@ -10,8 +10,11 @@ from pathlib import Path
 import click
 
 from solver.classroom import Marking, mark_within, read_submission
-from solver.classroom.answer_file import problem_named_in
-from solver.classroom.report import as_csv, as_json, print_marking, render_sheet
+from solver.classroom.reading.answer_file import problem_named_in
+from solver.classroom.report.data import as_json
+from solver.classroom.report.sheet import render_sheet
+from solver.classroom.report.table import as_csv
+from solver.classroom.report.text import print_marking
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
@@ -209,6 +212,6 @@ def _names(path: Path) -> tuple[str, ...]:
 
 
 def _total(marking: Marking) -> Phrase:
-    from solver.classroom.report import number
+    from solver.classroom.report.words import number
 
     return Phrase("{marks} of {out_of} marks", marks=number(marking.marks), out_of=number(marking.out_of))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from solver.classroom.report import wrong_places
+from solver.classroom.report.words import wrong_places
 from solver.derivation import Task
 from solver.problem.source import InputError
 from tests.helpers.marked import marked, solved, verdict

@@ -9,7 +9,9 @@ import yaml
 from rich.console import Console
 
 from solver.classroom import mark, read_submission
-from solver.classroom.report import as_data, print_marking, render_sheet
+from solver.classroom.report.data import as_data
+from solver.classroom.report.sheet import render_sheet
+from solver.classroom.report.text import print_marking
 from solver.document.works import document_of
 from solver.messages import Messages
 from solver.problem.source import Source

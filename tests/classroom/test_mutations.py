@@ -11,9 +11,9 @@ from functools import cache
 import pytest
 import sympy as sp
 
-from solver.classroom.judging import judge
+from solver.classroom.judging.verdict import judge
+from solver.classroom.reading.values import Reader
 from solver.classroom.submitted import Submitted
-from solver.classroom.values import Reader
 from solver.derivation import Status
 from solver.problem.source import Source
 from solver.problem.yaml_tree import parse_yaml

@@ -5,11 +5,11 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from solver.classroom.entries import all_right, entrywise, shaped
+from solver.classroom.judging.entries import all_right, entrywise, shaped
 from solver.classroom.marking import trivial
-from solver.classroom.report import number, wrong_places
+from solver.classroom.reading.values import Reader
+from solver.classroom.report.words import number, wrong_places
 from solver.classroom.submitted import Submitted
-from solver.classroom.values import Reader
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.problem.nodes import ScalarNode
 from tests.helpers.marked import marked, marker, solved, verdict

@@ -2,7 +2,7 @@
 
 import pytest
 
-from solver.classroom.spelling import matching, respelled, split, unfolded
+from solver.classroom.reading.spelling import matching, respelled, split, unfolded
 from solver.problem.nodes import MappingNode, Place, ScalarNode
 
 

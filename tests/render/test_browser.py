@@ -12,7 +12,7 @@ import pytest
 
 from solver import solve
 from solver.classroom import mark, read_submission
-from solver.classroom.report import render_sheet
+from solver.classroom.report.sheet import render_sheet
 from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.problem.reader import read_problem

@@ -76,6 +76,16 @@ def split(text: str, separator: str | re.Pattern[str]) -> list[str]:
     return [*pieces, text[start:]] if pieces or text.strip() else []
 
 
+def typed(node: Node) -> str:
+    """Return what stands in the file, lists and mappings on one line."""
+    if isinstance(node, ScalarNode):
+        return node.text
+    if isinstance(node, SequenceNode):
+        return f"[{', '.join(map(typed, node.items))}]"
+    entries = node if isinstance(node, MappingNode) else ()
+    return f"{{{', '.join(f'{entry.key.text}: {typed(entry.value)}' for entry in entries)}}}"
+
+
 def unfolded(node: Node) -> Node:
     """Return the lists or the mapping that a text holds, "Matrix([[1, 2]])" or "{x: 1}"; other nodes as they are."""
     if not isinstance(node, ScalarNode):

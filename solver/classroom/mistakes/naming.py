@@ -12,10 +12,11 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.entries import entrywise, is_scalar
-from solver.classroom.judging import STRANGE, Question, judge
-from solver.classroom.mistaken_questions import CHANGED, Change, declared
-from solver.classroom.mistaken_values import TRANSFORMED, Case
+from solver.classroom.judging.entries import entrywise, is_scalar
+from solver.classroom.judging.question import STRANGE, Question
+from solver.classroom.judging.verdict import judge
+from solver.classroom.mistakes.questions import CHANGED, Change, declared
+from solver.classroom.mistakes.values import TRANSFORMED, Case
 from solver.classroom.submitted import Decimal, Submitted
 from solver.classroom.verdicts import Verdict
 from solver.derivation import Attempt, PartResult, Task, Unsolved

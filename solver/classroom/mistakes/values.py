@@ -10,8 +10,8 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.entries import is_scalar
-from solver.classroom.judging import Question
+from solver.classroom.judging.entries import is_scalar
+from solver.classroom.judging.question import Question
 from solver.derivation import PartResult
 from solver.engine import steps_of
 from solver.problem.model import Part

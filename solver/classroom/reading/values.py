@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.spelling import matching, respelled, split, unfolded
+from solver.classroom.reading.spelling import matching, respelled, split, typed, unfolded
 from solver.classroom.submitted import Decimal, Submitted
 from solver.problem.expressions import ExpressionError, Names, parse_alternatives, parse_equation, parse_expression
 from solver.problem.expressions.tokens import is_decimal, tokenize
@@ -44,7 +44,7 @@ class Reader:
         """Return the value of a node for an answer of the kind of `ours`; raises Fault."""
         self.decimals = {}
         value, form = self._read(node, ours)
-        return Submitted(value, form, dict(self.decimals))
+        return Submitted(value, form, dict(self.decimals), typed(node))
 
     def _read(self, node: Node, ours: Any) -> tuple[Any, Any]:
         node = unfolded(node)

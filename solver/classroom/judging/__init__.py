@@ -1,0 +1,1 @@
+"""Verdicts of what was submitted, by the verification of its task."""

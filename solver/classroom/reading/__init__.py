@@ -1,0 +1,1 @@
+"""What students write: answer files, spellings, values."""
