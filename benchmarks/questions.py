@@ -1,0 +1,125 @@
+"""The questions of the table of growth, as a user types them: every task by each method, for plants of any order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import sympy as sp
+
+from benchmarks.matrices import companion_of_integers, dense, random_integers
+from solver.tasks import catalogue
+
+LARGEST = {"phase_portrait": 2}
+"""Tasks about one order only."""
+
+PARAMETER = {"stability_range": "A", "parameter_condition": "B"}
+"""Tasks about a parameter k, and the matrix that holds it."""
+
+REGULATORS = ("lqr", "kalman_filter", "optimal_tracking")
+"""These are also asked about random integers, where everything is irrational."""
+
+QUESTION = """\
+system:
+{system}
+find:
+  a:
+    task: {task}
+{options}
+"""
+
+
+def asked() -> Iterator[tuple[str, str, str]]:
+    """Every task, each of its methods, and every kind of plant that they are asked about."""
+    for task, declared in catalogue().items():
+        for method in declared.methods:
+            for kind in ("dense", "companion", *(("random",) if task in REGULATORS else ())):
+                yield task, method, kind
+
+
+def question(task: str, method: str, n: int, kind: str) -> str:
+    """The text of the problem that asks for the task by the method about a plant of order n.
+
+    Raises KeyError where the task needs an option of which nothing is said here.
+    """
+    declared = catalogue()[task]
+    given = OPTIONS[task](n) if task in OPTIONS else {}
+    required = {name for name, option in declared.options_for(method).items() if option.required}
+    if missing := required - set(given):
+        raise KeyError(f"{task}: no value of {', '.join(sorted(missing))} in benchmarks/questions.py")
+    chosen = {"method": method} if list(declared.methods) != [task] else {}
+    discrete = not declared.methods[method].serves(discrete=False)
+    if discrete and task in DISCRETE_OPTIONS:
+        given |= DISCRETE_OPTIONS[task]
+    system = equations(n, kind) if "equations" in declared.needs else matrices(task, method, n, kind)
+    time = {"time": "discrete"} if discrete else {}
+    return QUESTION.format(task=task, system=_lines(time | system, 2), options=_lines(chosen | given, 4))
+
+
+def plant(n: int, kind: str) -> tuple[sp.MatrixBase, sp.MatrixBase, sp.MatrixBase]:
+    """A, B, C of a controllable, observable plant of one input and output.
+
+    Dense or companion it has the eigenvalues −1 … −n; random are its entries.
+    """
+    if kind == "random":
+        return random_integers(n, n, seed=n), random_integers(n, 1, seed=n + 1), random_integers(1, n, seed=n + 2)
+    if kind == "companion":
+        last, first = sp.eye(n)[:, n - 1], sp.eye(n)[0, :]
+        return companion_of_integers(n), last, first
+    B = sp.Matrix(n, 1, lambda i, _: 2 * i % 5 - 1)
+    C = sp.Matrix(1, n, lambda _, j: (j * j + 1) % 4)
+    return dense(n), B, C
+
+
+def matrices(task: str, method: str, n: int, kind: str) -> dict[str, str]:
+    """The plant of a question: with the parameter k where the task is about one, with two channels for unity rank."""
+    A, B, C = plant(n, kind)
+    k, first = sp.Symbol("k"), sp.eye(n)[:, 0]
+    if PARAMETER.get(task) == "A":
+        A = A - k * B * C
+    if PARAMETER.get(task) == "B":
+        B = B + k * first
+    if method == "unity_rank":
+        B, C = (B, C.col_join(sp.eye(n)[n - 1, :])) if task == "observer" else (B.row_join(first), C)
+    return {name: str(M.tolist()) for name, M in {"A": A, "B": B, "C": C}.items()}
+
+
+def equations(n: int, kind: str) -> dict[str, str]:
+    """The plant by the equations of its states."""
+    A, B, C = plant(n, kind)
+    x = sp.Matrix(sp.symbols(f"x1:{n + 1}"))
+    right = A * x + B * sp.Symbol("u")
+    rows = ", ".join(f'"x{i + 1}\' = {right[i]}"' for i in range(n))
+    return {"equations": f"[{rows}]", "inputs": "[u]", "outputs": f"[{(C * x)[0]}]"}
+
+
+def poles(count: int) -> str:
+    """The poles −2, −3, …"""
+    return str([-i for i in range(2, count + 2)])
+
+
+def _weights(n: int) -> dict[str, str]:
+    return {"Q": str(sp.eye(n).tolist()), "R": "[[1]]"}
+
+
+OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
+    "similarity_transformation": lambda n: {"T": str([[int(j >= i) for j in range(n)] for i in range(n)])},
+    "matrix_function": lambda _: {"function": "exp(A*t)"},
+    "response": lambda n: {"input": "exp(-t)", "initial_state": str([1] * n)},
+    "desired_poles": lambda _: {"damping_ratio": "1/2", "settling_time": "4"},
+    "pole_placement": lambda n: {"poles": poles(n)},
+    "reference_tracking": lambda n: {"poles": poles(n)},
+    "servo": lambda n: {"poles": poles(n + 1)},
+    "model_matching": lambda n: {"target": f"1/(s + 20)^{n}"},
+    "observer": lambda n: {"poles": poles(n)},
+    "reduced_observer": lambda n: {"poles": poles(n - 1)},
+    "observer_feedback": lambda n: {"poles": poles(n), "observer_poles": poles(n)},
+    **dict.fromkeys(REGULATORS, _weights),
+}
+"""What a question needs beside the plant, by the order of the plant."""
+
+DISCRETE_OPTIONS = {"response": {"input": "(-1)^k"}}
+"""What stands in place of that in discrete time."""
+
+
+def _lines(given: dict[str, str], indent: int) -> str:
+    return "\n".join(f"{' ' * indent}{name}: {value}" for name, value in given.items())

@@ -1,0 +1,35 @@
+"""The questions of the table of growth: every task is asked by each of its methods, and solved."""
+
+import pytest
+
+from benchmarks.growth import part
+from benchmarks.questions import asked
+from solver.derivation import Status
+from solver.engine import solve_part
+from solver.tasks import catalogue
+
+QUESTIONS = list(asked())
+FEW = [("response", "z_transform", "dense"), ("observer", "unity_rank", "companion"), ("lqr", "hamiltonian", "random")]
+
+
+def is_verified(task, method, kind):
+    return solve_part(part(task, method, 2, kind), {})[0].status is Status.VERIFIED
+
+
+def test_every_method_of_every_task_is_asked():
+    methods = {(name, method) for name, task in catalogue().items() for method in task.methods}
+    assert {(task, method) for task, method, _ in QUESTIONS} == methods
+    for task, method, kind in QUESTIONS:
+        read = part(task, method, 2, kind)
+        assert (read.task, read.methods) == (task, (method,))
+
+
+@pytest.mark.parametrize(("task", "method", "kind"), FEW)
+def test_some_questions_are_verified(task, method, kind):
+    assert is_verified(task, method, kind)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("task", "method", "kind"), QUESTIONS)
+def test_every_question_is_verified(task, method, kind):
+    assert is_verified(task, method, kind)
