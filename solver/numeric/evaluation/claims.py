@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from solver.derivation import Check, CheckStatus, Claim, Step
-from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic
-from solver.numeric.evaluation.compare import Point, Residual, worst_residual
-from solver.numeric.evaluation.environment import Environment, Environments
-from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.arithmetic import DOUBLE
+from solver.numeric.evaluation.compare import Residual, worst_residual
+from solver.numeric.evaluation.environment import Environment, Environments, Point
 from solver.numeric.evaluation.points import PointSource, first_points, free_symbols, whole_symbols
 from solver.numeric.evaluation.precision import TOLERANCE, precision_of
+from solver.numeric.evaluation.sides import Sides
 from solver.numeric.evaluation.stated import Oracle, about
-from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined, Value
+from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
 from solver.stated import Stated
 from solver.words import Phrase
 
@@ -121,12 +121,7 @@ def claim_residual(
     wanted = (POINTS_OF_WHOLE_NUMBERS if whole else POINTS) if symbols else 1
     stated = [formula for side in (left, right) for formula in nodes_of_stated(side)]
     limited = [formula for formula in stated if any(about(formula.operation, each) for each in ("reach", "admitted"))]
-    known = environments or Environments()
-
-    def sides(points: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
-        environment = known.at(points, arithmetic)
-        return value_of(left, environment), value_of(right, environment)
-
+    sides = Sides(left, right, (environments or Environments()).at)
     precision = precision_of(left, right, shown=shown)
     points = _in_reach(first_points(symbols, whole, wanted), limited)
     try:

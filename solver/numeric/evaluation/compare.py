@@ -7,22 +7,20 @@ so it is at most τ if and only if the entry agrees to τ relative to its own si
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array, multiple
+from solver.numeric.evaluation.environment import Point
 from solver.numeric.evaluation.precision import DECIMALS, EXACT, SHOWN, TOLERANCE, Precision, precision_of
+from solver.numeric.evaluation.sides import Sides
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, ShapeMismatch, Undefined, Value, filled, shape_of
 from solver.words import Phrase
 
 QUIET = 1e-10
 """Noise up to this absolute size is low enough to tell that what is stated to be zero is zero."""
-
-Point = dict[Any, complex]
-Sides = Callable[[Sequence[Point], Arithmetic], tuple[Value, Value]]
-"""Evaluates both sides of an equality at some points; raises Undefined or NotEvaluable."""
 
 
 class Residual(float):
@@ -40,13 +38,13 @@ class Residual(float):
 def residuals(
     left: Value, right: Value, points: int, arithmetic: Arithmetic, tolerance: float = TOLERANCE
 ) -> tuple[Array, Array]:
-    """Return the largest residual at each point (P,), and whether that settles it (P,) or takes more digits."""
+    """Return the residual of each entry at each point (P×entries), and whether that settles it or takes more digits."""
     l_shape, r_shape = shape_of(left) or (1, 1), shape_of(right) or (1, 1)
     if l_shape != r_shape:
         sizes = ["×".join(map(str, shape)) for shape in (l_shape, r_shape)]
         raise ShapeMismatch(Phrase("the shapes differ: {left} and {right}", left=sizes[0], right=sizes[1]))
     if 0 in l_shape:
-        return np.zeros(points), np.ones(points, dtype=bool)
+        return np.zeros((points, 0)), np.ones((points, 0), dtype=bool)
     (l_value, l_size), (r_value, r_size) = _flat(left, points), _flat(right, points)
     difference = np.where(l_value == r_value, 0.0, arithmetic.size(l_value - r_value))  # ∞ = ∞
     size = np.maximum(arithmetic.size(l_value), arithmetic.size(r_value))
@@ -57,13 +55,13 @@ def residuals(
         residual = np.where((difference != 0) & (_infinite(l_value) | _infinite(r_value)), np.inf, residual)
     agree = difference <= tolerance * size
     if arithmetic is DOUBLE and agree.all():
-        return residual.max(axis=1), np.ones(points, dtype=bool)
+        return residual, agree
     zero = (l_value == 0) | (r_value == 0)
     settled = agree | (zero & (difference <= noise) & (noise <= QUIET))
     hidden = ~agree & (difference <= noise) & (noise > 1e-3 * np.maximum(size, 1.0))
     if arithmetic is not DOUBLE and np.any(hidden):
         raise NotEvaluable("the decimals in the formula carry too few digits to judge the equality")
-    return residual.max(axis=1), settled.all(axis=1)
+    return residual, settled
 
 
 def _infinite(values: Array) -> Array:
@@ -81,58 +79,66 @@ def _flat(value: Value, points: int) -> tuple[Array, Array]:
 def worst_residual(sides: Sides, points: Sequence[Point], precision: Precision = DECIMALS) -> tuple[Residual, int]:
     """Return the largest residual over the points, and the number of digits that decided (15 to 100).
 
-    What doubles leave open, disagreement included, is decided point by point with 50 and, if rounding still could hide
-    it, 100 digits. Where both sides are exact, agreement in doubles is conclusive at all points but the last, at which
-    they must agree to 20 digits, evaluated with 30. Raises Undefined if a side has no value somewhere.
+    What doubles leave open, disagreement included, is decided entry by entry and point by point with 50 and, if
+    rounding still could hide it, 100 digits. Where both sides are exact, agreement in doubles is conclusive at all
+    points but the last, at which they must agree to 20 digits, evaluated with 30. Raises Undefined if a side has no
+    value somewhere.
     """
     tolerance = precision.tolerance
     with np.errstate(all="ignore"):
-        residual, settled = _in_doubles(sides, points, precision.settled)
-        last = len(points) - 1
+        known = _in_doubles(sides, points, precision.settled)
+        in_doubles = max(float(np.max(residual[settled], initial=0.0)) for residual, settled in known)
         exactly, digits = precision is EXACT, DOUBLE.digits
-        found = 0.0 if exactly else float(np.max(residual[settled], initial=0.0))
-        for p in range(len(points)):
-            if settled[p] and not (exactly and p == last):
+        found = 0.0 if exactly else in_doubles
+        for p, (_, settled) in enumerate(known):
+            to_all_digits = exactly and p == len(points) - 1
+            if settled.all() and not to_all_digits:
                 continue
+            asked = sides if to_all_digits else _left_open(sides, settled)
             try:
-                here, needed = _with_many_digits(sides, points[p], tolerance)
+                here, needed = _with_many_digits(asked, points[p], tolerance)
             except NotEvaluable:
-                if not settled[p]:
+                if not settled.all():
                     raise
-                return Residual(np.max(residual[settled]), SHOWN.tolerance), digits
+                return Residual(in_doubles, SHOWN.tolerance), digits
             found, digits = max(found, here), max(digits, needed)
             if found > tolerance:  # one point at which the sides differ is enough
                 break
     return Residual(found, tolerance), digits
 
 
-def _in_doubles(sides: Sides, points: Sequence[Point], tolerance: float) -> tuple[Array, Array]:
-    """Return residuals and what they settle; a point at which doubles give no value (overflow, say) is left open."""
+def _in_doubles(sides: Sides, points: Sequence[Point], tolerance: float) -> list[tuple[Array, Array]]:
+    """Return the residuals of the entries at each point and what they settle; one, open, where there is no value."""
     try:
-        left, right = sides(points, DOUBLE)
+        left, right = sides.values(points, DOUBLE)
     except Undefined:
         if len(points) == 1:
-            return np.full(1, np.nan), np.zeros(1, dtype=bool)
-        each = [_in_doubles(sides, [point], tolerance) for point in points]
-        return np.concatenate([residual for residual, _ in each]), np.concatenate([settled for _, settled in each])
-    return residuals(left, right, len(points), DOUBLE, tolerance)
+            return [(np.full(1, np.nan), np.zeros(1, dtype=bool))]
+        return [known for point in points for known in _in_doubles(sides, [point], tolerance)]
+    return list(zip(*residuals(left, right, len(points), DOUBLE, tolerance), strict=True))
+
+
+def _left_open(sides: Sides, settled: Array) -> Sides:
+    """Return the sides of the entries that are not settled; the whole sides where these can't be taken apart."""
+    return (sides.of_entries(np.flatnonzero(~settled), len(settled)) if settled.any() else None) or sides
 
 
 def _with_many_digits(sides: Sides, point: Point, tolerance: float) -> tuple[float, int]:
     for digits in (30, 50, 100) if tolerance < TOLERANCE else (50, 100):
         arithmetic = multiple(digits)
         try:
-            left, right = sides([point], arithmetic)
+            left, right = sides.values([point], arithmetic)
             residual, settled = residuals(left, right, 1, arithmetic, tolerance)
         except (ZeroDivisionError, OverflowError) as trouble:
             raise Undefined(Phrase("the formula is not defined here ({trouble})", trouble=str(trouble))) from trouble
-        if settled[0] or residual[0] > tolerance:  # more digits would change nothing
+        found = float(residual.max(initial=0.0))
+        if settled.all() or found > tolerance:  # more digits would change nothing
             break
-    if np.isnan(residual[0]):
+    if math.isnan(found):
         if all(np.any(np.isinf(arithmetic.size(side.value))) for side in (left, right)):
             raise Undefined("the values are too large to be compared")
         return math.inf, digits
-    return float(residual[0]), digits
+    return found, digits
 
 
 def with_many_digits(residual: float, *formulas: Any) -> Residual:

@@ -10,6 +10,9 @@ import numpy as np
 from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array
 from solver.numeric.evaluation.values import Value
 
+Point = dict[Any, complex]
+"""A value for each symbol."""
+
 
 class Environment:
     """Values of symbols at P points (arrays (P,), or numbers), and what was evaluated already."""

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import Point
-from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.values import NotEvaluable, filled
 from solver.numeric.evaluation.walk import walk
 

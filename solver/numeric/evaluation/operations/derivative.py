@@ -18,6 +18,7 @@ from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(65, "Cauchy's integral formula")
 SAMPLED = True
+ENTRYWISE = True
 
 
 RADII = (1.0, 0.25, 0.0625, 2.0**-6, 2.0**-8, 2.0**-12, 2.0**-18)

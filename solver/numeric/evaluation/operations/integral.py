@@ -14,6 +14,7 @@ from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(70, "Gauss–Legendre quadrature")
 SAMPLED = True
+ENTRYWISE = True
 
 
 def evaluate(environment: Environment, integrand: Any, variable: Any, lower: Any, upper: Any) -> Value:

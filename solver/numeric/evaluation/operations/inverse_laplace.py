@@ -16,6 +16,7 @@ from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(90, "contour integral")
 SAMPLED = True
+ENTRYWISE = True
 
 
 REACH = 6.0

@@ -15,6 +15,7 @@ from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(80, "contour integral")
 SAMPLED = True
+ENTRYWISE = True
 
 
 def evaluate(environment: Environment, image: Any, z: Any, k: Any) -> Value:

@@ -9,8 +9,7 @@ import numpy as np
 
 from solver.numeric.evaluation.arithmetic import DOUBLE
 from solver.numeric.evaluation.combining import multiply
-from solver.numeric.evaluation.compare import Point
-from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.growth import exponents
 from solver.numeric.evaluation.quadrature import to_infinity
 from solver.numeric.evaluation.stated import Oracle

@@ -13,6 +13,8 @@ from solver.numeric.evaluation.poles import poles_of_operands, zeros_of
 from solver.numeric.evaluation.values import Value
 from solver.numeric.evaluation.walk import walk
 
+ENTRYWISE = True
+
 
 def evaluate(environment: Environment, *factors: Any) -> Value:
     """F₁ F₂ … from left to right."""

@@ -12,6 +12,8 @@ from solver.numeric.evaluation.values import ShapeMismatch, Value, shape_of
 from solver.numeric.evaluation.walk import walk, whole_power
 from solver.words import Phrase
 
+ENTRYWISE = True
+
 
 def evaluate(environment: Environment, numerator: Any, denominator: Any) -> Value:
     """N/d; d is a scalar (or 1×1)."""

@@ -10,6 +10,8 @@ from solver.numeric.evaluation.poles import poles_of_operands
 from solver.numeric.evaluation.values import Value
 from solver.numeric.evaluation.walk import walk
 
+ENTRYWISE = True
+
 
 def evaluate(environment: Environment, *terms: Any) -> Value:
     """T₁ + T₂ + …; a matrix 1×1 and a scalar may be added."""

@@ -11,6 +11,8 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import ShapeMismatch, Value, shape_of
 from solver.numeric.evaluation.walk import walk
 
+ENTRYWISE = True
+
 
 def evaluate(environment: Environment, function: Any, variable: Any, value: Any) -> Value:
     """F(x) at x = value. Where x is a decimal, it is known to its own digits only, and F as far as it moves with x."""

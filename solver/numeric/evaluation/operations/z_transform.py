@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.combining import multiply
-from solver.numeric.evaluation.compare import Point
 from solver.numeric.evaluation.contour import accuracy
-from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.growth import exponents
 from solver.numeric.evaluation.stated import Oracle
 from solver.numeric.evaluation.values import NotEvaluable, Value, gathered

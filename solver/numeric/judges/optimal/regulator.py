@@ -14,7 +14,8 @@ import sympy as sp
 from numpy.linalg import LinAlgError
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import Point, worst_of
+from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.environment import Point
 from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import PointSource, free_symbols

@@ -16,8 +16,7 @@ from mpmath.libmp.libhyper import NoConvergence
 from sympy.polys.matrices import DomainMatrix
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import Point
-from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import Point
-from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import admissible, free_symbols

@@ -1,0 +1,62 @@
+"""The two sides of an equality, and those of some entries of it.
+
+With many digits an entry is dear: where doubles leave a few open, only these are evaluated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, NamedTuple
+
+import sympy as sp
+from sympy.matrices.matrixbase import MatrixBase
+
+from solver.matrices import entries
+from solver.numeric.evaluation.arithmetic import Arithmetic
+from solver.numeric.evaluation.environment import Environment, Point
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.stated import about
+from solver.numeric.evaluation.values import Value
+from solver.stated import Stated
+
+
+class Sides(NamedTuple):
+    """An equality, and where it is evaluated; `at` returns the environment of some points."""
+
+    left: Any
+    right: Any
+    at: Callable[[Sequence[Point], Arithmetic], Environment] = Environment.at
+
+    def values(self, points: Sequence[Point], arithmetic: Arithmetic) -> tuple[Value, Value]:
+        """Return the values of both sides at some points; raises Undefined or NotEvaluable."""
+        environment = self.at(points, arithmetic)
+        return value_of(self.left, environment), value_of(self.right, environment)
+
+    def of_entries(self, chosen: Iterable[int], count: int) -> Sides | None:
+        """Return the sides of some of the entries of matrices with `count` entries, numbered row by row.
+
+        None where a side does not say what each entry is by itself.
+        """
+        left, right = (_column(side, list(chosen), count) for side in (self.left, self.right))
+        return None if left is None or right is None else self._replace(left=left, right=right)
+
+
+def _column(formula: Any, chosen: Sequence[int], count: int) -> Any:
+    """Return the chosen entries of a formula as a column; None where they can't be told by themselves."""
+    if isinstance(formula, MatrixBase):
+        each = entries(formula)
+        return sp.ImmutableMatrix([each[k] for k in chosen]) if len(each) == count else None
+    if not isinstance(formula, Stated) or not about(formula.operation, "ENTRYWISE"):
+        return None
+    operands = [each if _is_scalar(each) else _column(each, chosen, count) for each in formula.operands]
+    matrices = sum(not _is_scalar(each) for each in formula.operands)
+    if any(each is None for each in operands) or (formula.operation == "product" and matrices > 1):
+        return None
+    return Stated(formula.operation, tuple(operands))
+
+
+def _is_scalar(formula: Any) -> bool:
+    """Whether a formula is no matrix for sure."""
+    if isinstance(formula, Stated):
+        return bool(about(formula.operation, "ENTRYWISE")) and all(map(_is_scalar, formula.operands))
+    return isinstance(formula, sp.Expr | int) and not isinstance(formula, MatrixBase)
