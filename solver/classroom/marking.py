@@ -12,7 +12,7 @@ import sympy as sp
 
 from solver.classroom.judging.question import Question
 from solver.classroom.judging.verdict import judge
-from solver.classroom.marks import earned, fraction
+from solver.classroom.marks import carried, fraction, left_out, marked
 from solver.classroom.mistakes.naming import what_went_wrong
 from solver.classroom.reading.answer_file import Submission
 from solver.classroom.reading.spelling import typed
@@ -98,8 +98,10 @@ class Marker:
     def unjudged(self, part: Part, limit: str) -> PartVerdict:
         """Return the part as it is where judging it met a limit."""
         submitted, reason = self.submission.answers.get(part.id, {}), self.messages.say(limit)
+        each = carried(part, self._ours(part.id), self._out_of(part))
         answers = {name: AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason) for name in submitted}
-        return PartVerdict(part.id, part.task, answers, Fraction(0), self._out_of(part), reason)
+        missing = left_out(each, submitted)
+        return PartVerdict(part.id, part.task, marked(answers, each), Fraction(0), self._out_of(part), reason, missing)
 
     def _out_of(self, part: Part) -> Fraction:
         """The marks of a part; one each where the problem gives none to any part."""
@@ -140,13 +142,16 @@ class Marker:
         for name, verdict in self._judged(part, ours, values).items():
             verdicts[name] = verdict
         ordered = {name: _shown(verdicts[name], node, values.get(name)) for name, node in submitted.items()}
-        marks = earned(part, ours, ordered, out_of)
+        each = carried(part, ours, out_of)
+        ordered = marked(ordered, each)
         undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
         said: Reason | str = "" if submitted else "not answered"
         if undecided:
             said = Reason("marking/nothing_earned", {"names": undecided})
         worded = {name: verdict.worded(self.messages) for name, verdict in ordered.items()}
-        return PartVerdict(part.id, part.task, worded, marks, out_of, self.messages.told(said))
+        marks = sum((verdict.marks for verdict in worded.values()), Fraction(0))
+        missing = left_out(each, submitted)
+        return PartVerdict(part.id, part.task, worded, marks, out_of, self.messages.told(said), missing)
 
     def _any_marks(self) -> bool:
         return any(part.marks is not None for part in self.solution.problem.parts)

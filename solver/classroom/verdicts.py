@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from fractions import Fraction
@@ -27,7 +28,8 @@ class AnswerVerdict:
     does not literally say the other. `reason` says what is wrong or why it is not
     judged; `note` is any other remark. Of a marking they are in words (Markdown with $math$). `entries` has the shape
     of a matrix or list and holds "correct" or "wrong". `follows` is true where it is right with the student's own
-    earlier answer; `in_decimals` where it was written with decimals.
+    earlier answer; `in_decimals` where it was written with decimals. It earned `marks` of the `out_of` that the answer
+    carries, which are none where nobody asked for it.
     """
 
     name: str
@@ -40,6 +42,8 @@ class AnswerVerdict:
     in_decimals: bool = False
     typed: str = ""
     respelt: bool = False
+    marks: Fraction = Fraction(0)
+    out_of: Fraction = Fraction(0)
 
     def worded(self, messages: Messages) -> AnswerVerdict:
         """Return the verdict with its reason and note in words."""
@@ -66,7 +70,10 @@ def _flat(entries: Any) -> list[Any]:
 
 @dataclass(frozen=True, slots=True)
 class PartVerdict:
-    """The verdicts of one part, in words, with the marks earned `out_of` those it carries."""
+    """The verdicts of one part, in words, with the marks earned `out_of` those it carries.
+
+    `missing` are the answers that were asked for and not submitted, with the marks that they carry.
+    """
 
     id: str
     task: str
@@ -74,6 +81,7 @@ class PartVerdict:
     marks: Fraction = Fraction(0)
     out_of: Fraction = Fraction(0)
     note: str = ""
+    missing: Mapping[str, Fraction] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
