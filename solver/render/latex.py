@@ -20,7 +20,7 @@ from solver.render.latex_objects import FUNCTIONS, ObjectPrinter
 from solver.render.numbers import NumberFormat
 from solver.render.order import ordered_terms
 from solver.render.symbols import named
-from solver.render.terms import Term, common_fraction, evaluated, like_terms_added, split
+from solver.render.terms import Term, common_fraction, evaluated, join_roots, like_terms_added, split
 from solver.stated import Stated, operation_named
 
 REMEMBERED = 20_000
@@ -85,6 +85,7 @@ class Printer(ObjectPrinter):
     def _term(self, term: Term) -> Row:
         """Write a product: sign, number, fraction, functions."""
         decimal = self._decimal_constant(term)  # it knows the sign of a sum of roots
+        join_roots(term, constants=decimal is None)
         sign = [MINUS] if term.negative else []
         if decimal is None:
             above, below = self._constants(term)

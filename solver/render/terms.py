@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import lcm
 from typing import Any
@@ -124,6 +125,40 @@ def _arrange(term: Term) -> None:
     term.roots.sort(key=lambda factor: factor[0].is_Add)
     if any(has_variable(base) or base.has(sp.Function) for base, _ in term.below):
         term.above, term.functions = term.above + term.functions, []
+
+
+def join_roots(term: Term, *, constants: bool) -> None:
+    """Write roots of one index as one, √q √r as √(qr) and √q/√r as √(q/r), where sympy keeps them apart.
+
+    Only roots of what cannot be negative; of numbers only with others beside them, and only if `constants`.
+    """
+    indices = {exponent.q for group in (term.above, term.below) for base, exponent in group if _is_root(base, exponent)}
+    for index in sorted(indices):
+        groups = (term.above, term.below) + ((term.roots, term.roots_below) if constants else ())
+        roots = [[factor for factor in group if _is_root(*factor, index)] for group in groups]
+        if sum(map(len, roots)) > 1:
+            _join(term, index, groups, roots)
+
+
+def _is_root(base: Any, exponent: Any, index: int = 0) -> bool:
+    """Whether a factor is a root that may be joined; of this index, if one is named."""
+    of_index = exponent.is_Rational and exponent.q > 1 and index in (0, exponent.q)
+    return bool(of_index and base.is_nonnegative and (base.is_Integer or not base.is_number))
+
+
+def _join(term: Term, index: int, groups: Sequence[list[Factor]], roots: Sequence[list[Factor]]) -> None:
+    """Put one root in the place of several; whole powers of what stood below it or above it stay outside."""
+    first = min((term.above.index(factor) for factor in roots[0]), default=0)
+    within = [sp.Mul(*(base ** (exponent.p % index) for base, exponent in each)) for each in roots]
+    whole = [[(base, sp.Integer(exponent.p // index)) for base, exponent in each] for each in roots]
+    for group, joined in zip(groups, roots, strict=True):
+        group[:] = [factor for factor in group if factor not in joined]
+    numerators, denominators = sp.Mul(*within[0::2]), sp.Mul(*within[1::2])
+    side, radicand = (term.below, denominators) if numerators == 1 else (term.above, numerators / denominators)
+    place = first if side is term.above else 0
+    side.insert(place, (radicand, sp.Rational(1, index)))
+    for outside, factors in zip((term.above, term.below) * 2, whole, strict=False):
+        outside[place:place] = [factor for factor in factors if factor[1] > 0]
 
 
 def like_terms_added(terms: list[Any]) -> list[Any]:

@@ -24,6 +24,7 @@ FLAT = {
     r"-2,\; -1 \pm j\sqrt{3}": "−2, −1 ± j√3",
     r"\sqrt{1 - \zeta^2}, \sqrt[3]{x}": "√(1 − ζ²), ³√x",
     r"\sqrt{13}, \sqrt{-x}": "√13, √(−x)",
+    r"\sqrt{qr}, \sqrt{2k}, \sqrt{x_1}, \sqrt[4]{q^3}, \sqrt{\omega_n}": "√(qr), √(2k), √x₁, ⁴√(q³), √ωₙ",
     r"\dot{x} = A\,x, \ddot{y}, \hat{\eta}_2": "ẋ = Ax, ÿ, η̂₂",
     r"\dddot{y} + \ddot{y}": "y⃛ + ÿ",
     r"\mathcal{L}^{-1}\{(sI - A)^{-1}\}": "ℒ⁻¹{(sI − A)⁻¹}",

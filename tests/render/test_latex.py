@@ -147,8 +147,33 @@ def test_exact_values_are_printed_as_a_person_writes_them(value, printed):
     assert tex(value) == printed
 
 
+q, r = sp.symbols("q r", positive=True)
+ROOTS = [
+    # (value, its roots of one index as one: only of what cannot be negative)
+    (sqrt(q) / sqrt(r), r"\sqrt{\frac{q}{r}}"),
+    (-sqrt(q) * sqrt(r) * a, r"-a\sqrt{qr}"),
+    (1 / (sqrt(q) * sqrt(r)), r"\frac{1}{\sqrt{qr}}"),
+    (q ** Rational(3, 2) * sqrt(r), r"q\sqrt{qr}"),
+    (q ** Rational(5, 2) / r ** Rational(3, 2), r"\frac{q^{2}\sqrt{\frac{q}{r}}}{r}"),
+    (q ** Rational(3, 4) * r ** Rational(1, 4), r"\sqrt[4]{q^{3}r}"),
+    (sqrt(2) * q ** Rational(1, 4) / r ** Rational(1, 4), r"\sqrt{2} \cdot \sqrt[4]{\frac{q}{r}}"),
+    (sqrt(6) * sqrt(q) / 3, r"\frac{1}{3}\sqrt{6q}"),
+    (sqrt(q + 2 * sqrt(q) * sqrt(r)) / sqrt(r), r"\sqrt{\frac{q + 2\sqrt{qr}}{r}}"),
+    (exp(-sqrt(q) * t / sqrt(r)), r"e^{-\sqrt{q/r}t}"),
+    (sqrt(q - 2 * r) / sqrt(r), r"\frac{\sqrt{q - 2r}}{\sqrt{r}}"),
+    (sqrt(a) * sqrt(b), r"\sqrt{a}\sqrt{b}"),
+    (sqrt(q) * r ** Rational(1, 4), r"\sqrt{q} \cdot \sqrt[4]{r}"),
+]
+
+
+@pytest.mark.parametrize(("value", "printed"), ROOTS, ids=lambda item: str(item)[:40])
+def test_roots_of_what_cannot_be_negative_are_one_root(value, printed):
+    assert tex(value) == printed
+
+
 DECIMALS = [
     # (value, in decimals)
+    (sqrt(2) * sqrt(q) / sqrt(r), r"1.4142\sqrt{\frac{q}{r}}"),
     (Rational(3, 4), "0.75"),
     (Rational(1, 3), "0.33333"),
     (Rational(1234567, 10**6), "1.2346"),

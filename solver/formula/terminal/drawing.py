@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from solver.formula import nodes as n
 from solver.formula import vocabulary as v
 from solver.formula.terminal.boxes import Box, beside, enclosed, stacked, text_box
 from solver.formula.terminal.characters import ACCENTS, CHARACTERS, LETTERS, SPACES, SUPERSCRIPTS
-from solver.formula.terminal.layout import Atom, accented, fraction_of, spaced, tabular, with_scripts
+from solver.formula.terminal.layout import ONE_NAME, Atom, accented, fraction_of, spaced, tabular, with_scripts
 
 
 def box(node: n.Node, display: bool) -> Box:
@@ -57,7 +59,7 @@ class Writer(n.Visitor[list[Atom]]):
         index = "" if node.index is None else _FLAT.box(node.index).flat
         sign = text_box("".join(SUPERSCRIPTS.get(letter, letter) for letter in index) + "√")
         content = self.box(node.radicand)
-        if content.height > 1 or (len(content.flat) > 1 and not content.flat.isalnum()):
+        if content.height > 1 or not re.fullmatch(ONE_NAME, content.flat):
             content = enclosed(content, "(", ")")
         return [Atom(beside([sign, content]))]
 

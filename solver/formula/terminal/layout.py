@@ -16,8 +16,11 @@ FENCES = {"bmatrix": "[]", "pmatrix": "()", "vmatrix": "||", "Vmatrix": "‖‖"
 LIMITS = {"Σ", "Π", "lim"}
 """Their scripts stand above and below in display."""
 
-ONE_FACTOR = r"√?(?:\d[\d.]*|[^\W\d_](?:_[a-z\d]+)?)[\u2070-\u209c\u00b2\u00b3\u00b9\u1d2c-\u1d6a]*"
-"""A number or a letter, with its scripts, perhaps below a root: what needs no parentheses after a slash."""
+ONE_NAME = r"(?:\d[\d.]*|[^\W\d_](?:_[a-z\d]+)?)[\u2080-\u209c\u1d62-\u1d6a]*"
+"""A number or a letter, with its indices: what needs no parentheses below a root."""
+
+ONE_FACTOR = rf"√?{ONE_NAME}[\u2070-\u209c\u00b2\u00b3\u00b9\u1d2c-\u1d6a]*"
+"""The same with exponents, perhaps below a root: what needs no parentheses after a slash."""
 
 FACTORS = {"ordinary", "word", "operator", "opening", "closing", "fraction"}
 
