@@ -8,12 +8,13 @@ text, the outcome is an expression or an `ExpressionError` with place, reason an
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 from solver.lazy import sympy as sp
 from solver.problem.expressions.bounds import check_numbers
 from solver.problem.expressions.build import build, build_fraction
+from solver.problem.expressions.doubts import Decide, Doubt
 from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.grammar import parse, parse_sides
 from solver.problem.expressions.names import Names
@@ -22,6 +23,7 @@ from solver.problem.expressions.syntax import Node
 from solver.problem.expressions.tokens import Kind, is_decimal, tokenize
 
 __all__ = [
+    "Doubt",
     "ExpressionError",
     "Names",
     "canonical_name",
@@ -29,6 +31,7 @@ __all__ = [
     "parse_equation",
     "parse_expression",
     "parse_fraction",
+    "parse_written",
     "uses_decimal",
 ]
 
@@ -48,11 +51,23 @@ def parse_expression(text: str, names: Names) -> sp.Expr:
 
 def parse_alternatives(text: str, names: Names) -> tuple[sp.Expr, ...]:
     """Return the values of an expression that may hold one ±: "-3 ± 2j" has two, + first. Raises ExpressionError."""
+    return tuple(value for value, _ in parse_written(text, names, {}))
+
+
+def parse_written(
+    text: str, names: Names, decimals: Mapping[int, sp.Symbol], decide: Decide | None = None
+) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    """Return the values of `parse_alternatives`, each with the form that has symbols for the decimals at some places.
+
+    `decide` settles what has two readings, which is refused without it. Raises ExpressionError.
+    """
     with _only_expression_errors(text):
-        node = parse(text, names, alternatives=True)
+        node = parse(text, names, alternatives=True, decide=decide)
         _check(node, names)
         signs = (1, -1) if "±" in text else (1,)
-        return tuple(build(node, names, sign) for sign in signs)
+        values = [build(node, names, sign) for sign in signs]
+        forms = [build(node, names, sign, decimals) for sign in signs] if decimals else values
+        return tuple(zip(values, forms, strict=True))
 
 
 def parse_fraction(text: str, names: Names) -> tuple[sp.Expr, sp.Expr]:

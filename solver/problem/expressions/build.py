@@ -5,7 +5,7 @@ Only trees that passed `check_shape` and `check_numbers` may come here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -18,12 +18,13 @@ _SHORT = 12
 """The number of operations up to which an absolute value is looked for."""
 
 
-def build(node: Node, names: Names, plus_minus: int = 1) -> sp.Expr:
+def build(node: Node, names: Names, plus_minus: int = 1, decimals: Mapping[int, sp.Symbol] | None = None) -> sp.Expr:
     """Return the expression; `plus_minus` (1 or -1) says which of the two values of ± is meant.
 
-    Raises ExpressionError, with the place, where there is no value (1/(x - x), tan(pi/2), inf - inf).
+    `decimals` has symbols to stand for the decimals at some places of the text. Raises ExpressionError, with the place,
+    where there is no value (1/(x - x), tan(pi/2), inf - inf).
     """
-    expression: sp.Expr = _Builder(names, plus_minus).build(node)
+    expression: sp.Expr = _Builder(names, plus_minus, decimals).build(node)
     return expression
 
 
@@ -56,9 +57,10 @@ def _factors(node: Node, operator: str = "*") -> Iterator[tuple[str, Node]]:
 class _Builder:
     """Builds the parts of one expression."""
 
-    def __init__(self, names: Names, plus_minus: int) -> None:
+    def __init__(self, names: Names, plus_minus: int, decimals: Mapping[int, sp.Symbol] | None = None) -> None:
         self.names = names
         self.plus_minus = plus_minus
+        self.decimals = decimals or {}
 
     def build(self, node: Node) -> Any:
         result = _RULES[type(node)](self, node)
@@ -67,6 +69,8 @@ class _Builder:
         return result
 
     def number(self, node: Number) -> Any:
+        if node.place in self.decimals:
+            return self.decimals[node.place]
         return sp.Rational(node.value.numerator, node.value.denominator)
 
     def name(self, node: Name) -> Any:

@@ -6,7 +6,8 @@
     power   = atom [ "^" factor | superscript ]           x^2^3 is x^(2^3), -x^2 is -(x^2)
     atom    = number | name | function "(" sum ")" | signal primes [ "(" sum ")" ] | "(" sum ")"
 
-What an engineer could read in two ways is refused, and both ways are named.
+What an engineer could read in two ways is refused, and both ways are named; unless `decide` says which is meant. Only
+then a function may stand before its argument without brackets, cos 2t, and a power before it, sin^2(t).
 """
 
 from __future__ import annotations
@@ -15,20 +16,22 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from solver.problem.expressions import refusals
+from solver.problem.expressions.bare_arguments import bare_call
 from solver.problem.expressions.cursor import Cursor
+from solver.problem.expressions.doubts import Decide, Doubt
 from solver.problem.expressions.errors import ExpressionError
 from solver.problem.expressions.names import Names
 from solver.problem.expressions.notation import FUNCTIONS, MAX_DEPTH, MAX_PRIMES
 from solver.problem.expressions.syntax import Call, Name, Node, Number, Power, Product, Signal, Sum
-from solver.problem.expressions.tokens import Kind, Token, exact_number
+from solver.problem.expressions.tokens import Kind, Token, exact_number, is_decimal
 from solver.problem.expressions.vocabulary import check_call, check_name, prime_refused
 
 _SIGNS = ("+", "-", "±")
 
 
-def parse(text: str, names: Names, *, alternatives: bool = False) -> Node:
+def parse(text: str, names: Names, *, alternatives: bool = False, decide: Decide | None = None) -> Node:
     """Return the syntax tree of an expression; only with `alternatives` may it hold a ±, and one at most."""
-    parser = _Parser(text, names, alternatives)
+    parser = _Parser(text, names, alternatives, decide)
     node = parser.sum()
     parser.expect_end("an equation stands where an expression is expected")
     return node
@@ -52,8 +55,9 @@ def parse_sides(text: str, names: Names) -> tuple[Node, Node]:
 class _Parser:
     """The rules of the grammar; each reads what it describes and returns its node."""
 
-    def __init__(self, text: str, names: Names, alternatives: bool) -> None:
+    def __init__(self, text: str, names: Names, alternatives: bool, decide: Decide | None = None) -> None:
         self.cursor = Cursor(text)
+        self.decide = decide
         self.names = names
         self.depth = 0
         self.alternatives = alternatives
@@ -106,10 +110,18 @@ class _Parser:
                 unclear = self.exponent_is_unclear(before)
                 following = self.factor()
                 if operator == "/":
-                    raise refusals.product_after_division(cursor, start, before, following)
-                if unclear and isinstance(before, Power):
-                    raise refusals.unclear_exponent(cursor, before, following)
-                factors.append(("*", following))
+                    if self.decide is None:
+                        raise refusals.product_after_division(cursor, start, before, following)
+                    factors.append(("/" if self.decide(Doubt.PRODUCT) else "*", following))
+                elif unclear and isinstance(before, Power):
+                    if self.decide is None:
+                        raise refusals.unclear_exponent(cursor, before, following)
+                    if not self.ends_exponent(following) and self.decide(Doubt.EXPONENT):
+                        factors[-1] = (operator, _with_exponent(before, following))
+                    else:
+                        factors.append(("*", following))
+                else:
+                    factors.append(("*", following))
             elif cursor.sees_kind(Kind.NUMBER):
                 raise refusals.operator_missing(cursor, before)
             else:
@@ -124,7 +136,12 @@ class _Parser:
         natural = isinstance(before.base, Name) and before.base.name == "e" and self.names.is_constant("e")
         if isinstance(before.exponent, Number):
             return natural
-        return isinstance(before.exponent, Sum) or self.cursor.sees_adjacent("(")
+        return isinstance(before.exponent, Sum | Product) or self.cursor.sees_adjacent("(")
+
+    def ends_exponent(self, following: Node) -> bool:
+        """Whether a factor is no part of an exponent written without brackets: e^-2 sin(t), e^-2 e^-t."""
+        base = following.base if isinstance(following, Power) else following
+        return isinstance(base, Call) or (isinstance(base, Name) and base.name == "e" and self.names.is_constant("e"))
 
     def factor(self) -> Node:
         if not self.cursor.sees(*_SIGNS):
@@ -136,8 +153,11 @@ class _Parser:
         return Sum(sign.at, operand.end, ((sign.text, operand),))
 
     def power(self) -> Node:
+        return self.raised(self.atom())
+
+    def raised(self, base: Node) -> Node:
+        """Read the exponent of a base, if it has one."""
         cursor = self.cursor
-        base = self.atom()
         if cursor.sees_kind(Kind.SUPERSCRIPT):
             token = cursor.take()
             exponent: Node = Number(token.at, token.end, exact_number(token))
@@ -155,7 +175,7 @@ class _Parser:
         token = self.cursor.token
         if token.kind is Kind.NUMBER:
             self.cursor.take()
-            return Number(token.at, token.end, exact_number(token))
+            return Number(token.at, token.end, exact_number(token), token.at if is_decimal(token) else -1)
         if token.kind is Kind.NAME:
             return self.name()
         if self.cursor.sees("("):
@@ -183,7 +203,9 @@ class _Parser:
             if self.cursor.sees("("):
                 return self.call(token)
             if token.text != "delta":  # without an argument it is the Greek letter
-                raise refusals.argument_missing(self.cursor, token)
+                if self.decide is None or token.text in ("step", "inv"):
+                    raise refusals.argument_missing(self.cursor, token)
+                return bare_call(self, token, self.decide)
         check_name(token, self.names)
         if self.cursor.sees_adjacent("("):
             check_call(token, self.names, self.cursor.after(2))
@@ -220,3 +242,9 @@ class _Parser:
     def call(self, token: Token) -> Node:
         argument = self.group(token)
         return Call(token.at, self.cursor.last.end, FUNCTIONS[token.text], argument)
+
+
+def _with_exponent(power: Power, factor: Node) -> Power:
+    """Return e^(-2 t) of e^-2 and t."""
+    exponent = Product(power.exponent.at, factor.end, (("*", power.exponent), ("*", factor)))
+    return replace(power, end=factor.end, exponent=exponent)

@@ -16,9 +16,10 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Number(Node):
-    """A number, exactly as written."""
+    """A number, exactly as written; `place` is where a decimal stands in the text, -1 for whole numbers."""
 
     value: Fraction
+    place: int = -1
 
 
 @dataclass(frozen=True, slots=True)
