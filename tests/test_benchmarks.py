@@ -3,7 +3,7 @@
 import pytest
 
 from benchmarks.growth import part
-from benchmarks.questions import asked
+from benchmarks.questions import LARGEST, asked
 from solver.derivation import Status
 from solver.engine import solve_part
 from solver.tasks import catalogue
@@ -12,8 +12,8 @@ QUESTIONS = list(asked())
 FEW = [("response", "z_transform", "dense"), ("observer", "unity_rank", "companion"), ("lqr", "hamiltonian", "random")]
 
 
-def is_verified(task, method, kind):
-    return solve_part(part(task, method, 2, kind), {})[0].status is Status.VERIFIED
+def is_verified(task, method, kind, n=2):
+    return solve_part(part(task, method, n, kind), {})[0].status is Status.VERIFIED
 
 
 def test_every_method_of_every_task_is_asked():
@@ -30,6 +30,7 @@ def test_some_questions_are_verified(task, method, kind):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("n", [2, 8])
 @pytest.mark.parametrize(("task", "method", "kind"), QUESTIONS)
-def test_every_question_is_verified(task, method, kind):
-    assert is_verified(task, method, kind)
+def test_every_question_is_verified(task, method, kind, n):
+    assert is_verified(task, method, kind, min(n, LARGEST.get(task, n)))

@@ -49,6 +49,23 @@ def rejected(system, **answers):
 MASS = """equations: ["m x'' + d x' + k x = u"], inputs: [u]"""
 
 
+def test_coefficients_of_very_different_sizes_are_judged_by_their_own():
+    """The companion matrix of (s + 1)(s + 2)…(s + 10), whose entries go from 1 to 3·10⁷."""
+    low = [-round(c) for c in np.poly(-np.arange(1, 11))[:0:-1]]
+    rows = [f"x{i}' = x{i + 1}" for i in range(1, 10)]
+    rows.append("x10' = u" + "".join(f" {c:+d} x{i}" for i, c in enumerate(low, start=1)))
+    system = f"equations: {rows}, inputs: [u]".replace("'x", '"x').replace("',", '",').replace("']", '"]')
+    A = sp.Matrix(np.eye(10, k=1, dtype=int))
+    A[9, :] = [low]
+    result = solved(system)
+    assert result.status is Status.VERIFIED
+    assert result.answers["A"] == A
+    for i, j in [(9, 0), (9, 9), (0, 1), (4, 9)]:
+        wrong = A.copy()
+        wrong[i, j] += 1
+        assert rejected(system, A=wrong)
+
+
 def test_a_mass_with_spring_and_damper():
     result = solved(MASS)
     m, d, k = sp.symbols("m d k", real=True)

@@ -39,7 +39,7 @@ ODD_ON_CUTS = frozenset({"atan", "asinh"})
 
 
 def equilibration(M: Array) -> tuple[Array, Array]:
-    """Return factors of rows and columns, powers of two, that bring the entries of M (P, n, n) to about unit size."""
+    """Return factors of rows and columns, powers of two, that bring the entries of M (P, m, n) to about unit size."""
     size = np.abs(M)
     rows = _powers_of_two(size.max(axis=2))
     return rows, _powers_of_two((size * rows[:, :, None]).max(axis=1))

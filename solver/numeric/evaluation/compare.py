@@ -22,6 +22,9 @@ from solver.words import Phrase
 QUIET = 1e-10
 """Noise up to this absolute size is low enough to tell that what is stated to be zero is zero."""
 
+MANY = (30, 50, 100)
+"""Digits with which it is tried to settle what doubles leave open."""
+
 
 class Residual(float):
     """A relative difference, with the largest one that is no error: it depends on what was compared."""
@@ -59,7 +62,7 @@ def residuals(
     zero = (l_value == 0) | (r_value == 0)
     settled = agree | (zero & (difference <= noise) & (noise <= QUIET))
     hidden = ~agree & (difference <= noise) & (noise > 1e-3 * np.maximum(size, 1.0))
-    if arithmetic is not DOUBLE and np.any(hidden):
+    if arithmetic.digits == MANY[-1] and np.any(hidden):
         raise NotEvaluable("the decimals in the formula carry too few digits to judge the equality")
     return residual, settled
 
@@ -124,7 +127,7 @@ def _left_open(sides: Sides, settled: Array) -> Sides:
 
 
 def _with_many_digits(sides: Sides, point: Point, tolerance: float) -> tuple[float, int]:
-    for digits in (30, 50, 100) if tolerance < TOLERANCE else (50, 100):
+    for digits in MANY if tolerance < TOLERANCE else MANY[1:]:
         arithmetic = multiple(digits)
         try:
             left, right = sides.values([point], arithmetic)

@@ -43,6 +43,14 @@ def test_a_zero_that_only_rounding_fills_is_a_zero_and_a_small_number_is_not():
     assert status(10**8 * zero, sp.Rational(1, 10**20)) is CheckStatus.FAILED
 
 
+@pytest.mark.parametrize("digits", [30, 45])
+def test_what_rounding_hides_from_few_digits_is_decided_by_more(digits):
+    zero = 10**digits * ((a + b) ** 5 - sum(sp.binomial(5, i) * a**i * b ** (5 - i) for i in range(6)))
+    assert status(zero, 0) is CheckStatus.PASSED
+    assert status(zero, sp.Rational(1, 10**9)) is CheckStatus.FAILED
+    assert status(zero * sp.Float("1.5", 15), sp.Rational(1, 10**9)) is not CheckStatus.PASSED
+
+
 def test_a_number_without_symbols_is_compared_once_and_exactly_enough():
     assert status(sp.sqrt(2) * sp.sqrt(3), sp.sqrt(6)) is CheckStatus.PASSED
     assert status(sp.sqrt(2), sp.Rational(14142135, 10**7)) is CheckStatus.FAILED

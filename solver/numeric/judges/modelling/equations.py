@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.arithmetic import Array, equilibration
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
@@ -112,7 +112,11 @@ def _solved(numbers: _Numbers, given: Mapping[Jet, complex]) -> dict[Jet, comple
     unknown = sorted({jet for row in rows for jet in row} - set(given))
     left = np.array([[row.get(jet, 0.0) for jet in unknown] for row in rows], dtype=complex)
     right = -np.array([sum(c * given.get(jet, 0.0) for jet, c in row.items()) for row in rows], dtype=complex)
-    solution = np.linalg.lstsq(left, right, rcond=None)[0] if unknown else np.zeros(0)
+    if not unknown:
+        return dict(given)
+    rows_by, columns_by = (factors[0] for factors in equilibration(left[None]))  # coefficients of very different sizes
+    scaled = left * rows_by[:, None] * columns_by[None, :]
+    solution = columns_by * np.linalg.lstsq(scaled, rows_by * right, rcond=None)[0]
     return {**dict(zip(unknown, solution, strict=True)), **given}
 
 
