@@ -45,17 +45,6 @@ def mark(solution: Solution, submission: Submission, templates: Path | None = No
     return Marker(solution, submission, templates).marking()
 
 
-def mark_within(solution: Solution, submission: Submission, limits: Limits, templates: Path | None = None) -> Marking:
-    """Return the marking, judged in a child process; a part that meets a limit is not judged, the others are."""
-    marker = Marker(solution, submission, templates)
-    try:
-        marking: Marking = call_within(limits, marker.marking)
-    except Exceeded:
-        parts = tuple(marker.within(part, limits) for part in solution.problem.parts)
-        return Marking(submission.student, parts, marker.remarks())
-    return marking
-
-
 class Marker:
     """Marks the parts in order; `values` holds what was submitted for earlier ones."""
 
@@ -261,4 +250,5 @@ def _shown(verdict: AnswerVerdict, node: Node, read: Submitted | None) -> Answer
     """The verdict with what was written."""
     if read is None:
         return replace(verdict, typed=typed(node))
-    return replace(verdict, typed=read.typed, respelt=read.respelt, in_decimals=bool(read.decimals))
+    in_decimals, ambiguous = bool(read.decimals), bool(read.others)
+    return replace(verdict, typed=read.typed, respelt=read.respelt, in_decimals=in_decimals, ambiguous=ambiguous)

@@ -29,7 +29,8 @@ class AnswerVerdict:
     judged; `note` is any other remark. Of a marking they are in words (Markdown with $math$). `entries` has the shape
     of a matrix or list and holds "correct" or "wrong". `follows` is true where it is right with the student's own
     earlier answer; `in_decimals` where it was written with decimals. It earned `marks` of the `out_of` that the answer
-    carries, which are none where nobody asked for it.
+    carries, which are none where nobody asked for it. `ambiguous` is true where it could be read in several ways, and
+    `by_instructor` where an instructor decided about it, perhaps with a `comment`.
     """
 
     name: str
@@ -44,10 +45,18 @@ class AnswerVerdict:
     respelt: bool = False
     marks: Fraction = Fraction(0)
     out_of: Fraction = Fraction(0)
+    ambiguous: bool = False
+    by_instructor: bool = False
+    comment: str = ""
 
     def worded(self, messages: Messages) -> AnswerVerdict:
         """Return the verdict with its reason and note in words."""
         return replace(self, reason=messages.told(self.reason), note=messages.told(self.note))
+
+    @property
+    def needs_review(self) -> bool:
+        """Whether a person should look at it: it is not judged, or has several readings, and nobody has yet."""
+        return not self.by_instructor and (self.verdict is Verdict.NOT_JUDGED or self.ambiguous)
 
     @property
     def share(self) -> Fraction:
@@ -72,7 +81,8 @@ def _flat(entries: Any) -> list[Any]:
 class PartVerdict:
     """The verdicts of one part, in words, with the marks earned `out_of` those it carries.
 
-    `missing` are the answers that were asked for and not submitted, with the marks that they carry.
+    `missing` are the answers that were asked for and not submitted, with the marks that they carry;
+    `comment` is the instructor's.
     """
 
     id: str
@@ -82,15 +92,20 @@ class PartVerdict:
     out_of: Fraction = Fraction(0)
     note: str = ""
     missing: Mapping[str, Fraction] = field(default_factory=dict)
+    comment: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Marking:
-    """A marked answer file: who, how each part of the problem was answered, and remarks on what else stands in it."""
+    """A marked answer file: who, how each part of the problem was answered, and remarks on what else stands in it.
+
+    `comment` is the instructor's, on the whole.
+    """
 
     student: str
     parts: tuple[PartVerdict, ...]
     remarks: tuple[str, ...] = ()
+    comment: str = ""
 
     @property
     def marks(self) -> Fraction:
@@ -107,3 +122,14 @@ class Marking:
         """Whether nothing that was submitted is wrong."""
         verdicts = [answer.verdict for part in self.parts for answer in part.answers.values()]
         return Verdict.WRONG not in verdicts
+
+    @property
+    def to_review(self) -> tuple[str, ...]:
+        """The answers that a person should look at: "b.K"."""
+        answers = ((part.id, answer) for part in self.parts for answer in part.answers.values())
+        return tuple(f"{id_}.{answer.name}" for id_, answer in answers if answer.needs_review)
+
+    @property
+    def needs_review(self) -> bool:
+        """Whether a person should look at it: at an answer, or at what stands in the file that nobody asked for."""
+        return bool(self.to_review or self.remarks)
