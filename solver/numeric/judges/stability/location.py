@@ -1,8 +1,8 @@
 """Where the eigenvalues lie: inside the region of stability, on its boundary or outside. Decided by numbers.
 
 numpy decides, on the matrix as it is or balanced, where rounding could not have moved an eigenvalue across (Bauer and
-Fike's bound); else mpmath does, with so many digits that a cluster of computed eigenvalues is one multiple eigenvalue
-(Kato, Perturbation Theory, II §2.1).
+Fike's bound); else mpmath does, by discs around them; and where one reaches the boundary, with so many digits that a
+cluster of computed eigenvalues is one multiple eigenvalue (Kato, Perturbation Theory, II §2.1).
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols, holds_decimals
 from solver.numeric.evaluation.values import SAFETY, NotEvaluable, Undefined, filled
+from solver.numeric.judges.stability.discs import ON_THE_BOUNDARY, characteristic_coefficients, excess_of_discs
 from solver.words import Phrase
 
 STABLE, MARGINAL, UNSTABLE = "asymptotically stable", "marginally stable", "unstable"
@@ -78,6 +79,8 @@ def _is_defined(formula: Any, point: Point) -> bool:
 def located(A: Any, point: Point, *, discrete: bool) -> Location:
     """Return where the eigenvalues of A (n×n) lie at a point, with as many digits as it takes."""
     excess = certain_excess(A, point, discrete=discrete)
+    if excess is None:
+        excess = excess_of_discs(A, point, discrete=discrete)
     if excess is not None:
         outside = int(np.sum(excess > 0))
         return Location(len(excess) - outside, 0, outside, True)
@@ -112,7 +115,7 @@ def _with_many_digits(A: Any, point: Point, *, discrete: bool) -> Location:
     counts, semisimple = [0, 0, 0], True
     for value, size, nullity, mp in clusters(A, point):
         excess = abs(value) - 1 if discrete else mp.re(value)
-        near = abs(excess) <= mp.mpf(10) ** -30 * max(1, abs(value))
+        near = abs(excess) <= ON_THE_BOUNDARY * max(1, abs(value))
         counts[1 if near else 0 if excess < 0 else 2] += size
         semisimple = semisimple and not (near and size > 1 and nullity() < size)
     return Location(counts[0], counts[1], counts[2], semisimple)
@@ -192,14 +195,7 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
 
 def _polynomial(A: Any, point: Point, *, discrete: bool) -> list[Any]:
     """The coefficients of det(xI − A), highest power first, by traces; discrete: of its image, without roots at 1."""
-    mp = multiple(60).context
-    a = mp.matrix(value_of(A, Environment.at([dict(point)], multiple(60))).value[0].tolist())
-    n = a.rows
-    c, N = [mp.mpf(1)], mp.eye(n)
-    for k in range(1, n + 1):
-        AN = a * N
-        c.append(-sum(AN[i, i] for i in range(n)) / k)
-        N = AN + c[-1] * mp.eye(n)
+    mp, c = multiple(60).context, characteristic_coefficients(A, point, multiple(60))
     if not discrete:
         return c
     while len(c) > 1 and abs(sum(c)) < mp.mpf(10) ** -30 * sum(map(abs, c)):
