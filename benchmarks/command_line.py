@@ -84,7 +84,7 @@ def _warm() -> Iterator[Row]:
     turns = [[float(output(["-c", work])) for work in works] for _ in range(12)]
     three, six, sympy = map(min, zip(*turns, strict=True))
     yield Row("warm solve + check + HTML, n = 3", three, "import sympy", sympy, at_most=30)
-    yield Row(f"warm, n = 6 (growth n^{log(six / three, 2):.1f})", six, at_most=three * 2**4)
+    yield Row(f"warm, n = 6 (growth n^{log(six / three, 2):.1f})", six, at_most=three * 2**3)
 
 
 def milliseconds_of_unseen(n: int, count: int) -> float:
