@@ -13,7 +13,7 @@ import sympy as sp
 from solver.classroom.judging.question import Question
 from solver.classroom.judging.verdict import judge
 from solver.classroom.marks import carried, fraction, left_out, marked
-from solver.classroom.mistakes.naming import what_went_wrong
+from solver.classroom.mistakes.explaining import Wrong, explained
 from solver.classroom.reading.answer_file import Submission
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.values import Reader, names_for
@@ -90,7 +90,8 @@ class Marker:
         each = carried(part, self._ours(part.id), self._out_of(part))
         answers = {name: AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason) for name in submitted}
         missing = left_out(each, submitted)
-        return PartVerdict(part.id, part.task, marked(answers, each), Fraction(0), self._out_of(part), reason, missing)
+        verdicts = marked(answers, each, part.partial)
+        return PartVerdict(part.id, part.task, verdicts, Fraction(0), self._out_of(part), reason, missing)
 
     def _out_of(self, part: Part) -> Fraction:
         """The marks of a part; one each where the problem gives none to any part."""
@@ -132,7 +133,7 @@ class Marker:
             verdicts[name] = verdict
         ordered = {name: _shown(verdicts[name], node, values.get(name)) for name, node in submitted.items()}
         each = carried(part, ours, out_of)
-        ordered = marked(ordered, each)
+        ordered = marked(ordered, each, part.partial)
         undecided = [name for name, verdict in ordered.items() if verdict.verdict is Verdict.NOT_JUDGED]
         said: Reason | str = "" if submitted else "not answered"
         if undecided:
@@ -171,8 +172,8 @@ class Marker:
                     verdicts[name] = replace(verdict, note=note, follows=True)
         for name, verdict in verdicts.items():
             if verdict.verdict is Verdict.WRONG:
-                words = what_went_wrong(part, question, name, values[name], self.results[part.id], earlier)
-                verdicts[name] = replace(verdict, reason=words or verdict.reason)
+                results = self.results[part.id]
+                verdicts[name] = explained(verdict, Wrong(part, question, values, results, earlier))
         return verdicts
 
     def _question(self, part: Part, earlier: Mapping[str, PartResult], ours: Mapping[str, Any]) -> Question:

@@ -7,10 +7,13 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from solver.classroom.verdicts import AnswerVerdict
+from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.problem.asked import asked_of
-from solver.problem.model import Part
+from solver.problem.model import Part, Partial
 from solver.tasks import catalogue
+
+USUAL_COST = Fraction(1, 2)
+"""The part of an answer's marks that a named mistake costs where the problem does not say how much."""
 
 
 def carried(part: Part, ours: Mapping[str, Any], out_of: Fraction) -> dict[str, Fraction]:
@@ -24,13 +27,35 @@ def carried(part: Part, ours: Mapping[str, Any], out_of: Fraction) -> dict[str, 
     return {name: out_of / len(asked) for name in asked}
 
 
-def marked(verdicts: Mapping[str, AnswerVerdict], each: Mapping[str, Fraction]) -> dict[str, AnswerVerdict]:
-    """Return the verdicts with their marks: in proportion to what is right, none for what was not asked for."""
-    nothing = Fraction(0)
-    return {
-        name: replace(verdict, marks=each.get(name, nothing) * verdict.share, out_of=each.get(name, nothing))
-        for name, verdict in verdicts.items()
-    }
+def marked(
+    verdicts: Mapping[str, AnswerVerdict], each: Mapping[str, Fraction], partial: Mapping[str, Partial]
+) -> dict[str, AnswerVerdict]:
+    """Return the verdicts with their marks, none for what was not asked for; `partial` says what wrong answers earn."""
+    found: dict[str, AnswerVerdict] = {}
+    for name, verdict in verdicts.items():
+        out_of = each.get(name, Fraction(0))
+        found[name] = replace(verdict, marks=earned(verdict, out_of, partial.get(name, Partial())), out_of=out_of)
+    return found
+
+
+def earned(verdict: AnswerVerdict, out_of: Fraction, partial: Partial) -> Fraction:
+    """Return the marks of an answer: of a wrong one in proportion to what is right, unless `partial` says otherwise."""
+    if verdict.verdict is Verdict.WRONG:
+        if partial.rule == "none":
+            return Fraction(0)
+        if (cost := _cost(verdict, out_of, partial)) is not None:
+            return max(Fraction(0), out_of - cost)
+    return out_of * verdict.share
+
+
+def _cost(verdict: AnswerVerdict, out_of: Fraction, partial: Partial) -> Fraction | None:
+    """What the mistake that was found costs; None where none was, or where it costs nothing by its name."""
+    if partial.rule != "named" or not verdict.mistake:
+        return None
+    if partial.costs is None:
+        return out_of * USUAL_COST
+    cost = partial.costs.get(verdict.mistake)
+    return None if cost is None else fraction(cost)
 
 
 def left_out(each: Mapping[str, Fraction], submitted: Collection[str]) -> dict[str, Fraction]:

@@ -30,7 +30,8 @@ class AnswerVerdict:
     of a matrix or list and holds "correct" or "wrong". `follows` is true where it is right with the student's own
     earlier answer; `in_decimals` where it was written with decimals. It earned `marks` of the `out_of` that the answer
     carries, which are none where nobody asked for it. `ambiguous` is true where it could be read in several ways, and
-    `by_instructor` where an instructor decided about it, perhaps with a `comment`.
+    `by_instructor` where an instructor decided about it, perhaps with a `comment`. `mistake` is the name of the one
+    that leads to a wrong value.
     """
 
     name: str
@@ -48,6 +49,7 @@ class AnswerVerdict:
     ambiguous: bool = False
     by_instructor: bool = False
     comment: str = ""
+    mistake: str = ""
 
     def worded(self, messages: Messages) -> AnswerVerdict:
         """Return the verdict with its reason and note in words."""

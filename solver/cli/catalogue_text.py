@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from textwrap import wrap
 from typing import Any
 
-from solver.derivation import AnswerName, Method, Option, Task
+from solver.derivation import AnswerName, Method, Option, Slip, Task
 from solver.formula.terminal import flat
 from solver.notation import spelled
 from solver.problem.template import OTHER_NAMES
@@ -25,6 +25,7 @@ def one(task: Task[Any, Any]) -> str:
     lines += ["Methods", *_table(_method_rows(task)), ""] if len(task.methods) > 1 else []
     lines += ["Options", *_table(map(_option_row, task.options.values())), ""]
     lines += ["Answers", *_table(map(_answer_row, task.answers.values()))]
+    lines += ["", "Mistakes, beside those of any task", *_table(map(_slip_row, task.slips))] if task.slips else []
     return "\n".join(lines)
 
 
@@ -47,8 +48,16 @@ def _option_row(option: Option) -> tuple[str, str]:
 
 
 def _answer_row(answer: AnswerName) -> tuple[str, str]:
-    words = FORMULA.sub(lambda formula: flat(formula[1]), spelled(answer.doc, COURSE))
-    return answer.name, words + (" (where it makes sense)" if answer.optional else "") + _only(answer.methods)
+    sense = " (where it makes sense)" if answer.optional else ""
+    return answer.name, _in_text(answer.doc) + sense + _only(answer.methods)
+
+
+def _slip_row(slip: Slip) -> tuple[str, str]:
+    return slip.name, _in_text(slip.words)
+
+
+def _in_text(words: str) -> str:
+    return FORMULA.sub(lambda formula: flat(formula[1]), spelled(words, COURSE))
 
 
 def _only(methods: tuple[str, ...]) -> str:

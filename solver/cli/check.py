@@ -8,6 +8,7 @@ import click
 
 from solver.cli.language import LANGUAGE, NOTATION, known
 from solver.cli.run import DETAILS, Seconds
+from solver.problem.model import RULES
 
 FORMATS = ("text", "json", "html")
 
@@ -19,6 +20,8 @@ FORMATS = ("text", "json", "html")
 @click.option("-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: "
               "sheets beside the answers, text and json on standard output.")  # fmt: skip
 @click.option("--csv", "table", metavar="FILE", help="Also write a table of marks, one line for each answer file.")
+@click.option("--partial", type=click.Choice(RULES), help="What wrong answers earn, whatever the problem says: in "
+              "proportion to right entries, nothing, or what named mistakes leave.")  # fmt: skip
 @click.option("--solution", is_flag=True, help="Show the worked solution below the sheet.")
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much of it.")
 @click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
@@ -36,6 +39,7 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     format_: str | None,
     output: str | None,
     table: str | None,
+    partial: str | None,
     solution: bool,
     detail: str,
     templates: Path | None,
@@ -54,5 +58,5 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
 
     told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
     limits = Limits(time_limit, memory_limit)
-    request = CheckRequest(files, format_, output, table, solution, told, limits)
+    request = CheckRequest(files, format_, output, table, solution, told, limits, partial)
     ctx.exit(check_files(request))

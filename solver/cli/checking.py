@@ -23,6 +23,7 @@ from solver.engine import Solution
 from solver.limits import Limits, Solved, Supervision, solve_within
 from solver.messages import Messages
 from solver.problem.nodes import MappingNode
+from solver.problem.partial import ruled
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.problem.yaml_tree import parse_yaml
@@ -34,7 +35,7 @@ SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt
 
 @dataclass(frozen=True, slots=True)
 class CheckRequest:
-    """What the command line asks for; `limits` are those of each part."""
+    """What the command line asks for; `limits` are those of each part, `partial` the rule for all wrong answers."""
 
     files: tuple[str, ...]
     format: str | None
@@ -43,6 +44,7 @@ class CheckRequest:
     solution: bool
     presentation: Presentation
     limits: Limits
+    partial: str | None = None
 
     @property
     def templates(self) -> Path | None:
@@ -138,6 +140,8 @@ class _Desk:
             messages = self.request.presentation.messages(problem.display)
             display = replace(problem.display, language=messages.language, notation=messages.notation)
             problem = replace(problem, display=display)
+            if self.request.partial:
+                problem = ruled(problem, self.request.partial, catalogue())
             told = self.request.presentation if self.request.solution else None
             with self.meter.file(name) as notify:
                 self.solved[name] = solve_within(problem, self.request.limits, told, Supervision(notify))

@@ -1,7 +1,7 @@
 """Steps, claims, answers and the registration of tasks; knows no topic."""
 
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lemma
-from solver.derivation.mistakes import Attempt
+from solver.derivation.mistakes import Attempt, Slip
 from solver.derivation.options import Option, OptionKind, Options, option
 from solver.derivation.registry import AnswerName, Given, Method, Refusal, Task, Topic
 from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResult, Status, Step, Unsolved
@@ -22,6 +22,7 @@ __all__ = [
     "Options",
     "PartResult",
     "Refusal",
+    "Slip",
     "Status",
     "Step",
     "Task",

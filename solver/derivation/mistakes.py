@@ -30,17 +30,25 @@ class Attempt(Generic[S_co, O_co]):
 
 
 @dataclass(frozen=True, slots=True)
-class Mistake:
-    """What went wrong, in words (Markdown), the answers where it happens, and the values that it leads to."""
+class Slip:
+    """What goes wrong: the name by which a problem says what it costs, and the words of a sheet (Markdown)."""
 
+    name: str
     words: str
+
+
+@dataclass(frozen=True, slots=True)
+class Mistake:
+    """What goes wrong, the answers where it happens, and the values that it leads to."""
+
+    slip: Slip
     answers: tuple[str, ...]
     values: Callable[[Attempt[Any, Any]], Iterable[Any]]
 
 
 @dataclass(frozen=True, slots=True)
 class MistakenQuestion:
-    """What went wrong, in words (Markdown), and the question (system, options) that is answered by it, if any."""
+    """What goes wrong, and the question (system, options) that is answered by it, if any."""
 
-    words: str
+    slip: Slip
     change: Callable[[Any, Any], tuple[Any, Any] | None]

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas, worded_by
-from solver.derivation.mistakes import Attempt, Mistake, MistakenQuestion
+from solver.derivation.mistakes import Attempt, Mistake, MistakenQuestion, Slip
 from solver.derivation.options import Option, Options
 from solver.derivation.steps import Answers, Check
 from solver.words import Reason
@@ -232,8 +232,8 @@ class Task(Generic[S, O]):
         for refuse in self.refusals:
             yield from refuse(system, options)
 
-    def mistake(self, words: str, *answers: str) -> Callable[[Wrong[S, O]], Wrong[S, O]]:
-        """Register a usual mistake in some answers: its words, and a generator of the values that it leads to.
+    def mistake(self, slip: Slip, *answers: str) -> Callable[[Wrong[S, O]], Wrong[S, O]]:
+        """Register a usual mistake in some answers, with a generator of the values that it leads to.
 
         It is named in marking where it leads to the very value submitted.
         """
@@ -241,19 +241,24 @@ class Task(Generic[S, O]):
             raise ValueError(f"{self.name}: a mistake needs names of answers, not {unknown}")
 
         def register(values: Wrong[S, O]) -> Wrong[S, O]:
-            self.mistakes.append(Mistake(words, answers, values))
+            self.mistakes.append(Mistake(slip, answers, values))
             return values
 
         return register
 
-    def mistaken_question(self, words: str) -> Callable[[Change[O]], Change[O]]:
+    def mistaken_question(self, slip: Slip) -> Callable[[Change[O]], Change[O]]:
         """Register a usual mistake that answers another question: the system and options changed (None: not here)."""
 
         def register(change: Change[O]) -> Change[O]:
-            self.mistaken_questions.append(MistakenQuestion(words, change))
+            self.mistaken_questions.append(MistakenQuestion(slip, change))
             return change
 
         return register
+
+    @property
+    def slips(self) -> list[Slip]:
+        """What goes wrong in this task more than in others."""
+        return [*(each.slip for each in self.mistakes), *(each.slip for each in self.mistaken_questions)]
 
     def methods_for(self, discrete: bool) -> list[str]:
         """Names of the methods for that kind of time, the default first."""

@@ -45,9 +45,14 @@ def read_digits(holder: MappingNode, default: int, report: Report) -> int:
     return default
 
 
+def given_by(task: Task[Any, Any], methods: Sequence[str]) -> list[str]:
+    """Return the names of the answers that the methods may give."""
+    return [name for name, answer in task.answers.items() if not answer.methods or set(answer.methods) & set(methods)]
+
+
 def answer_named(node: ScalarNode, task: Task[Any, Any], methods: Sequence[str]) -> str:
     """Return the name of an answer that one of the methods gives; raises Fault for any other."""
-    given = [name for name, answer in task.answers.items() if not answer.methods or set(answer.methods) & set(methods)]
+    given = given_by(task, methods)
     if node.text not in given:
         note = f"its answers are: {', '.join(given)}"
         message = f"{task.name} has no answer '{node.text[:60]}'"

@@ -64,13 +64,29 @@ DIGITS = 2
 """Significant digits that a student's decimal must have where nothing is said."""
 
 
+RULES = ("entries", "none", "named")
+
+
+@dataclass(frozen=True, slots=True)
+class Partial:
+    """What a wrong answer can still earn.
+
+    `rule` is "entries" (in proportion to what is right), "none", or "named" (a mistake of the name costs so many marks;
+    where `costs` is None, half of those of the answer).
+    """
+
+    rule: str = "entries"
+    costs: Mapping[str, sp.Rational] | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Part:
     """One question: a task by its methods, with validated options; `system` is the part's own or the problem's.
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
     `asked` are the answers that the file asks for, none where it does not say; a decimal must have `digits` significant
-    ones to be judged. `show` is what a paper shows of it.
+    ones to be judged. `partial` says what wrong answers can earn, where anything is said of them. `show` is what a
+    paper shows of it.
     `symbols` and `parameters` are those of a part that has its own, `assumed` what its own `assume` says of symbols,
     `conditions` all that hold in it. `decimals_typed` tells that its question holds decimals. `places` tells where its
     task, its options and the conditions stand in the file.
@@ -91,6 +107,7 @@ class Part:
     conditions: tuple[Chain, ...] = ()
     asked: tuple[str, ...] = ()
     digits: int = DIGITS
+    partial: Mapping[str, Partial] = field(default_factory=dict)
     show: Show = Show()
     decimals_typed: bool = False
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any, NamedTuple
 
 from solver.derivation import Option, Task
 from solver.derivation.conversion import reachable
-from solver.problem.asked import answer_named, read_asked, read_digits
+from solver.problem.asked import answer_named, given_by, read_asked, read_digits
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
-from solver.problem.model import Part, Reference, Show
+from solver.problem.model import Part, Partial, Reference, Show
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, node_of, scalar
+from solver.problem.partial import Said, read_partial, settled, slips_of
 from solver.problem.references import read_option
 from solver.problem.source import Fault, Report, did_you_mean
 from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
-OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "conditions", "answers", "digits", "show")
+OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "conditions", "answers", "digits", "partial",
+            "show")  # fmt: skip
 IN_WORDS = {
     "transfer_function": "a transfer function (or A, B and C)",
     "matrix": "a matrix",
@@ -40,14 +42,21 @@ class PlantOf(NamedTuple):
         return self.system is not None and self.system.discrete
 
 
+class Usual(NamedTuple):
+    """What a problem says of all its parts: what a paper shows, digits of decimals, what wrong answers can earn."""
+
+    show: Show
+    digits: int
+    partial: Said
+
+
 class PartReader:
     """Reads the parts one after the other; knows the earlier ones, to which later ones may refer."""
 
-    def __init__(self, catalogue: Mapping[str, Task[Any, Any]], lexicon: Lexicon, show: Show, digits: int) -> None:
+    def __init__(self, catalogue: Mapping[str, Task[Any, Any]], lexicon: Lexicon, usual: Usual) -> None:
         self.catalogue = catalogue
         self.lexicon = lexicon
-        self.show = show
-        self.digits = digits
+        self.usual = usual
         self.earlier: dict[str, tuple[Task[Any, Any], str] | None] = {}
         self.discrete: set[str] = set()
 
@@ -73,16 +82,15 @@ class PartReader:
         self.earlier[name] = (task, methods[0])
         reader = _OptionsReader(task, methods, mapping, context)
         report = Report()
-        options: dict[str, Any] = {}
+        options, split, asked = dict[str, Any](), dict[str, Any](), tuple[str, ...]()
         with report:
             options = reader.options()
         with report:
             _check_needs(task, plant, reader.given, mapping["task"])
-        split: dict[str, Any] = {}
-        asked: tuple[str, ...] = ()
         with report:
             asked = read_asked(mapping, task, methods)
-        digits = read_digits(mapping, self.digits, report)
+        digits = read_digits(mapping, self.usual.digits, report)
+        partial = self._partial(mapping, task, methods, report)
         with report:
             split = _split_marks(mapping, task, methods)
             marks = sum(split.values()) if split else _marks(mapping["marks"]) if "marks" in mapping else None
@@ -99,12 +107,21 @@ class PartReader:
             answer_marks=split,
             asked=asked,
             digits=digits,
-            show=read_show(mapping, self.show),
+            partial=partial,
+            show=read_show(mapping, self.usual.show),
             conditions=lexicon.chains,
             places={entry.key.text: entry.value.place for entry in mapping}
             | {f"conditions {i}": chain.place for i, chain in enumerate(lexicon.chains)},
             **({} if lexicon is self.lexicon else lexicon.declared),
         )
+
+    def _partial(
+        self, part: MappingNode, task: Task[Any, Any], methods: Sequence[str], report: Report
+    ) -> dict[str, Partial]:
+        with report:
+            said = read_partial(part.get("partial"), given_by(task, methods), slips_of([task]))
+            return settled(task.answers, said, self.usual.partial)
+        return {}
 
     def _task(self, node: Node) -> Task[Any, Any]:
         word = scalar(node).text

@@ -14,7 +14,8 @@ from solver.problem.files import load
 from solver.problem.lexicon import Declarations, Lexicon, check_used, read_lexicon
 from solver.problem.model import DIGITS, Display, Part, Problem, Show
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar, whole_number
-from solver.problem.parts import PartReader, PlantOf, read_show
+from solver.problem.partial import Said, read_partial, slips_of
+from solver.problem.parts import PartReader, PlantOf, Usual, read_show
 from solver.problem.shape_check import check_shape
 from solver.problem.source import InputError, Report, Source, did_you_mean
 from solver.problem.systems import read_system
@@ -128,7 +129,7 @@ class _ProblemReader:
         `by_names` tells that the values of parameters hold decimals, `typed` that these or the common system do.
         """
         digits = DIGITS if self.spoilt("digits") else read_digits(self.root, DIGITS, self.report)
-        reader = PartReader(self.catalogue, self.lexicon, self.show, digits)
+        reader = PartReader(self.catalogue, self.lexicon, Usual(self.show, digits, self.partial()))
         parts: list[Part] = []
         find = self.root.get("find")
         for entry in find if isinstance(find, MappingNode) else ():
@@ -154,6 +155,16 @@ class _ProblemReader:
                     own = replace(lexicon, conditions=lexicon.conditions[len(self.lexicon.conditions) :])
                     check_occurring(own, {*self.occurring, *self.lexicon.found}, self.report)
         return parts
+
+    def partial(self) -> Said:
+        """Return what the problem says that wrong answers can earn."""
+        find = self.section("find")
+        words = [_task_of(entry.value) for entry in find] if isinstance(find, MappingNode) else []
+        tasks = [self.catalogue[word] for word in dict.fromkeys(words) if word in self.catalogue]
+        answers = {name for task in tasks for name in task.answers}
+        with self.report:
+            return read_partial(self.section("partial"), answers, slips_of(tasks))
+        return Said()
 
     def lexicon_of(self, entry: Entry) -> Lexicon:
         """Return the names of a part: those of the problem, and its own, which win."""
@@ -186,6 +197,12 @@ class _ProblemReader:
                 digits = whole_number(node["decimals"], "decimals", 1, MAX_DECIMALS) if "decimals" in node else 5
                 display = replace(display, mode=mode, digits=digits)
         return display
+
+
+def _task_of(part: Node) -> str:
+    """The name of the task of a part, "" where none stands there."""
+    node = part.get("task") if isinstance(part, MappingNode) else part
+    return node.text if isinstance(node, ScalarNode) else ""
 
 
 def file_stem(name: str) -> str:

@@ -56,6 +56,16 @@ Marks = Annotated[
     Annotated[Value, Tag("<value>")] | Annotated[dict[str, Value], Tag("<mapping>")],
     _either("a number, or the marks of each answer, as in {K: 2, polynomial: 1},"),
 ]
+Rule = Literal["entries", "none", "named"]
+Costs = dict[str, Value]
+PartialOfAnswer = Annotated[
+    Annotated[Value, Tag("<value>")] | Annotated[Costs, Tag("<mapping>")],
+    _either("entries, none, named, or what a mistake costs, as in {sign: 1},"),
+]
+Partial = Annotated[
+    Annotated[Rule, Tag("<value>")] | Annotated[dict[str, PartialOfAnswer], Tag("<mapping>")],
+    _either("entries, none, named, or a mapping such as {K: none, sign: 1},"),
+]
 Row = Annotated[
     Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
     _either("a row of numbers or expressions"),
@@ -217,6 +227,7 @@ class PartShape(BaseModel):
     prompt: Text = optional("own wording of the question, in Markdown")
     answers: Values = optional("the answers that are asked for and earn the marks")
     digits: Value = optional("significant digits that a student's decimal must have")
+    partial: Partial = optional("what wrong answers earn: entries, none, named, by answer, or by mistake: {sign: 1}")
     show: ShowShape = optional("what a paper shows of the part; false leaves out what would give it away")
     system: System = optional("the part's own system")
     parameters: Parameters = optional("the part's own values of symbols, which win over those of the problem")
@@ -252,6 +263,7 @@ class ProblemShape(Shape):
     conditions: Values = optional('relations that hold between symbols: ["0 < zeta < 1", "a != b"]')
     display: Display = optional("how numbers are shown")
     digits: Value = optional("significant digits that a student's decimals must have, 2 if nothing is said")
+    partial: Partial = optional("what wrong answers of all parts earn: entries (if nothing is said), none or named")
     show: ShowShape = optional("what a paper shows of all parts")
     language: Text = optional("the language of the solution: en, de")
     notation: Text = optional("the symbols of the solution: course (K_f, L_c, xi) or ogata (K, K_e, zeta)")

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from solver.derivation import Attempt, Options
+from solver.derivation import Attempt, Options, Slip
 from solver.lazy import sympy as sp
 from solver.lazy import systems
 
@@ -15,10 +15,26 @@ if TYPE_CHECKING:
 
 O = TypeVar("O", bound=Options)
 
-EXCHANGED = "$B$ and $C$ are exchanged"
-ADDED = "$+$ stands where $-$ belongs: the feedback is subtracted"
-DIAGONAL = "these are the entries on the diagonal of $A$"
-UPSIDE_DOWN = "numerator and denominator are exchanged"
+EXCHANGED = Slip("ports", "$B$ and $C$ are exchanged")
+ADDED = Slip("feedback_sign", "$+$ stands where $-$ belongs: the feedback is subtracted")
+GAIN_ADDED = Slip("sign", r"it is the gain of $A + B\sym{K}$; the feedback is subtracted, $A - B\sym{K}$")
+OBSERVER_ADDED = Slip("sign", r"it is the gain of $A + \sym{L}C$; the error obeys $A - \sym{L}C$")
+DIAGONAL = Slip("diagonal", "these are the entries on the diagonal of $A$")
+MINUS_DETERMINANT = Slip("minus_determinant", r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$")
+OF_THE_NEGATIVE = Slip("sign", "it is the inverse of $A - sI$")
+NOT_DIVIDED = Slip("adjugate", "this is the adjugate; it is not yet divided by the determinant")
+OTHER_SIDE = Slip("left_right", "left and right eigenvectors are exchanged")
+ENTRY_BY_ENTRY = Slip("entrywise", "the function is taken of each entry; it is a function of the matrix")
+WITHOUT_INITIAL_STATE = Slip("without_initial_state", "the initial state is forgotten")
+WITHOUT_CROSS_WEIGHT = Slip("without_cross_weight", "the cross weight is forgotten")
+WEIGHT_REVERSED = Slip("weight_sign", "the right side has the wrong sign: $-Q$ for $Q$")
+OTHER_SOLUTION = Slip("other_solution", "it solves the Riccati equation, but it is not the stabilising solution")
+OF_ANOTHER_SOLUTION = Slip(
+    "other_solution", "it comes from a solution of the Riccati equation that is not the stabilising one"
+)
+STACKED = Slip(
+    "stacked", "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse"
+)
 
 
 def inputs_for_outputs(system: Any, options: O) -> tuple[StateSpace, O] | None:
@@ -42,7 +58,6 @@ def diagonal_entries(wrong: Attempt[StateSpace, Options]) -> Iterable[Any]:
     yield list(wrong.given.system.A.diagonal())
 
 
-def upside_down(wrong: Attempt[Any, Options]) -> Iterable[Any]:
-    """The denominator over the numerator of one channel."""
-    if isinstance(wrong.ours, sp.Expr):
-        yield 1 / wrong.ours
+def negative(wrong: Attempt[Any, Options]) -> Iterable[Any]:
+    """The gain of the other sign."""
+    yield -wrong.ours

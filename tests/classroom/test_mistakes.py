@@ -34,7 +34,7 @@ find:
 """
 
 MISTAKES = [
-    ("gain", "K", "[-13, -9]", "the sign is reversed"),
+    ("gain", "K", "[-13, -9]", "it is the gain of $A + BK_f$; the feedback is subtracted, $A - BK_f$"),
     ("gain", "K", "[9, 13]", "the entries stand in reverse order"),
     ("gain", "K", "[6, -5]", "the poles have the wrong sign"),
     ("gain", "K", "[63, -23]", "the poles are squared"),

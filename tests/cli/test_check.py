@@ -40,6 +40,14 @@ def test_json_is_as_documented(solve, folder):
     assert (data["parts"][1]["marks"], data["parts"][1]["out_of"]) == (0, 2)
 
 
+def test_the_command_line_says_what_wrong_answers_earn(solve, folder):
+    (folder / "half.yaml").write_text("answers: {a: {polynomial: -lamda^2+2lamda+5}}")
+    for rule, marks in (("named", 0.5), ("none", 0)):
+        data = json.loads(solve("check", "problem.yaml", "half.yaml", "-f", "json", "--partial", rule).out)
+        assert data["parts"][0]["answers"]["polynomial"]["mistake"] == "sign"
+        assert data["marks"] == marks
+
+
 def test_a_bad_file_does_not_stop_the_rest_and_the_table_has_a_line_for_each(solve, folder):
     done = solve("check", "problem.yaml", "right.yaml", "bad.yaml", "wrong.yaml", "--csv", "marks.csv")
     assert done.code == 2

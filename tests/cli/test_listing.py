@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 
 import solver.options
 from solver.cli.catalogue_text import one
-from solver.derivation import AnswerName, OptionKind, Options, Task, option
+from solver.derivation import AnswerName, OptionKind, Options, Slip, Task, option
 from solver.options.channel import Channel
 from solver.options.choice import Choice
 from solver.options.expression import Expression
@@ -68,6 +68,7 @@ def test_a_task_is_described_by_its_needs_methods_options_and_answers():
     task = Task("turn", title="Turning", doc="It turns.", needs=("A", "B"), options=Declared, answers=answers)
     task.method("slow", title="Slowly", source="A book", time="discrete")(lambda given: given)
     task.method("quick", title="Quickly")(lambda given: given)
+    task.mistake(Slip("sign", r"it is $-\sym{K}$"), "rank")(lambda wrong: [])
     assert one(task).split("\n") == [
         "turn",
         "  Turning.",
@@ -86,6 +87,9 @@ def test_a_task_is_described_by_its_needs_methods_options_and_answers():
         "Answers",
         "  rank  the rank of K_f (only slow)",
         "  P     P (where it makes sense)",
+        "",
+        "Mistakes, beside those of any task",
+        "  sign  it is −K_f",
     ]
 
 

@@ -8,7 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Task
+from solver.derivation import Slip, Task
+from solver.derivation import usual_mistakes as usual
 from solver.problem.model import Part, Reference
 from solver.systems import StateSpace
 
@@ -53,13 +54,13 @@ def _other_time(part: Part) -> Part | None:
     return _system(part, discrete=not part.system.discrete)
 
 
-CHANGED: tuple[tuple[str, Change], ...] = (
-    ("the poles have the wrong sign", _poles_reversed),
-    ("$D$ is forgotten", _without_D),
-    ("$A$ is transposed", _A_transposed),
-    ("the poles are squared", _poles_squared),
-    ("$B$ has the wrong sign", _B_reversed),
-    ("it is right for the other kind of time, discrete or continuous", _other_time),
+CHANGED: tuple[tuple[Slip, Change], ...] = (
+    (usual.POLES_REVERSED, _poles_reversed),
+    (usual.WITHOUT_D, _without_D),
+    (usual.A_TRANSPOSED, _A_transposed),
+    (usual.POLES_SQUARED, _poles_squared),
+    (usual.B_REVERSED, _B_reversed),
+    (usual.OTHER_TIME, _other_time),
 )
 """What goes wrong in questions of any task; what does so in some is declared with them."""
 

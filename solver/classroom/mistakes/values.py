@@ -12,7 +12,8 @@ import sympy as sp
 
 from solver.classroom.judging.entries import is_scalar
 from solver.classroom.judging.question import Question
-from solver.derivation import PartResult
+from solver.derivation import PartResult, Slip
+from solver.derivation import usual_mistakes as usual
 from solver.engine import steps_of
 from solver.problem.model import Part
 
@@ -73,6 +74,12 @@ def _double(case: Case) -> Values:
         yield case.ours * 2
 
 
+def _upside_down(case: Case) -> Values:
+    """The denominator over the numerator of a transfer function, in each channel that is not zero."""
+    if case.ours.free_symbols & {sp.Symbol("s"), sp.Symbol("z")}:
+        yield _map(case.ours, lambda entry: 1 / entry if entry != 0 else entry)
+
+
 def _without_multiplicity(case: Case) -> Values:
     if isinstance(case.ours, list):
         yield list(dict.fromkeys(case.ours))
@@ -129,16 +136,17 @@ def _map(value: Any, of: Callable[[Any], Any]) -> Any:
     return sp.ImmutableMatrix(value.applyfunc(of)) if isinstance(value, sp.MatrixBase) else of(value)
 
 
-TRANSFORMED: tuple[tuple[str, Callable[[Case], Iterable[Any]]], ...] = (
-    ("the sign is reversed", _negative),
-    ("it is transposed: rows and columns are exchanged", _transposed),
-    ("the entries stand in reverse order", _reversed),
-    ("each value counts as often as its multiplicity", _without_multiplicity),
-    ("a factor 2 is missing", _half),
-    ("it is twice what it should be: a factor ½ is missing", _double),
-    ("the factor $t$ (or $k$) of a repeated eigenvalue is missing", _without_factor_t),
-    ("the sign of the exponents is reversed", _exponent_reversed),
-    ("an angle is in degrees where radians are meant", _degrees),
-    ("rows or columns stand in another order", _reordered),
-    ("it is an intermediate result: the last step is missing", _intermediate),
+TRANSFORMED: tuple[tuple[Slip, Callable[[Case], Iterable[Any]]], ...] = (
+    (usual.SIGN, _negative),
+    (usual.TRANSPOSED, _transposed),
+    (usual.REVERSED, _reversed),
+    (usual.MULTIPLICITY, _without_multiplicity),
+    (usual.UPSIDE_DOWN, _upside_down),
+    (usual.HALF, _half),
+    (usual.DOUBLE, _double),
+    (usual.WITHOUT_POWER, _without_factor_t),
+    (usual.EXPONENTS, _exponent_reversed),
+    (usual.DEGREES, _degrees),
+    (usual.ROWS_IN_ORDER, _reordered),
+    (usual.INTERMEDIATE, _intermediate),
 )

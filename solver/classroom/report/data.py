@@ -38,6 +38,7 @@ def _answer_data(answer: AnswerVerdict) -> dict[str, Any]:
     data: dict[str, Any] = {"verdict": str(answer.verdict)}
     for key, text in (("reason", answer.reason), ("note", answer.note)):
         data |= {key: str(text)} if text else {}
+    data |= {"mistake": answer.mistake} if answer.mistake else {}
     data |= {"follows": True} if answer.follows else {}
     data |= {"read": _shown(answer.value)} if answer.value is not None else {}
     return data | ({"entries": answer.entries} if isinstance(answer.entries, list) else {})

@@ -39,7 +39,6 @@ from solver.tasks.design.riccati_checks import (
 )
 from solver.tasks.design.riccati_solutions import (
     LISTED,
-    OTHER_SOLUTION,
     listed_answers,
     other_solutions,
     solutions_by_equations,
@@ -208,9 +207,10 @@ def are_all_solutions(given: Given[WithOutput, KalmanFilterOptions], answers: An
 
 
 kalman_filter.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
+kalman_filter.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)
 
 
-@kalman_filter.mistake("it comes from a solution of the Riccati equation that is not the stabilising one", "L")
+@kalman_filter.mistake(mistakes.OF_ANOTHER_SOLUTION, "L")
 def gain_of_another_solution(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Iterable[Any]:
     """L = PCᵀR⁻¹ of a P that is not the stabilizing one."""
     C = wrong.given.system.C
@@ -219,4 +219,4 @@ def gain_of_another_solution(wrong: Attempt[WithOutput, KalmanFilterOptions]) ->
         yield sp.ImmutableMatrix(P * C.T * R.inv())
 
 
-kalman_filter.mistake(OTHER_SOLUTION, "P")(other_solutions)
+kalman_filter.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)

@@ -41,7 +41,6 @@ from solver.tasks.design.riccati_checks import (
 )
 from solver.tasks.design.riccati_solutions import (
     LISTED,
-    OTHER_SOLUTION,
     listed_answers,
     other_solutions,
     solutions_by_equations,
@@ -264,9 +263,10 @@ def is_the_smallest_solution(given: Given[WithInput, LqrOptions], answers: Answe
 
 
 lqr.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
+lqr.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)
 
 
-@lqr.mistake("it comes from a solution of the Riccati equation that is not the stabilising one", "K")
+@lqr.mistake(mistakes.OF_ANOTHER_SOLUTION, "K")
 def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
     """K = R⁻¹(BᵀP + Nᵀ) of a P that is not the stabilizing one."""
     R, N = wrong.given.options.R or wrong.answers["R"], wrong.given.options.N
@@ -275,17 +275,17 @@ def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[
         yield sp.ImmutableMatrix(R.inv() * (B.T * P + (N.T if N is not None else sp.zeros(*B.T.shape))))
 
 
-lqr.mistake(OTHER_SOLUTION, "P")(other_solutions)
+lqr.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)
 
 
-@lqr.mistaken_question("the initial state is forgotten")
+@lqr.mistaken_question(mistakes.WITHOUT_INITIAL_STATE)
 def without_initial_state(system: System, options: LqrOptions) -> tuple[System, LqrOptions] | None:
     """The cost from rest."""
     x0 = options.initial_state
     return None if x0 is None else (system, replace(options, initial_state=sp.ImmutableMatrix(sp.zeros(*x0.shape))))
 
 
-@lqr.mistaken_question("the cross weight is forgotten")
+@lqr.mistaken_question(mistakes.WITHOUT_CROSS_WEIGHT)
 def without_cross_weight(system: System, options: LqrOptions) -> tuple[System, LqrOptions] | None:
     """The regulator without N."""
     return None if options.N is None else (system, replace(options, N=None))

@@ -25,7 +25,6 @@ from solver.numeric.judges import design as judges
 from solver.options.transfer_function import TransferFunctionOption
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import inverse
-from solver.tasks import mistakes
 from solver.tasks.design.frames import Wanted
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
@@ -261,6 +260,3 @@ def turns_the_plant_into_the_target(
             lambda: judges.matched_residual(matrices, answers["K"], G, x),
             answer="K",
         )
-
-
-model_matching.mistake(mistakes.UPSIDE_DOWN, "compensator")(mistakes.upside_down)

@@ -172,3 +172,4 @@ observer.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
 
 
 observer.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
+observer.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)

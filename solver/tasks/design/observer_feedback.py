@@ -203,6 +203,3 @@ observer_feedback.verification("S1", "S2")(checks.split_the_state)
 
 
 observer_feedback.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
-
-
-observer_feedback.mistake(mistakes.UPSIDE_DOWN, "compensator")(mistakes.upside_down)

@@ -181,3 +181,4 @@ pole_placement.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs
 
 
 pole_placement.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
+pole_placement.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)

@@ -202,9 +202,6 @@ def _endless(problem: Regulator, equation: exact.Riccati) -> Step:
     )
 
 
-OTHER_SOLUTION = "it solves the Riccati equation, but it is not the stabilising solution"
-
-
 def other_solutions(wrong: Attempt[Any, Any]) -> Iterable[Any]:
     """The solutions of the Riccati equation that are not the stabilizing one."""
     yield from (P for P in wrong.answers.get("solutions", ()) if wrong.ours != P)

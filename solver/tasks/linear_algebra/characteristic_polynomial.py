@@ -12,6 +12,7 @@ from solver.numeric.judges import linear_algebra as judges
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, trace
+from solver.tasks import mistakes
 from solver.tasks.plant_options import PlantOptions
 from solver.words import Phrase
 
@@ -29,9 +30,6 @@ characteristic_polynomial: Task[StateSpace, PlantOptions] = Task(
     complex_entries=True,
     answers=[AnswerName("polynomial", r"\chi(\lambda)", r"the monic polynomial $\det(\lambda I - A)$")],
 )
-
-
-MINUS_DETERMINANT = r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$"
 
 
 @lemma("determinant")
@@ -177,7 +175,7 @@ def has_the_values_of_the_determinant(given: Given[StateSpace, PlantOptions], an
     )
 
 
-@characteristic_polynomial.mistake(MINUS_DETERMINANT, "polynomial")
+@characteristic_polynomial.mistake(mistakes.MINUS_DETERMINANT, "polynomial")
 def minus_determinant(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]:
     """det(A − λI), which is −det(λI − A) for odd n."""
     if wrong.given.system.A.rows % 2:

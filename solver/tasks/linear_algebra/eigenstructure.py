@@ -256,7 +256,7 @@ def has_enough_eigenvectors(given: Given[StateSpace, PlantOptions], answers: Ans
 eigenstructure.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)
 
 
-@eigenstructure.mistaken_question("left and right eigenvectors are exchanged")
+@eigenstructure.mistaken_question(mistakes.OTHER_SIDE)
 def transposed(system: System, options: PlantOptions) -> tuple[System, PlantOptions] | None:
     """The question about Aᵀ."""
     if not isinstance(system, systems.StateSpace):

@@ -12,8 +12,8 @@ from solver.numeric.judges import linear_algebra as judges
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.matrices import adjugate, determinant, inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
+from solver.tasks import mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import (
-    MINUS_DETERMINANT,
     determinant_of,
     factors_of,
     minus_determinant,
@@ -99,19 +99,19 @@ def has_the_values_of_the_determinant(given: Given[StateSpace, PlantOptions], an
     )
 
 
-@resolvent.mistake("it is the inverse of $A - sI$", "resolvent")
+@resolvent.mistake(mistakes.OF_THE_NEGATIVE, "resolvent")
 def of_the_negative(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]:
     """(A − xI)⁻¹."""
     yield -wrong.ours
 
 
-@resolvent.mistake("this is the adjugate; it is not yet divided by the determinant", "resolvent")
+@resolvent.mistake(mistakes.NOT_DIVIDED, "resolvent")
 def not_divided(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]:
     """adj(xI − A)."""
     yield exact.faddeev_leverrier(wrong.given.system.A).adjugate(_variable(wrong.given))
 
 
-resolvent.mistake(MINUS_DETERMINANT, "polynomial")(minus_determinant)
+resolvent.mistake(mistakes.MINUS_DETERMINANT, "polynomial")(minus_determinant)
 
 
 @lemma("resolvent")

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task, Unsolved, option
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Slip, Task, Unsolved, option
 from solver.lazy import systems
 from solver.options.choice import Choice
 from solver.tasks.plant_options import LoopOptions
@@ -122,7 +122,8 @@ FOLLOWED = {
     "superdiagonal": "ones above the diagonal",
 }
 for each in ("observable", "controllable"):
-    realization.mistaken_question(Phrase("it is the {each} form", each=each))(partial(with_form, form=each))
+    slip = Slip("form", Phrase("it is the {each} form", each=each))
+    realization.mistaken_question(slip)(partial(with_form, form=each))
 for each, what in FOLLOWED.items():
-    words = Phrase("it follows the other convention: {what}", what=what)
-    realization.mistaken_question(words)(partial(with_convention, convention=each))
+    slip = Slip("convention", Phrase("it follows the other convention: {what}", what=what))
+    realization.mistaken_question(slip)(partial(with_convention, convention=each))

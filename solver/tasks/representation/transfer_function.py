@@ -245,6 +245,3 @@ def are_those_of_the_minimal_part(
 
 
 transfer_function.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
-
-
-transfer_function.mistake(mistakes.UPSIDE_DOWN, "G")(mistakes.upside_down)

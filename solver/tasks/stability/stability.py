@@ -249,7 +249,7 @@ def _answers(given: Given[StateSpace, StabilityOptions], verdict: str, **further
 stability.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)
 
 
-@stability.mistaken_question("the right side has the wrong sign: $-Q$ for $Q$")
+@stability.mistaken_question(mistakes.WEIGHT_REVERSED)
 def weight_reversed(system: System, options: StabilityOptions) -> tuple[System, StabilityOptions] | None:
     """Lyapunov's equation with +Q on its right."""
     return None if options.Q is None else (system, replace(options, Q=sp.ImmutableMatrix(-options.Q)))

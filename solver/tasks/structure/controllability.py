@@ -82,10 +82,7 @@ def by_ranks_and_defining_equations(given: Given[WithInput, PairOptions], answer
 controllability.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
 
 
-@controllability.mistake(
-    "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse",
-    "controllability_matrix",
-)
+@controllability.mistake(mistakes.STACKED, "controllability_matrix")
 def stacked_the_other_way(wrong: Attempt[WithInput, PairOptions]) -> Iterable[Any]:
     """B, AB, … one below the other."""
     plant = wrong.given.system

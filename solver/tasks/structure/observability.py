@@ -82,10 +82,7 @@ def by_ranks_and_defining_equations(given: Given[WithOutput, PairOptions], answe
 observability.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
 
 
-@observability.mistake(
-    "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse",
-    "observability_matrix",
-)
+@observability.mistake(mistakes.STACKED, "observability_matrix")
 def stacked_the_other_way(wrong: Attempt[WithOutput, PairOptions]) -> Iterable[Any]:
     """C, CA, … beside each other."""
     plant = wrong.given.system

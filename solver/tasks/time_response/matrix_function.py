@@ -25,6 +25,7 @@ from solver.options.expression import Expression
 from solver.stated import Stated
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import inverse
+from solver.tasks import mistakes
 from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
@@ -209,7 +210,7 @@ def is_the_function_of_the_matrix(given: Given[StateSpace, MatrixFunctionOptions
     )
 
 
-@matrix_function.mistake("the function is taken of each entry; it is a function of the matrix", "F")
+@matrix_function.mistake(mistakes.ENTRY_BY_ENTRY, "F")
 def entry_by_entry(wrong: Attempt[StateSpace, MatrixFunctionOptions]) -> Iterable[Any]:
     """The function of each entry."""
     f, A = wrong.given.options.function, sp.Symbol("A")

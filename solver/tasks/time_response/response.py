@@ -170,7 +170,7 @@ def peak_is_that_of_a_simulation(
 response.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
 
 
-@response.mistaken_question("the initial state is forgotten")
+@response.mistaken_question(mistakes.WITHOUT_INITIAL_STATE)
 def without_initial_state(system: System, options: ResponseOptions) -> tuple[System, ResponseOptions] | None:
     """The response from rest."""
     x0 = options.initial_state

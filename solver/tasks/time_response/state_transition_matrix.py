@@ -28,6 +28,7 @@ from solver.stated.algebra import power, product, total
 from solver.stated.calculus import derivative, value_at
 from solver.stated.matrices import inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
+from solver.tasks import mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
 from solver.tasks.plant_options import PlantOptions
@@ -266,7 +267,7 @@ def has_the_first_terms(given: Given[StateSpace, StateTransitionMatrixOptions], 
         yield numeric.check_claim(Claim(coefficient, expected), says)
 
 
-@state_transition_matrix.mistake("the function is taken of each entry; it is a function of the matrix", "Phi")
+@state_transition_matrix.mistake(mistakes.ENTRY_BY_ENTRY, "Phi")
 def entry_by_entry(wrong: Attempt[StateSpace, StateTransitionMatrixOptions]) -> Iterable[Any]:
     """The exponential function of each entry."""
     if not wrong.given.system.discrete:
