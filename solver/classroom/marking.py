@@ -67,7 +67,7 @@ class Marker:
 
     def remarks(self) -> tuple[str, ...]:
         """What stands in the file that nobody asked for, in words."""
-        strange = (Reason("marking/strange", _placed(diagnostic)) for diagnostic in self.submission.strange)
+        strange = (Reason("marking/strange", placed(diagnostic)) for diagnostic in self.submission.strange)
         return tuple(map(self.messages.reason, strange))
 
     def _next(self, part: Part) -> PartVerdict:
@@ -87,7 +87,7 @@ class Marker:
     def unjudged(self, part: Part, limit: str) -> PartVerdict:
         """Return the part as it is where judging it met a limit."""
         submitted, reason = self.submission.answers.get(part.id, {}), self.messages.say(limit)
-        each = carried(part, self._ours(part.id), self._out_of(part))
+        each = carried(part, self.ours(part.id), self._out_of(part))
         answers = {name: AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason) for name in submitted}
         missing = left_out(each, submitted)
         verdicts = marked(answers, each, part.partial)
@@ -100,22 +100,24 @@ class Marker:
     def _read_all(self, part: Part) -> Values:
         """Read every value submitted for a part by the kind of our own answer; `unread` has why others are not."""
         found, unread = Values(), self.unread.setdefault(part.id, {})
-        ours = self._ours(part.id)
-        reader = Reader(self._names(part, ours), discrete=part.system.discrete)
+        ours = self.ours(part.id)
+        reader = self.reader(part, ours)
         for name, node in self.submission.answers.get(part.id, {}).items():
             if name in ours:
                 try:
-                    found[name] = _read(reader, node, ours[name])
+                    found[name] = read_value(reader, node, ours[name])
                 except Fault as fault:
-                    unread[name] = Reason("marking/not_read", _placed(fault.diagnostics[0]))
+                    unread[name] = Reason("marking/not_read", placed(fault.diagnostics[0]))
         return found
 
-    def _names(self, part: Part, ours: Mapping[str, Any]) -> Any:
+    def reader(self, part: Part, ours: Mapping[str, Any]) -> Reader:
+        """Return what reads the values of a part, in which the names of our own answers have their meaning."""
         problem = self.solution.problem
         symbols, parameters = {**problem.symbols, **part.symbols}, {**problem.parameters, **part.parameters}
-        return names_for(symbols, parameters, dict(ours), part.system.discrete)
+        names = names_for(symbols, parameters, dict(ours), part.system.discrete)
+        return Reader(names, discrete=part.system.discrete)
 
-    def _ours(self, part: str) -> dict[str, Any]:
+    def ours(self, part: str) -> dict[str, Any]:
         """Our answers of a part by all its methods, verified ones only."""
         found: dict[str, Any] = {}
         for result in self.results[part]:
@@ -127,7 +129,7 @@ class Marker:
         """Return the verdicts and marks of one part; the earlier ones must be in `judged`."""
         out_of = self._out_of(part)
         submitted = self.submission.answers.get(part.id, {})
-        ours, values = self._ours(part.id), self.values[part.id]
+        ours, values = self.ours(part.id), self.values[part.id]
         verdicts = {name: self._unreadable(part, name) for name in submitted if name not in values}
         for name, verdict in self._judged(part, ours, values).items():
             verdicts[name] = verdict
@@ -232,7 +234,8 @@ def _is_nothing(own: sp.MatrixBase, ours: sp.MatrixBase) -> bool:
     return bool(largest < NOTHING * usual)
 
 
-def _read(reader: Reader, node: Node, ours: Any) -> Submitted:
+def read_value(reader: Reader, node: Node, ours: Any) -> Submitted:
+    """Return the value of a node for an answer of the kind of ours; raises Fault."""
     try:
         return reader.read(node, ours)
     except Fault:
@@ -241,7 +244,7 @@ def _read(reader: Reader, node: Node, ours: Any) -> Submitted:
         raise node.fault("this value cannot be read as an answer") from strange
 
 
-def _placed(what: Diagnostic) -> dict[str, Any]:
+def placed(what: Diagnostic) -> dict[str, Any]:
     """Return what is wrong with something in the file, with its place; texts as Markdown."""
     texts = {"message": what.message, "suggestion": what.suggestion, "note": what.note}
     return {"line": what.line, "column": what.column, **{name: plain(text) for name, text in texts.items()}}
