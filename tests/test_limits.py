@@ -1,9 +1,13 @@
 """A part that takes too long, too much memory, or the process down costs nothing but itself."""
 
+import resource
+import signal
+import subprocess
 import sys
 import time
 from dataclasses import fields, is_dataclass
 from enum import StrEnum
+from pathlib import Path
 
 import pytest
 
@@ -11,14 +15,16 @@ from solver.derivation import Status
 from solver.document.model import Presentation
 from solver.document.works import document_of
 from solver.engine import solve_problem
-from solver.limits import Limits, Supervision, in_child, solve_within
+from solver.limits import Child, Limits, Supervision, in_child, solve_within
 from solver.limits.call import Exceeded, call_within
+from solver.limits.child import cause_of_death, restrict
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
 from tests.helpers.difficult_task import difficult, problem_text
 
 LIMITS = Limits(seconds=1.0, megabytes=200)
+ROOT = Path(__file__).parents[1]
 
 pytestmark = pytest.mark.skipif(
     not sys.platform.startswith("linux"), reason="the task is known to forked children only"
@@ -81,6 +87,22 @@ def leaves(value):
         yield value
 
 
+@pytest.mark.parametrize("presentation", [Presentation("key"), Presentation("tutor", sources=False)])
+def test_a_solution_is_told_as_it_was_asked_for(read_example, presentation):
+    problem = read_example("two-methods")
+    within, here = solve_within(problem, presentation=presentation), document_of(solve_problem(problem), presentation)
+    assert within.document("a.yaml").presentation == presentation
+    assert within.document().markdown() == here.markdown()
+
+
+def test_what_was_not_worded_in_the_child_is_told_without_its_steps(read_example):
+    problem = read_example("two-methods")
+    without, whole = solve_within(problem).document(), document_of(solve_problem(problem))
+    assert without.presentation == Presentation()
+    assert [part.answers for part in without.parts] == [part.answers for part in whole.parts]
+    assert not any(part.steps for part in without.parts)
+
+
 def test_a_part_that_cannot_be_worded_is_lost_and_no_other():
     problem = read_problem(Source("<test>", problem_text("easy", "speechless", "easy")), catalogue())
     within, here = solve_within(problem, LIMITS, Presentation()).document(), document_of(solve_problem(problem))
@@ -140,6 +162,43 @@ def test_each_part_has_the_whole_time_and_a_new_child_each_time():
     assert all(0.4 <= part.seconds < 5 for part in parts[:2])
 
 
+@pytest.mark.parametrize(
+    ("methods", "children"),
+    [
+        (("easy", "buggy", "unsolvable", "wrong", "easy"), 1),
+        (("easy", "endless", "easy"), 2),
+        (("deadly", "easy", "greedy", "easy"), 3),
+    ],
+)
+def test_a_child_goes_on_as_long_as_it_can(monkeypatch, methods, children):
+    started = []
+
+    def start():
+        started.append(Child())
+        return started[-1]
+
+    monkeypatch.setattr("solver.limits.supervisor.Child", start)
+    solved(*methods)
+    assert len(started) == children
+    assert all(child.channel.closed for child in started)
+
+
+def test_a_child_that_is_not_ended_does_not_outlive_its_parent():
+    program = "from solver.limits import Child; child = Child(); print(child.process.pid)"
+    done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, check=True, timeout=60)
+    assert not Path(f"/proc/{int(done.stdout)}").exists()
+
+
+@pytest.mark.parametrize("code", [None, 0, 1, 3])
+def test_an_end_without_a_signal_is_unexpected(code):
+    assert cause_of_death(code) == "its computation ended unexpectedly"
+
+
+def test_the_signal_that_ended_a_child_is_named():
+    assert cause_of_death(-signal.SIGKILL) == "its computation was ended by the system (signal SIGKILL)"
+    assert "(signal SIGHUP)" in cause_of_death(-1)
+
+
 def test_a_wrong_answer_is_failed_and_not_mistaken_for_unsolved():
     (part,) = solved("wrong")
     assert part.status is Status.FAILED
@@ -149,6 +208,14 @@ def test_progress_is_told_while_a_part_is_being_solved():
     seen = []
     solved("easy", "endless", limits=Limits(seconds=0.5), notify=seen.append)
     assert {(each.part, each.method, each.index, each.total) for each in seen} >= {("b", "endless", 1, 2)}
+
+
+def test_progress_is_told_while_a_question_is_being_judged():
+    seen = []
+    text = problem_text("easy").replace("method: easy", "method: [easy, wrong], system: {matrix: [[-2]]}")
+    problem = read_problem(Source("<test>", text), catalogue())
+    solve_within(problem, Limits(seconds=0.3), supervision=Supervision(seen.append))
+    assert {(each.part, each.method, each.index, each.total) for each in seen} == {("a", "", 0, 2)}
 
 
 def test_what_is_done_meanwhile_is_done_once():
@@ -223,3 +290,27 @@ def test_a_call_that_does_not_return_says_why(function, argument, seconds, reaso
 
 def test_a_call_returns_what_the_function_does():
     assert call_within(Limits(20, 2000), divmod, 17, 5) == (3, 2)
+
+
+def limits_here(limits, units):
+    """Bytes of memory and seconds of time that this process may take from now on, once it has limits."""
+    status = Path("/proc/self/status").read_text(encoding="ascii")
+    taken = int(status.partition("VmSize:")[2].split()[0]) * 1024
+    restrict(limits, units)
+    return resource.getrlimit(resource.RLIMIT_AS)[0] - taken, resource.getrlimit(resource.RLIMIT_CPU)[0]
+
+
+@pytest.mark.parametrize("units", [1, 3])
+def test_memory_is_what_is_allowed_beyond_what_is_loaded_and_time_twice_that_of_all_units(units):
+    memory, seconds = call_within(Limits(60, 4000), limits_here, Limits(20, 500), units)
+    assert abs(memory - 500 * 2**20) < 20 * 2**20
+    assert 2 * 20 * units < seconds < 2 * 20 * units + 20
+
+
+def test_a_call_has_the_limits_of_one_unit():
+    assert 40 < call_within(Limits(20, 2000), resource.getrlimit, resource.RLIMIT_CPU)[0] < 60
+
+
+def test_the_default_limits_are_those_of_the_guide():
+    guide = (ROOT / "docs" / "user-guide.md").read_text(encoding="utf-8")
+    assert f"{Limits().seconds:g} s and {Limits().megabytes} MB by default" in guide

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from solver.limits.results import Sent
     from solver.problem.model import Problem
 
-TICK = 0.1  # seconds between two reports of progress
+TICK = 0.1  # seconds between two reports of progress, or two looks at the clock
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +109,7 @@ class Supervisor:
     def _wait(self, start: float, child: Child, unit: Unit) -> Reply:
         """Return the child's next reply, or the reason why there is none."""
         end = start + self.limits.seconds
-        while not child.ready(min(TICK, max(0.0, end - monotonic()))):
+        while not child.ready(TICK):
             if monotonic() >= end:
                 return Reply(
                     failure=Phrase("time limit of {seconds} s", seconds=f"{self.limits.seconds:g}"), exhausted=True
