@@ -82,6 +82,13 @@ def test_the_level_of_detail_decides_how_much_is_written(solve, good):
     assert brief < full <= tutor
 
 
+def test_a_command_wins_over_a_file_of_its_name(solve, good):
+    good.rename(good.with_name("tasks"))
+    done = solve("tasks", "characteristic_polynomial")
+    assert done.code == 0
+    assert done.out.startswith("characteristic_polynomial")
+
+
 def test_own_templates_come_first(solve, good, tmp_path):
     folder = tmp_path / "mine" / "wording" / "characteristic_polynomial"
     folder.mkdir(parents=True)

@@ -28,6 +28,8 @@ VALUES = {
     "bars": (r"|3 - 5|", 2),
     "tall bars": (r"\left|3 - 5\right| - 1", 1),
     "bars beside a factor": (r"2|-3|", 6),
+    "a power of tall bars": (r"A\left|3\right|^{2}", 9 * A),
+    "a power of brackets with a sum": (r"A(1 + 2)^{2}", 9 * A),
     "a function of what follows": (r"\cos 0 + 1", 2),
     "a function of brackets": (r"\sin(\pi/2) + 1", 2),
     "a power of a function": (r"\sin^{2}(\pi/6)", R(1, 4)),

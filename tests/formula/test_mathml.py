@@ -181,9 +181,14 @@ def test_shapes_of_letters_are_characters(latex: str, expected: str) -> None:
     assert text(latex) == expected
 
 
-@pytest.mark.parametrize("latex", [r"\Phi", r"\mathrm{d}", r"\infty", r"\partial"])
-def test_letters_that_are_upright(latex: str) -> None:
-    assert '<mi mathvariant="normal">' in mathml(latex + " t").markup
+@pytest.mark.parametrize(
+    ("latex", "upright"),
+    [(r"\Phi", "Φ"), (r"\mathrm{d}", "d"), (r"\mathrm{d\alpha}", "dα"), (r"\infty", "∞"), (r"\partial", "∂"),
+     (r"\alpha", ""), (r"\ell", "")],
+)  # fmt: skip
+def test_letters_that_are_upright(latex: str, upright: str) -> None:
+    letters = [mi for mi in tree(latex + " t").iter("mi") if mi.get("mathvariant") == "normal"]
+    assert "".join(letter.text or "" for letter in letters) == upright
 
 
 @pytest.mark.parametrize("latex", [r"\pm", r"\leq", r"\langle", r"\Rightarrow", r"\mapsto", r"\perp", r"\times"])
@@ -285,6 +290,7 @@ def test_widths_grow_with_the_formula() -> None:
     ]
     assert widths == sorted(widths)
     assert widths[0] == 0.5
+    assert mathml(r"\Re").width == mathml("R").width + mathml("e").width
 
 
 @pytest.mark.parametrize("brackets", [r"\left({}\right)", "({})", r"\left[{}\right.", r"\left\{{{}\right\}}"])

@@ -80,6 +80,15 @@ READINGS = [
     ("inf", sp.oo),
     ("-inf", -sp.oo),
     ("e^(-pi*0.6/sqrt(1 - 0.6^2))", sp.exp(-3 * sp.pi / 4)),
+    ("cos(0) + exp(0)", sp.Integer(2)),
+    ("sin(100log(x))", sp.sin(100 * sp.log(x))),
+    ("exp(20x)^5", sp.exp(100 * x)),
+    # what is small beside what it is made of
+    ("exp(2000delta(3))", sp.Integer(1)),
+    ("exp(2000step(-3))", sp.Integer(1)),
+    ("exp(2000step(0))", sp.exp(1000)),
+    ("sqrt(18446744073709551615)", sp.sqrt(2**64 - 1)),
+    ("(2^64)^31 * 2^62", sp.Integer(2) ** 2046),
     # other spellings
     ("−3·x²", -3 * x**2),
     ("2×3", sp.Integer(6)),

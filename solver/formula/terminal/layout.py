@@ -37,6 +37,7 @@ def spaced(atoms: Sequence[Atom]) -> list[Box]:
     """Return the boxes with the spaces that the kinds ask for between them."""
     boxes: list[Box] = []
     before = visible = ""
+    height = 0
     for index, atom in enumerate(atoms):
         after = atoms[index + 1].kind if index + 1 < len(atoms) else ""
         box, kind = atom.box, atom.kind
@@ -44,11 +45,11 @@ def spaced(atoms: Sequence[Atom]) -> list[Box]:
             kind = "sign"
         if kind == "fraction" and box.height == 1 and (after in FACTORS or before in FACTORS):
             box = enclosed(box, "(", ")")
-        tall = "fraction" in {before, kind} and box.height > 1 and {before, kind} <= FACTORS
+        tall = "fraction" in {before, kind} and max(height, box.height) > 1 and {before, kind} <= FACTORS
         if tall or _apart(before, kind):
             boxes.append(text_box(" "))
         boxes.append(box)
-        before, visible = kind, visible if kind == "space" else kind
+        before, visible, height = kind, visible if kind == "space" else kind, box.height
     return boxes
 
 

@@ -42,7 +42,7 @@ _EVALUATE: dict[str, Callable[[complex], complex]] = {
     "tanh": cmath.tanh,
     "abs": lambda x: complex(abs(x)),
     "step": lambda x: complex(x.real > 0),
-    "delta": lambda x: 0 * x,
+    "delta": lambda _: 0,
     "inv": lambda x: 1 / x,
 }
 
