@@ -104,6 +104,7 @@ GENERAL = {
     "a zero eigenvalue": ([[a**2 - 2, 0], [0, 0]], "line of equilibria", [sp.Eq(a**2 - 2, 0)]),
     "a shear": ([[0, b], [0, 0]], "shear", [sp.Eq(b, 0)]),
     "surd bounds": ([[0, 1], [a**2 - 5, -1]], "stable focus", [a <= -sp.sqrt(19) / 2, a >= sp.sqrt(19) / 2]),
+    "nothing at zero": ([[1 / a, 1], [-1, 0]], "unstable focus", [a <= sp.Rational(1, 2)]),
     "a star": ([[a, 0], [0, a]], "unstable star", [a <= 0]),
 }
 

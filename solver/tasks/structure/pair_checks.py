@@ -58,7 +58,7 @@ def modes_check(pair: Pair, modes: Any, answer: str) -> Check:
     """Π(x − λᵢ) is the characteristic polynomial of the part that is hidden."""
     return numeric.check_residual(
         r"$\prod_i (x - \lambda_i)$ is the polynomial of the hidden part",
-        "orthonormal basis (50 digits), numpy.linalg.det",
+        "orthonormal basis (150 digits), numpy.linalg.det",
         lambda: judges.hidden_modes_residual(pair.F, pair.G, list(modes)),
         answer=answer,
     )

@@ -124,7 +124,7 @@ def weak_checks(pair: Pair, answers: Answers) -> Iterator[Check]:
             "every hidden mode decays" if holds else "a hidden mode does not decay",
             verdict,
             lambda: bool(holds) == judges.hidden_modes_decay(pair.F, pair.G, discrete=pair.discrete),
-            "orthonormal basis (50 digits), mpmath.eig",
+            "orthonormal basis (150 digits), mpmath.eig",
         )
     if "hidden_modes" in answers:
         yield modes_check(pair, answers["hidden_modes"], "hidden_modes")

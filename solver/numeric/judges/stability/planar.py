@@ -28,7 +28,7 @@ def kinds_and_exceptions(A: Any, exceptions: Sequence[Any] = ()) -> tuple[set[st
     for point in _points(A, exceptions):
         try:
             kind = planar_kind(A.xreplace(point), {})
-        except Undefined:
+        except (Undefined, NotEvaluable):
             continue
         (special if any(_holds(each, point) for each in exceptions) else general).add(kind)
     if not general | special:
@@ -48,20 +48,29 @@ def _points(A: Any, exceptions: Sequence[Any]) -> Iterator[dict[Any, Any]]:
     named = [sp.Eq(sp.expand(x), 0) for x in (tr, det, tr**2 - 4 * det, A[0, 1], A[1, 0])]
     edges = [each for each in (*exceptions, *named) if isinstance(each, sp.Basic) and each not in (sp.true, sp.false)]
     moved = [place for point in drawn[:EDGES] for each in edges for place in on_edges(each, point)]
-    roots = [{symbols[0]: root} for each in edges for root in _roots(each, symbols[0])] if len(symbols) == 1 else []
+    lines = dict.fromkeys(_along(point, symbol) for point in drawn[:EDGES] for symbol in symbols)
+    roots = [{**dict(rest), x: root} for x, *rest in lines for each in edges for root in _roots(each, x, dict(rest))]
     yield from filter(is_admissible, [*drawn, *moved, *roots])
 
 
-def _roots(condition: Any, symbol: Any) -> list[Any]:
-    """The real values of the only parameter at which the sides of a comparison of degree one or two are equal."""
+def _along(point: dict[Any, Any], symbol: Any) -> tuple[Any, ...]:
+    """The line through a point along which one parameter varies: that one, and the others with their values."""
+    return symbol, *((other, value) for other, value in point.items() if other != symbol)
+
+
+def _roots(condition: Any, symbol: Any, others: dict[Any, Any]) -> list[Any]:
+    """The real values of a parameter at which the sides of a comparison of degree one or two are equal.
+
+    At a rounded one they are not quite.
+    """
     found = []
     for each in condition.atoms(sp.core.relational.Relational):
-        difference = sp.fraction(sp.together(each.lhs - each.rhs))[0]
+        difference = sp.fraction(sp.together((each.lhs - each.rhs).xreplace(others)))[0]
         if difference.has(symbol) and difference.is_polynomial(symbol) and sp.degree(difference, symbol) <= QUADRATIC:
             *a, b, c = sp.Poly(difference, symbol).all_coeffs()
             square = sp.sqrt(b**2 - 4 * a[0] * c) if a else 0
             found += [(-b + sign * square) / (2 * a[0]) for sign in (1, -1)] if a else [-c / b]
-    return [root for root in found if root.is_real]
+    return [root for root in found if root.is_real and not root.has(sp.Float)]
 
 
 def _holds(condition: Any, point: dict[Any, Any]) -> bool:

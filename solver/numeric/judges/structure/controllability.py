@@ -1,6 +1,6 @@
 """Controllability and its dual judged: Krylov's matrix, and hidden modes by their polynomial in an orthonormal basis.
 
-The basis is found with 50 digits.
+The basis is found with so many digits that multiple modes at zero are told from small ones.
 """
 
 from __future__ import annotations
@@ -21,7 +21,11 @@ from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.linear_algebra.eigen import spectrum_residual
 
-DIGITS = 50
+DIGITS, CARRIED = 150, 160
+"""Digits that are kept of what B does not reach, and with which it is found: those that are kept are right."""
+
+DIGITS_OF_EIGENVALUES = 100
+
 ZERO = mpmath.mpf(10) ** -25
 NEAR = 1e-10
 """Eigenvalues nearer to the boundary of the region of stability count as on it."""
@@ -101,8 +105,8 @@ def _decays(H: Any, *, discrete: bool) -> bool:
     """Whether the eigenvalues are inside the region of stability; those that may be on its boundary are not."""
     if H.rows == 0:
         return True
-    mp = multiple(2 * DIGITS).context
-    M = value_of(H, Environment.at([{}], multiple(2 * DIGITS))).value[0]
+    many = multiple(DIGITS_OF_EIGENVALUES)
+    mp, M = many.context, value_of(H, Environment.at([{}], many)).value[0]
     values = mp.eig(mp.matrix(M.tolist()), right=False) if len(M) > 1 else [M[0, 0]]
     return all((abs(value) - 1 if discrete else mp.re(value)) < -NEAR * (1 + abs(value)) for value in values)
 
@@ -145,7 +149,7 @@ def _unreached(A: Any, B: Any) -> Any:
 
 def _bases(A: Any, B: Any) -> tuple[Array, list[Array], list[Array]]:
     """Return A with many digits, an orthonormal basis of the span of B, AB, …, and one of its complement."""
-    many = multiple(DIGITS)
+    many = multiple(CARRIED)
     F, G = (value_of(M, Environment.at([{}], many)).value[0] for M in (A, B))
     noise = _noise(F)
     reached: list[Array] = []
@@ -159,7 +163,7 @@ def _bases(A: Any, B: Any) -> tuple[Array, list[Array], list[Array]]:
 
 
 def _noise(F: Array) -> float:
-    return 1e-40 * float(np.max(multiple(DIGITS).size(F), initial=0.0))
+    return 1e-40 * float(np.max(multiple(CARRIED).size(F), initial=0.0))
 
 
 def _in_basis(F: Array, basis: list[Array]) -> Any:
@@ -174,7 +178,7 @@ def _restricted(A: Any, B: Any, C: Any) -> tuple[Any, Any]:
     F, reached, _ = _bases(A, B)
     if C is None or not reached:
         return _in_basis(F, reached), None
-    H = value_of(C, Environment.at([{}], multiple(DIGITS))).value[0]
+    H = value_of(C, Environment.at([{}], multiple(CARRIED))).value[0]
     columns = [H @ q for q in reached]
     seen = sp.ImmutableMatrix(len(H), len(columns), lambda i, j: _decimal(columns[j][i]))
     return _in_basis(F, reached), seen

@@ -1,4 +1,7 @@
-"""Hidden modes and ranks of A = diag(−1, −2, 3), of which B reaches the first; and of [[a, 1], [1, a]]."""
+"""Hidden modes and ranks of A = diag(−1, −2, 3), of which B reaches the first; and of [[a, 1], [1, a]].
+
+Of six mixed states an input does not reach the modes −4, 0, 0, the last two in a chain.
+"""
 
 import sympy as sp
 
@@ -6,6 +9,11 @@ from tests.numeric.judges.cases import Case, lists_near
 
 M = sp.ImmutableMatrix
 A, B = M(sp.diag(-1, -2, 3)), M([1, 0, 0])
+CHAINED = M(
+    [[7, -2, 6, -2, -4, 0], [-16, 3, -13, -1, 3, -6], [-18, 4, -15, 2, 6, -4], [0, 0, 0, -4, 0, 0],
+     [-10, 2, -8, 0, 2, -3], [11, -2, 9, 0, -2, 4]]
+)  # fmt: skip
+CHAINED_INPUT = M([-2, 1, 2, 0, 0, 0])
 a = sp.Symbol("a", real=True)
 SYMMETRIC = M([[a, 1], [1, a]])
 PLANT = (M(sp.diag(-1, -2)), M([1, 0]), M([[1, 1]]))
@@ -16,6 +24,12 @@ CASES = [
         lambda modes: (A, B, [sp.S(mode) for mode in modes]),
         ([-2, 3], [3, -2]),
         tuple(lists_near([-2, 3])),
+    ),
+    Case(
+        "hidden_modes_residual",
+        lambda modes: (CHAINED, CHAINED_INPUT, [sp.S(mode) for mode in modes]),
+        ([-4, 0, 0], [0, -4, 0]),
+        ([-4, 0, sp.Rational(1, 10**6)], [-4, 0, -4], [4, 0, 0], [-4, sp.I / 10**8, -sp.I / 10**8]),
     ),
     Case(
         "hidden_modes_decay",
