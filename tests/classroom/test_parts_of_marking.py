@@ -7,7 +7,6 @@ import sympy as sp
 
 from solver.classroom.judging.entries import all_right, entrywise, shaped
 from solver.classroom.marking import trivial
-from solver.classroom.reading.values import Reader
 from solver.classroom.report.words import number, wrong_places
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
@@ -208,7 +207,7 @@ def test_a_mistake_is_named_where_it_leads_to_the_very_value(name, value, reason
 )
 def test_a_matrix_may_be_written_in_one_text(text, value):
     desk = marker(solved(REGULATOR))
-    read = Reader(desk._names(desk.solution.problem.parts[0], {})).read(ScalarNode(None, text), value)
+    read = desk.reader(desk.solution.problem.parts[0], {}).read(ScalarNode(None, text), value)
     assert read.value == value
 
 
