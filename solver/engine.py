@@ -167,7 +167,7 @@ def _system_of(part: Part, earlier: Earlier, own: Mapping[str, Any]) -> Any:
     if not isinstance(system, EarlierPart):
         return system
     found = earlier[system.part].answers if system.part in earlier else {}
-    answers = {name: named_alike(_exactly(value), own) for name, value in found.items()}
+    answers = {name: named_alike(exactly(value), own) for name, value in found.items()}
     taken = system.taken(answers, named_alike(_resolved("gain", system.gain, earlier), own))
     if taken is None:
         raise Unsolved("conversions/no_earlier_system", part=system.part)
@@ -224,8 +224,10 @@ def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
     return _as_printed(found) if isinstance(found, sp.MatrixBase) else found
 
 
-def _exactly(value: Any) -> Any:
-    """Return an expression or matrix with decimals as exact numbers; anything else as it is."""
+def exactly(value: Any) -> Any:
+    """Return expressions and matrices with decimals as exact numbers, also in a list; anything else as it is."""
+    if isinstance(value, list):
+        return [exactly(each) for each in value]
     return _as_printed(value) if isinstance(value, (sp.MatrixBase, sp.Expr)) else value
 
 
@@ -266,6 +268,7 @@ __all__ = [
     "Runner",
     "Solution",
     "Task",
+    "exactly",
     "given_of",
     "refusals_of",
     "resolved",

@@ -12,6 +12,7 @@ from functools import wraps
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from solver.derivation.consequences import Consequence
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas, worded_by
 from solver.derivation.mistakes import Attempt, Mistake, MistakenQuestion, Slip
 from solver.derivation.options import Option, Options
@@ -52,6 +53,7 @@ Judge = Callable[[Given[S, O], Answers], Iterable[Check]]
 Refuse = Callable[["System", O], Iterable[Refusal]]
 Wrong = Callable[[Attempt[S, O]], Iterable[Any]]
 Change = Callable[["System", O], "tuple[System, O] | None"]
+Follow = Callable[[Given[S, O], Mapping[str, Any]], Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,6 +147,7 @@ class Task(Generic[S, O]):
         self.methods: dict[str, Method] = {}
         self.verifications: list[Verification] = []
         self.refusals: list[Callable[[System, O], Iterable[Refusal]]] = []
+        self.consequences: list[Consequence] = []
         self.mistakes: list[Mistake] = []
         self.mistaken_questions: list[MistakenQuestion] = []
 
@@ -231,6 +234,24 @@ class Task(Generic[S, O]):
         options = self.options_class.of(values)
         for refuse in self.refusals:
             yield from refuse(system, options)
+
+    def consequence(
+        self, answer: str, *, of: tuple[str, ...], symbolic: bool = True
+    ) -> Callable[[Follow[S, O]], Follow[S, O]]:
+        """Register the formula by which an answer follows from others of the question (None: not from these).
+
+        The others may be anyone's, so that what is right from a wrong one can be told apart from what is wrong. A
+        `symbolic` formula can be formed with letters for their entries.
+        """
+        unknown = {answer, *of} - set(self.answers)
+        if unknown or not of:
+            raise ValueError(f"{self.name}: a consequence needs names of its answers, not {sorted(unknown)}")
+
+        def register(formula: Follow[S, O]) -> Follow[S, O]:
+            self.consequences.append(Consequence(answer, of, formula, symbolic))
+            return formula
+
+        return register
 
     def mistake(self, slip: Slip, *answers: str) -> Callable[[Wrong[S, O]], Wrong[S, O]]:
         """Register a usual mistake in some answers, with a generator of the values that it leads to.

@@ -70,7 +70,9 @@ def _same_item(each: Submitted, form: Any, mine: Any) -> bool:
 
 
 def _agrees(each: Submitted, form: Any, mine: Any) -> bool:
-    """Whether an entry is ours, to the digits written. Raises NotEvaluable where numbers can't tell."""
+    """Whether an entry is ours, to the digits written, also those of decimals in ours. Raises NotEvaluable."""
+    if mine.free_symbols & each.decimals.keys():
+        form, mine = form - mine, sp.Integer(0)
     decimals = {symbol: (decimal.number, decimal.half_unit) for symbol, decimal in each.decimals.items()}
     return bool(form == mine) or bool(numeric.agrees_to_digits(form, decimals, mine))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,7 @@ from solver.numeric.judges import stability as judges
 from solver.options.names import Names
 from solver.stated.algebra import product
 from solver.stated.matrices import determinant
+from solver.tasks import consequences
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.routh_array import rows_of
 from solver.words import Phrase, Reason
@@ -262,3 +263,12 @@ def holds_where_the_roots_say(given: Given[Polynomial, RouthHurwitzOptions], ans
         not fault,
     )
     yield replace(check, reason=fault)
+
+
+routh_hurwitz.consequence("right_half_plane_roots", of=("array",), symbolic=False)(consequences.sign_changes)
+
+
+@routh_hurwitz.consequence("stable", of=("right_half_plane_roots", "imaginary_axis_roots"), symbolic=False)
+def none_outside(_given: Given[Polynomial, RouthHurwitzOptions], found: Mapping[str, Any]) -> Any:
+    """No root in the right half plane or on the axis."""
+    return bool(found["right_half_plane_roots"] == found["imaginary_axis_roots"] == 0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -176,3 +176,33 @@ def _judged(answers: Answers) -> Iterable[tuple[str, Any, list[Expr]]]:
         p = sp.expand(answers["polynomial"])
         values = [p.coeff(s, 2), p.coeff(s, 1), p.coeff(s, 0), sp.degree(p, s) if p.has(s) else sp.Integer(0)]
         yield "polynomial", lambda zeta, omega: [1, 2 * zeta * omega, omega**2, 2], values
+
+
+@desired_poles.consequence("natural_frequency", of=("damping_ratio",), symbolic=False)
+def frequency_of_the_damping(given: Given[System, StepSpecifications], found: Mapping[str, Any]) -> Any:
+    """ω_n from ζ and the specification that is not about the damping alone."""
+    about_damping = ("damping_ratio", "overshoot")
+    others = {name: value for name, value in specified(given.options).items() if name not in about_damping}
+    asked = {"damping_ratio": found["damping_ratio"], **others}
+    return exact.second_order(asked, band(given.options)).omega_n
+
+
+@desired_poles.consequence("poles", of=("damping_ratio", "natural_frequency"))
+def poles_of_damping_and_frequency(_given: Given[System, StepSpecifications], found: Mapping[str, Any]) -> Any:
+    """−ζω_n ± ω_n √(ζ² − 1)."""
+    zeta, omega = found["damping_ratio"], found["natural_frequency"]
+    apart = omega * sp.sqrt(zeta**2 - 1)
+    return [-zeta * omega + apart, -zeta * omega - apart]
+
+
+@desired_poles.consequence("polynomial", of=("damping_ratio", "natural_frequency"))
+def polynomial_of_damping_and_frequency(_given: Given[System, StepSpecifications], found: Mapping[str, Any]) -> Any:
+    """s² + 2ζω_n s + ω_n²."""
+    s, zeta, omega = sp.Symbol("s"), found["damping_ratio"], found["natural_frequency"]
+    return s**2 + 2 * zeta * omega * s + omega**2
+
+
+@desired_poles.consequence("polynomial", of=("poles",))
+def polynomial_of_the_poles(_given: Given[System, StepSpecifications], found: Mapping[str, Any]) -> Any:
+    """Π(s − p)."""
+    return sp.expand(sp.Mul(*(sp.Symbol("s") - pole for pole in found["poles"])))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +26,7 @@ from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
-from solver.tasks import mistakes
+from solver.tasks import consequences, mistakes
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -206,6 +206,17 @@ def are_all_solutions(given: Given[WithOutput, KalmanFilterOptions], answers: An
     yield from listed_checks(_problem(given), answers)
 
 
+kalman_filter.consequence("error_A", of=("L",))(consequences.error_matrix)
+kalman_filter.consequence("eigenvalues", of=("error_A",), symbolic=False)(consequences.eigenvalues_of("error_A"))
+kalman_filter.consequence("definiteness", of=("solutions",), symbolic=False)(consequences.words_of_definiteness)
+
+
+@kalman_filter.consequence("L", of=("P",))
+def gain_of_the_covariance(given: Given[WithOutput, KalmanFilterOptions], found: Mapping[str, Any]) -> Any:
+    """L = P Cᵀ R⁻¹."""
+    return sp.ImmutableMatrix(found["P"] * given.system.C.T * _intensities(given)[1].inv())
+
+
 kalman_filter.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
 kalman_filter.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)
 
@@ -213,10 +224,8 @@ kalman_filter.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)
 @kalman_filter.mistake(mistakes.OF_ANOTHER_SOLUTION, "L")
 def gain_of_another_solution(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Iterable[Any]:
     """L = PCᵀR⁻¹ of a P that is not the stabilizing one."""
-    C = wrong.given.system.C
-    R = given_or_identity(wrong.given.options.R, C.rows)
     for P in wrong.answers.get("solutions", ()):
-        yield sp.ImmutableMatrix(P * C.T * R.inv())
+        yield gain_of_the_covariance(wrong.given, {"P": P})
 
 
 kalman_filter.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +26,7 @@ from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
-from solver.tasks import mistakes
+from solver.tasks import consequences, mistakes
 from solver.tasks.design.minimal_solution import MINIMAL, minimal_checks, minimal_solution_of
 from solver.tasks.design.regulator import Regulator, faulty_weights
 from solver.tasks.design.riccati import solution_by_hamiltonian
@@ -262,6 +262,33 @@ def is_the_smallest_solution(given: Given[WithInput, LqrOptions], answers: Answe
     yield from minimal_checks(_problem(given), answers["minimal_solution"])
 
 
+lqr.consequence("closed_loop_A", of=("K",))(consequences.closed_loop)
+lqr.consequence("eigenvalues", of=("closed_loop_A",), symbolic=False)(consequences.eigenvalues_of("closed_loop_A"))
+lqr.consequence("definiteness", of=("solutions",), symbolic=False)(consequences.words_of_definiteness)
+
+
+@lqr.consequence("K", of=("P",))
+def gain_of_the_solution(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
+    """K = R⁻¹(BᵀP + Nᵀ)."""
+    N, B = given.options.N, given.system.B
+    R = weights_as_stated(given)[1]
+    return sp.ImmutableMatrix(R.inv() * (B.T * found["P"] + (N.T if N is not None else sp.zeros(*B.T.shape))))
+
+
+@lqr.consequence("u", of=("K",))
+def law_of_the_gain(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
+    """u = −K x."""
+    control = sp.ImmutableMatrix(-found["K"] * sp.Matrix(states_of(given)))
+    return control[0, 0] if control.rows == 1 else control
+
+
+@lqr.consequence("cost", of=("P",))
+def cost_of_the_solution(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
+    """x(0)ᵀP x(0), times the factor before the integral."""
+    x0 = _initial_state(given)
+    return None if x0 is None else sp.expand((x0.T * found["P"] * x0)[0, 0] * cost_factor(given.options))
+
+
 lqr.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
 lqr.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)
 
@@ -269,10 +296,8 @@ lqr.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)
 @lqr.mistake(mistakes.OF_ANOTHER_SOLUTION, "K")
 def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
     """K = R⁻¹(BᵀP + Nᵀ) of a P that is not the stabilizing one."""
-    R, N = wrong.given.options.R or wrong.answers["R"], wrong.given.options.N
-    B = wrong.given.system.B
     for P in wrong.answers.get("solutions", ()):
-        yield sp.ImmutableMatrix(R.inv() * (B.T * P + (N.T if N is not None else sp.zeros(*B.T.shape))))
+        yield gain_of_the_solution(wrong.given, {"P": P})
 
 
 lqr.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)

@@ -12,7 +12,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.poles import Poles
 from solver.stated.algebra import difference, product
-from solver.tasks import mistakes
+from solver.tasks import consequences, mistakes
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
 from solver.tasks.freedom import observer_gain_is_free
@@ -166,6 +166,10 @@ def is_the_determinant(given: Given[WithOutput, ObserverOptions], answers: Answe
     L = sp.ImmutableMatrix(list(unknowns))
     claim = Claim(characteristic(sp.ImmutableMatrix(A - L * C), x), answers["gain_polynomial"])
     yield numeric.check_claim(claim, r"$\det(sI - A + LC)$ with unknown gain")
+
+
+observer.consequence("error_A", of=("L",))(consequences.error_matrix)
+observer.consequence("polynomial", of=("error_A",))(consequences.polynomial_of("error_A"))
 
 
 observer.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)

@@ -22,7 +22,7 @@ from solver.lazy import sympy as sp
 from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.options.poles import Poles
-from solver.tasks import mistakes
+from solver.tasks import consequences, mistakes
 from solver.tasks.design import observer_feedback_checks as checks
 from solver.tasks.design.full_order import observer_gain_of, observer_pole_faults
 from solver.tasks.design.output_feedback import (
@@ -200,6 +200,11 @@ observer_feedback.verification("closed_loop_A")(checks.has_both_spectra)
 observer_feedback.verification("eigenvalues")(checks.are_those_of_both)
 observer_feedback.verification("compensator")(checks.closes_the_loop)
 observer_feedback.verification("S1", "S2")(checks.split_the_state)
+
+
+observer_feedback.consequence("eigenvalues", of=("closed_loop_A",), symbolic=False)(
+    consequences.eigenvalues_of("closed_loop_A")
+)
 
 
 observer_feedback.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)

@@ -11,7 +11,7 @@ from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.expression_list import ExpressionList
-from solver.tasks import mistakes
+from solver.tasks import consequences, mistakes
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
@@ -175,6 +175,10 @@ def has_the_poles(given: Given[WithInput, PolePlacementOptions], answers: Answer
             lambda: judges.shape_residual(asked.A, asked.B, row, unknowns, equations, asked.poles),
             answer="conditions",
         )
+
+
+pole_placement.consequence("closed_loop_A", of=("K",))(consequences.closed_loop)
+pole_placement.consequence("polynomial", of=("closed_loop_A",))(consequences.polynomial_of("closed_loop_A"))
 
 
 pole_placement.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Claim, Derivation, Given, Refusal, Step, Task, Unsolved, option
@@ -14,6 +15,7 @@ from solver.options.poles import Poles
 from solver.stated.algebra import product, total
 from solver.stated.matrices import partitioned
 from solver.tasks.design import reduced_observer_checks as checks
+from solver.tasks.design import reduced_observer_formulas as formulas
 from solver.tasks.design.plants import measuring
 from solver.tasks.design.reduced_order import (
     estimate_of,
@@ -150,3 +152,13 @@ reduced_observer.verification("T")(checks.puts_the_measured_first)
 reduced_observer.verification(*checks.BLOCKS, "L", "J", "N", "M", "A_combined", "B_combined")(
     checks.estimates_what_is_not_measured
 )
+
+
+reduced_observer.consequence("L", of=("A12", "A22"), symbolic=False)(formulas.gain_for_the_pair)
+reduced_observer.consequence("J", of=("L", "A12", "A22"))(formulas.error_matrix)
+reduced_observer.consequence("N", of=("L", "J", "A11", "A21"))(formulas.gain_of_the_output)
+reduced_observer.consequence("M", of=("L", "N", "B1", "B2"))(formulas.gain_of_the_input)
+reduced_observer.consequence("A_combined", of=("J", "N"))(formulas.combined_matrix)
+reduced_observer.consequence("B_combined", of=("M", "N"))(formulas.combined_input)
+for each in checks.BLOCKS:
+    reduced_observer.consequence(each, of=("T",))(partial(formulas.block, each))

@@ -25,6 +25,7 @@ from solver.numeric.judges import design as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, rank
+from solver.tasks import consequences
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
@@ -218,3 +219,8 @@ def holds_the_output_at_the_reference(
             ),
             answer="K_o",
         )
+
+
+reference_tracking.consequence("F", of=("N",))(consequences.state_of_rest)
+reference_tracking.consequence("K_o", of=("F", "N"))(consequences.reference_gain)
+reference_tracking.consequence("K_o", of=("F", "N", "K"))(consequences.reference_gain)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, Unsolved, lemma
@@ -197,3 +197,11 @@ def has_the_poles_and_no_error(given: Given[WithBoth, PoleOptions], answers: Ans
                 lambda known=known: judges.completed_residual(big, inputs, known, poles),  # type: ignore[misc]
                 answer=name,
             )
+
+
+@servo.consequence("closed_loop_A", of=("K", "k_I"))
+def loop_of_the_gains(given: Given[WithBoth, PoleOptions], found: Mapping[str, Any]) -> Any:
+    """Ā − B̄ [K, −k_I]."""
+    A, B = augmented(given.system)
+    whole = sp.Matrix.hstack(sp.Matrix(found["K"]), -sp.Matrix(found["k_I"]))
+    return sp.ImmutableMatrix(A - B * whole)

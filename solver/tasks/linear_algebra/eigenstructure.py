@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -262,3 +262,11 @@ def transposed(system: System, options: PlantOptions) -> tuple[System, PlantOpti
     if not isinstance(system, systems.StateSpace):
         return None
     return replace(system, A=sp.ImmutableMatrix(system.A.T)), options
+
+
+@eigenstructure.consequence("jordan_form", of=("eigenvalues",))
+def diagonal_of(given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]) -> Any:
+    """The diagonal matrix of eigenvalues that all differ."""
+    values = found["eigenvalues"]
+    simple = len(set(values)) == len(values) == given.system.order
+    return sp.ImmutableMatrix(sp.diag(*values)) if simple else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -218,3 +218,15 @@ def _dimension(name: str, V: ImmutableMatrix, height: int, dimension: Any) -> Ch
 
 def _that(label: str, answer: str, holds: Any) -> Check:
     return numeric.check_residual(label, "numpy.linalg.svd", lambda: 0.0 if holds() else float("inf"), answer=answer)
+
+
+@fundamental_subspaces.consequence("rank", of=("column_space",), symbolic=False)
+def number_of_columns(_given: Any, found: Mapping[str, Any]) -> Any:
+    """The dimension of the column space."""
+    return sp.Integer(found["column_space"].cols)
+
+
+@fundamental_subspaces.consequence("rank", of=("row_space",), symbolic=False)
+def number_of_rows(_given: Any, found: Mapping[str, Any]) -> Any:
+    """The dimension of the row space."""
+    return sp.Integer(found["row_space"].cols)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
@@ -202,3 +202,11 @@ def transform_pairs_of(A: ImmutableMatrix, x: Symbol, time: Symbol, *, discrete:
         discrete=discrete,
         undecided=any(root.kind == "symbolic" and root.shift != 0 for root in exact.spectrum(A).roots),
     )
+
+
+@resolvent.consequence("resolvent", of=("polynomial",))
+def adjugate_over(given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]) -> Any:
+    """adj(sI − A) over the polynomial."""
+    A, x = given.system.A, sp.Symbol("z" if given.system.discrete else "s")
+    adj = exact.determinant_and_adjugate(exact.pencil(A, x))[1]
+    return sp.ImmutableMatrix(adj / found["polynomial"])

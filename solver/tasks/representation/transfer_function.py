@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -242,6 +242,26 @@ def are_those_of_the_minimal_part(
         if name in answers:
             check = partial(residual, plant, list(answers[name]))
             yield numeric.check_residual(label, "orthogonal bases (50 digits)", check, answer=name)
+
+
+@transfer_function.consequence("poles", of=("G",), symbolic=False)
+def poles_of_the_fraction(given: Given[InputOutput, TransferFunctionOptions], found: Mapping[str, Any]) -> Any:
+    """The poles of G as it is found."""
+    return _fractions(given, found["G"]).poles
+
+
+@transfer_function.consequence("zeros", of=("G",), symbolic=False)
+def zeros_of_the_fraction(given: Given[InputOutput, TransferFunctionOptions], found: Mapping[str, Any]) -> Any:
+    """The zeros of G as it is found."""
+    return _fractions(given, found["G"]).zeros
+
+
+def _fractions(given: Given[InputOutput, TransferFunctionOptions], G: Any) -> exact.TransferMatrix:
+    """A transfer function, or a matrix of them, as quotients of polynomials."""
+    matrix = G if isinstance(G, sp.MatrixBase) else sp.ImmutableMatrix([[G]])
+    pairs = [[sp.fraction(sp.together(entry)) for entry in row] for row in matrix.tolist()]
+    tops, bottoms = ([[sp.expand(pair[i]) for pair in row] for row in pairs] for i in (0, 1))
+    return exact.transfer_matrix_of_fractions(tops, bottoms, variable_of(given.system))
 
 
 transfer_function.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, Unsolved
 from solver.lazy import exact, numeric
@@ -156,6 +156,22 @@ def are_the_roots(given: Given[StateSpace, PlantOptions], answers: Answers) -> I
         "numpy.linalg.det",
         lambda: linear_algebra.spectrum_residual(given.system.A, answers["eigenvalues"]),
     )
+
+
+@phase_portrait.consequence("kind", of=("eigenvalues",), symbolic=False)
+def kind_of(_given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]) -> Any:
+    """The kind by the eigenvalues; None where they coincide or depend on parameters."""
+    values = found["eigenvalues"]
+    if len(values) != 2 or values[0] == values[1] or any(value.free_symbols for value in values):
+        return None
+    tr, det, discriminant = sum(values), values[0] * values[1], (values[0] - values[1]) ** 2
+    signs = [_sign(sp.re(sp.N(x, 30))) for x in (tr, det, discriminant)]
+    return _kind(sp.ImmutableMatrix(sp.eye(2)), *signs)
+
+
+def _sign(x: Any) -> int:
+    """The sign of a number of 30 digits."""
+    return 0 if abs(x) < sp.Rational(1, 10**20) else int(sp.sign(x))
 
 
 phase_portrait.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)

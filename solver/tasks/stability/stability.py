@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -24,13 +24,14 @@ from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import power, product
 from solver.stated.matrices import determinant
-from solver.tasks import mistakes
+from solver.tasks import consequences, mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability import checks
 from solver.tasks.stability.lyapunov_equation import lyapunov_solution_of
 from solver.tasks.stability.routh_array import Tabled, routh_array_of
 from solver.tasks.stability.verdicts import (
+    MARGINAL,
     STABLE,
     UNSTABLE,
     critical_eigenvalues,
@@ -79,6 +80,9 @@ stability: Task[StateSpace, StabilityOptions] = Task(
 )
 
 checks.register(stability)
+
+BOUNDARY = 1e-20
+"""A real part of that size, of 30 digits, is zero."""
 
 
 @stability.refusal
@@ -244,6 +248,29 @@ def _answers(given: Given[StateSpace, StabilityOptions], verdict: str, **further
         answers["eigenvalues"] = spectrum.eigenvalues
     answers.update(further)
     return answers
+
+
+@stability.consequence("verdict", of=("eigenvalues",), symbolic=False)
+def verdict_of_the_eigenvalues(given: Given[StateSpace, StabilityOptions], found: Mapping[str, Any]) -> Any:
+    """By the largest real part (discrete: modulus); None on the boundary with equal ones, or with parameters."""
+    values = found["eigenvalues"]
+    if any(value.free_symbols for value in values):
+        return None
+    sizes = [sp.N(sp.Abs(value) - 1 if given.system.discrete else sp.re(value), 30) for value in values]
+    largest = max(sizes)
+    if abs(largest) > BOUNDARY:
+        return STABLE if largest < 0 else UNSTABLE
+    critical = [value for value, size in zip(values, sizes, strict=True) if abs(size) <= BOUNDARY]
+    return MARGINAL if len(set(critical)) == len(critical) else None
+
+
+@stability.consequence("verdict", of=("right_half_plane_roots",), symbolic=False)
+def verdict_of_the_count(_given: Given[StateSpace, StabilityOptions], found: Mapping[str, Any]) -> Any:
+    """Unstable where an eigenvalue is outside."""
+    return UNSTABLE if found["right_half_plane_roots"] > 0 else None
+
+
+stability.consequence("right_half_plane_roots", of=("array",), symbolic=False)(consequences.sign_changes)
 
 
 stability.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)

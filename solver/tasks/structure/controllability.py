@@ -9,6 +9,7 @@ from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, G
 from solver.lazy import sympy as sp
 from solver.tasks import mistakes
 from solver.tasks.structure.pair_checks import checks_of
+from solver.tasks.structure.pair_formulas import register
 from solver.tasks.structure.pair_methods import PairOptions, by_gramian, by_pbh, by_rank, horizon_refusals
 from solver.tasks.structure.pairs import controllability_pair
 
@@ -77,6 +78,9 @@ def definite_gramian(given: Given[WithInput, PairOptions]) -> Derivation[Answers
 def by_ranks_and_defining_equations(given: Given[WithInput, PairOptions], answers: Answers) -> Iterable[Check]:
     """The matrix by blocks, ranks by singular values, hidden modes by their polynomial, the Gramian by its equation."""
     yield from checks_of(controllability_pair(given.system), given, answers)
+
+
+register(controllability, "controllability_matrix", "controllable")
 
 
 controllability.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)

@@ -289,3 +289,21 @@ def _one_by_one(
             reason = Phrase("the coordinates are free: it is judged together with {other}", other=beside)
             check = Check.skipped(check.claim, check.oracle, reason, answer=names[name])
         yield check
+
+
+def _in_coordinates(name: str, given: Given[StateSpace, KalmanDecompositionOptions], found: Mapping[str, Any]) -> Any:
+    """T⁻¹AT, T⁻¹B or CT."""
+    (A, B, C), T = _matrices(given), found["T"]
+    return sp.ImmutableMatrix({"A": lambda: T.inv() * A * T, "B": lambda: T.inv() * B, "C": lambda: C * T}[name]())
+
+
+def _first_block(name: str, given: Given[StateSpace, KalmanDecompositionOptions], found: Mapping[str, Any]) -> Any:
+    """The block of the first part of what the coordinates lead to."""
+    whole, k = _in_coordinates(name, given, found), int(found["orders"][0])
+    return sp.ImmutableMatrix({"A": whole[:k, :k], "B": whole[:k, :], "C": whole[:, :k]}[name])
+
+
+for letter in "ABC":
+    kalman_decomposition.consequence(letter, of=("T",))(partial(_in_coordinates, letter))
+    for suffix in SUFFIXES.values():
+        kalman_decomposition.consequence(f"{letter}_{suffix}", of=("T", "orders"))(partial(_first_block, letter))

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
+from solver.tasks import consequences
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.pairs import controllability_pair
 from solver.tasks.structure.weak_conditions import decay_of_hidden_modes, weak_checks
@@ -49,3 +50,6 @@ def by_hidden_modes(given: Given[WithInput, PlantOptions]) -> Derivation[Answers
 def hidden_modes_and_their_decay(given: Given[WithInput, PlantOptions], answers: Answers) -> Iterable[Check]:
     """The polynomial of what is hidden, where its roots lie, and for which parameters."""
     yield from weak_checks(controllability_pair(given.system), answers)
+
+
+stabilizability.consequence("stabilizable", of=("hidden_modes",), symbolic=False)(consequences.modes_decay)

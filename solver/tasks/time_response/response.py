@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
@@ -25,7 +25,7 @@ from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.time_response import by_convolution as convolution
 from solver.tasks.time_response import by_transform as transform
-from solver.tasks.time_response.question import Question
+from solver.tasks.time_response.question import Question, entry_or_column
 from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks
 from solver.tasks.time_response.whole_response import passed_on, put_together
 from solver.words import Reason
@@ -165,6 +165,20 @@ def peak_is_that_of_a_simulation(
 ) -> Iterable[Check]:
     """Simulated step by step, and refined between the steps."""
     yield from peak_checks(given, answers.get("y_peak"), answers.get("t_peak"))
+
+
+@response.consequence("y", of=("x",))
+def output_of_the_states(given: Given[StateSpace | LateInput, ResponseOptions], found: Mapping[str, Any]) -> Any:
+    """C x, and what the input adds to the output directly."""
+    asked = Question.of(given)
+    C, right = asked.system.C, asked.answer
+    return None if right.y is None else entry_or_column(sp.ImmutableMatrix(right.y + C * (found["x"] - right.x)))
+
+
+@response.consequence("y_peak", of=("y", "t_peak"))
+def value_at_the_peak(given: Given[StateSpace | LateInput, ResponseOptions], found: Mapping[str, Any]) -> Any:
+    """y at the time of the peak."""
+    return found["y"].subs(Question.of(given).time, found["t_peak"])
 
 
 response.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)

@@ -1,0 +1,104 @@
+"""What follows from the student's own answers to the same question, by the formulas that its task declares."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import islice, product
+from typing import Any
+
+from solver.classroom.following.trivial import trivial
+from solver.classroom.judging.entries import entrywise
+from solver.classroom.judging.question import STRANGE, Question
+from solver.classroom.submitted import Submitted
+from solver.derivation.consequences import Consequence
+from solver.engine import exactly
+from solver.words import Told
+
+MOST_VALUES = 4
+"""Values that an answer may have: the student's, those that follow from other ones, ours."""
+
+MOST_TRIED = 24
+"""Choices of values from which one answer may follow."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """A value that an answer may have, and the own answers that it comes from (none: it is ours)."""
+
+    what: Submitted
+    own: tuple[str, ...] = ()
+
+
+class OwnAnswers:
+    """The answers to a question: as submitted, as they follow from what was submitted, and ours."""
+
+    def __init__(self, question: Question, submitted: Mapping[str, Submitted]) -> None:
+        self.question = question
+        self.submitted = submitted
+        self.known: dict[str, list[Value]] = {}
+
+    @cached_property
+    def ours(self) -> Mapping[str, Any]:
+        """Our answers, decimals as exact numbers."""
+        return {name: exactly(value) for name, value in self.question.ours.items()}
+
+    def values(self, name: str) -> list[Value]:
+        """The values of an answer from which others may follow; the student's own first, ours last."""
+        if name not in self.known:
+            found = [] if (own := self._submitted(name)) is None else [Value(own, (name,))]
+            found += islice(self.following(name), MOST_VALUES - 2)
+            self.known[name] = [*found, *([Value(_plain(self.ours[name]))] if name in self.ours else [])]
+        return self.known[name]
+
+    def following(self, name: str) -> Iterator[Value]:
+        """Yield the values of an answer that follow from own values of others."""
+        for formula in self.question.task.consequences:
+            if formula.name == name:
+                yield from self._by(formula)
+
+    def _by(self, formula: Consequence) -> Iterator[Value]:
+        choices = product(*(self.values(name) for name in formula.of))
+        for chosen in islice(choices, MOST_TRIED):
+            own = tuple(dict.fromkeys(name for value in chosen for name in value.own))
+            if own and (found := self._found(formula, [value.what for value in chosen])) is not None:
+                yield Value(found, own)
+
+    def _submitted(self, name: str) -> Submitted | None:
+        """The value submitted, where it is another than ours and not a trivial one; coarse decimals as they stand."""
+        each, ours = self.submitted.get(name), self.ours.get(name)
+        if each is None or each.value == ours or trivial(each.value, ours):
+            return None
+        return each.with_digits(self.question.digits)
+
+    def _found(self, formula: Consequence, sources: list[Submitted]) -> Submitted | None:
+        """What the formula makes of its sources; with their decimals kept where letters can stand for them."""
+        decimals = {symbol: each for source in sources for symbol, each in source.decimals.items()}
+        try:
+            value = self._carried_out(formula, [source.value for source in sources])
+            if value is None or not formula.symbolic or not decimals:
+                return None if value is None else _plain(value)
+            form = self._carried_out(formula, [source.form for source in sources])
+            return Submitted(value, form, decimals)
+        except (*STRANGE, Told):  # the formula has no meaning for these values
+            return None
+
+    def _carried_out(self, formula: Consequence, sources: list[Any]) -> Any:
+        found = {**self.ours, **dict(zip(formula.of, sources, strict=True))}
+        return formula.formula(self.question.given, found)
+
+    def compared(self, name: str) -> Iterator[tuple[Any, tuple[str, ...]]]:
+        """Yield the entries of a submitted value compared with what follows, and from which own answers it does."""
+        each = self.submitted[name]
+        each = each.with_digits(self.question.digits)
+        ordered = self.question.task.answers[name].ordered
+        for value in self.following(name):
+            both = replace(each, decimals={**each.decimals, **value.what.decimals})
+            if (entries := entrywise(both, value.what.form, ordered=ordered)) is not None:
+                yield entries, value.own
+
+
+def _plain(value: Any) -> Submitted:
+    """A value that was not written with decimals."""
+    return Submitted(value, value)
