@@ -10,6 +10,8 @@ from typing import Any
 
 import sympy as sp
 
+from solver.classroom.following.between import OwnResults
+from solver.classroom.following.chain import followed
 from solver.classroom.judging.question import Question
 from solver.classroom.judging.verdict import judge
 from solver.classroom.marks import carried, fraction, left_out, marked
@@ -19,11 +21,11 @@ from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.values import Reader, names_for
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
-from solver.derivation import Answers, PartResult, Status
-from solver.engine import Solution, given_of, solve_part
+from solver.derivation import PartResult, Status
+from solver.engine import Solution, given_of
 from solver.limits import Exceeded, Limits, call_within
 from solver.messages import Messages
-from solver.problem.model import Part, Reference
+from solver.problem.model import Part
 from solver.problem.nodes import Node
 from solver.problem.source import Diagnostic, Fault
 from solver.render.prose import plain
@@ -46,7 +48,7 @@ def mark(solution: Solution, submission: Submission, templates: Path | None = No
 
 
 class Marker:
-    """Marks the parts in order; `values` holds what was submitted for earlier ones."""
+    """Marks the parts; `values` holds what was submitted, `own` what comes of it in later parts."""
 
     def __init__(self, solution: Solution, submission: Submission, templates: Path | None = None) -> None:
         display = solution.problem.display
@@ -58,11 +60,11 @@ class Marker:
             self.results.setdefault(result.id, []).append(result)
         self.unread: dict[str, dict[str, Reason]] = {}
         self.values = {part.id: self._read_all(part) for part in solution.problem.parts}
-        self.judged: dict[str, dict[str, AnswerVerdict]] = {}
+        self.own = OwnResults(solution.problem.parts, self.results, self.values)
 
     def marking(self) -> Marking:
         """Return the verdicts and marks of all parts."""
-        parts = tuple(map(self._next, self.solution.problem.parts))
+        parts = tuple(map(self.part, self.solution.problem.parts))
         return Marking(self.submission.student, parts, self.remarks())
 
     def remarks(self) -> tuple[str, ...]:
@@ -70,18 +72,12 @@ class Marker:
         strange = (Reason("marking/strange", placed(diagnostic)) for diagnostic in self.submission.strange)
         return tuple(map(self.messages.reason, strange))
 
-    def _next(self, part: Part) -> PartVerdict:
-        verdict = self.part(part)
-        self.judged[part.id] = verdict.answers
-        return verdict
-
     def within(self, part: Part, limits: Limits) -> PartVerdict:
         """Return what `part` does, within limits of time and memory."""
         try:
             verdict: PartVerdict = call_within(limits, self.part, part)
         except Exceeded as limit:
-            verdict = self.unjudged(part, limit.reason)
-        self.judged[part.id] = verdict.answers
+            return self.unjudged(part, limit.reason)
         return verdict
 
     def unjudged(self, part: Part, limit: str) -> PartVerdict:
@@ -126,7 +122,7 @@ class Marker:
         return found
 
     def part(self, part: Part) -> PartVerdict:
-        """Return the verdicts and marks of one part; the earlier ones must be in `judged`."""
+        """Return the verdicts and marks of one part."""
         out_of = self._out_of(part)
         submitted = self.submission.answers.get(part.id, {})
         ours, values = self.ours(part.id), self.values[part.id]
@@ -159,19 +155,12 @@ class Marker:
         return AnswerVerdict(name, Verdict.NOT_JUDGED, reason=Reason("marking/no_such_answer"))
 
     def _judged(self, part: Part, ours: Mapping[str, Any], values: Values) -> dict[str, AnswerVerdict]:
-        """Judge the values of a part, and those that are wrong again with the student's earlier answers."""
+        """Judge the values of a part, and those that are wrong again with the student's own values."""
         if not values:
             return {}
-        earlier = {id_: results[0] for id_, results in self.results.items()}
+        earlier = self.own.earlier()
         question = self._question(part, earlier, ours)
-        verdicts = judge(question, values)
-        wrong = [name for name, verdict in verdicts.items() if verdict.verdict is Verdict.WRONG]
-        if wrong and (own := self._with_own_answers(part)) is not None:
-            followed = judge(own, {name: values[name] for name in wrong})
-            for name, verdict in followed.items():
-                if verdict.verdict is Verdict.CORRECT:
-                    note = Reason("marking/with_your_own_answer", {"parts": self._sources(part)})
-                    verdicts[name] = replace(verdict, note=note, follows=True)
+        verdicts = followed(part, question, values, judge(question, values), self.own)
         for name, verdict in verdicts.items():
             if verdict.verdict is Verdict.WRONG:
                 results = self.results[part.id]
@@ -180,58 +169,6 @@ class Marker:
 
     def _question(self, part: Part, earlier: Mapping[str, PartResult], ours: Mapping[str, Any]) -> Question:
         return Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), ours, part.digits)
-
-    def _sources(self, part: Part) -> list[str]:
-        """The earlier parts that the options of a part are taken from."""
-        return list(dict.fromkeys(value.part for value in part.options.values() if isinstance(value, Reference)))
-
-    def _with_own_answers(self, part: Part) -> Question | None:
-        """Return the question with the student's own (wrong) earlier answers, None where there are none to follow.
-
-        Not where an earlier answer makes the question trivial, such as a gain of zero, or has no answer of its own.
-        """
-        earlier = {id_: results[0] for id_, results in self.results.items()}
-        changed = False
-        for value in (value for value in part.options.values() if isinstance(value, Reference)):
-            own = self.values.get(value.part, {}).get(value.answer)
-            verdict = self.judged.get(value.part, {}).get(value.answer)
-            if own is None or verdict is None or verdict.verdict is not Verdict.WRONG:
-                continue
-            result = earlier[value.part]
-            if trivial(own.value, result.answers.get(value.answer)):
-                return None
-            earlier[value.part] = replace(result, answers=Answers(**{**result.answers, value.answer: own.value}))
-            changed = True
-        if not changed:
-            return None
-        solved = solve_part(part, earlier)
-        if any(result.status is not Status.VERIFIED for result in solved):
-            return None
-        ours: dict[str, Any] = {}
-        for result in solved:
-            ours = {**result.answers, **ours}
-        return self._question(part, earlier, ours)
-
-
-def trivial(own: Any, ours: Any) -> bool:
-    """Whether an earlier answer would trivialise what follows: zeros, almost nothing, or a shape that ours has not."""
-    if isinstance(own, sp.MatrixBase):
-        if not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape or _is_nothing(own, ours):
-            return True
-        zero_rows = [own.row(i).is_zero_matrix and not ours.row(i).is_zero_matrix for i in range(own.rows)]
-        identity = own.is_square and own == sp.eye(own.rows) and ours != own
-        return any(zero_rows) or identity
-    if isinstance(own, list | tuple):
-        return len(own) != len(ours)
-    return bool(own == 0)
-
-
-def _is_nothing(own: sp.MatrixBase, ours: sp.MatrixBase) -> bool:
-    """Whether numbers are so small beside ours that they could as well be zero."""
-    if own.free_symbols or ours.free_symbols:
-        return False
-    largest, usual = (max((abs(sp.N(entry)) for entry in M.flat()), default=0) for M in (own, ours))
-    return bool(largest < NOTHING * usual)
 
 
 def read_value(reader: Reader, node: Node, ours: Any) -> Submitted:

@@ -28,7 +28,7 @@ def test_every_later_part_is_followed():
         assert (answer.verdict, answer.follows, answer.note) == (
             "correct",
             True,
-            "right with your own answer of part a",
+            "right with your own K of part a",
         )
     assert [found[part].marks for part in "bc"] == [1, 2]  # the eigenvectors of b were not submitted
 
@@ -37,7 +37,7 @@ def test_two_own_answers_are_followed_together():
     # L = [9, 9]: A − LC = [[-9, 1], [-11, -3]], s² + 12 s + 38
     answers = "answers: {a: {K: [16, 6]}, d: {L: [9, 9]}, e: {eigenvalues: [-3, -6, '-6 ± sqrt(2) j']}}"
     found = marked(CHAIN, answers)["e"].answers["eigenvalues"]
-    assert (found.verdict, found.note) == ("correct", "right with your own answer of part a, d")
+    assert (found.verdict, found.note) == ("correct", "right with your own K of part a and L of part d")
     found = marked(CHAIN, answers.replace("sqrt(2) j", "sqrt(2)"))["e"].answers["eigenvalues"]
     assert found.verdict == "wrong"
 

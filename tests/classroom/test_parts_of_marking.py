@@ -5,8 +5,8 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
+from solver.classroom.following.trivial import trivial
 from solver.classroom.judging.entries import all_right, entrywise, shaped
-from solver.classroom.marking import trivial
 from solver.classroom.report.words import number, wrong_places
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict

@@ -105,7 +105,9 @@ class OwnResults:
         if result.status is not Status.VERIFIED or not submitted:
             return OwnResult(result, own)
         earlier = self._with(taken) if own else self.earlier()
-        question = Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), result.answers, part.digits)
+        question = Question(
+            catalogue()[part.task], given_of(part, part.methods[0], earlier), result.answers, part.digits
+        )
         answers = OwnAnswers(question, submitted)
         found = dict(result.answers)
         for name in result.answers:
@@ -130,7 +132,7 @@ def _verified(part: Part, earlier: Earlier) -> list[PartResult] | None:
 def taken_by(part: Part, earlier: Earlier) -> list[tuple[Source, ...]]:
     """What a part takes from earlier ones: each group of answers comes from one solution of one part."""
     values = [*part.options.values(), getattr(part.system, "gain", None)]
-    groups = [((each.part, each.answer),) for each in values if isinstance(each, Reference)]
+    groups: list[tuple[Source, ...]] = [((each.part, each.answer),) for each in values if isinstance(each, Reference)]
     if isinstance(part.system, EarlierPart):
         found = earlier[part.system.part].answers
         names = "ABCD" if "A" in found else [name for name in TRANSFER if name in found][:1]

@@ -12,7 +12,7 @@ NOTHING = sp.Rational(1, 1000)
 
 
 def trivial(own: Any, ours: Any) -> bool:
-    """Whether an own value would trivialise what follows: zeros, almost nothing, a word, or a shape that ours has not."""
+    """Whether an own value trivialises what follows: zeros, almost nothing, a word, or a shape that ours has not."""
     if isinstance(own, bool | str):
         return True
     if isinstance(own, sp.MatrixBase):
