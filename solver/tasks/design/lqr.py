@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -27,8 +27,10 @@ from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
 from solver.tasks import consequences, mistakes
+from solver.tasks.design import regulator_formulas as formulas
 from solver.tasks.design.minimal_solution import MINIMAL, minimal_checks, minimal_solution_of
 from solver.tasks.design.regulator import Regulator, faulty_weights
+from solver.tasks.design.regulator_formulas import initial_state_of, states_of
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
     FLOATS,
@@ -57,7 +59,7 @@ from solver.tasks.design.weights import (
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
-    from sympy import ImmutableMatrix, Symbol
+    from sympy import ImmutableMatrix
 
     from solver.numeric.judges.optimal import Weights
     from solver.systems import System
@@ -154,7 +156,7 @@ def _control(given: Given[WithInput, LqrOptions], problem: Regulator, equation: 
         n=n,
     )
     answers = Answers(P=P, K=K, u=u, Q=problem.Q, R=problem.R, closed_loop_A=loop, eigenvalues=equation.eigenvalues)
-    x0 = _initial_state(given)
+    x0 = initial_state_of(given)
     if x0 is not None:
         start = x0.xreplace({plain: positive for positive, plain in problem.plain.items()})
         stated = product(cost_factor(given.options), sp.ImmutableMatrix(start.T), P, start)
@@ -162,19 +164,6 @@ def _control(given: Given[WithInput, LqrOptions], problem: Regulator, equation: 
         yield Step("cost", claims={"J": Claim(stated, cost, "the least cost")}, factor=cost_factor(given.options))
         answers["cost"] = cost
     return Answers(**{name: problem.restored(value) for name, value in answers.items()})
-
-
-def states_of(given: Given[WithInput, LqrOptions]) -> list[Symbol]:
-    """The symbols of the states: their names, or x1, x2, …."""
-    names = given.system.state_names or tuple(f"x{i + 1}" for i in range(given.system.order))
-    return [sp.Symbol(name) for name in names]
-
-
-def _initial_state(given: Given[WithInput, LqrOptions]) -> ImmutableMatrix | None:
-    x0: ImmutableMatrix | None = (
-        given.options.initial_state if given.options.initial_state is not None else given.system.x0
-    )
-    return x0
 
 
 def _problem(given: Given[WithInput, LqrOptions]) -> Weights:
@@ -235,7 +224,7 @@ def are_the_stable_eigenvalues(given: Given[WithInput, LqrOptions], answers: Ans
 @lqr.verification("cost")
 def is_the_least_cost(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
     """The cost of the optimal loop by its Lyapunov equation."""
-    x0 = _initial_state(given)
+    x0 = initial_state_of(given)
     yield numeric.check_residual(
         "the cost of the optimal loop from $x(0)$",
         "scipy.linalg.solve_continuous_lyapunov",
@@ -264,29 +253,10 @@ def is_the_smallest_solution(given: Given[WithInput, LqrOptions], answers: Answe
 
 lqr.consequence("closed_loop_A", of=("K",))(consequences.closed_loop)
 lqr.consequence("eigenvalues", of=("closed_loop_A",), symbolic=False)(consequences.eigenvalues_of("closed_loop_A"))
+lqr.consequence("K", of=("P",))(formulas.gain_of_the_solution)
+lqr.consequence("u", of=("K",))(formulas.law_of_the_gain)
+lqr.consequence("cost", of=("P",))(formulas.cost_of_the_solution)
 lqr.consequence("definiteness", of=("solutions",), symbolic=False)(consequences.words_of_definiteness)
-
-
-@lqr.consequence("K", of=("P",))
-def gain_of_the_solution(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
-    """K = R⁻¹(BᵀP + Nᵀ)."""
-    N, B = given.options.N, given.system.B
-    R = weights_as_stated(given)[1]
-    return sp.ImmutableMatrix(R.inv() * (B.T * found["P"] + (N.T if N is not None else sp.zeros(*B.T.shape))))
-
-
-@lqr.consequence("u", of=("K",))
-def law_of_the_gain(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
-    """u = −K x."""
-    control = sp.ImmutableMatrix(-found["K"] * sp.Matrix(states_of(given)))
-    return control[0, 0] if control.rows == 1 else control
-
-
-@lqr.consequence("cost", of=("P",))
-def cost_of_the_solution(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
-    """x(0)ᵀP x(0), times the factor before the integral."""
-    x0 = _initial_state(given)
-    return None if x0 is None else sp.expand((x0.T * found["P"] * x0)[0, 0] * cost_factor(given.options))
 
 
 lqr.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
@@ -297,7 +267,7 @@ lqr.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)
 def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
     """K = R⁻¹(BᵀP + Nᵀ) of a P that is not the stabilizing one."""
     for P in wrong.answers.get("solutions", ()):
-        yield gain_of_the_solution(wrong.given, {"P": P})
+        yield formulas.gain_of_the_solution(wrong.given, {"P": P})
 
 
 lqr.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)

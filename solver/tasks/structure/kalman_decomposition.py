@@ -29,6 +29,7 @@ from solver.stated import Stated
 from solver.stated.algebra import product
 from solver.stated.matrices import inverse, partitioned, transpose
 from solver.tasks.plant_options import PlantOptions
+from solver.tasks.structure import decomposition_formulas as formulas
 from solver.tasks.structure.pairs import controllability_pair, observability_pair
 from solver.tasks.structure.parts import parts_of
 from solver.tasks.structure.row_operations import rank_exceptions
@@ -291,19 +292,9 @@ def _one_by_one(
         yield check
 
 
-def _in_coordinates(name: str, given: Given[StateSpace, KalmanDecompositionOptions], found: Mapping[str, Any]) -> Any:
-    """T⁻¹AT, T⁻¹B or CT."""
-    (A, B, C), T = _matrices(given), found["T"]
-    return sp.ImmutableMatrix({"A": lambda: T.inv() * A * T, "B": lambda: T.inv() * B, "C": lambda: C * T}[name]())
-
-
-def _first_block(name: str, given: Given[StateSpace, KalmanDecompositionOptions], found: Mapping[str, Any]) -> Any:
-    """The block of the first part of what the coordinates lead to."""
-    whole, k = _in_coordinates(name, given, found), int(found["orders"][0])
-    return sp.ImmutableMatrix({"A": whole[:k, :k], "B": whole[:k, :], "C": whole[:, :k]}[name])
-
-
 for letter in "ABC":
-    kalman_decomposition.consequence(letter, of=("T",))(partial(_in_coordinates, letter))
+    kalman_decomposition.consequence(letter, of=("T",))(partial(formulas.in_coordinates, letter))
     for suffix in SUFFIXES.values():
-        kalman_decomposition.consequence(f"{letter}_{suffix}", of=("T", "orders"))(partial(_first_block, letter))
+        kalman_decomposition.consequence(f"{letter}_{suffix}", of=("T", "orders"))(
+            partial(formulas.first_block, letter)
+        )

@@ -1,0 +1,49 @@
+"""How the answers about a linear quadratic regulator follow from each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Given
+from solver.lazy import sympy as sp
+from solver.tasks.design.weights import cost_factor, weights_as_stated
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix, Symbol
+
+    from solver.tasks.design.lqr import LqrOptions
+    from solver.tasks.needed import WithInput
+
+
+def states_of(given: Given[WithInput, LqrOptions]) -> list[Symbol]:
+    """The symbols of the states: their names, or x1, x2, …."""
+    names = given.system.state_names or tuple(f"x{i + 1}" for i in range(given.system.order))
+    return [sp.Symbol(name) for name in names]
+
+
+def initial_state_of(given: Given[WithInput, LqrOptions]) -> ImmutableMatrix | None:
+    """Where the motion starts: the option, or what the system says."""
+    x0: ImmutableMatrix | None = (
+        given.options.initial_state if given.options.initial_state is not None else given.system.x0
+    )
+    return x0
+
+
+def gain_of_the_solution(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
+    """K = R⁻¹(BᵀP + Nᵀ)."""
+    N, B = given.options.N, given.system.B
+    R = weights_as_stated(given)[1]
+    return sp.ImmutableMatrix(R.inv() * (B.T * found["P"] + (N.T if N is not None else sp.zeros(*B.T.shape))))
+
+
+def law_of_the_gain(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
+    """u = −K x."""
+    control = sp.ImmutableMatrix(-found["K"] * sp.Matrix(states_of(given)))
+    return control[0, 0] if control.rows == 1 else control
+
+
+def cost_of_the_solution(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
+    """x(0)ᵀP x(0), times the factor before the integral."""
+    x0 = initial_state_of(given)
+    return None if x0 is None else sp.expand((x0.T * found["P"] * x0)[0, 0] * cost_factor(given.options))
