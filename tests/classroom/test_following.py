@@ -228,7 +228,7 @@ def test_whatever_the_slip_its_consequences_are_right_and_a_slip_in_these_is_not
         np.array([0, 0, 1]) if slip == "polynomial" else 0
     )
     poles = np.linalg.eigvals(np.array([[0, 1], [-2 - K[0], -3 - K[1]]])) * (1.2 if slip == "poles" else 1)
-    K_o = 2 + K[0] + (1 if slip == "K_o" else 0)
+    K_o = 2 + K[0] + (0.5 if slip == "K_o" else 0)
     listed = ", ".join(f"'{pole.real:.5f} + ({pole.imag:.5f})j'" for pole in poles.astype(complex))
     found = said(
         CHAIN,
