@@ -13,13 +13,14 @@ reason within a reason, `text|say` a phrase, `name|named` the name of a quantity
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from jinja2 import FileSystemLoader, StrictUndefined, TemplateNotFound
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, TemplateNotFound
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
 from solver.compiled import kept
@@ -27,11 +28,32 @@ from solver.notation import SYMBOL, spelled
 from solver.symbols import COURSE
 from solver.words import ENGLISH, PHRASES, Phrase, Reason, folders, formula
 
+_TAG = re.compile(r"\{%.*?%\}")
+
+
+class _Lines(FileSystemLoader):
+    """Finds templates; a line of text stays a line where a tag ends it.
+
+    Jinja drops the newline after every tag, which would glue such a line to the next: "…, not the control.Only …".
+    """
+
+    def get_source(self, environment: Environment, template: str) -> tuple[str, str, Callable[[], bool]]:
+        """Return the text of a template, its file, and whether it is unchanged."""
+        text, file, unchanged = super().get_source(environment, template)
+        return "\n".join(map(_kept, text.split("\n"))), file, unchanged
+
+
+def _kept(line: str) -> str:
+    """Return a line with its newline kept, if it has text and ends in a tag that says nothing about blanks."""
+    if not line.endswith("%}") or line.endswith(("-%}", "+%}")) or not _TAG.sub("", line).strip():
+        return line
+    return f"{line[:-2]}+%}}"
+
 
 def environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
     """Return an environment that finds the files of macros."""
     return ImmutableSandboxedEnvironment(
-        loader=FileSystemLoader(folders(templates)),
+        loader=_Lines(folders(templates)),
         bytecode_cache=kept(templates),
         undefined=StrictUndefined,
         auto_reload=False,  # templates do not change while a program runs

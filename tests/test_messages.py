@@ -3,7 +3,7 @@
 import pytest
 from jinja2 import UndefinedError
 
-from solver.messages import Messages
+from solver.messages import Messages, environment
 from solver.words import Phrase, Reason, Told, folders, languages
 
 OWN = """\
@@ -71,3 +71,18 @@ def test_what_has_no_answer_is_told_with_its_reason():
     one, other = Told("response/no_input", x=1), Told(Reason("stability/no_parameter", {"name": "k"}))
     assert one.reason == Reason("response/no_input", {"x": 1})
     assert str(other) == "k is no parameter of the system"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("It holds.{% if v.x %} Always.{% endif %}\nNext.", "It holds. Always.\nNext."),
+        ("It holds.{% if v.x %} Always.{% endif %}\n{% if v.x %}\nNext.\n{% endif %}", "It holds. Always.\nNext.\n"),
+        ("It holds.{% if v.x %} Always.{% endif -%}\nNext.", "It holds. Always.Next."),
+        ("{% if v.x %}\nIt holds.\n{% endif %}\nNext.", "It holds.\nNext."),
+    ],
+)
+def test_a_line_of_text_that_ends_in_a_tag_stays_a_line(tmp_path, text, expected):
+    (tmp_path / "wording").mkdir()
+    (tmp_path / "wording" / "own.md.jinja").write_text(text, encoding="utf-8")
+    assert environment(tmp_path).get_template("own.md.jinja").render(v={"x": True}) == expected

@@ -21,6 +21,23 @@ from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_pro
 CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
 """What nobody would write: 1.0, - -2, + -, 1 · x, and remains of Python."""
 
+FORMULA = re.compile(r"\$\$.*?\$\$|\$.*?\$", re.DOTALL)
+SLOVENLY = re.compile(
+    r"[a-z]{2}[.:;,!?][A-Z]|\b(?:first|last|the) 1 |\b1 (?:columns|rows|steps|states|equations|unknowns|values|poles)\b"
+    r"|\b([a-z]+) \1\b| [.,;:](?=\s|$)"
+)
+"""Sentences without a blank between them, the first 1 column, a word twice, a blank before a full stop."""
+
+ODD = re.compile(r"\\lambda\\lambda|\\begin\{bmatrix\}[^&\\]*\\end\{bmatrix\}\^\{-1\}")
+"""λλ, and the inverse of a matrix of one entry."""
+
+
+def carelessly_written(markdown):
+    """What is slovenly in the words of a step, or odd in its formulas, with what stands around it."""
+    for text, kind in ((FORMULA.sub("x", markdown), SLOVENLY), (markdown, ODD)):
+        for found in kind.finditer(text):
+            yield text[max(0, found.start() - 60) : found.end() + 60]
+
 
 @pytest.mark.parametrize(**by_problem(PROBLEMS))
 def test_the_problem_is_verified(path):
@@ -48,6 +65,7 @@ def test_every_format_shows_it_at_every_level_of_detail(path, detail):
         assert all(answer.equation in shown[2] for answer in part.answers)
         for formula in [step.markdown for step in part.steps] + [answer.tex for answer in part.answers]:
             assert not CLUMSY.search(formula), formula
+        assert not [each for step in part.steps for each in carelessly_written(step.markdown)]
     assert all(len(text) > 500 for text in shown)
 
 

@@ -129,16 +129,19 @@ def over(above: Row, below: Row) -> Row:
 def joined(factors: Sequence[Row]) -> Row:
     """Write factors side by side, with a thin space between words.
 
-    A dot stands only where two numbers meet, and before a root with an index, which would be taken for an exponent.
+    A dot stands only where two numbers meet, between a letter and itself, and before a root with an index, which would
+    be taken for an exponent.
     """
     items: list[Node] = []
+    before = None
     for factor in factors:
         if not factor.items:
             continue
         first = factor.items[0]
+        twice, before = factor == before and is_atom(factor), factor
         indexed = isinstance(first, Root) and first.index is not None
         meet = _first_base(first, Number) or (isinstance(first, Fraction) and items and _ends_in_number(items[-1]))
-        if items and (meet or indexed):
+        if items and (meet or indexed or twice):
             items.append(TIMES)
         elif items and _words_meet(items[-1], first):
             items.append(THIN_SPACE)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from solver.formula.building import as_factor, is_matrix, parenthesized, power, row
+from solver.formula.building import as_factor, is_matrix, over, parenthesized, power, row
 from solver.formula.nodes import Fenced, Row, Table
 from solver.stated.declaration import Printer, Show, Stated, operation
 
@@ -99,7 +99,10 @@ def _partitioned(show: Show, matrix: Any, rows: Any, columns: Any) -> Row:
 
 @operation(inverse)
 def _inverse(show: Show, matrix: Any) -> Row:
-    return power(show(matrix), row("-1"))
+    """Return the matrix with the exponent −1; one entry alone as a fraction."""
+    if getattr(matrix, "shape", None) != (1, 1):
+        return power(show(matrix), row("-1"))
+    return row("1") if matrix[0, 0] == 1 else over(row("1"), show(matrix[0, 0]))
 
 
 @operation(transpose)

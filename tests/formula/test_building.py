@@ -58,6 +58,9 @@ def written(*formulas):
         ((r"\mathrm{a}", r"\mathrm{b}"), r"\mathrm{a}\,\mathrm{b}"),
         ((r"\frac{1}{2}", r"\mathrm{b}"), r"\frac{1}{2}\,\mathrm{b}"),
         (("x_{12}", r"\mathrm{b}"), r"x_{12}\,\mathrm{b}"),
+        ((r"\lambda", r"\lambda"), r"\lambda \cdot \lambda"),
+        (("x_1", "x_1", "x_2"), r"x_1 \cdot x_1x_2"),
+        (("(a + b)", "(a + b)"), "(a + b)(a + b)"),
     ],
 )
 def test_factors_side_by_side(factors, product):

@@ -114,3 +114,42 @@ def test_decimals_for_an_irreducible_cubic():
     ours = sorted((complex(value) for value in result.answers["eigenvalues"]), key=lambda z: (z.real, z.imag))
     numpys = sorted(np.roots([1, 0, 1, 1]), key=lambda z: (z.real, z.imag))
     assert np.allclose(ours, numpys, atol=1e-12)
+
+
+def kinds_of_steps(rows):
+    return [step.kind for step in ask("eigenstructure", system(rows)).steps]
+
+
+COMPANION = [[0, 1, 0], [0, 0, 1], [-6, -11, -6]]
+REVERSED = [row[::-1] for row in COMPANION[::-1]]
+
+
+@pytest.mark.parametrize(
+    ("rows", "place"),
+    [
+        (COMPANION, "last row"),
+        (REVERSED, "first row"),
+        (np.transpose(COMPANION).tolist(), "last column"),
+        (np.transpose(REVERSED).tolist(), "first column"),
+    ],
+)
+def test_the_polynomial_of_a_companion_matrix_is_read_off(rows, place):
+    result = ask("eigenstructure", system(rows))
+    step = next(step for step in result.steps if step.kind == "companion")
+    assert step.values["coefficients"] == place
+    coefficients = sp.Poly(step.claims["value"].right, sp.Symbol("lamda")).all_coeffs()
+    assert np.allclose([float(each) for each in coefficients], np.poly(np.array(rows, dtype=float)))
+    assert sorted(result.answers["eigenvalues"]) == [-3, -2, -1]
+
+
+@pytest.mark.parametrize(
+    "rows", [[[0, 1], [-2, -3]], [[0, 1, 0], [0, 0, 2], [-6, -11, -6]], [[0, 1, 0], [0, 0, 1], [0, 0, 4]]]
+)
+def test_of_other_matrices_it_is_expanded(rows):
+    assert "companion" not in kinds_of_steps(rows)
+    assert "expansion" in kinds_of_steps(rows)
+
+
+def test_the_factors_of_a_triangular_matrix_are_seen_and_not_sought():
+    assert "factors" not in kinds_of_steps([[1, 5, 0], [0, 2, 7], [0, 0, 1]])
+    assert "factors" in kinds_of_steps([[0, 1], [-2, -3]])

@@ -109,3 +109,11 @@ def test_any_form_of_the_matrix_is_right_and_usual_mistakes_are_named():
         assert found.verdict == "wrong"
         assert reason in str(found.reason)
     assert verdict(problem, "a", "polynomial", "-s(s+1)(s+2)").verdict == "wrong"
+
+
+def test_of_one_state_no_adjugate_is_taken():
+    result = ask("resolvent", system([[-2]]), "adjugate")
+    assert [step.kind for step in result.steps] == ["pencil", "expansion", "inverse"]
+    page = solve("title: t\nsystem: {A: [[-2]], B: [3], C: [5]}\nfind: {a: {task: transfer_function}}\n").markdown()
+    assert r"\operatorname{adj}" not in page
+    assert r"CB = \begin{bmatrix}5\end{bmatrix}\begin{bmatrix}3\end{bmatrix} = 15" in page

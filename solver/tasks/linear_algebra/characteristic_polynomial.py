@@ -32,9 +32,16 @@ characteristic_polynomial: Task[StateSpace, PlantOptions] = Task(
 )
 
 
+SMALLEST_COMPANION = 3
+"""The determinant of a smaller companion matrix is as quickly expanded as read off."""
+
+
 @lemma("determinant")
-def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeVerrier]:
-    """χ(x) = det(xI − A), expanded along the row with most zeros; returns χ and the adjugate in x."""
+def determinant_of(A: ImmutableMatrix, x: Symbol, *, expanded: bool = False) -> Derivation[exact.FaddeevLeVerrier]:
+    """χ(x) = det(xI − A), expanded along the row with most zeros; returns χ and the adjugate in x.
+
+    Of a companion matrix of order three or more it is read off, unless it is to be `expanded`.
+    """
     pencil = exact.pencil(A, x)
     yield Step(
         "pencil",
@@ -47,9 +54,15 @@ def determinant_of(A: ImmutableMatrix, x: Symbol) -> Derivation[exact.FaddeevLeV
     )
     resolvent = exact.faddeev_leverrier(A)
     chi = resolvent.characteristic_polynomial(x)
-    claims = expansion_of(pencil, resolvent.adjugate(x), chi)
-    yield Step("expansion", claims=claims, x=x, n=A.rows, **shape_of(pencil))
-    yield from factors_of(A, x)
+    shape, coefficients = shape_of(pencil), "" if expanded else _coefficients_of_companion(A)
+    if coefficients and not shape["triangular"]:
+        value = Claim(determinant(pencil), chi, "the polynomial of a companion matrix")
+        yield Step("companion", claims={"value": value}, x=x, coefficients=coefficients)
+    else:
+        claims = expansion_of(pencil, resolvent.adjugate(x), chi)
+        yield Step("expansion", claims=claims, x=x, n=A.rows, **shape)
+    if not shape["triangular"]:  # else its factors have been seen
+        yield from factors_of(A, x)
     return resolvent
 
 
@@ -64,6 +77,25 @@ def factors_of(A: ImmutableMatrix, x: Symbol) -> Derivation[None]:
 def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:
     """How the determinant is expanded: the row, and whether the matrix is triangular."""
     return {"row": _row_with_most_zeros(pencil), "triangular": _is_triangular(pencil)}
+
+
+def _coefficients_of_companion(A: ImmutableMatrix) -> str:
+    """Return where a companion matrix of order three or more has its coefficients; "" if it is none.
+
+    There they stand with changed signs, in the last row or column from the constant term on, in the first one from the
+    highest power on.
+    """
+    n = A.rows
+    if n < SMALLEST_COMPANION:
+        return ""
+    upper, lower = sp.eye(n)[1:, :], sp.eye(n)[:-1, :]
+    ones_beside = {
+        "last row": A[:-1, :] == upper,
+        "first row": A[1:, :] == lower,
+        "first column": A[:, 1:] == lower.T,
+        "last column": A[:, :-1] == upper.T,
+    }
+    return next((place for place, found in ones_beside.items() if found), "")
 
 
 def _row_with_most_zeros(M: ImmutableMatrix) -> int:
@@ -120,7 +152,7 @@ def _cofactors(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) ->
 def by_determinant(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
     """χ(λ) = det(λI − A), expanded along a row."""
     lamda = sp.Symbol("lamda")
-    resolvent = yield from determinant_of(given.system.A, lamda)
+    resolvent = yield from determinant_of(given.system.A, lamda, expanded=True)
     return Answers(polynomial=resolvent.characteristic_polynomial(lamda))
 
 

@@ -116,15 +116,16 @@ resolvent.mistake(mistakes.MINUS_DETERMINANT, "polynomial")(minus_determinant)
 
 @lemma("resolvent")
 def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
-    """det(xI − A) and adj(xI − A); returns the adjugate."""
+    """det(xI − A) and adj(xI − A), of which nothing is said where it is 1; returns the adjugate."""
     found = yield from determinant_of(A, x)
     pencil, adj = exact.pencil(A, x), found.adjugate(x)
-    yield Step(
-        "adjugate",
-        claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
-        x=x,
-        n=A.rows,
-    )
+    if A.rows > 1:
+        yield Step(
+            "adjugate",
+            claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
+            x=x,
+            n=A.rows,
+        )
     return adj
 
 
@@ -147,6 +148,7 @@ def quotient_of_adjugate(A: ImmutableMatrix, x: Symbol, adj: ImmutableMatrix) ->
             "entries": Claim(quotient(adj, chi), inverted, "entries of the inverse"),
         },
         x=x,
+        n=A.rows,
         cancels=exact.resolvent_cancels(A),
     )
     return inverted

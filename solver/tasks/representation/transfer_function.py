@@ -117,13 +117,15 @@ def transfer_function_of(plant: StateSpace) -> Derivation[exact.TransferMatrix]:
     G = exact.transfer_matrix(A, B, C, D, x)
     right = sp.ImmutableMatrix((adj * B).applyfunc(sp.expand))
     strictly = _rows(G.strictly_proper_numerators)
+    factors = (C, adj, B) if A.rows > 1 else (C, B)
     yield Step(
         "numerator",
         claims={
             "right": Claim(product(adj, B), right, r"$\operatorname{adj}(" + str(x) + r"I - A)\,B$"),
-            "product": Claim(product(C, adj, B), _plain(strictly), "numerator"),
+            "product": Claim(product(*factors), _plain(strictly), "numerator"),
         },
         x=x,
+        n=A.rows,
         right=right,
         C=C,
     )

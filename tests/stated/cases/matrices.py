@@ -57,6 +57,8 @@ PRINTED = [
     (rank(M), rf"\operatorname{{rank}}{m}"),
     (trace(product(M, M)), rf"\operatorname{{tr}}\left({m}{m}\right)"),
     (inverse(M), rf"{m}^{{-1}}"),
+    (inverse(sp.Matrix([[1]])), "1"),
+    (inverse(sp.Matrix([[s + 1]])), r"\frac{1}{s + 1}"),
     (inverse(difference(product(s, eye(2)), M)), rf"\left(s{I2} - {m}\right)^{{-1}}"),
     (transpose(M), rf"{m}^{{T}}"),
     (minor(M, 1, 2), rf"\operatorname{{minor}}_{{12}}{m}"),
