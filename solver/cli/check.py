@@ -22,6 +22,9 @@ FORMATS = ("text", "json", "html")
 @click.option("--csv", "table", metavar="FILE", help="Also write a table of marks, one line for each answer file.")
 @click.option("--partial", type=click.Choice(RULES), help="What wrong answers earn, whatever the problem says: in "
               "proportion to right entries, nothing, or what named mistakes leave.")  # fmt: skip
+@click.option("--answers", "key", is_flag=True, help="Show the right values on the sheet.")
+@click.option("--override", "changes", metavar="FILE", help="An instructor's verdicts, marks and comments, which win.")
+@click.option("--syntax", is_flag=True, help="Only say how each value is read: no verdicts, no marks.")
 @click.option("--solution", is_flag=True, help="Show the worked solution below the sheet.")
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much of it.")
 @click.option("--templates", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path),
@@ -32,6 +35,8 @@ FORMATS = ("text", "json", "html")
               show_default=True, help="For each part, solved or marked.")  # fmt: skip
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part, solved or marked.")  # fmt: skip
+@click.option("--jobs", metavar="N", type=click.IntRange(min=1, max=256), help="How many files are marked at once. "
+              "Default: one for each core.")  # fmt: skip
 @click.pass_context
 def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     ctx: click.Context,
@@ -40,6 +45,9 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     output: str | None,
     table: str | None,
     partial: str | None,
+    key: bool,
+    changes: str | None,
+    syntax: bool,
     solution: bool,
     detail: str,
     templates: Path | None,
@@ -47,16 +55,20 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     notation: str | None,
     time_limit: float,
     memory_limit: int,
+    jobs: int | None,
 ) -> None:
-    """Mark each file of ANSWERS by what PROBLEM asks, not by likeness to a key.
+    """Mark each file of ANSWERS, or each in a folder, by what PROBLEM asks, not by likeness to a key.
 
     Without PROBLEM the answer file names it by the key 'problem'. One bad file does not stop the rest.
     """
-    from solver.cli.checking import CheckRequest, check_files
+    if syntax and (output or table or changes or format_ == "html"):
+        raise click.UsageError("--syntax prints text or, with -f json, data; it goes with no -o, --csv and --override.")
+    from solver.cli.checking import check_files
+    from solver.cli.papers import CheckRequest
     from solver.document.model import Presentation
     from solver.limits import Limits
 
     told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
     limits = Limits(time_limit, memory_limit)
-    request = CheckRequest(files, format_, output, table, solution, told, limits, partial)
-    ctx.exit(check_files(request))
+    marked = CheckRequest(files, format_, output, table, solution, told, limits, partial, key, syntax, changes, jobs)
+    ctx.exit(check_files(marked))

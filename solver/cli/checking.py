@@ -1,221 +1,130 @@
-"""The work of `solve check`: solve the problem once, mark each answer file, report, tabulate."""
+"""The work of `solve check`: solve the problem once, mark the answer files, report, tabulate."""
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
-from solver.classroom import Marking, mark_within, read_submission
-from solver.classroom.reading.answer_file import problem_named_in
-from solver.classroom.report.data import as_json
-from solver.classroom.report.sheet import render_sheet
-from solver.classroom.report.table import as_csv
-from solver.classroom.report.text import print_marking
-from solver.cli.destination import STANDARD, AtFault, write_whole
+from solver.classroom import Marking, Submission, mark, mark_each
+from solver.classroom.changed import changed
+from solver.classroom.reading.change_file import Changes, StudentChanges, read_changes
+from solver.classroom.report.table import as_csv, columns_of
+from solver.cli.delivery import Delivery
+from solver.cli.destination import STANDARD, write_whole
+from solver.cli.papers import CheckRequest, Paper, Problems, files_in, told_apart
 from solver.cli.progress import Meter
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
-from solver.document.model import Document, Presentation
-from solver.engine import Solution
-from solver.limits import Limits, Solved, Supervision, solve_within
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
+from solver.cli.syntax import tell_readings
 from solver.messages import Messages
-from solver.problem.nodes import MappingNode
-from solver.problem.partial import ruled
-from solver.problem.reader import read_problem
-from solver.problem.source import InputError, Source
-from solver.problem.yaml_tree import parse_yaml
-from solver.tasks import catalogue
-from solver.words import Phrase
+from solver.problem.source import Fault, InputError, Source
 
-SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt"}
-
-
-@dataclass(frozen=True, slots=True)
-class CheckRequest:
-    """What the command line asks for; `limits` are those of each part, `partial` the rule for all wrong answers."""
-
-    files: tuple[str, ...]
-    format: str | None
-    output: str | None
-    table: str | None
-    solution: bool
-    presentation: Presentation
-    limits: Limits
-    partial: str | None = None
-
-    @property
-    def templates(self) -> Path | None:
-        """The folder of templates that come before the installed ones."""
-        return self.presentation.templates
-
-    @property
-    def chosen_format(self) -> str:
-        """The format asked for, meant by the ending of the output, or text."""
-        endings = {".html": "html", ".json": "json"}
-        return self.format or endings.get(Path(self.output or "").suffix.lower(), "html" if self.solution else "text")
+EMPTY = Submission(Source("", ""), "", {})
 
 
 def check_files(request: CheckRequest) -> int:
     """Mark all answer files; return the worst exit code: 1 where an answer is wrong, 2 where a file is at fault."""
     settle()
-    problem, answers = _told_apart(request.files)
-    if request.output and request.output != STANDARD and len(answers) > 1 and Path(request.output).is_file():
-        raise click.UsageError(f"{request.output} is one file; name a folder for {len(answers)} answer files.")
-    read = {Path(file).resolve() for file in request.files if file != STANDARD}
+    problem, named = told_apart(request.files)
+    files = files_in(named, problem, request.changes)
+    several = len(files) > 1 or any(Path(name).is_dir() for name in named)
+    _refuse_to_overwrite(request, (*files, *filter(None, (problem, request.changes))))
+    delivery = Delivery(request, files, several)
+    meter = Meter(len(files))
+    problems = Problems(request, meter)
+    papers = [problems.paper(file, problem) for file in files]
+    if request.syntax:
+        return tell_readings(papers, problems)
+    try:
+        changes = read_changes(source_of(request.changes)) if request.changes else None
+        code = _fit(changes, papers, problems) if changes is not None else SOLVED
+    except InputError as error:
+        click.echo(error.render(), err=True)
+        return INPUT_AT_FAULT
+    desk = _Desk(request, problems, changes, delivery)
+    code = max(code, desk.mark(papers, meter))
+    delivery.conclude()
+    if request.table:
+        _write_table(request.table, desk, problems)
+    return code
+
+
+def _refuse_to_overwrite(request: CheckRequest, files: Sequence[str]) -> None:
+    read = {Path(file).resolve() for file in files if file != STANDARD}
     for path in (request.output, request.table):
         if path and path != STANDARD and Path(path).resolve() in read:
             raise click.UsageError(f"{path} is one of the files that are read; it is not overwritten.")
-    desk = _Desk(request, answers)
-    codes = [desk.mark(problem, file) for file in answers]
-    if request.table:
-        parts = list(dict.fromkeys(part.id for solution in desk.solutions.values() for part in solution.problem.parts))
-        write_whole(Path(request.table), as_csv(desk.rows, parts).encode())
-        click.echo(f"wrote {request.table}", err=True)
-    return max(codes)
 
 
-def _told_apart(files: tuple[str, ...]) -> tuple[str | None, tuple[str, ...]]:
-    """Return the problem file, None if the answer files name theirs, and the answer files."""
-    if len(files) == 1 or _is_answer_file(files[0]):
-        return None, files
-    return files[0], files[1:]
-
-
-def _is_answer_file(file: str) -> bool:
-    try:
-        root = parse_yaml(source_of(file)) if file != STANDARD else None
-    except InputError:
-        return False
-    return isinstance(root, MappingNode) and "answers" in root and "find" not in root
+def _fit(changes: Changes, papers: Sequence[Paper], problems: Problems) -> int:
+    """Raise InputError where changes name parts or answers that there are not; say which ones name no student."""
+    strangers = changes.strangers([_names(paper) for paper in papers])
+    for paper in papers:
+        found = changes.of(*_names(paper))
+        if found is not None and paper.submission is not None:
+            changes.refuse_unknown(found, problems.solutions[paper.problem].problem)
+    if strangers:
+        click.echo(InputError(changes.source, strangers).render(), err=True)
+    return INPUT_AT_FAULT if strangers else SOLVED
 
 
 class _Desk:
-    """Marks answer files one after the other; a problem is solved once."""
+    """Marks papers, with an instructor's changes, and hands them back; `rows` are those of the table."""
 
-    def __init__(self, request: CheckRequest, files: Sequence[str]) -> None:
+    def __init__(self, request: CheckRequest, problems: Problems, changes: Changes | None, delivery: Delivery) -> None:
         self.request = request
-        self.stems = _stems(files)
-        self.solved: dict[str, Solved] = {}
-        self.solutions: dict[str, Solution] = {}
+        self.problems = problems
+        self.changes = changes
+        self.delivery = delivery
         self.rows: list[tuple[str, Marking | None]] = []
-        self.meter = Meter(len(files))
-        self.several = len(files) > 1
 
-    def mark(self, problem: str | None, file: str) -> int:
-        """Mark one file; whatever is wrong with it becomes words on standard error and an exit code."""
-        try:
-            source = source_of(file)
-            name = problem or self._named(source, file)
-            submission = read_submission(source, self._solution(name).problem)
-            with self.meter.file(file):
-                marking = mark_within(self.solutions[name], submission, self.request.limits, self.request.templates)
-        except InputError as error:
-            click.echo(error.render(), err=True)
-            self.rows.append((file, None))
-            return INPUT_AT_FAULT
-        except AtFault as error:
-            click.echo(f"{file}: error: {error.format_message()}", err=True)
-            self.rows.append((file, None))
-            return error.exit_code
-        finally:
-            self.meter.next_file()
-        self.rows.append((file, marking))
-        self._deliver(name, file, marking)
-        return SOLVED if marking.all_right else UNSOLVED
+    def mark(self, papers: Sequence[Paper], meter: Meter) -> int:
+        """Mark and hand back each paper, in order; return the worst exit code."""
+        codes = [SOLVED]
+        read = [paper for paper in papers if paper.submission is not None]
+        pairs = [(self.problems.solutions[each.problem], each.submission) for each in read if each.submission]
+        if len(pairs) > 1:
+            from solver.limits.child import load_all_algebra
 
-    def _named(self, source: Source, file: str) -> str:
-        """Return the problem that an answer file names, found beside it."""
-        name = problem_named_in(source)
-        if not name:
-            raise AtFault("it names no problem; call solve check PROBLEM ANSWERS, or add the key 'problem'")
-        return str(Path(name) if file == STANDARD else Path(file).parent / name)
+            load_all_algebra()  # once, and not in each process
+        markings = mark_each(pairs, self.request.limits, self.request.templates, self.request.processes)
+        for paper in papers:
+            codes.append(paper.code)
+            marking = None
+            if paper.submission is not None:
+                with meter.file(paper.name):
+                    marking, code = self._with_changes(paper, next(markings))
+                codes.append(code)
+            meter.next_file()
+            self.rows.append((paper.name, marking))
+            self.delivery.hand_back(paper, marking, self.problems)
+        return max(codes)
 
-    def _solution(self, name: str) -> Solution:
-        """Return the solved problem."""
-        if name not in self.solutions:
-            problem = read_problem(source_of(name), catalogue())
-            messages = self.request.presentation.messages(problem.display)
-            display = replace(problem.display, language=messages.language, notation=messages.notation)
-            problem = replace(problem, display=display)
-            if self.request.partial:
-                problem = ruled(problem, self.request.partial, catalogue())
-            told = self.request.presentation if self.request.solution else None
-            with self.meter.file(name) as notify:
-                self.solved[name] = solve_within(problem, self.request.limits, told, Supervision(notify))
-            self.solutions[name] = self.solved[name].solution()
-        return self.solutions[name]
-
-    def _document(self, name: str) -> Document | None:
-        """Return the worked solution in words where it is to be shown."""
-        return self.solved[name].document(name) if self.request.solution else None
-
-    def _deliver(self, name: str, file: str, marking: Marking) -> None:
-        """Write or print the marking of one file."""
-        format_ = self.request.chosen_format
-        content = self._content(format_, name, file, marking)
-        output = self.request.output
-        if output == STANDARD or (output is None and format_ != "html"):
-            sys.stdout.write(content)
-            sys.stdout.flush()
-            return
-        path = self._path(file, format_)
-        write_whole(path, content.encode())
-        said = self._messages(name).say
-        click.echo(f"{file}: {said(_total(marking))}; {said(Phrase('wrote {path}', path=path))}")
-
-    def _content(self, format_: str, name: str, file: str, marking: Marking) -> str:
-        if format_ == "json":
-            return as_json(marking)
-        if format_ == "html":
-            with in_words("the sheet"):
-                return render_sheet(self.solutions[name], marking, self._document(name), self.request.templates)
-        from rich.console import Console
-
-        from solver.render.terminal import WIDTH
-
-        to_terminal = self.request.output is None and sys.stdout.isatty()
-        console = Console(highlight=False, width=None if to_terminal else WIDTH, force_terminal=to_terminal)
-        with console.capture() as captured:
-            print_marking(marking, file, console, self._messages(name))
-        return captured.get()
-
-    def _messages(self, name: str) -> Messages:
-        """How a marking is worded: in the language and notation of the problem."""
-        display = self.solutions[name].problem.display
-        return Messages(self.request.templates, display.language, display.notation)
-
-    def _path(self, file: str, format_: str) -> Path:
-        """Where the marking of a file goes: as named, into the folder named, or beside the answers."""
-        if self.request.output is None:
-            beside = Path("answers") if file == STANDARD else Path(file)
-            return beside.with_name(beside.stem + SUFFIXES[format_])
-        place = Path(self.request.output)
-        folder = self.several or place.is_dir() or self.request.output.endswith("/")
-        return place / (self.stems[file] + SUFFIXES[format_]) if folder else place
+    def _with_changes(self, paper: Paper, marking: Marking) -> tuple[Marking, int]:
+        """Return the marking with the instructor's changes, and its exit code."""
+        found: StudentChanges | None = self.changes.of(*_names(paper)) if self.changes is not None else None
+        if self.changes is not None and found is not None:
+            try:
+                marking = changed(marking, found)
+            except Fault as fault:
+                click.echo(InputError(self.changes.source, fault.diagnostics).render(), err=True)
+                return marking, INPUT_AT_FAULT
+        return marking, SOLVED if marking.all_right else UNSOLVED
 
 
-def _stems(files: Iterable[str]) -> dict[str, str]:
-    """Return what the sheets of the files are named in one folder: where names are alike, with the folders before."""
-    whole = {file: ("answers",) if file == STANDARD else _names(Path(file).resolve()) for file in files}
-    found: dict[str, str] = {}
-    for file, names in whole.items():
-        others = [other for each, other in whole.items() if each != file]
-        count = next((k for k in range(1, len(names)) if all(other[-k:] != names[-k:] for other in others)), len(names))
-        stem = "-".join(names[-count:])
-        number = next(n for n in range(1, len(whole) + 1) if (stem if n == 1 else f"{stem}-{n}") not in found.values())
-        found[file] = stem if number == 1 else f"{stem}-{number}"
-    return found
+def _names(paper: Paper) -> list[str]:
+    """What an instructor may call a paper: the file, its name with and without the ending, the student's label."""
+    path = Path(paper.name)
+    label = paper.submission.student if paper.submission is not None else ""
+    return [name for name in (paper.name, path.name, path.stem, label) if name]
 
 
-def _names(path: Path) -> tuple[str, ...]:
-    """The folders of a file, and its name without the ending."""
-    return (*path.parts[1:-1], path.stem)
-
-
-def _total(marking: Marking) -> Phrase:
-    from solver.classroom.report.words import number
-
-    return Phrase("{marks} of {out_of} marks", marks=number(marking.marks), out_of=number(marking.out_of))
+def _write_table(path: str, desk: _Desk, problems: Problems) -> None:
+    columns: dict[str, tuple[str, ...]] = {}
+    for solution in problems.solutions.values():
+        for id_, answers in columns_of(mark(solution, EMPTY)):
+            columns[id_] = tuple(dict.fromkeys([*columns.get(id_, ()), *answers]))
+    messages = next((problems.messages(name) for name in problems.solutions), Messages())
+    write_whole(Path(path), as_csv(desk.rows, list(columns.items()), messages).encode())
+    click.echo(f"wrote {path}", err=True)

@@ -106,6 +106,9 @@ class ObjectPrinter:
             return row(Accent(dot, named(type(function).__name__)), self._arguments(function))
         return self._by_sympy(expr)
 
+    def _print_Framed(self, expr: Any) -> Row:
+        return row(Styled(r"\boxed", self._print(expr.args[0])))
+
     # Matrices, conditions, collections
 
     def _print_MatrixBase(self, expr: Any) -> Row:

@@ -54,10 +54,10 @@ def test_a_bad_file_does_not_stop_the_rest_and_the_table_has_a_line_for_each(sol
     assert "bad.yaml:1:" in done.err
     rows = list(csv.reader((folder / "marks.csv").read_text(encoding="utf-8").splitlines()))
     assert rows == [
-        ["file", "student", "a", "b", "total", "out of"],
-        ["right.yaml", "A-17", "1", "2", "3", "3"],
-        ["bad.yaml", "", "", "", "not readable", ""],
-        ["wrong.yaml", "'=1+1", "0", "0", "0", "3"],
+        ["file", "student", "a.polynomial", "a", "b.diagonalizable", "b", "total", "out of", "needs review"],
+        ["right.yaml", "A-17", "1", "1", "2", "2", "3", "3", "no"],
+        ["bad.yaml", "", "", "", "", "", "not readable", "", "yes"],
+        ["wrong.yaml", "'=1+1", "0", "0", "0", "0", "0", "3", "no"],
     ]
 
 
@@ -141,9 +141,9 @@ def test_a_marking_in_a_file_has_no_signs_for_a_terminal(solve, folder, monkeypa
 
 
 def test_one_marking_may_replace_a_file_and_several_may_not(solve, folder):
-    (folder / "marking.json").write_text("old", encoding="utf-8")
-    refused = solve("check", "problem.yaml", "right.yaml", "wrong.yaml", "-f", "json", "-o", "marking.json")
-    assert "marking.json is one file; name a folder for 2 answer files." in refused.err
-    assert (folder / "marking.json").read_text(encoding="utf-8") == "old"
-    assert solve("check", "problem.yaml", "right.yaml", "-f", "json", "-o", "marking.json").code == 0
-    assert json.loads((folder / "marking.json").read_text(encoding="utf-8"))["student"] == "A-17"
+    (folder / "marking.html").write_text("old", encoding="utf-8")
+    refused = solve("check", "problem.yaml", "right.yaml", "wrong.yaml", "-o", "marking.html")
+    assert "marking.html is one file; name a folder for 2 answer files." in refused.err
+    assert (folder / "marking.html").read_text(encoding="utf-8") == "old"
+    assert solve("check", "problem.yaml", "right.yaml", "-o", "marking.html").code == 0
+    assert "A-17" in (folder / "marking.html").read_text(encoding="utf-8")

@@ -19,8 +19,10 @@ def as_data(marking: Marking) -> dict[str, Any]:
     """Return the marking as dictionaries, lists, texts and numbers."""
     head = {"student": marking.student} if marking.student else {}
     totals = {"marks": number(marking.marks), "out_of": number(marking.out_of)}
-    remarks = {"remarks": list(marking.remarks)} if marking.remarks else {}
-    return {"version": 1, **head, **totals, "parts": [_part_data(part) for part in marking.parts], **remarks}
+    parts = [_part_data(part) for part in marking.parts]
+    data: dict[str, Any] = {"version": 1, **head, **totals, "parts": parts}
+    data |= {"remarks": list(marking.remarks)} if marking.remarks else {}
+    return data | {"needs_review": marking.needs_review} | _comment(marking)
 
 
 def _part_data(part: PartVerdict) -> dict[str, Any]:
@@ -31,7 +33,13 @@ def _part_data(part: PartVerdict) -> dict[str, Any]:
         "marks": number(part.marks),
         "out_of": number(part.out_of),
     }
-    return data | ({"note": part.note} if part.note else {})
+    data |= {"note": part.note} if part.note else {}
+    return data | ({"not_submitted": list(part.missing)} if part.missing else {}) | _comment(part)
+
+
+def _comment(of: Marking | PartVerdict | AnswerVerdict) -> dict[str, str]:
+    """What the instructor says of it."""
+    return {"comment": of.comment} if of.comment else {}
 
 
 def _answer_data(answer: AnswerVerdict) -> dict[str, Any]:
@@ -40,8 +48,11 @@ def _answer_data(answer: AnswerVerdict) -> dict[str, Any]:
         data |= {key: str(text)} if text else {}
     data |= {"mistake": answer.mistake} if answer.mistake else {}
     data |= {"follows": True} if answer.follows else {}
+    data |= {"marks": number(answer.marks), "out_of": number(answer.out_of)} if answer.out_of else {}
+    data |= {"by": "instructor"} if answer.by_instructor else {}
+    data |= {"typed": answer.typed} if answer.typed else {}
     data |= {"read": _shown(answer.value)} if answer.value is not None else {}
-    return data | ({"entries": answer.entries} if isinstance(answer.entries, list) else {})
+    return data | ({"entries": answer.entries} if isinstance(answer.entries, list) else {}) | _comment(answer)
 
 
 def _shown(value: Any) -> str:

@@ -1,63 +1,127 @@
-"""The sheet to hand back: values, verdicts and marks."""
+"""The sheet to hand back: the question, what was typed and how it was read, verdicts, marks, comments."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
-from solver.classroom.report.words import number, remarks
-from solver.classroom.verdicts import Marking, PartVerdict
-from solver.document.model import Document
+from solver.classroom.marking import Marker
+from solver.classroom.reading.answer_file import Submission
+from solver.classroom.report.highlight import highlighted
+from solver.classroom.report.words import number, remarks, to_be_reviewed, verdict_of
+from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
+from solver.derivation import AnswerName
+from solver.document.model import Document, Presentation, Work
+from solver.document.works import document_of
 from solver.engine import Solution
-from solver.problem.model import Part
+from solver.problem.source import Source
 from solver.render.page import rendered
 from solver.render.wording import Wording
 from solver.tasks import catalogue
 
+NOTHING = Fraction(0)
+
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One submitted value on the sheet: LaTeX of symbol and value ("" where it was not read), and the words."""
+    """One answer on the sheet: LaTeX of symbol and value ("" where none was read), and the words.
+
+    `marks` are earned `out_of` those that it carries; `key` is the LaTeX of a right value where it is to be shown.
+    """
 
     name: str
-    tex: str
     verdict: str
-    words: tuple[str, ...]
+    said: str
+    marks: Fraction = NOTHING
+    out_of: Fraction = NOTHING
+    typed: str = ""
+    tex: str = ""
+    respelt: bool = False
+    words: tuple[str, ...] = ()
+    comment: str = ""
+    key: str = ""
+    unique: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """One part on the sheet: its verdict, its question, a line for each answer."""
+
+    part: PartVerdict
+    title: str
+    work: Work
+    lines: tuple[Line, ...]
 
 
 def render_sheet(
-    solution: Solution, marking: Marking, document: Document | None = None, templates: Path | None = None
+    solution: Solution,
+    marking: Marking,
+    document: Document | None = None,
+    templates: Path | None = None,
+    *,
+    key: bool = False,
 ) -> str:
-    """Return the page to hand back: values, verdicts and marks; with a document the worked solution below."""
-    exact, typed = (replace(solution.problem.display, decimals_typed=decimals) for decimals in (False, True))
-    wording = Wording.of(exact, templates=templates)
-    decimals = Wording.of(typed, templates=templates)
-    parts = {part.id: part for part in solution.problem.parts}
+    """Return the page to hand back; with `key` the right values too, with a document the worked solution below."""
+    sections = _Sections(solution, templates, key)
+    paper = document_of(solution, Presentation("question", templates))
+    works = {work.id: work for work in reversed(paper.parts)}
     return rendered(
         "sheet.html.jinja",
         templates,
-        wording.messages,
+        paper.messages,
         title=solution.problem.title,
         marking=marking,
         number=number,
-        parts=[
-            (part, wording.say(catalogue()[part.task].title), _lines(part, parts[part.id], wording, decimals))
-            for part in marking.parts
-        ],
-        document=document,
+        review=to_be_reviewed(marking, paper.messages.say),
+        sections=[sections.section(part, works[part.id]) for part in marking.parts],
+        paper=paper,
+        worked=document,
+        document=document or paper,
     )
 
 
-def _lines(part: PartVerdict, asked: Part, exact: Wording, decimals: Wording) -> list[Line]:
-    """What was submitted for a part: a student's decimals are shown as decimals, what is exact as it is."""
-    declared = catalogue()[asked.task].answers
-    lines = []
-    for answer in part.answers.values():
-        wording = decimals if answer.in_decimals else exact
-        tex = "" if answer.value is None else wording.equation(wording.symbol(declared[answer.name]), answer.value)
+class _Sections:
+    """Words the parts of a sheet: a student's decimals are shown as decimals, what is exact as it is."""
+
+    def __init__(self, solution: Solution, templates: Path | None, key: bool) -> None:
+        exact, typed = (replace(solution.problem.display, decimals_typed=decimals) for decimals in (False, True))
+        self.exact = Wording.of(exact, templates=templates)
+        self.decimals = Wording.of(typed, templates=templates)
+        self.own = Wording.of(solution.problem.display, templates=templates)
+        self.marker = Marker(solution, Submission(Source("", ""), "", {}), templates) if key else None
+
+    def section(self, part: PartVerdict, work: Work) -> Section:
+        """Return a part with its lines, in the order of the catalogue."""
+        declared = catalogue()[part.task].answers
+        ours = self.marker.ours(part.id) if self.marker is not None else {}
+        lines = tuple(self._lines(part, declared, ours))
+        return Section(part, self.exact.say(catalogue()[part.task].title), work, lines)
+
+    def _lines(self, part: PartVerdict, declared: Mapping[str, AnswerName], ours: Mapping[str, Any]) -> Iterator[Line]:
+        for name in declared:
+            if name in part.answers:
+                yield self._with_key(self._line(part.answers[name], declared[name]), declared[name], ours)
+            elif name in part.missing:
+                left_out = Line(name, "", self.exact.say("not submitted"), out_of=part.missing[name])
+                yield self._with_key(left_out, declared[name], ours)
+
+    def _line(self, answer: AnswerVerdict, declared: AnswerName) -> Line:
+        wording = self.decimals if answer.in_decimals else self.exact
+        tex = "" if answer.value is None else wording.equation(wording.symbol(declared), highlighted(answer))
+        said = self.exact.say(verdict_of(answer))
         words = tuple(map(_sentence, remarks(answer, wording.say)))
-        lines.append(Line(answer.name, tex, str(answer.verdict), words))
-    return lines
+        verdict, respelt, comment = str(answer.verdict), answer.respelt, answer.comment
+        return Line(answer.name, verdict, said, answer.marks, answer.out_of, answer.typed, tex, respelt, words, comment)
+
+    def _with_key(self, line: Line, declared: AnswerName, ours: Mapping[str, Any]) -> Line:
+        """The line with our own value, where it is to be shown and the one submitted is not right."""
+        if line.name not in ours or line.verdict == Verdict.CORRECT:
+            return line
+        key = self.own.equation(self.own.symbol(declared), ours[line.name])
+        return replace(line, key=key, unique=declared.free is False)
 
 
 def _sentence(words: str) -> str:

@@ -1,4 +1,4 @@
-"""A line of a table of marks for each answer file."""
+"""A table of marks: a line for each answer file, a column for each part and for each of its answers."""
 
 from __future__ import annotations
 
@@ -7,28 +7,45 @@ import io
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+from solver.classroom.report.hundredths import marks_that_add_up
 from solver.classroom.report.words import number
 from solver.classroom.verdicts import Marking
+from solver.messages import Messages
+
+Columns = Sequence[tuple[str, Sequence[str]]]
+"""The parts by id, each with the answers that carry its marks."""
 
 
-def as_csv(rows: Iterable[tuple[str, Marking | None]], parts: Sequence[str]) -> str:
-    """Return a table of marks: a line for each file, a column for each part; a file at fault has none."""
+def columns_of(blank: Marking) -> Columns:
+    """Return the columns of a problem, from the marking of an empty submission."""
+    return [(part.id, tuple(part.missing)) for part in blank.parts]
+
+
+def as_csv(rows: Iterable[tuple[str, Marking | None]], columns: Columns, messages: Messages | None = None) -> str:
+    """Return a table of marks for files; one that cannot be read (None) has its name only.
+
+    Marks are in hundredths: those of the answers `a.K` add up to those of their part, those of the parts to the total.
+    """
+    say = (messages or Messages()).say
     content = io.StringIO()
     writer = csv.writer(content, lineterminator="\n")
-    writer.writerow(["file", "student", *parts, "total", "out of"])
+    parts = [name for id_, answers in columns for name in (*(f"{id_}.{answer}" for answer in answers), id_)]
+    writer.writerow([say("file"), say("student"), *parts, say("total"), say("out of"), say("needs review")])
     for name, marking in rows:
-        writer.writerow([_harmless(name), *_cells(marking, parts)])
+        cells = ["", *("" for _ in parts), say("not readable"), ""] if marking is None else _cells(marking, columns)
+        review = marking is None or marking.needs_review
+        writer.writerow([_harmless(name), *cells, say("yes" if review else "no")])
     return content.getvalue()
 
 
-def _cells(marking: Marking | None, parts: Sequence[str]) -> Iterator[Any]:
-    if marking is None:
-        yield from ["", *("" for _ in parts), "not readable", ""]
-        return
-    earned = {part.id: number(part.marks) for part in marking.parts}
+def _cells(marking: Marking, columns: Columns) -> Iterator[Any]:
+    total, of_parts, of_answers = marks_that_add_up(marking)
     yield _harmless(marking.student)
-    yield from (earned.get(part, "") for part in parts)
-    yield from (number(marking.marks), number(marking.out_of))
+    for id_, names in columns:
+        there = id_ in of_parts
+        yield from (number(of_answers.get((id_, name), total * 0)) if there else "" for name in names)
+        yield number(of_parts[id_]) if there else ""
+    yield from (number(total), number(marking.out_of))
 
 
 def _harmless(text: str) -> str:

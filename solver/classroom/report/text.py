@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from solver.classroom.report.words import earned, in_a_line
+from solver.classroom.report.words import earned, in_a_line, to_be_reviewed, verdict_of
 from solver.classroom.verdicts import Marking, Verdict
 from solver.messages import Messages
 from solver.render.prose import inline_as_text
@@ -33,5 +33,20 @@ def print_marking(marking: Marking, name: str, console: Console, messages: Messa
         console.print(head)
         for answer in part.answers.values():
             line = Text(f"    {SIGNS[answer.verdict]} ", style=COLOURS[answer.verdict])
-            line.append(f"{answer.name}: {say(answer.verdict)}{in_a_line(answer, say)}", style="default")
+            line.append(f"{answer.name}: {say(verdict_of(answer))}{in_a_line(answer, say)}", style="default")
             console.print(line)
+            _print_comment(answer.comment, console)
+        for missing in part.missing:
+            console.print(Text(f"    – {missing}: {say('not submitted')}"))
+        _print_comment(part.comment, console)
+    _print_comment(marking.comment, console)
+    if review := to_be_reviewed(marking, say):
+        console.print(Text(review, style="yellow"))
+
+
+def _print_comment(comment: str, console: Console) -> None:
+    """Print what an instructor says."""
+    from rich.text import Text  # noqa: PLC0415 - as above
+
+    if comment:
+        console.print(Text(f"      “{inline_as_text(comment)}”", style="italic"))

@@ -15,9 +15,31 @@ def number(marks: Fraction) -> int | float:
     return int(marks) if marks.denominator == 1 else round(float(marks), 2)
 
 
-def earned(marked: Marking | PartVerdict) -> Phrase:
+def earned(marked: Marking | PartVerdict | AnswerVerdict) -> Phrase:
     """Return how many marks are earned: "2 of 3"."""
     return Phrase("{marks} of {out_of}", marks=number(marked.marks), out_of=number(marked.out_of))
+
+
+def verdict_of(answer: AnswerVerdict) -> str:
+    """Return the verdict, and who gave it where that was not the program."""
+    return (
+        Phrase("{verdict}, by the instructor", verdict=str(answer.verdict)) if answer.by_instructor else answer.verdict
+    )
+
+
+def to_be_reviewed(marking: Marking, say: Say) -> str:
+    """Return what a person should look at, and why: "needs review: b.K (not judged)"; "" for nothing."""
+    answers = [(f"{part.id}.{name}", answer) for part in marking.parts for name, answer in part.answers.items()]
+    because = [
+        say(Phrase("{answer} ({why})", answer=name, why=_why_to_review(answer)))
+        for name, answer in answers
+        if answer.needs_review
+    ]
+    return say(Phrase("needs review: {answers}", answers=", ".join(because))) if because else ""
+
+
+def _why_to_review(answer: AnswerVerdict) -> str:
+    return str(answer.verdict) if answer.verdict is Verdict.NOT_JUDGED else "several readings"
 
 
 def in_a_line(answer: AnswerVerdict, say: Say) -> str:

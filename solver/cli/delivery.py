@@ -1,0 +1,122 @@
+"""Markings handed back: printed, or written to files named after the answer files."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from solver.classroom import Marking
+from solver.classroom.report.data import as_data, as_json
+from solver.classroom.report.sheet import render_sheet
+from solver.classroom.report.text import print_marking
+from solver.classroom.report.words import number, to_be_reviewed
+from solver.cli.destination import STANDARD, write_whole
+from solver.cli.papers import CheckRequest, Paper, Problems
+from solver.cli.solving import in_words
+from solver.words import Phrase
+
+SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt"}
+
+
+class Delivery:
+    """Hands back the markings of answer files; `several` data become one list."""
+
+    def __init__(self, request: CheckRequest, files: Sequence[str], several: bool) -> None:
+        self.request = request
+        self.several = several
+        self.stems = _stems(files)
+        self.format = request.chosen_format
+        self.items: list[dict[str, Any]] = []
+        output = request.output or ""
+        place = Path(output)
+        folder = bool(output) and (place.is_dir() or output.endswith("/"))
+        self.is_list = several and self.format == "json" and not folder
+        self.is_list = self.is_list and (not output or output == STANDARD or place.suffix.lower() == ".json")
+        if output and output != STANDARD and several and place.is_file() and not self.is_list:
+            raise click.UsageError(f"{output} is one file; name a folder for {len(files)} answer files.")
+
+    def hand_back(self, paper: Paper, marking: Marking | None, problems: Problems) -> None:
+        """Write or print the marking of a paper; of one at fault there is none."""
+        if self.is_list:
+            self.items.append({"file": paper.name, **_data(paper, marking)})
+        if marking is None or self.is_list:
+            return
+        content = self._content(paper, marking, problems)
+        output, say = self.request.output, problems.messages(paper.problem).say
+        if output == STANDARD or (output is None and self.format != "html"):
+            sys.stdout.write(content)
+            sys.stdout.flush()
+            return
+        path = self._path(paper.name)
+        write_whole(path, content.encode())
+        total = Phrase("{marks} of {out_of} marks", marks=number(marking.marks), out_of=number(marking.out_of))
+        said = (say(total), say(Phrase("wrote {path}", path=path)), to_be_reviewed(marking, say))
+        click.echo(f"{paper.name}: {'; '.join(filter(None, said))}")
+
+    def conclude(self) -> None:
+        """Write or print the list of the data of all papers."""
+        if not self.is_list:
+            return
+        content = json.dumps(self.items, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+        output = self.request.output
+        if output is None or output == STANDARD:
+            sys.stdout.write(content)
+            sys.stdout.flush()
+        else:
+            write_whole(Path(output), content.encode())
+            click.echo(f"wrote {output}", err=True)
+
+    def _content(self, paper: Paper, marking: Marking, problems: Problems) -> str:
+        if self.format == "json":
+            return as_json(marking)
+        if self.format == "html":
+            solution, document = problems.solutions[paper.problem], problems.document(paper.problem)
+            with in_words("the sheet"):
+                return render_sheet(solution, marking, document, self.request.templates, key=self.request.key)
+        from rich.console import Console
+
+        from solver.render.terminal import WIDTH
+
+        to_terminal = self.request.output is None and sys.stdout.isatty()
+        console = Console(highlight=False, width=None if to_terminal else WIDTH, force_terminal=to_terminal)
+        with console.capture() as captured:
+            print_marking(marking, paper.name, console, problems.messages(paper.problem))
+        return captured.get()
+
+    def _path(self, file: str) -> Path:
+        """Where the marking of a file goes: as named, into the folder named, or beside the answers."""
+        if self.request.output is None:
+            beside = Path("answers") if file == STANDARD else Path(file)
+            return beside.with_name(beside.stem + SUFFIXES[self.format])
+        place = Path(self.request.output)
+        folder = self.several or place.is_dir() or self.request.output.endswith("/")
+        return place / (self.stems[file] + SUFFIXES[self.format]) if folder else place
+
+
+def _data(paper: Paper, marking: Marking | None) -> dict[str, Any]:
+    if marking is None:
+        return {"student": "", "error": paper.fault}
+    return {"student": marking.student, **as_data(marking)}
+
+
+def _stems(files: Iterable[str]) -> dict[str, str]:
+    """Return what the sheets of the files are named in one folder: where names are alike, with the folders before."""
+    whole = {file: ("answers",) if file == STANDARD else _names(Path(file).resolve()) for file in files}
+    found: dict[str, str] = {}
+    for file, names in whole.items():
+        others = [other for each, other in whole.items() if each != file]
+        count = next((k for k in range(1, len(names)) if all(other[-k:] != names[-k:] for other in others)), len(names))
+        stem = "-".join(names[-count:])
+        number = next(n for n in range(1, len(whole) + 1) if (stem if n == 1 else f"{stem}-{n}") not in found.values())
+        found[file] = stem if number == 1 else f"{stem}-{number}"
+    return found
+
+
+def _names(path: Path) -> tuple[str, ...]:
+    """The folders of a file, and its name without the ending."""
+    return (*path.parts[1:-1], path.stem)

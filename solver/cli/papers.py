@@ -1,0 +1,169 @@
+"""What `solve check` is asked to mark: answer files, each with the problem that it answers, which is solved once."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import click
+
+from solver.classroom import Submission, read_submission
+from solver.classroom.reading.answer_file import problem_named_in
+from solver.cli.destination import STANDARD, AtFault
+from solver.cli.progress import Meter
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of
+from solver.document.model import Document, Presentation
+from solver.engine import Solution
+from solver.limits import Limits, Solved, Supervision, solve_within
+from solver.messages import Messages
+from solver.problem.nodes import MappingNode
+from solver.problem.partial import ruled
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
+from solver.problem.yaml_tree import parse_yaml
+from solver.tasks import catalogue
+
+ENDINGS = (".yaml", ".yml")
+
+
+@dataclass(frozen=True, slots=True)
+class CheckRequest:
+    """What the command line asks for; `limits` are those of each part, `partial` the rule for all wrong answers.
+
+    With `key` a sheet has the right values too, `syntax` asks only how values are read, `changes` is a file of changes.
+    """
+
+    files: tuple[str, ...]
+    format: str | None
+    output: str | None
+    table: str | None
+    solution: bool
+    presentation: Presentation
+    limits: Limits
+    partial: str | None = None
+    key: bool = False
+    syntax: bool = False
+    changes: str | None = None
+    jobs: int | None = None
+
+    @property
+    def templates(self) -> Path | None:
+        """The folder of templates that come before the installed ones."""
+        return self.presentation.templates
+
+    @property
+    def chosen_format(self) -> str:
+        """The format asked for, meant by the ending of the output, or text."""
+        endings = {".html": "html", ".json": "json"}
+        return self.format or endings.get(Path(self.output or "").suffix.lower(), "html" if self.solution else "text")
+
+    @property
+    def processes(self) -> int:
+        """How many processes mark: those asked for, or one for each core that this one may use."""
+        usable: Callable[[int], Sequence[int] | set[int]] | None = getattr(os, "sched_getaffinity", None)
+        return self.jobs or (len(usable(0)) if usable else os.cpu_count() or 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Paper:
+    """An answer file, by the name it goes by, and the problem's; where it is at fault (`code`) there is no submission.
+
+    `fault` says what is wrong with it.
+    """
+
+    name: str
+    problem: str = ""
+    submission: Submission | None = None
+    code: int = SOLVED
+    fault: str = ""
+
+
+def told_apart(files: tuple[str, ...]) -> tuple[str | None, tuple[str, ...]]:
+    """Return the problem file, None if the answer files name theirs, and the answer files and folders."""
+    if len(files) == 1 or _holds_answers(files[0]):
+        return None, files
+    return files[0], files[1:]
+
+
+def _holds_answers(file: str) -> bool:
+    """Whether it is an answer file, or a folder of them."""
+    if Path(file).is_dir():
+        return True
+    try:
+        root = parse_yaml(source_of(file)) if file != STANDARD else None
+    except InputError:
+        return False
+    return isinstance(root, MappingNode) and "answers" in root and "find" not in root
+
+
+def files_in(named: Sequence[str], *others: str | None) -> tuple[str, ...]:
+    """Return the files that are named, for a folder those in it, by name, less the other ones that are read."""
+    apart = {Path(file).resolve() for file in others if file}
+    found: list[str] = []
+    for name in named:
+        if name == STANDARD or not Path(name).is_dir():
+            found.append(name)
+            continue
+        inside = [path for path in sorted(Path(name).iterdir()) if path.suffix.lower() in ENDINGS and path.is_file()]
+        files = [str(path) for path in inside if path.resolve() not in apart and not path.name.startswith(".")]
+        if not files:
+            raise click.UsageError(f"there is no answer file in {name}; they end in .yaml.")
+        found += files
+    return tuple(dict.fromkeys(found))
+
+
+class Problems:
+    """The problems that answer files are about, each solved once."""
+
+    def __init__(self, request: CheckRequest, meter: Meter) -> None:
+        self.request = request
+        self.meter = meter
+        self.solved: dict[str, Solved] = {}
+        self.solutions: dict[str, Solution] = {}
+
+    def paper(self, file: str, problem: str | None) -> Paper:
+        """Read an answer file; what is wrong with it becomes words on standard error, and a code."""
+        try:
+            source = source_of(file)
+            name = problem or _named(source, file)
+            return Paper(file, name, read_submission(source, self.solution(name).problem))
+        except InputError as error:
+            fault, code = error.render(), INPUT_AT_FAULT
+        except AtFault as error:
+            fault, code = f"{file}: error: {error.format_message()}", error.exit_code
+        click.echo(fault, err=True)
+        return Paper(file, code=code, fault=fault)
+
+    def solution(self, name: str) -> Solution:
+        """Return the solved problem; raises InputError."""
+        if name not in self.solutions:
+            problem = read_problem(source_of(name), catalogue())
+            messages = self.request.presentation.messages(problem.display)
+            display = replace(problem.display, language=messages.language, notation=messages.notation)
+            problem = replace(problem, display=display)
+            if self.request.partial:
+                problem = ruled(problem, self.request.partial, catalogue())
+            told = self.request.presentation if self.request.solution else None
+            with self.meter.file(name) as notify:
+                self.solved[name] = solve_within(problem, self.request.limits, told, Supervision(notify))
+            self.solutions[name] = self.solved[name].solution()
+        return self.solutions[name]
+
+    def document(self, name: str) -> Document | None:
+        """Return the worked solution in words where it is to be shown."""
+        return self.solved[name].document(name) if self.request.solution else None
+
+    def messages(self, name: str) -> Messages:
+        """How a marking is worded: in the language and notation of the problem."""
+        display = self.solutions[name].problem.display
+        return Messages(self.request.templates, display.language, display.notation)
+
+
+def _named(source: Source, file: str) -> str:
+    """Return the problem that an answer file names, found beside it."""
+    name = problem_named_in(source)
+    if not name:
+        raise AtFault("it names no problem; call solve check PROBLEM ANSWERS, or add the key 'problem'")
+    return str(Path(name) if file == STANDARD else Path(file).parent / name)
