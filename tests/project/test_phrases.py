@@ -9,7 +9,15 @@ from solver.resources import root
 
 SOLVER = root("templates").parent / "solver"
 ROOMS = ("classroom", "conversions", "displayed", "document", "limits", "numeric", "postconditions", "tasks")
-NOT_TOLD = ("declarations.py", "tasks/__init__.py", "answer_file.py", "change_file.py", "changed.py", "reading/values.py", "limits/codec.py")
+NOT_TOLD = (
+    "declarations.py",
+    "tasks/__init__.py",
+    "answer_file.py",
+    "change_file.py",
+    "changed.py",
+    "reading/values.py",
+    "limits/codec.py",
+)
 """What these say is read by who writes a task, or is wrong with a file as it is read, and stays English."""
 
 MARKUP = re.compile(r"<[^<>]*>(.*</\w+>)?")
