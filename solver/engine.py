@@ -75,18 +75,15 @@ def solve_problem(problem: Problem, runner: Runner | None = None, messages: Mess
     return Solution(problem, tuple(result for of_part in results for result in of_part))
 
 
-def solve_parts(
-    problem: Problem, earlier: Earlier | None = None, messages: Messages | None = None
-) -> Iterator[list[PartResult]]:
-    """Solve the parts not yet among the earlier results, in order; parts may use the answers of earlier ones."""
+def solve_parts(problem: Problem, messages: Messages | None = None) -> Iterator[list[PartResult]]:
+    """Solve the parts in order; they may use the answers of earlier ones."""
     said = messages or Messages(language=problem.display.language)
     refuse(problem, {part.id: refusals_of(part, said) for part in problem.parts})
-    known = dict(earlier or {})
+    known: dict[str, PartResult] = {}
     for part in problem.parts:
-        if part.id not in known:
-            results = solve_part(part, known)
-            known[part.id] = results[0]
-            yield results
+        results = solve_part(part, known)
+        known[part.id] = results[0]
+        yield results
 
 
 def refusals_of(part: Part, messages: Messages) -> list[Refusal]:

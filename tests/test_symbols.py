@@ -19,6 +19,7 @@ from solver.symbols import (
     TIME,
     VARIABLES,
 )
+from solver.tasks import catalogue
 
 PROJECT = Path(__file__).parents[1]
 LISTED = re.compile(r"""[{(\[]["'](?:s|z|t|k|lamda|tau)["'], ["'](?:s|z|t|k|lamda|tau)["'],""")
@@ -45,6 +46,16 @@ def test_variables_are_sorted_by_what_is_made_of_them():
 def test_every_notation_has_a_symbol_for_every_quantity(notation):
     assert NOTATIONS[notation].keys() == {each.name for each in QUANTITIES}
     assert all(NOTATIONS[notation].values())
+
+
+def test_the_quantities_are_those_whose_symbols_templates_phrases_and_answers_ask_for():
+    asked = re.compile(r"\bsym\.(\w+)|\\\\?sym\{(\w+)\}")
+    files = [path for folder in ("templates", "solver") for path in (PROJECT / folder).rglob("*.*")]
+    texts = [path.read_text(encoding="utf-8") for path in files if path.suffix in {".py", ".jinja", ".yaml"}]
+    names = {name for text in texts for found in asked.findall(text) for name in found if name}
+    answers = {answer for name in catalogue() for answer in catalogue()[name].answers}
+    quantities = {each.name for each in QUANTITIES}
+    assert names <= quantities <= names | answers
 
 
 def test_a_notation_differs_where_it_says_so():
