@@ -5,6 +5,7 @@ import pickle
 import pytest
 import sympy as sp
 
+from solver.conditions import Condition, Parameter
 from solver.limits.codec import NotPlain, decode, encode
 
 t, s = sp.symbols("t s")
@@ -34,6 +35,8 @@ VALUES = [
     sp.zoo,
     sp.Poly(t**2 + 1, t),
     sp.CRootOf(t**5 + t + 1, 0),
+    Parameter("k", (Condition(sp.Symbol("k", real=True) - 1, ">"), Condition(t, "!=")), real=True),
+    sp.Add(sp.sqrt(2), sp.sqrt(2), evaluate=False),
 ]
 
 
@@ -57,7 +60,11 @@ def test_a_deep_value_does_not_overflow():
     assert encode(decode(nodes)) == nodes
 
 
-@pytest.mark.parametrize("value", [object(), lambda: None, [sp.Integer(1), object()], {"a": {1, 2}}])
+class NotOfSympy(sp.Function):
+    """A class of mathematics that another process may not have."""
+
+
+@pytest.mark.parametrize("value", [object(), NotOfSympy(t), lambda: None, [sp.Integer(1), object()], {"a": {1, 2}}])
 def test_what_is_no_mathematics_is_not_plain(value):
     with pytest.raises(NotPlain):
         encode(value)
@@ -66,6 +73,8 @@ def test_what_is_no_mathematics_is_not_plain(value):
 def test_nodes_of_other_modules_are_not_plain():
     with pytest.raises(NotPlain, match="system"):
         decode([("sympy", "os", "system", ())])
+    with pytest.raises(NotPlain, match="Printer"):
+        decode([("sympy", "sympy.printing.printer", "Printer", ())])
 
 
 @pytest.mark.parametrize("node", [("sympy", "os", "system", ()), ("sympy", "sympy.core.sympify", "sympify", ())])
