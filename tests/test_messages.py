@@ -24,6 +24,7 @@ def own(tmp_path):
         "wording/la/reasons/own.md.jinja": OWN.replace("is small", "parvum est"),
         "wording/la/phrases.yaml": "row {i}: versus {i}\nno phrase: nihil\n",
         "wording/la/more/phrases.yaml": "the rank: ordo\n",
+        "wording/la/none/phrases.yaml": "# nothing yet\n",
         "wording/de/phrases.yaml": "row {i}: Reihe {i}\n",
     }.items():
         (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)

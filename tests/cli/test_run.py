@@ -1,6 +1,8 @@
 """`solve problem.yaml`: what is written where, what is printed, and with which exit code it ends."""
 
+import io
 import json
+import sys
 
 import pytest
 import sympy as sp
@@ -146,6 +148,16 @@ def test_bad_standard_input_is_reported_like_a_bad_file(process, content):
     assert done.code == 2
     assert "<standard input>" in done.err
     assert "Traceback" not in done.err
+
+
+@pytest.mark.parametrize(("beyond", "code"), [(0, 0), (1, 2)])
+def test_standard_input_may_be_as_large_as_a_file(solve, monkeypatch, beyond, code):
+    text = GOOD + "#"
+    content = text + "x" * (256 * 1024 - len(text) + beyond)
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(content.encode())))
+    done = solve("-", "-f", "json", "-o", "-")
+    assert done.code == code
+    assert ("the input is larger than 256 KB" in done.err) == bool(code)
 
 
 def test_the_table_of_checks_is_printed_when_asked_for(solve, good):

@@ -19,7 +19,9 @@ SYMMETRIC = frozenset(
 """Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
 WORDED = frozenset({"check_residual", "that"})
 """Functions whose first two arguments are words for a reader: what is checked, and by what."""
-UNSEEN_KEYWORDS = frozenset("strict maxsize slots frozen kw_only stacklevel maxsteps maxn extraprec prec tol".split())
+UNSEEN_KEYWORDS = frozenset(
+    "strict maxsize slots frozen kw_only stacklevel maxsteps maxn extraprec prec tol auto_reload".split()
+)
 """Keywords that guard, make faster or refine what is right without them."""
 CHANCE = frozenset("Random randint uniform choice".split())
 """Functions whose arguments say which of many points is drawn, where any point does."""
