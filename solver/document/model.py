@@ -79,7 +79,8 @@ class WorkAnswer:
 
     `equation` is LaTeX of symbol = value laid out for a page: broken over lines, or entry by entry, where it is wide.
     `narrow` is the same entry by entry in any case. `marks` is what it earns, as text, or "" where that is not said.
-    `numeric` are its numbers in nested lists, a complex one as [re, im], where it has no symbols.
+    `numeric` are its numbers in nested lists, a complex one as [re, im], where it has no symbols. `given` tells that it
+    is what the question gives, such as the weights of a regulator, and is no news.
     """
 
     name: str
@@ -91,6 +92,7 @@ class WorkAnswer:
     narrow: str = ""
     marks: str = ""
     numeric: Any = None
+    given: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +142,11 @@ class Work:
     symbols: tuple[str, ...] = ()
     system: Mapping[str, str] = field(default_factory=dict)
     fault: str = ""
+
+    @property
+    def found(self) -> tuple[WorkAnswer, ...]:
+        """The answers that the question does not give: those a page shows."""
+        return tuple(answer for answer in self.answers if not answer.given)
 
     @property
     def named_method(self) -> str:
@@ -250,7 +257,7 @@ class Document:
 
     def _repr_latex_(self) -> str:
         """The answers as displayed formulas."""
-        shown = [answer for part in self.parts for answer in part.answers]
+        shown = [answer for part in self.parts for answer in part.found]
         return "\n".join(f"$$\n{answer.symbol} = {answer.tex}\n$$" for answer in shown)
 
     def __repr__(self) -> str:

@@ -230,6 +230,7 @@ def _answers(
             wording.equation(symbol, value, narrow=True),
             marks=NumberFormat("decimal", 3).text(marks[name]) if name in marks else "",
             numeric=numbers_of(value) if data else None,
+            given=name not in part.asked and name in part.options and bool(part.options[name] == value),
         )
 
 

@@ -45,9 +45,9 @@ def _part(document: Document, part: Work) -> Iterator[str]:
     yield from _steps(part.steps, "###", say)
     if part.status is Status.UNSOLVED and not paper:
         yield f"> **{say('Unsolved.')}** {part.reason}"
-    if part.answers:
+    if part.found:
         yield f"### {say('Answer')}"
-        for answer in part.answers:
+        for answer in part.found:
             yield f"$$\n{answer.equation}\n$$"
             if answer.marks and document.presentation.detail == "key":
                 yield f"({plain(answer.marks)} {say('mark' if answer.marks == '1' else 'marks')})"

@@ -49,7 +49,7 @@ def _print_part(part: Work, console: Console, say: Say) -> None:
     head = Text(f"{part.id}  ", style="bold")
     head.append(heading(part, say))
     console.print(head)
-    for answer in part.answers:
+    for answer in part.found:
         console.print(Text("\n".join(indented(answer_lines(answer, console.width)))))
     verdict = Text(INDENT + verdict_of(part, say))
     verdict.stylize(COLOURS[part.status], len(INDENT), len(INDENT) + len(say(part.status)))
@@ -119,7 +119,7 @@ def _blocks(document: Document, part: Work, width: int) -> Iterator[str]:
     if part.source:
         yield f"[{part.source}]"
     yield from _step_blocks(part.steps, "", width)
-    for answer in part.answers:
+    for answer in part.found:
         marks = f" [{answer.marks}]" if answer.marks and document.presentation.detail == "key" else ""
         head = f"{say('Answer')}: {inline_as_text(answer.doc)}{marks}"
         yield f"{head}\n\n" + "\n".join(indented(answer_lines(answer, width)))

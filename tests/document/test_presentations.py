@@ -199,3 +199,34 @@ def test_a_part_has_an_anchor_of_letters_digits_and_hyphens():
 def test_a_part_without_marks_counts_as_one_where_no_part_has_any():
     assert [part.out_of for part in told().parts] == [4, 4, 0]
     assert [part.out_of for part in told(TEXT.replace("    marks: 4\n", "")).parts] == [1, 1, 1]
+
+
+REGULATOR = """title: Regulator
+system: {A: [[0, 1], [0, 0]], B: [0, 1], C: [1, 0]}
+find:
+  a: {task: lqr, Q: [[4, 0], [0, 1]], R: 1}
+  b: {task: lqr, tolerances: [1, 2], R: 1}
+  c: {task: lqr, Q: [[4, 0], [0, 1]], R: 1, answers: [Q, K]}
+"""
+
+
+def test_what_is_given_is_no_answer_unless_it_is_asked_for():
+    shown = [{answer.name for answer in part.found} & {"Q", "R"} for part in told(REGULATOR).parts]
+    assert shown == [set(), {"Q"}, {"Q"}]
+    assert all({"Q", "R"} <= {answer.name for answer in part.answers} for part in told(REGULATOR).parts)
+
+
+@pytest.mark.parametrize(
+    ("format_", "boxed"),
+    [
+        ("html", "the weight of the state</p>"),
+        ("text", "Answer: the weight of the state"),
+        ("latex", "Q ="),
+        ("md", "Q ="),
+    ],
+)
+def test_every_format_leaves_out_what_is_given(format_, boxed):
+    given = REGULATOR.partition("  b:")[0]
+    asked = given.replace("R: 1}", "R: 1, answers: [Q, K]}")
+    shown = [told(text).rendered(format_).decode().count(boxed) for text in (given, asked)]
+    assert shown[1] == shown[0] + 1
