@@ -17,10 +17,12 @@ Formula = Callable[["Given[Any, Any]", Mapping[str, Any]], Any]
 class Consequence:
     """The answer `name` follows from the answers `of` by a formula.
 
-    A `symbolic` formula can be formed with letters for their entries.
+    A `symbolic` formula can be formed with letters for their entries. A `completing` one gives what belongs to the
+    others where each of them may follow from the rest (A, B and C of a realization).
     """
 
     name: str
     of: tuple[str, ...]
     formula: Formula
     symbolic: bool = True
+    completing: bool = False

@@ -236,19 +236,20 @@ class Task(Generic[S, O]):
             yield from refuse(system, options)
 
     def consequence(
-        self, answer: str, *, of: tuple[str, ...], symbolic: bool = True
+        self, answer: str, *, of: tuple[str, ...], symbolic: bool = True, completing: bool = False
     ) -> Callable[[Follow[S, O]], Follow[S, O]]:
         """Register the formula by which an answer follows from others of the question (None: not from these).
 
         The others may be anyone's, so that what is right from a wrong one can be told apart from what is wrong. A
-        `symbolic` formula can be formed with letters for their entries.
+        `symbolic` formula can be formed with letters for their entries; by a `completing` one each of several answers
+        may follow from the rest.
         """
         unknown = {answer, *of} - set(self.answers)
         if unknown or not of:
             raise ValueError(f"{self.name}: a consequence needs names of its answers, not {sorted(unknown)}")
 
         def register(formula: Follow[S, O]) -> Follow[S, O]:
-            self.consequences.append(Consequence(answer, of, formula, symbolic))
+            self.consequences.append(Consequence(answer, of, formula, symbolic, completing))
             return formula
 
         return register

@@ -239,3 +239,62 @@ def test_whatever_the_slip_its_consequences_are_right_and_a_slip_in_these_is_not
     for part, name in (("b", "polynomial"), ("c", "poles"), ("d", "K_o")):
         right = found[part][name]
         assert right[0] == ("wrong" if name == slip else "correct"), (part, name, right)
+
+
+REALIZED = """
+system: {transfer_function: "(s+4)/((s+1)(s+2))"}
+find:
+  a: {task: realization, form: diagonal, marks: 4}
+  b: {task: minimal_realization, marks: 4}
+"""
+# G = 3/(s + 1) − 2/(s + 2)
+
+
+def entries(problem, part, answers):
+    found = marked(problem, f"answers: {{{part}: {{{answers}}}}}")[part]
+    return found.marks, {name: (str(each.verdict), each.entries) for name, each in found.answers.items()}
+
+
+C, W = "correct", "wrong"
+GOOD = {"A": (C, [[C, C], [C, C]]), "B": (C, [[C], [C]]), "C": (C, [[C, C]]), "D": (C, [[C]])}
+
+
+@pytest.mark.parametrize("part", ["a", "b"])
+@pytest.mark.parametrize(
+    ("answers", "marks", "blamed"),
+    [
+        ("A: [[-1, 0], [0, -2]], B: [1, 1], C: [3, -3], D: 0", 3.5, {"C": (W, [[C, W]])}),
+        ("A: [[-1, 0], [0, -2]], B: [2, 1], C: [3, -2], D: 0", 3.5, {"C": (W, [[W, C]])}),
+        ("A: [[-1, 0], [0, -2]], B: [0, 1], C: [3, -2], D: 0", 3.5, {"B": (W, [[W], [C]])}),
+        ("A: [[-1, 0], [0, -2]], B: [1, 1], C: [3, -2], D: 1", 3, {"D": (W, [[W]])}),
+        (
+            "A: [[-1, 0], [0, -2]], B: [1, 1], C: [3, -3], D: 1",
+            2.5,
+            {"C": (W, [[C, W]]), "D": (W, [[W]])},
+        ),
+    ],
+)
+def test_one_slip_in_a_realization_is_blamed_alone(part, answers, marks, blamed):
+    # B = [2, 1] could be the slip as well: of two that could be blamed alike the later one is
+    assert entries(REALIZED, part, answers) == (marks, {**GOOD, **blamed})
+
+
+def test_a_slip_in_the_system_matrix_leaves_the_others_right():
+    answers = "A: [[-1, 0], [0, -3]], B: [1, 1], C: [3, -2], D: 0"
+    assert entries(REALIZED, "a", answers) == (3.75, {**GOOD, "A": (W, [[C, C], [C, W]])})
+
+
+def test_two_slips_are_not_put_down_to_one():
+    found = entries(REALIZED, "a", "A: [[-1, 0], [0, -3]], B: [1, 1], C: [3, -3], D: 0")[1]
+    assert (found["A"][0], found["C"][0], found["D"][0]) == (W, "not judged", C)
+
+
+def test_a_slip_in_one_channel_is_that_channels():
+    problem = """
+system: {A: [[0, 1, 0], [0, 0, 1], [-6, -11, -6]], B: [[0, 1], [0, 0], [1, 0]], C: [[1, 0, 0], [0, 1, 0]]}
+find: {a: minimal_realization}
+"""
+    answers = "A: [[0, 1, 0], [0, 0, 1], [-6, -11, -6]], B: [[0, 1], [0, 0], [1, 0]], C: [[1, 0, 0], [0, 1, 1]]"
+    found = entries(problem, "a", answers)[1]
+    assert {name: verdict for name, (verdict, _) in found.items()} == {"A": C, "B": C, "C": W}
+    assert found["C"][1] == [[C, C, C], [C, C, W]]

@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import chain
 
 from solver.classroom.following.between import OwnResults, Source
+from solver.classroom.following.blame import blamed
 from solver.classroom.following.within import OwnAnswers
 from solver.classroom.judging.entries import all_right
 from solver.classroom.judging.question import Question
@@ -26,12 +27,12 @@ def followed(
 
     `verdicts` are those to the question as it is asked.
     """
-    found = dict(verdicts)
+    found = blamed(question, values, verdicts)
     for asked, sources in chain([(question, ())], own.questions(part)):
         wrong = [name for name, verdict in found.items() if verdict.verdict is Verdict.WRONG]
         if not wrong:
             break
-        again = judge(asked, values) if sources else found
+        again = blamed(asked, values, judge(asked, values)) if sources else found
         answers = OwnAnswers(asked, values)
         for name in wrong:
             for verdict, of in _candidates(part, name, again[name], answers):

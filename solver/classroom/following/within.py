@@ -52,10 +52,17 @@ class OwnAnswers:
             self.known[name] = [*found, *([Value(_plain(self.ours[name]))] if name in self.ours else [])]
         return self.known[name]
 
+    def replacements(self, name: str) -> Iterator[Submitted]:
+        """Yield what would be right in place of an answer: what completes the others, what follows from them, ours."""
+        for formula in self.question.task.consequences:
+            if formula.name == name and formula.completing:
+                yield from (value.what for value in self._by(formula))
+        yield from (value.what for value in self.values(name))
+
     def following(self, name: str) -> Iterator[Value]:
         """Yield the values of an answer that follow from own values of others."""
         for formula in self.question.task.consequences:
-            if formula.name == name:
+            if formula.name == name and not formula.completing:
                 yield from self._by(formula)
 
     def _by(self, formula: Consequence) -> Iterator[Value]:

@@ -30,6 +30,7 @@ from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import variable
 from solver.tasks.plant_options import PlantOptions
+from solver.tasks.representation.completing import register
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -260,3 +261,6 @@ def turns_the_plant_into_the_target(
             lambda: judges.matched_residual(matrices, answers["K"], G, x),
             answer="K",
         )
+
+
+register(model_matching)

@@ -10,6 +10,7 @@ from solver.lazy import exact, numeric, systems
 from solver.numeric.judges import representation as judges
 from solver.stated.algebra import product
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.representation.completing import register
 from solver.tasks.representation.minimal_parts import kept_part_of, least_realization_of
 from solver.tasks.representation.plants import matrices_of, numbers_of, stated_matrix, variable_of
 from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
@@ -141,3 +142,6 @@ def complete_the_characteristic_polynomial(given: Given[InputOutput, LoopOptions
         "orthogonal bases (50 digits)",
         lambda: judges.cancelled_residual(plant, listed),
     )
+
+
+register(minimal_realization)

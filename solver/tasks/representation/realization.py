@@ -11,6 +11,7 @@ from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Ref
 from solver.lazy import systems
 from solver.options.choice import Choice
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.representation.completing import register
 from solver.tasks.representation.modal_forms import mode_form_of
 from solver.tasks.representation.multivariable_forms import companion_coordinates_of
 from solver.tasks.representation.realization_checks import realization_checks
@@ -101,6 +102,9 @@ def has_the_form_and_the_transfer_function(
 ) -> Iterable[Check]:
     """The form by inspection, det(xI − A) and C (xI − A)⁻¹ B + D at random points; alone, what each one must be."""
     yield from realization_checks(given, answers)
+
+
+register(realization)
 
 
 def with_form(system: System, options: RealizationOptions, *, form: str) -> tuple[System, RealizationOptions] | None:
