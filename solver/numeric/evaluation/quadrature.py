@@ -16,7 +16,7 @@ from solver.numeric.evaluation.values import NotEvaluable, Value, gathered
 from solver.numeric.evaluation.walk import walk
 
 IN_DOUBLES = ((4, 20), (8, 20))
-WITH_MANY_DIGITS = ((1, 28), (1, 40), (2, 40))
+WITH_MANY_DIGITS = ((1, 16), (1, 28), (1, 40), (2, 40))
 """How an integral is refined: the number of panels, and of nodes on each."""
 
 

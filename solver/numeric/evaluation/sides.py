@@ -48,11 +48,17 @@ def _column(formula: Any, chosen: Sequence[int], count: int) -> Any:
         return sp.ImmutableMatrix([each[k] for k in chosen]) if len(each) == count else None
     if not isinstance(formula, Stated) or not about(formula.operation, "ENTRYWISE"):
         return None
-    operands = [each if _is_scalar(each) else _column(each, chosen, count) for each in formula.operands]
-    matrices = sum(not _is_scalar(each) for each in formula.operands)
-    if any(each is None for each in operands) or (formula.operation == "product" and matrices > 1):
-        return None
-    return Stated(formula.operation, tuple(operands))
+    operands = list(formula.operands)
+    matrices = [i for i, each in enumerate(operands) if not _is_scalar(each)]
+    if formula.operation == "product" and len(matrices) > 1:
+        first = operands[matrices[0]]
+        if not isinstance(first, MatrixBase) or first.rows != count:  # else the product is a column
+            return None
+        operands[matrices[0]] = sp.ImmutableMatrix(first.extract(list(chosen), list(range(first.cols))))
+    else:
+        for i in matrices:
+            operands[i] = _column(operands[i], chosen, count)
+    return None if any(each is None for each in operands) else Stated(formula.operation, tuple(operands))
 
 
 def _is_scalar(formula: Any) -> bool:

@@ -5,7 +5,7 @@ Such a module has `evaluate(environment, *operands)`, and as far as they apply t
 - `ORACLE`, the name of its algorithm for the table of checks, and how telling it is;
 - `SAMPLED`, where it evaluates its operands at many points;
 - `ENTRYWISE`, where each entry of the result is what it makes of the same entry of the one matrix among its operands
-  (sums: of all of them);
+  (sums: of all of them; products of several: of a row of the first and the others);
 - `poles(operands, s, point)` and `zeros(operands, s, point)`: arrays that hold the poles (zeros) in s, perhaps more;
 - `reach(environment, *operands)`: up to which value, at each point, doubles can take a symbol;
 - `admitted(points, *operands)`: the points, moved to where the operation has a value.

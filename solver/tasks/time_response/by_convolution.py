@@ -83,7 +83,10 @@ def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: Immutabl
     tau = sp.Symbol("tau")
     u = piece.inputs.xreplace({t: tau})
     shifted = Phi.xreplace({t: t - tau})
-    integrand = sp.ImmutableMatrix((shifted * B * u).applyfunc(sp.expand_mul))
+    force = B * u
+    acting = [j for j, each in enumerate(force) if each != 0] or [0]  # sympy takes long over products with zeros
+    integrand = shifted.extract(list(range(shifted.rows)), acting) * force.extract(acting, [0])
+    integrand = sp.ImmutableMatrix(integrand.applyfunc(sp.expand_mul))
     terms: list[Any] = [integral(integrand, tau, sp.Integer(0), t)] if any(u.flat()) or not piece else []
     if any(piece.impulses.flat()):
         terms.append(product(Phi, B, piece.impulses))

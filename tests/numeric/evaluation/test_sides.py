@@ -64,10 +64,18 @@ def test_every_operation_that_says_it_acts_on_entries_is_tried():
     assert entrywise == set(TAKEN_APART)
 
 
+def test_a_product_that_is_a_column_needs_some_rows_of_its_first_factor_only():
+    formula = total(product(2, N.T, M, sp.Matrix([1, s, s**2])), sp.Matrix([s, 1, 2]))
+    some = Sides(formula, sp.Matrix([0, 0, 0])).of_entries([2, 0], 3)
+    assert some.left.operands[0].operands[1].shape == (2, 2)
+    assert np.allclose(values(some.left, multiple(30)), values(formula, multiple(30))[[2, 0]], rtol=1e-13, atol=0)
+
+
 @pytest.mark.parametrize(
     "formula",
     [
         product(N, N.T),
+        product(total(N, M), sp.Matrix([1, 2, 3])),
         product(determinant(N * N.T), N),
         inverse(sp.Matrix([[s, 1], [2, s]])),
         total(N, sp.Matrix([[1, 2]])),
