@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from solver.displayed.shapes import known, shape_of
+from solver.lazy import numeric
 from solver.stated import Stated
 from solver.stated.algebra import difference, exponential, power, product, total
 from solver.stated.matrices import inverse
@@ -64,7 +65,7 @@ def with_matrices(value: Any, matrices: Mapping[str, Any]) -> Any:
         return Stated(value.operation, tuple(with_matrices(each, matrices) for each in value.operands))
     if not isinstance(value, sp.Expr):
         return value
-    inside: list[Any] = [symbol for symbol in value.free_symbols if str(symbol) in matrices]
+    inside: list[Any] = [symbol for symbol in numeric.free_symbols(value) if str(symbol) in matrices]
     if len(inside) != 1:
         return value
     found = _written(value, inside[0], matrices[inside[0].name])

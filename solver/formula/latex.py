@@ -2,7 +2,10 @@ r"""Trees written as LaTeX: one spelling for each tree, with the blanks that a p
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from operator import attrgetter
 from string import ascii_letters
+from typing import Any
 
 from solver.formula import vocabulary as v
 from solver.formula.nodes import (
@@ -55,8 +58,8 @@ class LatexWriter(Visitor[str]):
         """Return what stands in the row, without braces."""
         written = before = ""
         for place, item in enumerate(node.items):
-            piece = self.argument(item)
-            kind = _kind(item)
+            leaf = _LEAVES.get(type(item))
+            piece, kind = leaf(item) if leaf else self.argument(item), _kind(item)
             if kind == _INFIX and is_prefix(node.items, place):
                 kind = _PREFIX
             if before == _COMMA and kind not in _SPACES:
@@ -118,6 +121,14 @@ class LatexWriter(Visitor[str]):
 
 _OPERAND, _BRACKETED, _FUNCTION, _TEXT, _INFIX, _PREFIX, _COMMA, _COLON, _OTHER = "xbft=-,:o"
 _SPACES = _WIDE, _NARROW = "sn"
+_LEAVES: dict[type[Node], Callable[[Any], str]] = {
+    Number: attrgetter("digits"),
+    Symbol: attrgetter("name"),
+    Operator: attrgetter("sign"),
+    Space: attrgetter("command"),
+}
+"""What most items are, written without asking the visitor."""
+
 _KINDS: dict[type[Node], str] = {Fenced: _BRACKETED, Table: _BRACKETED, Function: _FUNCTION, Text: _TEXT}
 _KINDS_OF_SIGNS = {**dict.fromkeys(v.RELATIONS | v.BINARY, _INFIX), ":": _COLON, ",": _COMMA}
 

@@ -160,17 +160,18 @@ def _poles_of_expressions(expressions: Sequence[Any], s: Any, point: Environment
     return [_zeros_of_rational(base, s, point) for base in bases]
 
 
-def _denominators(expression: Any, s: Any) -> set[Any]:
+@lru_cache(maxsize=1024)
+def _denominators(expression: Any, s: Any) -> frozenset[Any]:
     """Return all that the expression divides by and that holds s."""
-    if not isinstance(expression, sp.Basic) or s not in expression.free_symbols or expression == s:
-        return set()
+    if not isinstance(expression, sp.Basic) or s not in free_symbols(expression) or expression == s:
+        return frozenset()
     if isinstance(expression, sp.Pow):
         base, exponent = expression.args
         if not exponent.is_Integer:
             raise NotEvaluable(Phrase("{expression} is not rational in {s}", expression=str(expression), s=str(s)))
-        return _denominators(base, s) | ({base} if exponent < 0 else set())
+        return _denominators(base, s) | (frozenset([base]) if exponent < 0 else frozenset())
     if isinstance(expression, sp.Add | sp.Mul):
-        return set().union(*(_denominators(argument, s) for argument in expression.args))
+        return frozenset().union(*(_denominators(argument, s) for argument in expression.args))
     raise NotEvaluable(Phrase("{function} of {s} is not rational", function=type(expression).__name__, s=str(s)))
 
 
