@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading.values import TRUTHS
+from solver.classroom.reading.words import truth
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 
@@ -40,4 +40,4 @@ def like(node: Node) -> Any:
         return {}
     if isinstance(node, SequenceNode):
         return sp.ones(1) if any(isinstance(item, SequenceNode) for item in node.items) else []
-    return (isinstance(node, ScalarNode) and node.text.strip().lower() in TRUTHS) or sp.S.One
+    return (isinstance(node, ScalarNode) and truth(node.text) is not None) or sp.S.One

@@ -17,8 +17,10 @@ from solver.classroom.judging.verdict import judge
 from solver.classroom.marks import carried, fraction, left_out, marked
 from solver.classroom.mistakes.explaining import Wrong, explained
 from solver.classroom.reading.answer_file import Submission
+from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.names import names_for
 from solver.classroom.reading.spelling import typed
-from solver.classroom.reading.values import Reader, names_for
+from solver.classroom.reading.values import Reader
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
 from solver.derivation import PartResult, Status
@@ -101,7 +103,8 @@ class Marker:
         for name, node in self.submission.answers.get(part.id, {}).items():
             if name in ours:
                 try:
-                    found[name] = read_value(reader, node, ours[name])
+                    expected = Expected.of(name, catalogue()[part.task].answers)
+                    found[name] = read_value(reader, node, ours[name], expected)
                 except Fault as fault:
                     unread[name] = Reason("marking/not_read", placed(fault.diagnostics[0]))
         return found
@@ -171,10 +174,10 @@ class Marker:
         return Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), ours, part.digits)
 
 
-def read_value(reader: Reader, node: Node, ours: Any) -> Submitted:
+def read_value(reader: Reader, node: Node, ours: Any, expected: Expected | None = None) -> Submitted:
     """Return the value of a node for an answer of the kind of ours; raises Fault."""
     try:
-        return reader.read(node, ours)
+        return reader.read(node, ours, expected)
     except Fault:
         raise
     except (ValueError, TypeError, ArithmeticError, AttributeError, RecursionError) as strange:

@@ -92,7 +92,7 @@ def _holds_answers(file: str) -> bool:
     if Path(file).is_dir():
         return True
     try:
-        root = parse_yaml(source_of(file)) if file != STANDARD else None
+        root = parse_yaml(source_of(file), colonless=True) if file != STANDARD else None
     except InputError:
         return False
     return isinstance(root, MappingNode) and "answers" in root and "find" not in root

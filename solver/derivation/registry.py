@@ -64,7 +64,8 @@ class AnswerName:
     scale is right); it may depend on what is given (a gain is free where there are several inputs). In an `ordered`
     list each item has its place; the items of any other may stand in any order. `vectors` says that the "columns", or
     the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task earn the marks
-    where a problem does not say which. A `count` is reached by many mistakes, so that none is named for it.
+    where a problem does not say which. A `count` is reached by many mistakes, so that none is named for it. `words` are
+    those that an answer in words may have, `unit` is "rad/s" or "s" where a number has one.
     """
 
     name: str
@@ -77,6 +78,8 @@ class AnswerName:
     vectors: str = ""
     principal: bool = False
     count: bool = False
+    words: tuple[str, ...] = ()
+    unit: str = ""
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

@@ -98,9 +98,10 @@ class ScalarNode(Node):
 
 @dataclass(frozen=True, slots=True)
 class SequenceNode(Node):
-    """A list."""
+    """A list; `braces` tells that it is written as a set, {1, 2}."""
 
     items: tuple[Node, ...] = ()
+    braces: bool = False
 
     @property
     def what(self) -> str:

@@ -32,12 +32,15 @@ FORBIDDEN = re.compile(
 BRACKET = re.compile(r"[\[\]{}]")
 
 
-def parse_yaml(source: Source) -> Node:
-    """Return the tree of the one document of the source; raises InputError with everything that is wrong with it."""
+def parse_yaml(source: Source, *, colonless: bool = False) -> Node:
+    """Return the tree of the one document of the source; raises InputError with everything that is wrong with it.
+
+    With `colonless` braces without colons are a set, {-1, -2}, and {x: 1, 2, y: 3} gives x the text "1, 2".
+    """
     text = source.text.removeprefix("\ufeff")
     try:
         _guard(text)
-        return _Composer(_events(text)).document()
+        return (_ColonlessComposer(text) if colonless else _Composer(text)).document()
     except Fault as fault:
         raise InputError(source, fault.diagnostics) from None
     except yaml.YAMLError as error:
@@ -78,8 +81,8 @@ def _events(text: str) -> Iterator[yaml.Event]:
 class _Composer:
     """Builds the tree. Recursion is bounded by MAX_DEPTH."""
 
-    def __init__(self, events: Iterator[yaml.Event]) -> None:
-        self.events = events
+    def __init__(self, text: str) -> None:
+        self.events = _events(text)
         self.report = Report()
         self.values = 0
 
@@ -144,7 +147,7 @@ class _Composer:
             items.append(self._node(event, depth + 1))
         return SequenceNode(_place(start, event), tuple(items))
 
-    def _mapping(self, start: yaml.Event, depth: int) -> MappingNode:
+    def _mapping(self, start: yaml.Event, depth: int) -> Node:
         entries: dict[str, Entry] = {}
         while not isinstance(event := next(self.events), yaml.MappingEndEvent):
             key = self._node(event, depth + 1)
@@ -164,6 +167,58 @@ class _Composer:
             self.report.diagnostics.append(key.diagnostic(f"key '{key.text}' is given twice", note=note))
         else:
             entries[key.text] = Entry(key, value)
+
+
+class _ColonlessComposer(_Composer):
+    """Reads what stands in braces without a colon, where YAML sees a key without a value."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.lines = text.splitlines(keepends=True)
+
+    def _mapping(self, start: yaml.Event, depth: int) -> Node:
+        entries: dict[str, Entry] = {}
+        items: list[Node] = []
+        while not isinstance(event := next(self.events), yaml.MappingEndEvent):
+            key = self._node(event, depth + 1)
+            value = self._node(next(self.events), depth + 1)
+            if not _is_colonless(key, value):
+                self._enter(entries, key, value)
+            elif not entries:
+                items.append(key)
+            elif not self._continues(entries, key):
+                self._enter(entries, key, value)
+        if items and not entries:
+            return SequenceNode(_place(start, event), tuple(items), braces=True)
+        for item in items:
+            self._enter(entries, item, ScalarNode(item.place, ""))
+        return MappingNode(_place(start, event), entries)
+
+    def _continues(self, entries: dict[str, Entry], item: Node) -> bool:
+        """Join an item to the text before it, as it is written; False where no plain text stands there."""
+        name, last = next(reversed(entries.items()))
+        value = last.value
+        if not isinstance(value, ScalarNode) or value.style != "plain" or not value.text:
+            return False
+        start, end = value.place, item.place
+        place = Place(start.line, start.column, end.end_line, end.end_column)
+        text = " ".join(self._written(place).split())
+        if len(text) > MAX_TEXT:
+            return False
+        entries[name] = Entry(last.key, ScalarNode(place, text))
+        return True
+
+    def _written(self, place: Place) -> str:
+        lines = self.lines[place.line - 1 : place.end_line]
+        lines[-1] = lines[-1][: place.end_column - 1]
+        lines[0] = lines[0][place.column - 1 :]
+        return "".join(lines)
+
+
+def _is_colonless(key: Node, value: Node) -> bool:
+    ends = (key.place.end_line, key.place.end_column)
+    nothing = isinstance(value, ScalarNode) and value.is_null and not value.text
+    return nothing and ends == (value.place.line, value.place.column)
 
 
 def _place(start: yaml.Event, end: yaml.Event | None = None) -> Place:

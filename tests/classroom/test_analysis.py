@@ -125,7 +125,7 @@ WRONG = [
     ("samples", "y", "2 - 2^(-k)"),
     ("similar", "A", "[[-2, 0], [0, -1]]"),
     ("stable", "P", "[[5/4, 1/4], [-1/4, 1/4]]"),
-    ("stable", "verdict", "stable"),
+    ("stable", "verdict", "marginally stable"),
     ("routh", "array", "[[1, 2], [3, 0], [-2, 0]]"),
     ("range", "condition", "0 < K"),
     ("range", "condition", "0 < K < 5"),

@@ -34,12 +34,12 @@ def test_a_file_that_is_no_yaml_or_names_no_part_is_at_fault(text, place, words)
     ("values", "name", "column", "words"),
     [
         ("a: {eigenvalues: [1, 2+]}", "eigenvalues", 34, "expected"),
-        ("a: {eigenvalues: [1, 1/2x]}", "eigenvalues", 34, "unclear"),
+        ("a: {eigenvalues: [1, 1/2x/]}", "eigenvalues", 37, "expected"),
         ("b: {controllability_matrix: [[1, 2], [3]]}", "controllability_matrix", 39, "same length"),
         ("b: {controllable: maybe}", "controllable", 29, "yes or no"),
         ("b: {rank: '1 ± 2'}", "rank", 21, "stands for two values"),
         ("b: {rank: __import__('os')}", "rank", 21, ""),
-        ("b: {controllability_matrix: [[[1]]]}", "controllability_matrix", 41, "a value is expected"),
+        ("b: {controllability_matrix: [[1, [2, 3]]]}", "controllability_matrix", 44, "a value is expected"),
     ],
 )
 def test_a_value_that_cannot_be_read_is_not_judged_and_costs_nothing_but_itself(values, name, column, words):

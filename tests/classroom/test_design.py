@@ -54,6 +54,7 @@ RIGHT = [
     ("match", "compensator", "2(s+2)/(s+4)"),
     ("observer", "L", "[10, 10]"),
     ("observer", "L", "[[10], [10]]"),
+    ("observer", "L", "[[10, 10]]"),
     ("observer", "error_A", "[[-10, 1], [-12, -3]]"),
     ("both", "L", "[[1, 1], [0, 2]]"),
     ("both", "L", "[[2, 1], [0, 1]]"),
@@ -93,7 +94,6 @@ WRONG = [
     ("servo", "closed_loop_A", "[[0, 1, 0], [-20, -7, 24], [1, 0, 0]]"),
     ("match", "feasible", "no"),
     ("match", "compensator", "(s+4)/(2(s+2))"),
-    ("observer", "L", "[[10, 10]]"),
     ("observer", "L", "[-10, -10]"),
     ("observer", "error_A", "[[10, 1], [8, -3]]"),
     ("both", "L", "[[1, 1], [0, 1]]"),
@@ -106,7 +106,6 @@ WRONG = [
     ("lqr", "u", "x1 + 3x2"),
     ("lqr", "K", "[2, 3]"),
     ("lqr", "equations", "[p12^2 + 1, p12 p22 - p11 - p12, p22^2 - 2p22 - 2p12 - 1]"),
-    ("kalman", "L", "[[2, 2]]"),
     ("kalman", "eigenvalues", "1 ± j"),
     ("optimal", "K_o", "0"),
 ]

@@ -66,7 +66,6 @@ WRONG = [
     ("b", "K", "[-13, -8]", "the sign is reversed"),
     ("b", "K", "[8, 13]", "the entries stand in reverse order"),
     ("b", "K", "[13, 8.1]", ""),
-    ("b", "K", "[[13], [8]]", "it is transposed: rows and columns are exchanged"),
     ("b", "K", "[-3, -4]", ""),
     ("b", "K", "[7, -4]", "the poles have the wrong sign"),
     ("b", "closed_loop_A", "[[1, 2], [16, 9]]", "$+$ stands where $-$ belongs: the feedback is subtracted"),

@@ -2,8 +2,11 @@
 
 import pytest
 
-from solver.classroom.reading.spelling import matching, respelled, split, unfolded
-from solver.problem.nodes import MappingNode, Place, ScalarNode
+from solver.classroom.reading.brackets import matching, split
+from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.matrices import Unfolding
+from solver.classroom.reading.spelling import respelled
+from solver.problem.nodes import MappingNode, Place, ScalarNode, SequenceNode
 
 
 @pytest.mark.parametrize(
@@ -47,14 +50,19 @@ def test_a_list_is_split_outside_of_brackets(text, pieces):
 
 
 def test_a_mapping_in_a_text_is_read_as_one():
-    node = unfolded(ScalarNode(Place(), "{v: r*w, i: [1, 2]}"))
+    node = Unfolding(Choices()).node(ScalarNode(Place(), "{v: r*w, i: [1, 2]}"))
     assert isinstance(node, MappingNode)
     assert node.plain() == {"v": "r*w", "i": "[1, 2]"}
-    assert isinstance(unfolded(ScalarNode(Place(), "{v}")), ScalarNode)
+
+
+def test_braces_without_colons_are_a_set():
+    node = Unfolding(Choices()).node(ScalarNode(Place(), "{v, 2}"))
+    assert isinstance(node, SequenceNode)
+    assert (node.braces, node.plain()) == (True, ["v", "2"])
 
 
 def test_lists_in_a_text_are_read_as_deep_as_a_list_of_matrices_is():
-    node = unfolded(ScalarNode(None, "[[[[1], 2]]]"))
-    for _ in range(3):
+    node = Unfolding(Choices()).node(ScalarNode(None, "[[[[[[1], 2]]]]]"))
+    for _ in range(5):
         node = node.items[0]
     assert node.text == "[1]"

@@ -3,7 +3,8 @@
 import pytest
 import sympy as sp
 
-from solver.classroom.reading.values import Reader, names_for
+from solver.classroom.reading.names import names_for
+from solver.classroom.reading.values import Reader
 from solver.problem.nodes import MappingNode
 from solver.problem.source import Fault, Source
 from solver.problem.yaml_tree import parse_yaml

@@ -22,9 +22,10 @@ def readings(text, decimals=None):
         ("1/2 t", t / 2, 1 / (2 * t)),
         ("1/2 e^(-t)", sp.exp(-t) / 2, sp.exp(t) / 2),
         ("3/2 w t", 3 * w * t / 2, 3 / (2 * w * t)),
-        ("e^-2t", sp.exp(-2) * t, sp.exp(-2 * t)),
+        ("e^-2 t", sp.exp(-2) * t, sp.exp(-2 * t)),
         ("e^-2 w t", sp.exp(-2) * w * t, sp.exp(-2 * w * t)),
-        ("e^2t sin 3t", sp.exp(2) * t * sp.sin(3 * t), sp.exp(2 * t) * sp.sin(3 * t)),
+        ("e^2 t sin 3t", sp.exp(2) * t * sp.sin(3 * t), sp.exp(2 * t) * sp.sin(3 * t)),
+        ("e^-2(t - 1)", sp.exp(-2) * (t - 1), sp.exp(-2 * (t - 1))),
         ("sin t/2", sp.sin(t) / 2, sp.sin(t / 2)),
         ("sin t^2", sp.sin(t) ** 2, sp.sin(t**2)),
         ("cos 2*t", sp.cos(2) * t, sp.cos(2 * t)),
@@ -44,6 +45,7 @@ def test_what_is_in_doubt_is_read_as_decided_and_refused_where_nobody_decides(te
         ("cos 2t + 1", sp.cos(2 * t) + 1),
         ("2 cos w t e^(-t) sin 3t", 2 * sp.cos(w * t) * sp.exp(-t) * sp.sin(3 * t)),
         ("exp -2t", sp.exp(-2 * t)),
+        ("e^-2t sin 3t", sp.exp(-2 * t) * sp.sin(3 * t)),
         ("sqrt 3/2", sp.sqrt(3) / 2),
         ("sqrt 3 j", sp.sqrt(3) * sp.I),
         ("sin^2(t) + cos² t", sp.sin(t) ** 2 + sp.cos(t) ** 2),
@@ -71,6 +73,6 @@ def test_many_signs_of_an_argument_are_bounded():
 
 
 def test_a_decimal_has_its_symbol_wherever_it_stands():
-    ((value, form),) = parse_written("e^-2.5t + (0.5)", NAMES, {3: d, 11: T}, lambda doubt: doubt is Doubt.EXPONENT)
+    ((value, form),) = parse_written("e^-2.5 t + (0.5)", NAMES, {3: d, 12: T}, lambda doubt: doubt is Doubt.EXPONENT)
     assert value == sp.exp(sp.Rational(-5, 2) * t) + sp.Rational(1, 2)
     assert form == sp.exp(-d * t) + T

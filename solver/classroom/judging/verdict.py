@@ -9,6 +9,7 @@ import sympy as sp
 
 from solver.classroom.judging.entries import all_right, entrywise, shaped
 from solver.classroom.judging.question import Question, checks_of
+from solver.classroom.judging.readings import judged_by_readings
 from solver.classroom.judging.vectors import rounded, vectors
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Verdict
@@ -20,7 +21,12 @@ TO_THE_DIGITS = Reason("marking/to_the_digits")
 
 
 def judge(question: Question, submitted: Mapping[str, Submitted]) -> dict[str, AnswerVerdict]:
-    """Return the verdict of every value.
+    """Return the verdict of every value, of one with several readings by the one that is right."""
+    return judged_by_readings(question, submitted, _judged)
+
+
+def _judged(question: Question, submitted: Mapping[str, Submitted]) -> dict[str, AnswerVerdict]:
+    """Return the verdict of every value as it is read.
 
     First all values are judged together, with the relations between them. Where that fails each is judged alone, and
     what fails alone is taken out: it must not spoil the others.

@@ -62,7 +62,7 @@ def read_submission(source: Source, problem: Problem) -> Submission:
 
 
 def _root(source: Source) -> MappingNode:
-    root = parse_yaml(source)
+    root = parse_yaml(source, colonless=True)
     if not isinstance(root, MappingNode):
         raise InputError(source, [root.diagnostic("an answer file is a mapping with the key 'answers'")])
     return root

@@ -107,7 +107,7 @@ class _Parser:
                 operator = cursor.take().text
                 factors.append((operator, self.factor()))
             elif cursor.sees_kind(Kind.NAME) or cursor.sees("("):
-                unclear = self.exponent_is_unclear(before)
+                unclear, tight = self.exponent_is_unclear(before), cursor.token.at == cursor.last.end
                 following = self.factor()
                 if operator == "/":
                     if self.decide is None:
@@ -116,7 +116,8 @@ class _Parser:
                 elif unclear and isinstance(before, Power):
                     if self.decide is None:
                         raise refusals.unclear_exponent(cursor, before, following)
-                    if not self.ends_exponent(following) and self.decide(Doubt.EXPONENT):
+                    certain = tight and isinstance(following, Name) and _is_e(before.base)
+                    if not self.ends_exponent(following) and (certain or self.decide(Doubt.EXPONENT)):
                         factors[-1] = (operator, _with_exponent(before, following))
                     else:
                         factors.append(("*", following))
@@ -133,7 +134,7 @@ class _Parser:
         last = self.cursor.last
         if not isinstance(before, Power) or last.kind is Kind.SUPERSCRIPT or last.text == ")":
             return False
-        natural = isinstance(before.base, Name) and before.base.name == "e" and self.names.is_constant("e")
+        natural = _is_e(before.base) and self.names.is_constant("e")
         if isinstance(before.exponent, Number):
             return natural
         return isinstance(before.exponent, Sum | Product) or self.cursor.sees_adjacent("(")
@@ -141,7 +142,7 @@ class _Parser:
     def ends_exponent(self, following: Node) -> bool:
         """Whether a factor is no part of an exponent written without brackets: e^-2 sin(t), e^-2 e^-t."""
         base = following.base if isinstance(following, Power) else following
-        return isinstance(base, Call) or (isinstance(base, Name) and base.name == "e" and self.names.is_constant("e"))
+        return isinstance(base, Call) or (_is_e(base) and self.names.is_constant("e"))
 
     def factor(self) -> Node:
         if not self.cursor.sees(*_SIGNS):
@@ -242,6 +243,10 @@ class _Parser:
     def call(self, token: Token) -> Node:
         argument = self.group(token)
         return Call(token.at, self.cursor.last.end, FUNCTIONS[token.text], argument)
+
+
+def _is_e(node: Node) -> bool:
+    return isinstance(node, Name) and node.name == "e"
 
 
 def _with_exponent(power: Power, factor: Node) -> Power:

@@ -58,7 +58,7 @@ desired_poles: Task[System, StepSpecifications] = Task(
     options=StepSpecifications,
     answers=[
         AnswerName("damping_ratio", r"\sym{damping_ratio}", "the damping ratio"),
-        AnswerName("natural_frequency", r"\omega_n", "the natural frequency"),
+        AnswerName("natural_frequency", r"\omega_n", "the natural frequency", unit="rad/s"),
         AnswerName("poles", "s_{1,2}", "the poles", principal=True),
         AnswerName("polynomial", r"\hat{p}(s)", "the characteristic polynomial with these roots"),
     ],

@@ -37,6 +37,13 @@ LISTED = (
         ("riccati",),
         optional=True,
         ordered=True,
+        words=(
+            "positive definite",
+            "positive semidefinite",
+            "negative definite",
+            "negative semidefinite",
+            "indefinite",
+        ),
     ),
 )
 """The answers of the method `riccati` beside the stabilizing solution."""

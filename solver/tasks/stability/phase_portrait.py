@@ -22,6 +22,12 @@ if TYPE_CHECKING:
 
     from solver.systems import StateSpace, System
 
+KINDS = (
+    *("stable node", "unstable node", "stable degenerate node", "unstable degenerate node", "stable star"),
+    *("unstable star", "stable focus", "unstable focus", "center", "saddle", "shear", "line of equilibria"),
+    "all points are equilibria",
+)
+
 phase_portrait: Task[StateSpace, PlantOptions] = Task(
     "phase_portrait",
     title="Phase portrait",
@@ -29,7 +35,13 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
     needs=("A",),
     options=PlantOptions,
     answers=[
-        AnswerName("kind", r"\text{kind}", "the kind of equilibrium (with parameters: in general)", principal=True),
+        AnswerName(
+            "kind",
+            r"\text{kind}",
+            "the kind of equilibrium (with parameters: in general)",
+            principal=True,
+            words=KINDS,
+        ),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
         AnswerName("exceptions", r"\text{exceptions}", "where the parameters make it another", optional=True),
     ],

@@ -64,7 +64,13 @@ stability: Task[StateSpace, StabilityOptions] = Task(
     needs=("A",),
     options=StabilityOptions,
     answers=[
-        AnswerName("verdict", r"\text{verdict}", "the free motion", principal=True),
+        AnswerName(
+            "verdict",
+            r"\text{verdict}",
+            "the free motion",
+            principal=True,
+            words=("asymptotically stable", "marginally stable", "unstable"),
+        ),
         AnswerName("bibo_stable", r"\text{BIBO stable}", "whether bounded inputs give bounded outputs", optional=True),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity", optional=True),
         AnswerName("P", "P", "the solution of Lyapunov's equation", ("lyapunov",), optional=True),

@@ -64,7 +64,11 @@ response: Task[StateSpace | LateInput, ResponseOptions] = Task(
         AnswerName("y_final", r"y_{\infty}", "the final value, the limit of $y$", optional=True),
         AnswerName("y_peak", r"y_{\text{peak}}", "the peak, the value of largest size", optional=True),
         AnswerName(
-            "t_peak", r"t_{\text{peak}}", "when the peak is reached first (in discrete time: the sample)", optional=True
+            "t_peak",
+            r"t_{\text{peak}}",
+            "when the peak is reached first (in discrete time: the sample)",
+            optional=True,
+            unit="s",
         ),
     ],
     example={"B": "[0, 1]", "input": "exp(-t)", "initial_state": "[1, 0]"},

@@ -1,0 +1,79 @@
+"""Texts with brackets: where one is closed, pieces between separators, entries of a row, rows of a matrix."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+OPENING, CLOSING = "([{", ")]}"
+_BINARY = "+-*/^±=<>,;&|·×⋅−"
+_SIGNS = "+-−±"
+_NUMBER = re.compile(r"[+−-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(?:/\d+)?")
+_ROW = re.compile(r"[;\n]")
+_CONTINUED = re.compile(r"\.\.\.[ \t]*\n?|(?<=,)[ \t]*\n")
+
+
+def matching(text: str, at: int) -> int:
+    """Return where the bracket that opens at a place is closed; the end of the text if it never is."""
+    depth = 0
+    for i in range(at, len(text)):
+        depth += (text[i] in OPENING) - (text[i] in CLOSING)
+        if depth == 0:
+            return i
+    return len(text)
+
+
+def split(text: str, separator: str | re.Pattern[str]) -> list[str]:
+    """Return the pieces of a text between separators outside of brackets; none of an empty text."""
+    pattern = re.compile(re.escape(separator)) if isinstance(separator, str) else separator
+    pieces, start, at = [], 0, 0
+    while at < len(text):
+        if text[at] in OPENING:
+            at = matching(text, at) + 1
+        elif found := pattern.match(text, at):
+            pieces.append(text[start:at])
+            start = at = found.end() if found.end() > at else at + 1
+        else:
+            at += 1
+    return [*pieces, text[start:]] if pieces or text.strip() else []
+
+
+def enclosed(text: str, brackets: str = "[]") -> bool:
+    """Whether the first bracket of a text is of this kind and closed at its end."""
+    return text[:1] == brackets[0] and text[-1:] == brackets[1] and matching(text, 0) == len(text) - 1
+
+
+def rows(text: str) -> list[str]:
+    """Return what stands between ; and ends of lines, without blank rows; ... or a comma continues a line."""
+    return [row for row in split(_CONTINUED.sub(" ", text), _ROW) if row.strip()]
+
+
+def by_spaces(text: str) -> list[str]:
+    """Return the entries of a row without commas, as MATLAB reads it: "1 -2" has two, "1 - 2" and "1 -2*3" one."""
+    pieces, start, at = [], 0, 0
+    text = text.strip()
+    while at < len(text):
+        if text[at] in OPENING:
+            at = matching(text, at) + 1
+        elif text[at].isspace():
+            end = at + len(text[at:]) - len(text[at:].lstrip())
+            if _separates(text, at, end):
+                pieces.append(text[start:at])
+                start = end
+            at = end
+        else:
+            at += 1
+    return [*pieces, text[start:]] if text else []
+
+
+def _separates(text: str, at: int, end: int) -> bool:
+    """Whether spaces stand between two entries: after no operator, and before none but a sign that has no space."""
+    after, following = text[end], text[end + 1 : end + 2]
+    if text[at - 1] in _BINARY or after in CLOSING or (after == "+" and following in "-−/"):
+        return False
+    return after not in _BINARY or (after in _SIGNS and after != "±" and not following.isspace())
+
+
+def are_numbers(pieces: Sequence[str]) -> bool:
+    """Whether pieces are plain numbers, or lists of their own, which spaces can only separate."""
+    return all(_NUMBER.fullmatch(piece) or enclosed(piece) for piece in pieces)

@@ -1,0 +1,81 @@
+"""Conditions as students write them: 0 < K < 6, a > 0 and b > a, K in (0, 6), Eq(a, b), always."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.reading.brackets import matching, split
+from solver.classroom.reading.words import NO, YES
+from solver.problem.expressions import ExpressionError, Names, parse_equation, parse_expression
+
+MAX_NESTING = 12
+RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!=", sp.Ne), ("≠", sp.Ne), ("<", sp.Lt),
+             (">", sp.Gt), ("=", sp.Eq))  # fmt: skip
+_RELATION = re.compile(r"<=|>=|!=|[≤≥≠<>]|==?")
+_AND = re.compile(r"\s+(?:and|und)\s+|\s*(?:&&?|∧|;|,)\s*", re.IGNORECASE)
+_OR = re.compile(r"\s+(?:or|oder)\s+|\s*(?:\|\|?|∨)\s*", re.IGNORECASE)
+_EQUATION = re.compile(r"^(Eq|Ne)\s*\((.*)\)$", re.DOTALL)
+_INTERVAL = re.compile(r"^(.+?)\s*(?:∈|\bin\b)\s*([\[\](])([^,;]+)[,;]([^,;]+)([\])\[])$", re.DOTALL)
+
+
+class ConditionReader:
+    """Reads conditions; `plain` puts an expression into our notation."""
+
+    def __init__(self, names: Names, plain: Callable[[str], str]) -> None:
+        self.names = names
+        self.plain = plain
+
+    def read(self, text: str) -> Any:
+        """Return the condition, True for "always", False for "never". Raises ExpressionError."""
+        return self._any_of(text, 0)
+
+    def _any_of(self, text: str, depth: int) -> Any:
+        """Conditions joined by "or", each of them of conditions joined by "and", with brackets."""
+        text = text.strip()
+        if text.lower() in YES | NO:
+            return sp.true if text.lower() in YES else sp.false
+        if depth > MAX_NESTING:
+            raise ExpressionError("the condition is nested too deeply", 0, len(text))
+        if found := _EQUATION.match(text):
+            sides = [self._side(side) for side in split(found[2], ",")]
+            if len(sides) != 2:
+                raise ExpressionError(f"{found[1]} has two sides", 0, len(text))
+            return sp.Eq(*sides, evaluate=False) if found[1] == "Eq" else sp.Ne(*sides)
+        if found := _INTERVAL.match(text):
+            return self._interval(found)
+        for pattern, join in ((_OR, sp.Or), (_AND, sp.And)):
+            if len(pieces := split(text, pattern)) > 1:
+                return join(*(self._any_of(piece, depth + 1) for piece in pieces))
+        if text.startswith("(") and matching(text, 0) == len(text) - 1 and _RELATION.search(text):
+            return self._any_of(text[1:-1], depth + 1)
+        return sp.And(*self._chain(text))
+
+    def _interval(self, found: re.Match[str]) -> Any:
+        """K in (0, 6], or ]0, 6]; a bound of infinity is none."""
+        name, lower, upper = (self._side(found[i]) for i in (1, 3, 4))
+        below = sp.Le(lower, name) if found[2] == "[" else sp.Lt(lower, name)
+        above = sp.Le(name, upper) if found[5] == "]" else sp.Lt(name, upper)
+        bounds = [each for each, bound in ((below, lower), (above, upper)) if bound not in (sp.oo, -sp.oo)]
+        return sp.And(*bounds)
+
+    def _chain(self, text: str) -> list[Any]:
+        """The relations of "0 < K < 6"."""
+        signs = _RELATION.findall(text)
+        if not signs:
+            raise ExpressionError("a condition such as 0 < K < 6 is expected here", 0, len(text))
+        if signs in (["="], ["=="]):
+            left, right = _RELATION.split(text)
+            return [sp.Eq(*parse_equation(f"{self.plain(left)}={self.plain(right)}", self.names), evaluate=False)]
+        sides = [self._side(side) for side in _RELATION.split(text)]
+        relations: dict[str, Any] = dict(RELATIONS) | {"==": sp.Eq}
+        try:
+            return [relations[sign](sides[i], sides[i + 1]) for i, sign in enumerate(signs)]
+        except TypeError:
+            raise ExpressionError("only real quantities can be compared", 0, len(text)) from None
+
+    def _side(self, text: str) -> Any:
+        return parse_expression(self.plain(text).strip(), self.names)

@@ -1,0 +1,93 @@
+r"""What stands before a value and names it: K = [13, 8], G(s) = 1/s, λ_1 = -1, \chi(\lambda) = ….
+
+The answer's own name, or one that nobody else has, is left out. What names another answer of the task, or a quantity of
+the field with a letter of its own, L before a K, makes the value unreadable: it may have been meant for another place.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from solver.derivation import AnswerName
+from solver.problem.expressions.notation import GREEK
+from solver.symbols import NOTATIONS
+
+_LABEL = re.compile(r"^\s*([^=<>≤≥≠!:≈\[\]]{1,80}?)\s*(?::=|==|=|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
+_NAME = re.compile(r"\\?[^\W\d][\w\s\\{},*'′]*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\|", re.DOTALL)
+_INDEX = re.compile(r"(\d+)\D*$")
+_SYMBOL = re.compile(r"\\sym\{(\w+)\}")
+_DECORATION = re.compile(r"\\(?:text|mathrm|mathcal|operatorname|bar|hat|tilde|left|right|mathbf)\b|[\\${}_\s*^]")
+_GREEK = {**GREEK, "lambda": "lamda"}
+
+
+class ForeignLabelError(Exception):
+    """A value is labelled as another one than is asked for."""
+
+
+class Labels:
+    """The labels of one answer, among those of its task."""
+
+    def __init__(self, answer: AnswerName | None = None, others: Iterable[AnswerName] = ()) -> None:
+        self.name = answer.name if answer else ""
+        self.own = _spellings(answer) if answer else set()
+        self.others = {each for other in others for each in _spellings(other)} - self.own
+
+    def without(self, text: str) -> tuple[str, bool]:
+        """Return a text without its label, and whether that was a label of another spelling than the answer's.
+
+        Raises ForeignLabelError.
+        """
+        found = _LABEL.match(text)
+        if found is None or "=" in found[2].strip("= "):
+            return text, False
+        label = _normal(found[1])
+        if label in self.own:
+            return found[2].strip(), False
+        foreign = label in self.others or (_is_quantity(label) and _letter(label) not in map(_letter, self.own))
+        if self.name and foreign:
+            raise ForeignLabelError(f"it is labelled {found[1].strip()}, and {self.name} is asked for")
+        return (found[2].strip(), True) if _NAME.fullmatch(found[1].strip()) else (text, False)
+
+
+def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
+    """Return the items of a list without labels, λ_1 = -1, in the order of their indices where each has one of its own.
+
+    Also tells whether there were any.
+    """
+    found = [_LABEL.match(item) for item in items]
+    if not any(found):
+        return list(items), False
+    values = [match[2].strip() if match else item for match, item in zip(found, items, strict=True)]
+    indices = [_INDEX.search(match[1]) if match else None for match in found]
+    numbers = [int(index[1]) for index in indices if index]
+    if len(numbers) == len(items) == len(set(numbers)):
+        values = [value for _, value in sorted(zip(numbers, values, strict=True))]
+    return values, True
+
+
+def _spellings(answer: AnswerName) -> set[str]:
+    """The names and symbols of an answer, in all notations."""
+    found = _SYMBOL.search(answer.symbol)
+    names = [found[1], *(table[found[1]] for table in NOTATIONS.values() if found[1] in table)] if found else [""]
+    symbols = [answer.symbol.replace(found[0], name) if found else answer.symbol for name in names]
+    return {_normal(each) for each in (answer.name, *symbols) if each}
+
+
+def _is_quantity(label: str) -> bool:
+    return any(
+        label in (_normal(name), _normal(symbol)) for table in NOTATIONS.values() for name, symbol in table.items()
+    )
+
+
+def _normal(label: str) -> str:
+    """A label without what decorates it, its argument and its index: K_{f}(t) is Kf, λ_{1,2} is lamda."""
+    bare = _DECORATION.sub("", label.replace("−", "-"))
+    bare = "".join(_GREEK.get(sign, sign) for sign in bare).replace("lambda", "lamda")
+    bare = re.sub(r"\([a-z]*\)$", "", bare)
+    return re.sub(r"(?<=\D)[\d,]+$|(?<=.)i$", "", bare)
+
+
+def _letter(label: str) -> str:
+    """The letter of a label, Latin or Greek by its name."""
+    return next((name for name in _GREEK.values() if label.startswith(name)), label[:1])

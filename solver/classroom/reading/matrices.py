@@ -1,0 +1,251 @@
+"""Lists, matrices and mappings that a text holds, as nodes: of YAML, MATLAB, numpy, sympy, Mathematica, LaTeX.
+
+[1 2; 3 4], [[1, 2], [3, 4]]', np.array([[1, 2]]), Matrix([1, 2]), {{1, 2}, {3, 4}}, (1, 2), 1/2 [1 2], {x: 1, y: 2}.
+Rows end with ; or a line, entries with a comma, or with a space where there are no commas. Nothing is evaluated.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, rows, split
+from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.latex import NotReadableError, is_latex, translated
+from solver.classroom.reading.spelling import typed
+from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
+
+MAX_DEPTH = 4
+_MAKER = re.compile(
+    r"(?:[A-Za-z_]\w*\.)*(?:Immutable)?(?:Sparse|Dense)?"
+    r"(?:[Mm]atrix|poly1d|n?d?array|asarray|Array|mat|list|tuple|set|frozenset|[Vv]ector|MatrixForm)\s*[(\[]"
+)
+_KEYWORD = re.compile(r"\s*[A-Za-z_]\w*\s*=")
+_TRANSPOSE = re.compile(r"(?:\.?['’′]|\^\(?\s*T\s*\)?|ᵀ|\.T|\^⊤|\^\\top)\s*$")
+_PAIR = re.compile(r"\s*(?::=|[:=])\s*")
+_JOINED = re.compile(r"\s+(?:and|und|or|oder)\s+", re.IGNORECASE)
+_SETS = {"∅": "[]", "{ }": "[]"}
+_DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.]|,\d)")
+
+
+@dataclass(frozen=True)
+class Unfolding:
+    """How texts are taken apart: `grid` where a matrix or a list of expressions is expected, so that separators count.
+
+    With `comma` a comma between digits may be a decimal comma.
+    """
+
+    choices: Choices
+    grid: bool = False
+    comma: bool = False
+
+    def node(self, node: Node) -> Node:
+        """Return the lists or the mapping that a node holds as a text; other nodes as they are."""
+        if isinstance(node, ScalarNode):
+            text = _SETS.get(node.text.strip(), node.text)
+            return node if node.is_null else self.text(node, self._with_points(_plain(node, text)), 0)
+        if not isinstance(node, SequenceNode) or not node.items:
+            return node
+        if _holds_rows(node) or (self.comma and self.grid and _holds_commas(node)):
+            return self.text(node, self._with_points(typed(node)), 0)
+        return self._sequence(node)
+
+    def _sequence(self, node: SequenceNode) -> Node:
+        """A list of YAML: an item may hold the entries of a row, [1 2], or be a matrix of its own."""
+        items: list[Node] = []
+        pieces = [by_spaces(item.text) if isinstance(item, ScalarNode) else [] for item in node.items]
+        plain = all(isinstance(item, ScalarNode) and item.style == "plain" for item in node.items)
+        if self.grid and len(node.items) == 1 and plain and len(pieces[0]) > 1:
+            (only,) = node.items
+            return SequenceNode(node.place, tuple(self._leaves(only, typed(only))), node.braces)
+        if self.grid and plain and all(len(each) > 1 and are_numbers(each) for each in pieces):
+            rows_ = [SequenceNode(node.place, tuple(_leaves(node, each))) for each in pieces]
+            return SequenceNode(node.place, tuple(rows_))
+        for item in node.items:
+            holds = isinstance(item, SequenceNode) or (isinstance(item, ScalarNode) and _holds_list(item.text))
+            items.append(self.node(item) if holds else item)
+        return SequenceNode(node.place, tuple(items), node.braces)
+
+    def _with_points(self, text: str) -> str:
+        """A text with decimal commas as points; in a list the commas between digits may separate, all or none."""
+        if not self.comma or not _DECIMAL_COMMA.search(text):
+            return text
+        decimal = not self.grid or self.choices.choose("comma", (True, False))
+        return _DECIMAL_COMMA.sub(r"\1.\2", text) if decimal else text
+
+    def text(self, node: Node, text: str, depth: int) -> Node:
+        """Return what a text holds."""
+        text = text.strip()
+        if depth > MAX_DEPTH:
+            return _leaf(node, text)
+        if self.grid and depth == 0:
+            text = _JOINED.sub(", ", text)
+        tuple_ = enclosed(text, "()") and (len(split(text[1:-1], ",")) > 1 or len(rows(text[1:-1])) > 1)
+        if enclosed(text, "{}") and (mapped := _mapped(node, text[1:-1])):
+            return mapped
+        if enclosed(text, "[]") or enclosed(text, "{}") or tuple_:
+            return self._bracketed(node, text[1:-1], depth, braces=text.startswith("{"))
+        return self._called(node, text, depth) or _leaf(node, text)
+
+    def _called(self, node: Node, text: str, depth: int) -> Node | None:
+        """What stands in no brackets of its own: a call, a product, entries with separators; None for one value."""
+        if found := _TRANSPOSE.search(text):
+            inside = self.text(node, text[: found.start()], depth + 1)
+            return _transposed(inside) if isinstance(inside, SequenceNode) else _leaf(node, text)
+        if (found := _MAKER.match(text)) and matching(text, found.end() - 1) == len(text) - 1:
+            return self._made(node, text[found.end() : -1], depth)
+        if (scaled := _scaled(text)) and self.grid:
+            return _times(self.text(node, scaled[1], depth + 1), scaled[0], scaled[2])
+        if self.grid and depth == 0 and self._separated(text):
+            return self._bracketed(node, text, depth, braces=False)
+        return None
+
+    def _separated(self, text: str) -> bool:
+        """Whether a text without brackets holds several entries: -1, -2; -1; -2; or numbers with spaces between."""
+        return len(rows(text)) > 1 or len(split(text, ",")) > 1 or len(by_spaces(text)) > 1
+
+    def _made(self, node: Node, text: str, depth: int) -> Node:
+        """What stands in Matrix(…): lists, or their size and a flat list; keywords such as dtype are left out."""
+        arguments = [piece.strip() for piece in split(text, ",") if not _KEYWORD.match(piece)]
+        if len(arguments) == 3 and arguments[0].isdigit() and arguments[1].isdigit():
+            flat = self.text(node, arguments[2], depth + 1)
+            count = int(arguments[1])
+            if isinstance(flat, SequenceNode):
+                width = max(count, 1)
+                lines = [flat.items[at : at + width] for at in range(0, len(flat.items), width)]
+                return SequenceNode(node.place, tuple(SequenceNode(node.place, line) for line in lines))
+        inside = _unquoted(", ".join(arguments))
+        return self.text(node, inside if inside[:1] in "[{(" else f"[{inside}]", depth + 1)
+
+    def _bracketed(self, node: Node, text: str, depth: int, *, braces: bool) -> Node:
+        """The entries between brackets; where there are several rows, a list that stands alone in one is the row."""
+        lines = rows(text)
+        if len(lines) < 2:
+            return SequenceNode(node.place, self._row(node, text, depth) if text.strip() else (), braces)
+        found = [self._row(node, line, depth) for line in lines]
+        whole = [row[0] if len(row) == 1 and isinstance(row[0], SequenceNode) else None for row in found]
+        pairs = zip(whole, found, strict=True)
+        return SequenceNode(node.place, tuple(alone or SequenceNode(node.place, row) for alone, row in pairs))
+
+    def _row(self, node: Node, text: str, depth: int) -> tuple[Node, ...]:
+        """The entries of a row."""
+        entries = split(text, ",")
+        if len(entries) == 1:
+            return tuple(self._leaves(node, text, depth))
+        kept = entries if entries[-1].strip() else entries[:-1]
+        return tuple(self.text(node, entry, depth + 1) for entry in kept)
+
+    def _leaves(self, node: Node, text: str, depth: int = 0) -> list[Node]:
+        """The entries between spaces; what is no plain number may as well be one product, or one sum."""
+        pieces = by_spaces(text)
+        several = self.grid and len(pieces) > 1
+        if several and not are_numbers(pieces):
+            several = self.choices.choose("spaces", (True, False))
+        return [self.text(node, piece, depth + 1) for piece in (pieces if several else [text])]
+
+
+def _plain(node: ScalarNode, text: str) -> str:
+    """A text without LaTeX; raises Fault where it is none."""
+    if not is_latex(text):
+        return text
+    try:
+        return translated(text)
+    except NotReadableError as error:
+        raise node.fault(str(error)) from None
+
+
+def _holds_rows(node: SequenceNode) -> bool:
+    """Whether YAML took a matrix of MATLAB apart: [1, 2; 3, 4] has the items 1, "2; 3" and 4."""
+    texts = [item for item in node.items if isinstance(item, ScalarNode) and item.style == "plain"]
+    return len(texts) == len(node.items) and any(";" in item.text for item in texts)
+
+
+def _holds_commas(node: Node) -> bool:
+    """Whether two numbers stand in a list with a comma and no space between them."""
+    return isinstance(node, SequenceNode) and (
+        bool(_DECIMAL_COMMA.search(typed(node))) or any(map(_holds_commas, node.items))
+    )
+
+
+def _holds_list(text: str) -> bool:
+    return any(sign in text for sign in "[{") or bool(_MAKER.match(text.strip())) or "\\begin" in text
+
+
+def _mapped(node: Node, text: str) -> Node | None:
+    """The entries "name: value" or "name = value" of a text, None if it holds anything else."""
+    pairs = [split(item, _PAIR) for item in split(text, re.compile(r"[,;\n]"))]
+    if not pairs or any(len(pair) != 2 for pair in pairs):
+        return None
+    named = {name.strip(): _leaf(node, value.strip()) for name, value in pairs}
+    entries = {name: Entry(ScalarNode(node.place, name), value) for name, value in named.items()}
+    return MappingNode(node.place, entries)
+
+
+def mapped(node: Node, text: str) -> Node | None:
+    """Return the entries of a text such as "x1: 3, x2: 4" or "{x1 = 3}", None if it holds anything else."""
+    text = text.strip()
+    return _mapped(node, text[1:-1] if enclosed(text, "{}") or enclosed(text, "[]") else text)
+
+
+def _scaled(text: str) -> tuple[str, str, str] | None:
+    """The factors before and after the one matrix of a text, 1/2 [1 2] or [1 2]/2; None where there are none."""
+    start = next((at for at in _outside(text) if text[at] == "["), -1)
+    if start < 0:
+        return None
+    end = matching(text, start)
+    before, after = text[:start].strip().rstrip("*·×").strip(), text[end + 1 :].strip()
+    bare = not any(sign in before + after for sign in "[]{},;=")
+    if not bare or not (before or after) or end == len(text) or before[-1:] in ("/", "^"):
+        return None
+    if after and after[0] not in "*/":
+        return None
+    return before, text[start : end + 1], after
+
+
+def _outside(text: str) -> list[int]:
+    """The places of a text that stand in no round bracket."""
+    places, at = [], 0
+    while at < len(text):
+        if text[at] == "(":
+            at = matching(text, at)
+        else:
+            places.append(at)
+        at += 1
+    return places
+
+
+def _times(node: Node, before: str, after: str) -> Node:
+    """Every entry with a factor before and after it."""
+    if isinstance(node, SequenceNode):
+        return SequenceNode(node.place, tuple(_times(item, before, after) for item in node.items))
+    if not isinstance(node, ScalarNode):
+        return node
+    factor = before if before in ("", "+", "-", "−") else f"({before})*"
+    return ScalarNode(node.place, f"{factor}({node.text}){after}")
+
+
+def _transposed(node: SequenceNode) -> SequenceNode:
+    lines = [item.items if isinstance(item, SequenceNode) else None for item in node.items]
+    if any(line is None for line in lines):
+        return SequenceNode(node.place, tuple(SequenceNode(node.place, (item,)) for item in node.items))
+    if len({len(line) for line in lines if line is not None}) > 1:
+        return node  # no matrix, as the reader will say
+    columns = zip(*(line for line in lines if line is not None), strict=True)
+    return SequenceNode(node.place, tuple(SequenceNode(node.place, tuple(column)) for column in columns))
+
+
+def _leaves(node: Node, pieces: Sequence[str]) -> list[Node]:
+    return [_leaf(node, piece) for piece in pieces]
+
+
+def _leaf(node: Node, text: str) -> ScalarNode:
+    """The text of an entry, without quotes; the node itself where it has just this text."""
+    bare = _unquoted(text)
+    if isinstance(node, ScalarNode) and node.text == bare:
+        return node
+    return ScalarNode(node.place, bare, "plain")
+
+
+def _unquoted(text: str) -> str:
+    return text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"" else text

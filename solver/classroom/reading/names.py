@@ -1,0 +1,31 @@
+"""What names mean in an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from solver.problem.expressions import Names
+from solver.symbols import MEANINGS, SAMPLES
+
+
+def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours: Any, discrete: bool) -> Names:
+    """Return what names mean in an answer: symbols of the problem and of our answers, and the usual variables."""
+    usual = (*MEANINGS, *(name for name in SAMPLES if discrete or name not in symbols))
+    own = {str(symbol): symbol for symbol in _symbols_of(ours)}
+    known = {**symbols, **own}
+    variables: dict[str, Any] = {name: sp.Symbol(name) for name in usual if name not in own}
+    units = {"i": sp.I, "I": sp.I, "E": sp.E}
+    variables |= {name: unit for name, unit in units.items() if name not in known and name not in values}
+    kept = {name: value for name, value in values.items() if name not in own}
+    return Names(known, variables, kept, open=True)
+
+
+def _symbols_of(value: Any) -> set[sp.Symbol]:
+    if isinstance(value, Mapping):
+        return set().union(*(_symbols_of(each) for pair in value.items() for each in pair))
+    if isinstance(value, list | tuple):
+        return set().union(*map(_symbols_of, value))
+    return set(getattr(value, "free_symbols", ()))

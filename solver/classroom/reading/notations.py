@@ -1,0 +1,154 @@
+"""Expressions as they are written elsewhere, in our notation: √3, cos2t, j2, u(t), x₁, 20 %, p_21, exp{-t}, Sin[t].
+
+A table of patterns for what means the same in every problem, and rules for names, which mean what the problem says.
+Only text is changed; what it means is left to our parser.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.latex import is_latex, translated
+from solver.classroom.reading.spelling import respelled
+from solver.problem.expressions import ExpressionError, Names
+from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS
+from solver.problem.expressions.tokens import Kind, tokenize
+from solver.problem.expressions.vocabulary import as_product
+
+_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_FUNCTION = "|".join(
+    sorted((each for each in FUNCTIONS if each not in ("step", "delta", "inv")), key=len, reverse=True)
+)
+_BARE_CALL = re.compile(rf"\b(?:{_FUNCTION})(?![\w(])(?!\s*\()")
+_STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
+"""Names of the unit step."""
+
+Change = str | Callable[[re.Match[str]], str]
+
+TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
+    (re.compile(pattern), change)
+    for pattern, change in (
+        (r"^\s*[=≈]\s*", ""),
+        (r"\+\s*/\s*[-−]|[-−]\s*/\s*\+|∓", "±"),  # +/- for ±
+        (r"[—–‒]", "-"),
+        (r"[•∙˙]", "*"),
+        (r"⁄", "/"),
+        (r"√", " sqrt "),
+        (r"½", "(1/2)"),
+        (r"¼", "(1/4)"),
+        (r"¾", "(3/4)"),
+        (r"_?[₀-₉]+", lambda found: f"_{found[0].lstrip('_').translate(_SUBSCRIPTS)}"),  # x₁ for x_1
+        (r"_\{\s*(\w+)\s*\}", r"_\1"),  # x_{1}
+        (r"_\(\s*(\d+)\s*\)", r"_\1"),
+        (r"(\d+(?:\.\d+)?)\s*(?:%|percent\b|Prozent\b)", r"\1e-2"),
+        (r"\.(?=[*/^])", ""),  # MATLAB's 2.*t
+        (r"(?<=\d)\.(?![\d.])", ""),  # numpy's 1.
+        (r"\bexp\s*\^", "e^"),
+        (rf"\b({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
+        (rf"\b(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
+        (r"\{", "("),
+        (r"\}", ")"),
+        (r"\[", "("),
+        (r"\]", ")"),
+        (r"^\s*\|([^|]*)\|\s*$", r"abs(\1)"),
+    )
+)
+"""What is written elsewhere, and what it is called here."""
+
+
+def plain(text: str, names: Names, choices: Choices) -> str:
+    """Return the text of an expression in our notation. Raises NotReadableError for LaTeX that is none."""
+    if is_latex(text):
+        text = translated(text)
+    text = respelled(text).strip().rstrip(".;").rstrip()
+    for pattern, change in TABLE:
+        text = pattern.sub(change, text)
+    text = _with_units(_with_steps(_with_signs(text, choices), names), names)
+    return _with_names(_with_derivatives(text, names), names)
+
+
+def has_bare_call(text: str) -> bool:
+    """Whether a function stands without brackets, cos 2t."""
+    return bool(_BARE_CALL.search(text))
+
+
+def _with_signs(text: str, choices: Choices) -> str:
+    """+- may be ± or two signs."""
+    pattern = re.compile(r"\+\s?[-−]")
+    if not pattern.search(text):
+        return text
+    return pattern.sub(choices.choose("+-", ("±", "-")), text)
+
+
+def _with_steps(text: str, names: Names) -> str:
+    """u(t - 2), σ(t), 1(t) as step(t - 2), … where the problem has no such name."""
+    own = {*names.symbols, *names.values, *names.functions}
+    free = [name for name in _STEPS if name not in own]
+    calls = re.compile(
+        rf"(?:(?<![A-Za-z_])(?:{'|'.join(free)})|(?<![\w.)])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tk])(?!\w))"
+    )
+    return calls.sub(lambda found: found[0] if found[1] in own else "step(", text)
+
+
+def _with_units(text: str, names: Names) -> str:
+    """j2 and i√3 as products, where the problem has no such name."""
+
+    def product(found: re.Match[str]) -> str:
+        declared = names.declares(found[0]) or names.declares(f"{found[1]}_{found[2]}") or found[1] in names.symbols
+        return found[0] if declared else f"({found[1]}*{found[2]})"
+
+    text = re.sub(r"(?<![\w.])([ijI])(\d+(?:\.\d+)?)(?![\w.])", product, text)
+    return re.sub(rf"(?<![\w.])([ijI])(?=(?:{_FUNCTION})\b)", r"\1 ", text)
+
+
+def _with_derivatives(text: str, names: Names) -> str:
+    """x' and x'' as x_dot and x_ddot, where the problem has these; x1(t) as x1."""
+
+    def derivative(found: re.Match[str]) -> str:
+        order = found[2].count("'") + found[2].count("′") + 2 * found[2].count("″") + found[2].count("’")
+        name = found[1] + {1: "_dot", 2: "_ddot", 3: "_dddot"}.get(order, "")
+        return name if name in names.symbols else found[0]
+
+    def signal(found: re.Match[str]) -> str:
+        known = found[1] in names.symbols or f"{found[1].replace('_', '')}" in names.symbols
+        return found[1] if known and found[1] not in FUNCTIONS else found[0]
+
+    text = re.sub(r"([A-Za-z]\w*)(['′″’]+)", derivative, text)
+    return re.sub(r"\b([A-Za-z]\w*)\(\s*[tk]\s*\)", signal, text)
+
+
+def _with_names(text: str, names: Names) -> str:
+    """Names as the problem spells them: x_1 for x1, p21 for p12 of a symmetric matrix; te as the product t e."""
+    try:
+        tokens = tokenize(text)
+    except ExpressionError:
+        return text  # the parser says what is wrong with it
+    pieces, at = [], 0
+    for token in tokens:
+        if token.kind is not Kind.NAME:
+            continue
+        name = token.text
+        known = names.declares(name) or name in CONSTANTS or name in FUNCTIONS
+        meant = name if known else _meant(name, names)
+        if meant != name:
+            pieces += [text[at : token.at], meant]
+            at = token.end
+    return "".join([*pieces, text[at:]])
+
+
+def _meant(name: str, names: Names) -> str:
+    """The declared name that an undeclared one stands for, or the product of declared ones."""
+    bare = {known.replace("_", ""): known for known in (*names.symbols, *names.values)}
+    squeezed = name.replace("_", "")
+    if squeezed in bare:
+        return bare[squeezed]
+    if found := re.fullmatch(r"([A-Za-z]+)(\d)(\d)", squeezed):
+        mirrored = bare.get(f"{found[1]}{found[3]}{found[2]}")
+        diagonal = f"{found[1]}11" in bare
+        if mirrored and diagonal:
+            return mirrored
+    if (found := re.fullmatch(rf"({_FUNCTION})([a-zA-Z])", name)) and names.declares(found[2]):
+        return f"{found[1]} {found[2]}"
+    return as_product(name, names).replace("*", " ") or name

@@ -1,0 +1,88 @@
+"""One text as an expression or a condition, in one reading of a value."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.reading import polynomials
+from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.conditions import ConditionReader
+from solver.classroom.reading.decimals import decimals_of
+from solver.classroom.reading.latex import is_latex, translated
+from solver.classroom.reading.nodes import At, only, text_of
+from solver.classroom.reading.notations import has_bare_call, plain
+from solver.classroom.reading.spelling import respelled
+from solver.classroom.reading.units import without_unit
+from solver.classroom.submitted import Decimal
+from solver.problem.expressions import Doubt, Names, parse_written
+from solver.problem.nodes import Node
+
+Pair = tuple[Any, Any]
+"""A value, and its form with a symbol for each decimal."""
+
+
+class TextReader:
+    """Reads the texts of a value; `decimals` are those met so far, `respelt` tells that a text was read as another."""
+
+    def __init__(self, names: Names, choices: Choices, unit: str = "", *, discrete: bool = False) -> None:
+        self.names = names
+        self.choices = choices
+        self.unit = unit
+        self.discrete = discrete
+        self.decimals: dict[sp.Symbol, Decimal] = {}
+        self.respelt = False
+
+    def expression(self, node: Node) -> Pair:
+        """Return the value of an expression; raises Fault."""
+        values = self.alternatives(only(node))
+        if len(values) > 1:
+            raise node.fault("± stands for two values; one is expected here")
+        return values[0]
+
+    def alternatives(self, node: Node) -> list[Pair]:
+        """Return the value, or the two of an expression with ±, each with its form; raises Fault."""
+        written = text_of(node)
+        with At(node):
+            text = self._plain(written)
+        with At(node, inside=text == written):
+            decimals = decimals_of(text, len(self.decimals))
+            self.decimals |= dict(decimals.values())
+            symbols = {place: symbol for place, (symbol, _) in decimals.items()}
+            pairs = parse_written(text, self.names, symbols, self._decide)
+            return [(self._sampled(value), self._sampled(form)) for value, form in pairs]
+
+    def condition(self, node: Node) -> Any:
+        """Return a condition such as "0 < K < 6", True for "always", False for "never"; raises Fault."""
+        text = text_of(node)
+        with At(node):
+            text = translated(text) if is_latex(text) else text
+            return ConditionReader(self.names, self._plain).read(text)
+
+    def _decide(self, doubt: Doubt) -> bool:
+        self.respelt = True
+        usual = doubt in (Doubt.EXPONENT, Doubt.ARGUMENT)
+        return self.choices.choose(doubt, (usual, not usual))
+
+    def _plain(self, text: str) -> str:
+        """A text in our notation, without its unit."""
+        bare = without_unit(text, self.unit)
+        found = polynomials.with_quotients(bare, "z" if self.discrete else "s")
+        found = plain(found, self.names, self.choices)
+        said = _squeezed(found) == _squeezed(respelled(bare))
+        self.respelt = self.respelt or not said or has_bare_call(found)
+        return found if found.strip() != text.strip() else text
+
+    def _sampled(self, value: Any) -> Any:
+        """In discrete time δ(k) is 1 at k = 0, and the step is 1 from 0 on."""
+        if not self.discrete:
+            return value
+        value = value.replace(sp.DiracDelta, lambda at, *_: sp.KroneckerDelta(at, 0))
+        return value.replace(sp.Heaviside, lambda at, *_: sp.Heaviside(at + sp.S.Half))
+
+
+def _squeezed(text: str) -> str:
+    """A text without the spaces that separate nothing."""
+    return re.sub(r"\s*([^\w\s])\s*", r"\1", text).strip()

@@ -1,0 +1,33 @@
+"""Units behind numbers: 2 rad/s, 0.5 s. The answer's own is left out, any other is refused; nothing is converted."""
+
+from __future__ import annotations
+
+import re
+
+SPELLINGS = {
+    "rad/s": ("rad/s", "rad/sec", "rad s^-1", "rad s⁻¹", "rad*s^-1", "1/s", "s^-1", "s⁻¹", "rads^-1"),
+    "s": ("s", "sec", "secs", "second", "seconds", "sek", "Sekunden"),
+    "": ("dB", "Hz", "kHz", "mHz", "deg", "degree", "degrees", "°", "rad", "ms", "min", "rpm", "V", "volt", "grad"),
+}
+"""Units of answers and how they are written; under "" those that no answer has."""
+_UNIT = re.compile(r"^(.*[\d)\].])\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹\s-]*|1/s)\s*\.?$", re.DOTALL)
+_ALWAYS_UNITS = {each for own, spellings in SPELLINGS.items() for each in spellings if own == "" or "rad" in each}
+
+
+class ForeignUnitError(Exception):
+    """A value has a unit that does not belong to the answer."""
+
+
+def without_unit(text: str, unit: str) -> str:
+    """Return a number without the unit of its answer ("": it has none). Raises ForeignUnitError."""
+    found = _UNIT.match(text)
+    if found is None:
+        return text
+    number, written = found[1].strip(), " ".join(found[2].split())
+    if written in SPELLINGS.get(unit, ()) and unit:
+        return number
+    foreign = _ALWAYS_UNITS if not unit else {each for spellings in SPELLINGS.values() for each in spellings}
+    if written in foreign:
+        wanted = f"{unit} is expected" if unit else "none is expected"
+        raise ForeignUnitError(f"the unit {written} is not read; {wanted}")
+    return text

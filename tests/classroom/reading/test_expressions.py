@@ -1,0 +1,163 @@
+"""Expressions in the notations of students: what they are read as, whether that is said, what is refused."""
+
+import pytest
+import sympy as sp
+
+from solver.problem.source import Fault
+from tests.helpers.reading import a, read
+
+s, t, lamda = sp.symbols("s t lamda")
+x1, x_dot, p11, p12, p22 = sp.symbols("x1 x_dot p11 p12 p22", real=True)
+i = sp.I
+step = sp.Heaviside
+NAMED = x1 + x_dot + p11 + p12 + p22
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "said"),
+    [
+        ("cos2t", sp.cos(2 * t), True),
+        ("cos 2t", sp.cos(2 * t), True),
+        ("cos 2t + 1", sp.cos(2 * t) + 1, True),
+        ("sint", sp.sin(t), True),
+        ("sin^2(t)", sp.sin(t) ** 2, True),
+        ("Exp[-2 t] Sin[t]", sp.exp(-2 * t) * sp.sin(t), True),
+        ("exp{-2t}", sp.exp(-2 * t), True),
+        ("exp -t", sp.exp(-t), True),
+        ("exp^(-2t)", sp.exp(-2 * t), True),
+        ("e^-t", sp.exp(-t), False),
+        ("e^-2t", sp.exp(-2 * t), False),
+        ("'e^{-2t}'", sp.exp(-2 * t), True),
+        ("te^(-t)", t * sp.exp(-t), True),
+        ("e^(-2 t) (e^t - 1)", sp.exp(-2 * t) * (sp.exp(t) - 1), False),
+        ("√3", sp.sqrt(3), True),
+        ("√(a)", sp.sqrt(a), False),
+        ("sqrt3/2", sp.sqrt(3) / 2, True),
+        ("2√3 j", 2 * sp.sqrt(3) * i, True),
+        ("ln 2", sp.log(2), True),
+        ("arctan(2)", sp.atan(2), False),
+        ("j2", 2 * i, True),
+        ("1j", i, False),
+        ("2*I", 2 * i, False),
+        ("2i", 2 * i, False),
+        ("−2·a×3", -6 * a, False),
+        ("t² + ½", t**2 + sp.Rational(1, 2), True),
+        ("u(t)", step(t), True),
+        ("(t - 1)u(t - 1)", (t - 1) * step(t - 1), True),
+        ("σ(t)", step(t), True),
+        ("θ(t - 2)", step(t - 2), True),
+        ("3*1(t)", 3 * step(t), True),
+        ("δ(t)", sp.DiracDelta(t), False),
+        ("x_1", x1, True),
+        ("'x_{1}'", x1, True),
+        ("x₁", x1, True),
+        ("x'", x_dot, True),
+        ("x1(t)", x1, True),
+        ("p_12", p12, True),
+        ("p21", p12, True),
+        ("p_21 + p22", p12 + p22, True),
+        ("2.", sp.Integer(2), True),
+        ("1e-3", sp.Rational(1, 1000), False),
+        ("20 %", sp.Rational(1, 5), True),
+        ("≈ 2", sp.Integer(2), True),
+        ("5.", sp.Integer(5), True),
+        ("[5]", sp.Integer(5), False),
+        (r"\frac{1}{2}e^{-t}", sp.exp(-t) / 2, False),
+        (r"$\sqrt{3}\,\sin\left(2t\right)$", sp.sqrt(3) * sp.sin(2 * t), False),
+        ("tf([1], [1 3 2])", 1 / (s**2 + 3 * s + 2), True),
+        ("tf([1 0], [1, 3, 2])", s / (s**2 + 3 * s + 2), True),
+        ("y(t) = 2t", 2 * t, True),
+        ("1/s+1", 1 / s + 1, False),
+    ],
+)
+def test_an_expression_is_read_and_what_it_does_not_say_is_said(text, value, said):
+    found = read(text, NAMED)
+    assert sp.expand(found.value - value) == 0
+    assert found.others == ()
+    assert found.respelt == said
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("1/2 e^(-t)", [sp.exp(-t) / 2, sp.exp(t) / 2]),
+        ("1/2t", [t / 2, 1 / (2 * t)]),
+        ("sin t/2", [sp.sin(t / 2), sp.sin(t) / 2]),
+        ("e^-2 t", [sp.exp(-2 * t), sp.exp(-2) * t]),
+        ("√2 t", [sp.sqrt(2) * t, sp.sqrt(2 * t)]),
+    ],
+)
+def test_what_has_two_readings_has_both(text, values):
+    found = read(text, a)
+    assert [found.value, *(other.value for other in found.others)] == values
+    assert all(each.respelt for each in (found, *found.others))
+
+
+def test_one_text_is_read_in_one_way_throughout():
+    found = read("1/2 e^(-t) + 1/3 e^(-2t)", a)
+    assert len(found.others) == 1
+    assert found.value == sp.exp(-t) / 2 + sp.exp(-2 * t) / 3
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "3 dB", "2 rad/s", "30 deg", "1,5", "'1, 2'", "3 = 4", "1 + 2 = 3", "ss(1, 2, 3, 4)", "log10(2)", "sin^-1(t)",
+        "x = 1 = 2", r"\int t", r"\frac{1}", "__import__('os')", "t if t else 1", "'(lambda: 1)()'", "'1 ± 2'",
+        "{1, 2}",
+    ],
+)  # fmt: skip
+def test_what_is_no_value_of_this_kind_is_refused(text):
+    with pytest.raises(Fault):
+        read(text, a)
+
+
+@pytest.mark.parametrize("name", ["u(t)", "j2", "te"])
+def test_a_name_of_the_problem_is_never_read_as_something_else(name):
+    own = sp.Symbol(name.removesuffix("(t)"), real=True)
+    assert read(name, own).value == own
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("[1, 3, 2]", lamda**2 + 3 * lamda + 2),
+        ("[1 3 2]", lamda**2 + 3 * lamda + 2),
+        ("1, 3, 2", lamda**2 + 3 * lamda + 2),
+        ("'np.array([1., 3., 2.])'", lamda**2 + 3 * lamda + 2),
+        ("poly1d([1, 3, 2])", lamda**2 + 3 * lamda + 2),
+        ("[1 -a 2]", lamda**2 - a * lamda + 2),
+        ("s^2 + 3 s + 2", lamda**2 + 3 * lamda + 2),
+        ("x^2 + 3x + 2", lamda**2 + 3 * lamda + 2),
+        ("s^2 + 3s + 2 = 0", lamda**2 + 3 * lamda + 2),
+        ("0 = λ² + a λ", lamda**2 + a * lamda),
+        ("p(s) = s^2 + 2", lamda**2 + 2),
+        ("Poly(x**2 + 3*x + 2, x, domain='ZZ')", lamda**2 + 3 * lamda + 2),
+    ],
+)
+def test_a_polynomial_is_read_by_its_coefficients_in_any_variable_and_as_an_equation(text, value):
+    found = read(text, lamda**2 + a * lamda + 5)
+    assert (found.value, found.others, found.respelt) == (value, (), True)
+
+
+def test_a_polynomial_in_latex_says_what_it_is():
+    found = read(r"\lambda^{2}+3\lambda+2", lamda**2 + a * lamda + 5)
+    assert (found.value, found.respelt) == (lamda**2 + 3 * lamda + 2, False)
+
+
+@pytest.mark.parametrize("text", ["a^2 + 3a + 2", "7"])
+def test_what_is_no_polynomial_in_one_unknown_name_stays_as_it_is(text):
+    found = read(text, lamda**2 + a * lamda + 5)
+    assert lamda not in found.value.free_symbols
+    assert not found.respelt
+
+
+def test_decimals_keep_their_digits_in_every_notation():
+    for text in (r"\frac{0.67}{2} a", "0.67 a/2", "'[0.67]'"):
+        ((_, decimal),) = read(text, a).decimals.items()
+        assert tuple(decimal) == (sp.Rational(67, 100), sp.Rational(1, 200), 2)
+    ((symbol, decimal),) = read("16.3 %", a).decimals.items()
+    assert tuple(decimal) == (sp.Rational(163, 1000), sp.Rational(1, 2000), 3)
+    found = read("e^-2.5t", a)
+    ((symbol, _),) = found.decimals.items()
+    assert found.form == sp.exp(-symbol * t)

@@ -1,0 +1,202 @@
+"""Lists, matrices and mappings in the notations of students and programs."""
+
+import pytest
+import sympy as sp
+
+from solver.classroom.reading.choices import Choices
+from solver.problem.source import Fault
+from tests.helpers.reading import a, b, read
+
+s, t = sp.symbols("s t")
+x1, x2 = sp.symbols("x1 x2", real=True)
+i, M, e = sp.I, sp.ImmutableMatrix, sp.exp
+TWO, ROW, COLUMN, SQUARE = [a, b], M([[a, b]]), M([a, b]), M([[a, b], [a, b]])
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("[-3 ± j2]", [-3 + 2 * i, -3 - 2 * i]),
+        ("-3 ± j2", [-3 + 2 * i, -3 - 2 * i]),
+        ("-3 +- 2j", [-3 + 2 * i, -3 - 2 * i]),
+        ("-3 +/- i√3", [-3 + sp.sqrt(3) * i, -3 - sp.sqrt(3) * i]),
+        (r"-1 \pm 2j", [-1 + 2 * i, -1 - 2 * i]),
+        ("-1, -2", [-1, -2]),
+        ("'-1, -2'", [-1, -2]),
+        ("-1; -2", [-1, -2]),
+        ("-1 and -2", [-1, -2]),
+        ("-1 -2", [-1, -2]),
+        ("[-1 -2]", [-1, -2]),
+        ("[-1; -2]", [-1, -2]),
+        ("[[-1], [-2]]", [-1, -2]),
+        ("{-1, -2}", [-1, -2]),
+        ("{-1, -1}", [-1, -1]),
+        ("(-1, -2)", [-1, -2]),
+        ("'array([-1., -2.])'", [-1, -2]),
+        ("[-1+2j -1-2j]", [-1 + 2 * i, -1 - 2 * i]),
+        ("λ1 = -1; λ2 = -2", [-1, -2]),
+        (r"'\lambda_1 = -1, \lambda_2 = -2'", [-1, -2]),
+        ("[λ_2 = -2, λ_1 = -1]", [-1, -2]),
+        ("{λ_1: -1, λ_2: -2}", [-1, -2]),
+        ("'s_{1,2} = -3 ± 2j'", [-3 + 2 * i, -3 - 2 * i]),
+        ("[a -b]", [a, -b]),
+    ],
+)
+def test_a_list_is_read(text, value):
+    found = read(text, TWO)
+    assert (found.value, found.others) == (value, ())
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("[1 2]", [1, 2]),
+        ("(1, 2)", [1, 2]),
+        ("1, 2", [1, 2]),
+        ("1 2", [1, 2]),
+        ("[-1 -2]", [-1, -2]),
+        ("[1, 2;]", [1, 2]),
+        ("[2a 3]", [2 * a, 3]),
+        ("[a -b]", [a, -b]),
+        ("np.array([[1, 2]])", [1, 2]),
+        ("np.matrix('1 2')", [1, 2]),
+        ("K = [1 2]", [1, 2]),
+        ("1/2 [1 2]", [sp.Rational(1, 2), 1]),
+        ("'[1, 2]/2'", [sp.Rational(1, 2), 1]),
+        ("-[1 2]", [-1, -2]),
+        (r"\begin{bmatrix} 1 & \frac12 \end{bmatrix}", [1, sp.Rational(1, 2)]),
+    ],
+)
+def test_a_row_is_read(text, value):
+    found = read(text, ROW)
+    assert (found.value, found.others) == (M([value]), ())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[1 2; 3 4]", "[1, 2; 3, 4]", "'[1,2;3,4]'", "[[1 2], [3 4]]", "[1 2\n ; 3 4]", "'[1 2 ...\n ; 3 4]'",
+        "[[1, 2], [3, 4]]", "{{1, 2}, {3, 4}}", "\"[1 3; 2 4]'\"", "\"[[1, 3], [2, 4]].T\"", "|\n  1 2\n  3 4",
+        "|\n  [[1 2]\n   [3 4]]", "\n  - 1 2\n  - 3 4", "np.array([[1, 2], [3, 4]])", "Matrix(2, 2, [1, 2, 3, 4])",
+        "'np.array([[1., 2.], [3., 4.]], dtype=float)'", "sympy.Matrix([[1, 2], [3, 4]])",
+        "'ImmutableDenseMatrix([[1, 2], [3, 4]])'", r"\begin{pmatrix} 1 & 2 \\ 3 & 4 \end{pmatrix}",
+        r"$\left[\begin{array}{cc} 1 & 2 \\ 3 & 4 \\ \end{array}\right]$", "A_c = [1 2; 3 4]", "((1, 2), (3, 4))",
+        r"\frac{1}{2} \begin{bmatrix} 2 & 4 \\ 6 & 8 \end{bmatrix}", "np.matrix('1 2; 3 4')",
+    ],
+)  # fmt: skip
+def test_a_matrix_is_read_in_the_notation_of_many_programs(text):
+    found = read(text, SQUARE)
+    assert (found.value, found.others) == (M([[1, 2], [3, 4]]), ())
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("'[e^(-t) 0; 0 e^(-2t)]'", M([[e(-t), 0], [0, e(-2 * t)]])),
+        ("'1/(s+1) [s 1; -2 s+3]'", M([[s, 1], [-2, s + 3]]) / (s + 1)),
+        ("[[te^-t, 0], [0, cos2t]]", M([[t * e(-t), 0], [0, sp.cos(2 * t)]])),
+    ],
+)
+def test_entries_may_be_expressions(text, value):
+    found = read(text, SQUARE)
+    assert sp.expand(found.value - value) == sp.zeros(2, 2)
+    assert found.others == ()
+
+
+@pytest.mark.parametrize(("text", "ours"), [("[[1], [2]]", ROW), ("[1; 2]", ROW), ("[[1, 2]]", COLUMN)])
+def test_a_vector_in_the_other_orientation_is_turned_and_that_is_said(text, ours):
+    found = read(text, ours)
+    assert list(found.value) == [1, 2]
+    assert found.value.shape == ours.shape
+    assert found.respelt
+
+
+def test_a_matrix_is_never_turned():
+    assert read("[1 2; 3 4]", SQUARE).value != read("[1 3; 2 4]", SQUARE).value
+    assert read("[[1, 2, 3]]", COLUMN).value.shape == (1, 3)
+
+
+@pytest.mark.parametrize(("text", "one"), [("[a -b]", a - b), ("[1 - 2]", sp.Integer(-1)), ("[2 a]", 2 * a)])
+def test_spaces_separate_where_only_that_has_the_shape_asked_for(text, one):
+    assert read(text, M([[a]])).value == M([[one]])
+
+
+def test_what_shapes_do_not_tell_apart_has_both_readings():
+    found = read("[a -b]", [a, b, a])
+    assert [found.value, *(other.value for other in found.others)] == [[a, -b], [a - b]]
+
+
+@pytest.mark.parametrize("text", ["{0}", "'{0}'", "{}", "[]", "none", "∅", "trivial"])
+def test_the_basis_of_the_trivial_space_has_no_columns(text):
+    assert read(text, SQUARE).value.shape == (2, 0)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[1 2; 3]", "same length"),
+        ("'[[1, 2], [3]]'", "same length"),
+        ('"[[1, 2], [3]]\'"', "same length"),
+        ("'[1 2'", "operator is missing"),
+        (r"\begin{bmatrix} 1 & 2", "is missing"),
+        (r"\begin{tikzpicture} 1", "not read"),
+    ],
+)
+def test_what_is_no_matrix_is_refused(text, words):
+    with pytest.raises(Fault, match=words):
+        read(text, SQUARE)
+
+
+@pytest.mark.parametrize(
+    "text", ["{x1: 1, x2: 2}", "x1 = 1, x2 = 2", "'x_1: 1; x_2: 2'", "[x1 = 1, x2 = 2]", "[x1: 1, x2: 2]"]
+)
+def test_names_with_values_are_read(text):
+    assert read(text, {x1: a, x2: b}).value == {x1: 1, x2: 2}
+
+
+@pytest.mark.parametrize(
+    ("text", "ours", "value"),
+    [
+        ("1,5", a, sp.Rational(3, 2)),
+        ("'1,5'", a, sp.Rational(3, 2)),
+        ("1.5", a, sp.Rational(3, 2)),
+        ("2,5 a", a, sp.Rational(5, 2) * a),
+        ("1,5; 2,5", TWO, [sp.Rational(3, 2), sp.Rational(5, 2)]),
+        ("[1,5; 2,5]", ROW, M([[sp.Rational(3, 2), sp.Rational(5, 2)]])),
+        ("[1,5, 2,5]", ROW, M([[sp.Rational(3, 2), sp.Rational(5, 2)]])),
+        ("[1,5 2,5]", ROW, M([[sp.Rational(3, 2), sp.Rational(5, 2)]])),
+        ("['1,5', '2,5']", TWO, [sp.Rational(3, 2), sp.Rational(5, 2)]),
+        ("[1, 5]", TWO, [1, 5]),
+        ("[1,5]", TWO, [1, 5]),
+        ("[1.5,2.5]", TWO, [sp.Rational(3, 2), sp.Rational(5, 2)]),
+        ("[[1,5, 2], [3, 4]]", SQUARE, M([[sp.Rational(3, 2), 2], [3, 4]])),
+    ],
+)
+def test_a_decimal_comma_is_read_where_the_problem_has_it(text, ours, value):
+    found = read(text, ours, comma=True)
+    assert (found.value, found.others) == (value, ())
+
+
+def test_a_comma_that_may_be_either_gives_both_readings():
+    found = read("[1,5]", [a, b, a], comma=True)
+    assert [found.value, *(other.value for other in found.others)] == [[sp.Rational(3, 2)], [1, 5]]
+
+
+def test_the_digits_of_a_decimal_comma_count():
+    ((_, decimal),) = read("0,67", a, comma=True).decimals.items()
+    assert tuple(decimal) == (sp.Rational(67, 100), sp.Rational(1, 200), 2)
+
+
+def test_too_many_readings_are_refused():
+    class Endless(Choices):
+        def next(self):
+            return self
+
+    def endless():
+        while True:
+            yield Endless()
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("solver.classroom.reading.values.readings", endless)
+        with pytest.raises(Fault, match="too many readings"):
+            read("1", a)
