@@ -2,7 +2,7 @@
 
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lemma
 from solver.derivation.mistakes import Attempt, Slip
-from solver.derivation.options import Option, OptionKind, Options, option
+from solver.derivation.options import Option, OptionKind, Options, Way, option
 from solver.derivation.registry import AnswerName, Given, Method, Refusal, Task, Topic
 from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResult, Status, Step, Unsolved
 
@@ -28,6 +28,7 @@ __all__ = [
     "Task",
     "Topic",
     "Unsolved",
+    "Way",
     "lemma",
     "option",
 ]

@@ -60,12 +60,21 @@ class ImpliedKind(OptionKind[T]):
 
 
 @dataclass(frozen=True, slots=True)
+class Way:
+    """How a question is solved with an option that leaves the methods no say: the title of that way and its source."""
+
+    title: str
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
 class Option:
     """An option of a task: its name, what it takes, what it means; `methods` it belongs to (empty: all).
 
     `default` is as it is typed in a file. `answer` is the answer that `{from: part}` takes (empty: the one of the
     option's own name). One with a `loop` changes the system before the
-    task sees it; `loop` is the lemma whose wording says so in the question.
+    task sees it; `loop` is the lemma whose wording says so in the question. `way` is what pages name in place of the
+    method where the option is given.
     """
 
     name: str
@@ -76,6 +85,7 @@ class Option:
     methods: tuple[str, ...] = ()
     answer: str = ""
     loop: str = ""
+    way: Way | None = None
 
 
 @overload
@@ -86,7 +96,13 @@ def option(kind: OptionKind[T], doc: str, *, default: Typed, methods: tuple[str,
 def option(kind: ImpliedKind[T], doc: str, *, methods: tuple[str, ...] = ()) -> T: ...
 @overload
 def option(
-    kind: OptionKind[T], doc: str, *, methods: tuple[str, ...] = (), answer: str = "", loop: str = ""
+    kind: OptionKind[T],
+    doc: str,
+    *,
+    methods: tuple[str, ...] = (),
+    answer: str = "",
+    loop: str = "",
+    way: Way | None = None,
 ) -> T | None: ...
 def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **facts: Any) -> Any:
     """Return the field of an option, whose type follows from how it is declared.
@@ -94,7 +110,8 @@ def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **f
     `required`: the value of the kind, since a file without it is refused. With a `default`, as it would be typed in a
     file, or of a kind that implies one (a flag, a choice): that value where none is given. Else None where none is
     given; then `answer` names the answer of an earlier part that it is usually taken from, `loop` the lemma that closes
-    a loop with it. `methods` are those that take the option (none: all).
+    a loop with it, and `way` is what it has done in place of the method. `methods` are those that take the option
+    (none: all).
     """
     default = kind.implied if default is None else default
     declared = Option("", kind, doc, default, **facts)
@@ -130,4 +147,4 @@ class Options:
         return [value for name in self.declared() if (value := getattr(self, name)) is not None]
 
 
-__all__ = ["VALUE", "VALUES", "ImpliedKind", "Option", "OptionKind", "Options", "Schema", "Typed", "option"]
+__all__ = ["VALUE", "VALUES", "ImpliedKind", "Option", "OptionKind", "Options", "Schema", "Typed", "Way", "option"]

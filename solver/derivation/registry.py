@@ -289,6 +289,12 @@ class Task(Generic[S, O]):
         """Names of the methods for that kind of time, the default first."""
         return [method.name for method in self.methods.values() if method.serves(discrete)]
 
+    def method_named(self, name: str, options: Mapping[str, Any]) -> Method:
+        """Return a method with the title and source that pages give it: those of the way that an option leads."""
+        given = (option for option in self.options.values() if option.way and options.get(option.name) is not None)
+        way, method = next((option.way for option in given), None), self.methods[name]
+        return replace(method, title=way.title, source=way.source) if way else method
+
     def options_for(self, method: str) -> dict[str, Option]:
         """Return the options that the method takes."""
         return {name: option for name, option in self.options.items() if not option.methods or method in option.methods}

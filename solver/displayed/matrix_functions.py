@@ -1,4 +1,4 @@
-"""Functions of a matrix as formulas that an oracle has rules for: sines by exponentials, roots by their squares."""
+"""Functions of a matrix as formulas that an oracle has rules for: parts, sines by exponentials, roots by squares."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from solver.displayed.shapes import known, shape_of
 from solver.lazy import numeric
 from solver.stated import Stated
 from solver.stated.algebra import difference, exponential, power, product, total
+from solver.stated.complex_numbers import imaginary_part, real_part
 from solver.stated.matrices import inverse
 
 INVERTED: dict[str, Callable[[Any], Stated]] = {"sqrt": lambda F: product(F, F), "log": exponential}
@@ -34,8 +35,14 @@ BY_EXPONENTIALS: dict[str, Callable[[Any], Stated]] = {
 }
 
 
+PARTS: dict[str, Callable[[Any], Stated]] = {"re": real_part, "im": imaginary_part}
+"""Functions of a matrix of any shape, taken entry by entry."""
+
+
 def function_of_matrix(name: str, X: Any) -> Stated | None:
-    """Return the function of a square matrix as a formula; None where it is not known."""
+    """Return the function of a matrix, a square one but for its parts, as a formula; None where it is not known."""
+    if name in PARTS:
+        return PARTS[name](X)
     if name in INVERTED:
         return Stated(name, (X,))
     return BY_EXPONENTIALS[name](X) if name in BY_EXPONENTIALS else None

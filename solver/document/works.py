@@ -88,7 +88,7 @@ class Writer:
         """Return a result in words; what it displays is judged with the earlier results. Raises WordingError."""
         told, show = self.presentation, part.show
         task = catalogue()[result.task]
-        method = task.methods[result.method]
+        method = task.method_named(result.method, part.options)
         wording = self._wording(display)
         steps, answers, checks = _shown(result, part, told)
         worded = wording.words(steps)
@@ -181,7 +181,8 @@ def _method_title(task: Task[Any, Any], part: Part, method: Method, told: Presen
     """Return the title of the method; on a paper those of all that are asked for, if they may be said."""
     if not told.is_paper:
         return say(method.title)
-    return ", ".join(say(task.methods[name].title) for name in part.methods) if part.show.method else ""
+    titles = dict.fromkeys(say(task.method_named(name, part.options).title) for name in part.methods)
+    return ", ".join(titles) if part.show.method else ""
 
 
 def _shown(

@@ -1,4 +1,4 @@
-"""Matrices of plants with integrators and at rest, one input in place of several, model matching."""
+"""Matrices of plants with integrators and at rest, one input in place of several, eigenvectors, model matching."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ import sympy as sp
 
 from solver.derivation import Check, Claim
 from solver.postconditions.structure import krylov
-from solver.stated.algebra import difference, product, total
-from solver.stated.matrices import rank
+from solver.stated.algebra import difference, power, product, total
+from solver.stated.complex_numbers import conjugate, imaginary_part, norm, real_part
+from solver.stated.matrices import rank, transpose
 
 
 def of_added(found: Any, *terms: Any) -> Iterator[Claim]:
@@ -21,6 +22,35 @@ def of_added(found: Any, *terms: Any) -> Iterator[Claim]:
 def of_at_rest(found: Any, A: Any, *, discrete: bool) -> Iterator[Claim]:
     """A, in discrete time A − I."""
     yield Claim(difference(A, sp.ImmutableMatrix(sp.eye(A.rows))) if discrete else total(A), found)
+
+
+def of_attainable_eigenvectors(found: Any, A: Any, B: Any, pole: Any) -> Iterator[Claim]:
+    """B M + (λI − A) N = 0 for as many independent columns of N as there are, n + rank B − rank [B, λI − A]."""
+    own = sp.ImmutableMatrix(pole * sp.eye(A.rows) - A)
+    whole = sp.ImmutableMatrix(sp.Matrix(B).row_join(sp.Matrix(own)))
+    yield Claim(whole, found.matrix)
+    yield Claim(total(product(B, found.M), product(own, found.N)), _zeros(A.rows, found.N.cols))
+    yield Claim(rank(found.N), sp.Integer(found.N.cols))
+    yield Claim(difference(total(sp.Integer(A.rows), rank(B)), rank(whole)), sp.Integer(found.N.cols))
+    yield Claim(pole, found.pole)
+
+
+def of_nearest_eigenvector(found: Any, attainable: Any, wanted: Any) -> Iterator[Claim]:
+    """v = N p and w = M p, the rest of the wanted vector orthogonal to N, and the share of its length that is left."""
+    N, v = attainable.N, found.v
+    yield Claim(product(N, found.p), v)
+    yield Claim(product(attainable.M, found.p), found.w)
+    adjoint = transpose(conjugate(N))
+    yield Claim(product(adjoint, difference(wanted, v)), _zeros(N.cols, 1))
+    yield Claim(product(adjoint, N), found.gram)
+    yield Claim(product(adjoint, wanted), found.right)
+    yield Claim(power(norm(v), 2), product(found.share, power(norm(wanted), 2)))
+
+
+def of_parts_of_columns(found: Any, v: Any) -> Iterator[Claim]:
+    """Re v and Im v."""
+    yield Claim(real_part(v), found[0])
+    yield Claim(imaginary_part(v), found[1])
 
 
 def of_direction(found: Any, A: Any, B: Any) -> Iterator[Claim]:
@@ -91,3 +121,7 @@ def of_with_integrators(found: Any, A: Any, B: Any, C: Any, D: Any, *, discrete:
 def _at_rest(A: Any, B: Any, C: Any, D: Any, *, discrete: bool) -> Any:
     rest = sp.Matrix(A - sp.eye(A.rows) if discrete else A)
     return sp.ImmutableMatrix(sp.Matrix.vstack(rest.row_join(sp.Matrix(B)), sp.Matrix(C).row_join(sp.Matrix(D))))
+
+
+def _zeros(rows: int, columns: int) -> Any:
+    return sp.ImmutableMatrix(sp.zeros(rows, columns))

@@ -15,6 +15,7 @@ from solver.numeric.judges import structure as judges
 if TYPE_CHECKING:
     from solver.systems import StateSpace
     from solver.tasks.design.pole_options import PoleOptions
+    from solver.tasks.design.pole_placement import PolePlacementOptions
     from solver.tasks.design.reduced_observer import ReducedObserverOptions
     from solver.tasks.time_response.matrix_function import MatrixFunctionOptions
 
@@ -23,6 +24,17 @@ def gain_is_free(given: Given[StateSpace, Options]) -> bool:
     """Several inputs, or modes that no input moves: many gains place the same poles."""
     plant = given.system
     return plant.B is not None and (plant.B.cols > 1 or _deficient(plant.A, plant.B))
+
+
+def loop_is_free(given: Given[StateSpace, PolePlacementOptions]) -> bool:
+    """Eigenvectors that are asked for decide the closed loop; without them it is as free as the gain."""
+    return given.options.eigenvectors is None and gain_is_free(given)
+
+
+def placed_gain_is_free(given: Given[StateSpace, PolePlacementOptions]) -> bool:
+    """As the closed loop; inputs that do the same as others can share their work in any way."""
+    B = given.system.B
+    return loop_is_free(given) or (B is not None and bool(numeric.rank(B) < B.cols))
 
 
 def observer_gain_is_free(given: Given[StateSpace, Options]) -> bool:

@@ -23,6 +23,9 @@ ROW = sp.ImmutableMatrix([[1, 0, 0]])
 G = exact.transfer_matrix(TURNING, sp.ImmutableMatrix([0, 1]), sp.ImmutableMatrix([[1, 0]]), None, s)
 FACTOR = exact.spectrum(TURNING).factors[0]
 TINY = sp.Rational(1, 10**12)
+TWO = sp.ImmutableMatrix([[1, 0], [0, 1], [1, 1]])
+SPACES = [exact.attainable_eigenvectors(A, TWO, pole) for pole in (sp.Integer(-4), -1 + 2 * sp.I)]
+VECTORS = sp.ImmutableMatrix([1, 0, 0]), sp.ImmutableMatrix([1, sp.I, 2])
 EPSILON = (1, 1, 2, 2, 3)
 
 CALLS = {
@@ -71,6 +74,9 @@ CALLS = {
     "is_singular": [(SINGULAR,), (A,)],
     "measured_first": [(A, B, sp.ImmutableMatrix([[1, 0, 0]])), (A, B, sp.ImmutableMatrix([[1, 1, 0]]))],
     "minimal_solution": [tuple(sp.ImmutableMatrix([[value]]) for value in (TINY, 1, TINY, 1))],
+    "attainable_eigenvectors": [(A, TWO, sp.Integer(-4)), (A, TWO, -1 + 2 * sp.I), (A, B.row_join(B), sp.Integer(-3))],
+    "nearest_eigenvector": list(zip(SPACES, VECTORS, strict=True)),
+    "parts_of_columns": [(VECTORS[1],)],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
 TIMED = (

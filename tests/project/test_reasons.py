@@ -63,12 +63,12 @@ def test_a_kernel_holds_no_prose(path):
 
 def test_a_reason_is_worded_by_the_macro_of_its_kind_in_one_line():
     mode = sp.Rational(-1, 2) + 3 * sp.I
-    reason = Reason("placement/fixed_mode", {"mode": mode, "dual": True})
+    reason = Reason("placement/fixed_mode", {"mode": mode, "dual": True, "all_needed": False})
     assert str(reason) == (
         "The mode $- \\frac{1}{2} + 3 j$ is unobservable: no gain moves it, so it must be among the poles asked for "
         "(as often as it is unobservable), or only the poles of the observable part are to be given."
     )
-    assert str(Told(reason)) == str(Told("placement/fixed_mode", mode=mode, dual=True)) == str(reason)
+    assert str(Told(reason)) == str(Told("placement/fixed_mode", mode=mode, dual=True, all_needed=False)) == str(reason)
 
 
 def test_a_reason_may_hold_a_reason():

@@ -68,6 +68,34 @@ PAGES = {
         "system": {"A": [[0, 1, 0], [0, 0, 1], [1, 2, 3]], "B": [[0, 1], [0, 0], [1, 0]]},
         "find": {"a": {"task": "pole_placement", "method": [*METHODS, "unity_rank"], "poles": [-1, -2, -3]}},
     },
+    "eigenvectors": {
+        "system": {"A": [[0, 1, 0], [0, 0, 1], [6, -11, 6]], "B": [[1, 0], [0, 1], [1, 1]]},
+        "find": {
+            letter: {"task": "pole_placement", **given}
+            for letter, given in {
+                "a": {"poles": [-1, "-2 ± j"], "eigenvectors": [[13, 1, 1], [5, "j", "-j"], [0, 0, 0]]},
+                "b": {"poles": [-1, -2, -2], "eigenvectors": [[13, 1, 0], [5, 0, 1], [0, 0, 0]]},
+                "c": {"poles": [-1, -1, -1], "eigenvectors": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+                "d": {"poles": [-1, -2, -3], "eigenvectors": [[5, 0, 0], [-13, 1, 0], [6, 0, 1]]},
+                "e": {"poles": ["p", "q", 1], "eigenvectors": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+            }.items()
+        },
+    },
+    "uncontrollable": {
+        "system": {"A": [[1, 0, 0], [1, -1, 0], [0, 0, -2]], "B": [[1, 0], [0, 1], [0, 0]]},
+        "find": {
+            "a": {
+                "task": "pole_placement",
+                "poles": [-2, -3, -4],
+                "eigenvectors": [[1, 0, 0], [0, 1, 0], [1, 0, 1]],
+            },
+            "b": {
+                "task": "pole_placement",
+                "poles": [-5, -3, -4],
+                "eigenvectors": [[1, 0, 0], [0, 1, 0], [1, 0, 1]],
+            },
+        },
+    },
     "cyclic": {
         "system": {"A": [[1, 0], [0, 1]], "B": [[1, 0], [0, 1]]},
         "find": {"a": {"task": "pole_placement", "poles": [-1, -2]}},
@@ -102,7 +130,7 @@ PAGES = {
 NAMES = set(
     "ackermann bass gura cayley hamilton leverrier kailath linear systems gantmacher numpy linalg det scipy mpmath "
     "expm lstsq eig inv svd solve html pdf problem yaml tan cos sin arccos band basis die matrix minus pole polynom "
-    "system transformation von was".split()
+    "system transformation von was moore ieee trans automatic control dimension norm real".split()
 )
 """Words of both languages, and names: a title of a book, functions, authors."""
 
@@ -155,7 +183,8 @@ def test_the_formulas_of_a_german_page_are_those_of_the_english_one(name):
 
 
 def test_the_pages_have_every_kind_of_step_that_german_words():
-    kinds = {(step.wording, step.kind) for name in PAGES for part in solved(name).parts for step in part.steps}
+    steps = (step for name in PAGES for part in solved(name).parts for step in part.steps)
+    kinds = {(each.wording, each.kind) for step in steps for each in step.walk()}
     worded = {
         (path.relative_to(root("templates") / "wording" / "de").as_posix().removesuffix(".md.jinja"), macro)
         for path in (root("templates") / "wording" / "de").rglob("*.md.jinja")

@@ -1,5 +1,14 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.design.eigenvectors import (
+    Attainable,
+    Nearest,
+    attainable_eigenvectors,
+    conjugated,
+    nearest_eigenvector,
+    parts_of_columns,
+    squared_length,
+)
 from solver.exact.design.model_matching import Matching, descending_form, matching
 from solver.exact.design.observers import Partition, chosen_error_matrix, left_inverse, measured_first
 from solver.exact.design.placement import (
@@ -21,9 +30,11 @@ from solver.exact.design.single_input import Direction, direction, lifted_gain
 from solver.exact.design.tracking import added, at_rest, with_integrators
 
 __all__ = [
+    "Attainable",
     "Direction",
     "Inconsistent",
     "Matching",
+    "Nearest",
     "NoSetPoint",
     "Partition",
     "SecondOrder",
@@ -31,9 +42,11 @@ __all__ = [
     "ackermann",
     "added",
     "at_rest",
+    "attainable_eigenvectors",
     "chosen_error_matrix",
     "combine",
     "companion_rows",
+    "conjugated",
     "descending_form",
     "direction",
     "divided",
@@ -45,12 +58,15 @@ __all__ = [
     "matching",
     "measured_first",
     "monic",
+    "nearest_eigenvector",
+    "parts_of_columns",
     "polynomial_in",
     "polynomial_of_matrix",
     "roots_of",
     "second_order",
     "set_point",
     "specified",
+    "squared_length",
     "toeplitz",
     "with_integrators",
 ]

@@ -28,8 +28,8 @@ def rank(M: sp.MatrixBase) -> int:
 
 
 def row_reduction(M: sp.MatrixBase) -> RowReduction:
-    """The row reduction of M (not empty) with its operations, in expressions."""
-    D = domain_matrix(M)
+    """The row reduction of M (not empty, complex or real) with its operations, in expressions."""
+    D = domain_matrix(M, real=False)
     return row_reduce(tuple(map(tuple, D.to_list()))).mapped(partial(expression, D.domain))
 
 

@@ -121,15 +121,20 @@ def linear_factors(x: Symbol, roots: Sequence[Expr]) -> Stated:
     return product(*(x - root for root in roots))
 
 
-def movable_poles(poles: Sequence[Expr], fixed: Sequence[Expr], n: int, *, dual: bool = False) -> list[Expr]:
-    """Return the poles to be placed: all given, or of n given those that are left without the fixed modes."""
+def movable_poles(
+    poles: Sequence[Expr], fixed: Sequence[Expr], n: int, *, dual: bool = False, all_needed: bool = False
+) -> list[Expr]:
+    """Return the poles to be placed: all given, or of n given those that are left without the fixed modes.
+
+    `all_needed`: fewer than n would not do.
+    """
     if len(poles) < n:
         return list(poles)
     left = list(poles)
     for mode in fixed:
         found = next((pole for pole in left if same_number(pole, mode)), None)
         if found is None:
-            raise Unsolved("placement/fixed_mode", mode=mode, dual=dual)
+            raise Unsolved("placement/fixed_mode", mode=mode, dual=dual, all_needed=all_needed)
         left.remove(found)
     return left
 

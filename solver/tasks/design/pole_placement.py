@@ -6,18 +6,21 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Task, option
+from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Refusal, Task, Way, option
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.expression_list import ExpressionList
+from solver.options.matrix import MatrixOf
 from solver.tasks import consequences, mistakes
+from solver.tasks.design.eigenvector_assignment import Question, assign_eigenvectors
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
-from solver.tasks.freedom import gain_is_free
+from solver.tasks.design.wanted_eigenvectors import eigenvector_faults, judge_eigenvectors
+from solver.tasks.freedom import loop_is_free, placed_gain_is_free
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -37,6 +40,12 @@ class PolePlacementOptions(PoleOptions):
         "shape of the row K: symbols to find and entries that are fixed, e.g. [alpha, 0, beta]",
         methods=MATCHING,
     )
+    eigenvectors: ImmutableMatrix | None = option(
+        MatrixOf("n"),
+        "eigenvectors wanted of the closed loop (several inputs), as columns in the order of `poles`; "
+        "the nearest attainable ones are taken",
+        way=Way("Assignment of eigenvectors", "B. C. Moore, IEEE Trans. Automatic Control 21 (1976)"),
+    )
 
 
 pole_placement: Task[WithInput, PolePlacementOptions] = Task(
@@ -50,10 +59,10 @@ pole_placement: Task[WithInput, PolePlacementOptions] = Task(
             "K",
             r"\sym{K}",
             "the gain of the feedback (entries that may have any value stay letters)",
-            free=gain_is_free,
+            free=placed_gain_is_free,
             principal=True,
         ),
-        AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop", free=gain_is_free),
+        AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop", free=loop_is_free),
         AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the closed loop"),
         AnswerName(
             "gain_polynomial",
@@ -65,6 +74,14 @@ pole_placement: Task[WithInput, PolePlacementOptions] = Task(
         AnswerName("fixed_poles", r"\lambda_{\text{fixed}}", "the eigenvalues that no such gain moves", (), True),
         AnswerName(
             "conditions", r"\text{conditions}", "what the letters of the prescribed gain must satisfy", MATCHING, True
+        ),
+        AnswerName(
+            "eigenvectors",
+            "V",
+            "the eigenvectors of the closed loop, as columns in the order of the poles",
+            optional=True,
+            free=True,
+            vectors="columns",
         ),
     ],
     example={"poles": '["-3 ± 2j"]'},
@@ -82,7 +99,8 @@ def shape_of(given: Given[WithInput, PolePlacementOptions]) -> tuple[ImmutableMa
 @pole_placement.refusal
 def options_fit_the_plant(system: Any, options: PolePlacementOptions) -> Iterable[Refusal]:
     """Poles are given, as many as the plant has states (or movable ones); the structure is a row of n entries."""
-    yield from pole_faults(system, options)
+    faults = [*pole_faults(system, options)]
+    yield from faults or eigenvector_faults(system, options, options.eigenvectors)
     structure = options.structure
     if not structure or not isinstance(system, systems.StateSpace) or system.B is None:
         return
@@ -103,12 +121,25 @@ def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Deriv
     """Find K by one of the methods, and show what the loop does."""
     plant, x = given.system, variable(given.system)
     yield from block_diagram("state_feedback", r"State feedback $u = -\sym{K} x$")
+    if given.options.eigenvectors is not None:
+        return (yield from _with_eigenvectors(given, given.options.eigenvectors))
     poles = yield from asked_poles(given.options)
     row, unknowns = shape_of(given)
     found = yield from place(plant.A, plant.B, poles, method, x=x, wanted=Wanted(row, unknowns))
     if not found.free:
         yield from zero_input_response(found.loop, plant)
     return _answers(found, structured=row is not None)
+
+
+def _with_eigenvectors(given: Given[WithInput, PolePlacementOptions], wanted: ImmutableMatrix) -> Derivation[Answers]:
+    """The gain that the eigenvectors decide, whatever the method."""
+    plant = given.system
+    question = Question(plant, given.options.poles or (), wanted)
+    found, V = yield from assign_eigenvectors(question, variable(plant))
+    yield from zero_input_response(found.loop, plant)
+    answers = _answers(found, structured=False)
+    answers["eigenvectors"] = V
+    return answers
 
 
 def _answers(found: Placement, *, structured: bool) -> Answers:
@@ -152,12 +183,16 @@ def by_unity_rank(given: Given[WithInput, PolePlacementOptions]) -> Derivation[A
     return (yield from _placed(given, "unity_rank"))
 
 
-@pole_placement.verification("K", "closed_loop_A", "polynomial", "gain_polynomial", "fixed_poles", "conditions")
+@pole_placement.verification(
+    "K", "closed_loop_A", "polynomial", "gain_polynomial", "fixed_poles", "conditions", "eigenvectors"
+)
 def has_the_poles(given: Given[WithInput, PolePlacementOptions], answers: Answers) -> Iterable[Check]:
     """The spectrum of A − BK is the one asked for; modes that no gain moves are found by two random gains."""
     row, unknowns = shape_of(given)
     asked = Asked(given.system.A, given.system.B, numeric_poles(given.options), variable(given.system), row, unknowns)
     yield from judge_gain(asked, answers)
+    if given.options.eigenvectors is not None:
+        yield from judge_eigenvectors(asked, given.options.eigenvectors, answers)
     if "gain_polynomial" in answers:
         yield judge_gain_polynomial(asked, answers["gain_polynomial"])
     if "fixed_poles" in answers:
@@ -186,3 +221,10 @@ pole_placement.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs
 
 pole_placement.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
 pole_placement.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)
+
+
+@pole_placement.mistake("these are the vectors asked for, and not all of them are attainable", "eigenvectors")
+def taken_as_asked(wrong: Attempt[WithInput, PolePlacementOptions]) -> Iterable[Any]:
+    """The wanted eigenvectors themselves."""
+    if wrong.given.options.eigenvectors is not None:
+        yield wrong.given.options.eigenvectors

@@ -1,5 +1,6 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
+from solver.numeric.judges.design.eigenvectors import assigned_residual, nearest_residual
 from solver.numeric.judges.design.model_matching import (
     direct_term,
     first_row_form,
@@ -28,6 +29,7 @@ from solver.numeric.judges.design.set_point import reference_residual_at_optimum
 from solver.numeric.judges.design.tracking import completed_residual, feedforward_residual, steady_residual
 
 __all__ = [
+    "assigned_residual",
     "closing_residual",
     "completed_residual",
     "direct_term",
@@ -40,6 +42,7 @@ __all__ = [
     "joined_spectrum_residual",
     "matched_residual",
     "matching_possible",
+    "nearest_residual",
     "placed_matrix_residual",
     "placed_residual",
     "range_residual",
