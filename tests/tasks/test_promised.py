@@ -51,8 +51,8 @@ PROMISED = {
     ),
     "desired_poles": (DESIGN, "", SPECIFIED, "damping_ratio natural_frequency poles polynomial"),
     "pole_placement": (
-        DESIGN, " ".join((*PLACING, "unity_rank")), f"poles structure {SPECIFIED}",
-        "K closed_loop_A polynomial gain_polynomial fixed_poles conditions",
+        DESIGN, " ".join((*PLACING, "unity_rank")), f"poles structure eigenvectors {SPECIFIED}",
+        "K closed_loop_A polynomial gain_polynomial fixed_poles conditions eigenvectors",
     ),
     "reference_tracking": (DESIGN, "", "gain poles", "F N K_o"),
     "servo": (DESIGN, " ".join((*PLACING, "unity_rank")), "poles", "K k_I closed_loop_A"),
@@ -140,7 +140,8 @@ def test_what_marking_knows_of_an_answer_is_declared_wherever_it_stands():
     assert counts == {"rank", "right_half_plane_roots", "imaginary_axis_roots", "orders"}
     assert in_order == {"orders", "definiteness", "determinants"}
     assert vectors == {
-        "right_eigenvectors", "left_eigenvectors", "T", "null_space", "column_space", "row_space", "left_null_space"
+        "right_eigenvectors", "left_eigenvectors", "eigenvectors", "T", "null_space", "column_space", "row_space",
+        "left_null_space",
     }  # fmt: skip
     for task in catalogue().values():
         for answer in task.answers.values():

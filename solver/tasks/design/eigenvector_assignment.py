@@ -16,8 +16,8 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import product
 from solver.stated.complex_numbers import conjugate
 from solver.stated.matrices import determinant, inverse
-from solver.tasks.design.eigenvector_steps import attainable_step, degrees_off, nearest_step
 from solver.tasks.design.frames import Frame, Placement, movable_poles, same_number
+from solver.tasks.design.nearest_eigenvector import degrees_off, nearest_eigenvector_of
 from solver.tasks.design.placement import closed_loop_of, desired_polynomial_of
 from solver.tasks.structure.hidden_part import hidden_modes_of
 from solver.tasks.structure.pairs import Pair
@@ -107,16 +107,8 @@ def _assigned(question: Question, found: Sequence[Assigned]) -> Derivation[Assig
         }
         yield Step("conjugate", claims=claims, i=i, j=j, pole=pole)
         return Assigned(v, w, j, first.degrees)
-    alike = question.like(i)
-    attainable = exact.attainable_eigenvectors(question.plant.A, question.plant.B, pole)
-    if alike[0] == i:
-        yield attainable_step(attainable, alike)
-    if len(alike) > attainable.N.cols:
-        raise Unsolved("placement/too_few_eigenvectors", pole=pole, count=len(alike), dimension=attainable.N.cols)
-    nearest = exact.nearest_eigenvector(attainable, wanted)
-    if nearest.share == 0:
-        raise Unsolved("placement/orthogonal_eigenvector", i=i, pole=pole)
-    yield nearest_step(attainable, nearest, wanted, i=i, like=alike[0])
+    plant = question.plant
+    nearest = yield from nearest_eigenvector_of(plant.A, plant.B, pole, wanted, i=i, alike=question.like(i))
     return Assigned(nearest.v, nearest.w, 0, degrees_off(nearest))
 
 

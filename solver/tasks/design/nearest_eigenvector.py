@@ -1,11 +1,11 @@
-"""The steps that find one eigenvector: what is attainable for its pole, and of that the nearest to the wanted one."""
+"""One eigenvector of the closed loop as a lemma: what is attainable for its pole, and the nearest to the wanted one."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from solver.derivation import Claim, Step
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, quotient, total
@@ -20,7 +20,28 @@ DIGITS = 30
 """Significant digits of an angle."""
 
 
-def attainable_step(attainable: exact.Attainable, alike: Sequence[int]) -> Step:
+@lemma("nearest_eigenvector")
+def nearest_eigenvector_of(
+    A: ImmutableMatrix, B: ImmutableMatrix, pole: Expr, wanted: ImmutableMatrix, *, i: int, alike: Sequence[int]
+) -> Derivation[exact.Nearest]:
+    """The attainable eigenvector for pole i (counted from 1) nearest to the wanted one (n×1).
+
+    `alike` are the numbers of all poles equal to it; what is attainable is shown for the first of them only. Raises
+    Unsolved if there are fewer independent eigenvectors than equal poles, or if all are orthogonal to the wanted one.
+    """
+    attainable = exact.attainable_eigenvectors(A, B, pole)
+    if alike[0] == i:
+        yield _attainable(attainable, alike)
+    if len(alike) > attainable.N.cols:
+        raise Unsolved("placement/too_few_eigenvectors", pole=pole, count=len(alike), dimension=attainable.N.cols)
+    nearest = exact.nearest_eigenvector(attainable, wanted)
+    if nearest.share == 0:
+        raise Unsolved("placement/orthogonal_eigenvector", i=i, pole=pole)
+    yield _nearest(attainable, nearest, wanted, i=i, like=alike[0])
+    return nearest
+
+
+def _attainable(attainable: exact.Attainable, alike: Sequence[int]) -> Step:
     """What is attainable for one pole: the null space of [B, λI − A], w before v."""
     N, M, matrix, m = attainable.N, attainable.M, attainable.matrix, attainable.M.rows
     stacked = sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix(M), sp.Matrix(N)))
@@ -46,7 +67,7 @@ def attainable_step(attainable: exact.Attainable, alike: Sequence[int]) -> Step:
     )
 
 
-def nearest_step(
+def _nearest(
     attainable: exact.Attainable,
     nearest: exact.Nearest,
     wanted: ImmutableMatrix,
