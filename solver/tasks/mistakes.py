@@ -22,6 +22,7 @@ OBSERVER_ADDED = Slip("sign", r"it is the gain of $A + \sym{L}C$; the error obey
 DIAGONAL = Slip("diagonal", "these are the entries on the diagonal of $A$")
 MINUS_DETERMINANT = Slip("minus_determinant", r"it is $\det(A - \lambda I)$, not $\det(\lambda I - A)$")
 OF_THE_NEGATIVE = Slip("sign", "it is the inverse of $A - sI$")
+NOT_ATTAINABLE = Slip("not_attainable", "these are the vectors asked for, and not all of them are attainable")
 NOT_DIVIDED = Slip("adjugate", "this is the adjugate; it is not yet divided by the determinant")
 OTHER_SIDE = Slip("left_right", "left and right eigenvectors are exchanged")
 ENTRY_BY_ENTRY = Slip("entrywise", "the function is taken of each entry; it is a function of the matrix")

@@ -223,7 +223,7 @@ pole_placement.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
 pole_placement.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)
 
 
-@pole_placement.mistake("these are the vectors asked for, and not all of them are attainable", "eigenvectors")
+@pole_placement.mistake(mistakes.NOT_ATTAINABLE, "eigenvectors")
 def taken_as_asked(wrong: Attempt[WithInput, PolePlacementOptions]) -> Iterable[Any]:
     """The wanted eigenvectors themselves."""
     if wrong.given.options.eigenvectors is not None:

@@ -15,7 +15,8 @@ import scipy.linalg
 import sympy as sp
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.compare import Point, worst_of
+from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.environment import Point
 from solver.numeric.judges.design.placement import rational_points
 
 NEGLIGIBLE = 1e-11
