@@ -4,6 +4,7 @@ A = [[0, 1], [-2, -3]]
 PLANT = {"A": [[1, 0, -1], [1, 2, 1], [2, 2, 3]], "B": [1, 0, 1]}
 PROBLEMS = {
     "polynomial": {"system": {"matrix": [[1, 2, 0], [3, 1, 1], [0, 2, 5]]}, "find": {"a": "characteristic_polynomial"}},
+    "companion": {"system": {"A": [[0, 1, 0], [0, 0, 1], [-6, -11, -6]]}, "find": {"a": "stability"}},
     "placement": {
         "system": PLANT,
         "find": {
@@ -87,7 +88,11 @@ PLANTED = {
     "the prefix of another claim": ("closed", "lemmas/closed_loop", 'claim(c.loop, "A - B"', 'claim(c.loop, "A + B"'),
     "a line further down": ("polynomial", "lemmas/determinant", "c.minors.right) }}", "2 * c.value.right) }}"),
     "a factor before a determinant": (
-        *("polynomial", "lemmas/determinant", '{{ eq("\\\\det(" ~ v.x|tex ~ " I - A)", c.value'),
+        *("polynomial", "lemmas/determinant", '{{ eq("\\\\det(" ~ v.x|tex ~ " I - A)", c.value.right) }}\n{% endif %}'),
+        '{{ eq("2\\\\det(" ~ v.x|tex ~ " I - A)", c.value.right) }}\n{% endif %}',
+    ),
+    "a factor before the determinant of a companion matrix": (
+        *("companion", "lemmas/determinant", '{{ eq("\\\\det(" ~ v.x|tex ~ " I - A)", c.value'),
         '{{ eq("2\\\\det(" ~ v.x|tex ~ " I - A)", c.value',
     ),
     "the trace for the determinant": (
