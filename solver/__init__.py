@@ -1,4 +1,4 @@
-"""Worked, verified solutions of control-engineering problems: `solver.solve(path_or_text)`."""
+"""Worked, verified solutions of control-engineering problems: `solver.solve(path_or_text)`, `solver.check`."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from solver.api import Document, solve
+    from solver.api import Document, check, solve
 
-__all__ = ["Document", "__version__", "solve"]
+__all__ = ["Document", "__version__", "check", "solve"]
 
 
 def __getattr__(name: str) -> Any:
     """Import the interface, and with it sympy, when it is first used."""
-    if name in {"solve", "Document"}:
+    if name in {"check", "solve", "Document"}:
         from solver import api  # noqa: PLC0415 - see above
 
         return getattr(api, name)

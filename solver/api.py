@@ -1,17 +1,21 @@
-"""The Python interface: `solver.solve(path_or_text)`.
+"""The Python interface: `solver.solve(path_or_text)` and `solver.check(problem, answers)`.
 
 >>> import solver
 >>> solution = solver.solve("problems/course/ch1/ch1-ex02.yaml")
 >>> solution.status, solution.answers["a"]["Phi"]
 >>> Path("page.html").write_text(solution.html(detail="tutor"), encoding="utf-8")
+>>> marked = solver.check("problem.yaml", {"b": {"K": [13, 8]}})
+>>> marked.marks, marked.parts["b"].answers["K"].verdict
 
-In a notebook the solution shows itself as a page.
+In a notebook the solution shows itself as a page, the marked answers as a sheet.
 """
 
 from __future__ import annotations
 
+import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from solver.document.model import Document, Presentation
 from solver.document.works import document_of
@@ -20,6 +24,9 @@ from solver.problem.files import load
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.tasks import catalogue
+
+if TYPE_CHECKING:
+    from solver.classroom.marked import Marked
 
 
 def solve(
@@ -37,9 +44,7 @@ def solve(
     `solver.limits.Limits`) every part is solved in a child process that is ended at the limit.
     Raises `solver.problem.source.InputError`, all errors with their places, if the input is at fault.
     """
-    is_text = isinstance(problem, str) and "\n" in problem
-    source = Source("<text>", str(problem)) if is_text else load(problem)
-    read = read_problem(source, catalogue())
+    read = read_problem(_source(problem), catalogue())
     folder = Path(templates) if templates else None
     presentation = Presentation(detail, folder, data=bool(limits), language=language, notation=notation)
     if not limits:
@@ -50,4 +55,49 @@ def solve(
     return solve_within(read, Limits(**limits), presentation).document(read.name)
 
 
-__all__ = ["Document", "solve"]
+def check(
+    problem: str | Path,
+    answers: str | Path | Mapping[str, Any],
+    *,
+    templates: str | Path | None = None,
+    language: str | None = None,
+    notation: str | None = None,
+    **limits: Any,
+) -> Marked:
+    """Mark a student's answers to a problem, both given as `solve` takes a problem.
+
+    The answers may also be a mapping, `{"b": {"K": [13, 8]}}`, of numbers, texts, lists and truth values.
+    Raises `solver.problem.source.InputError` if the problem or the answer file is at fault; a value that cannot be read
+    is not judged.
+    """
+    from solver.classroom import mark, mark_within, read_submission  # noqa: PLC0415 - who solves needs no marking
+    from solver.classroom.marked import Marked  # noqa: PLC0415 - as above
+    from solver.limits import Limits, solve_within  # noqa: PLC0415 - as above
+
+    folder = Path(templates) if templates else None
+    told = Presentation("full", folder, language=language, notation=notation)
+    read = told.of(read_problem(_source(problem), catalogue()))
+    source = _answers(answers) if isinstance(answers, Mapping) else _source(answers)
+    submission = read_submission(source, read)
+    if not limits:
+        solution = solve_problem(read, messages=told.messages(read.display))
+        marking = mark(solution, submission, folder)
+        return Marked(marking, solution, lambda: document_of(solution, told, read.name), folder)
+    solved = solve_within(read, Limits(**limits), told)
+    solution = solved.solution()
+    marking = mark_within(solution, submission, Limits(**limits), folder)
+    return Marked(marking, solution, lambda: solved.document(read.name), folder)
+
+
+def _source(given: str | Path) -> Source:
+    """Return the text that is given, of more than one line, or that of the file of this name."""
+    is_text = isinstance(given, str) and "\n" in given
+    return Source("<text>", str(given)) if is_text else load(given)
+
+
+def _answers(given: Mapping[str, Any]) -> Source:
+    """Return answers as the text of a file; YAML reads JSON."""
+    return Source("<answers>", json.dumps({"answers": given}, ensure_ascii=False, default=str))
+
+
+__all__ = ["Document", "check", "solve"]

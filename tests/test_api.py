@@ -81,3 +81,32 @@ def test_input_at_fault_is_raised_with_its_place():
 def test_an_unknown_name_of_the_package_is_an_attribute_error():
     with pytest.raises(AttributeError, match="no attribute 'resolve'"):
         _ = solver.resolve
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [{"a": {"Phi": "[[1, 0], [0, t]]"}, "b": {"eigenvalues": [-1, -2]}}, "answers:\n  b: {eigenvalues: [-1, -2]}"],
+)
+@pytest.mark.parametrize("limits", [{}, {"seconds": 60}])
+def test_answers_are_marked(answers, limits):
+    marked = solver.check(TEXT, answers, **limits)
+    assert marked.parts["b"].answers["eigenvalues"].verdict == "correct"
+    assert (marked.marks, marked.out_of) == (sp.Rational(1, 2), 2)
+    assert marked.data() == json.loads(marked.json())
+    assert repr(marked) == "<marked answers: 0.5 of 2>"
+
+
+def test_a_marking_has_the_sheet_with_answers_and_solution_on_request(tmp_path):
+    file = tmp_path / "ada.yaml"
+    file.write_text("student: Ada\nanswers: {b: {eigenvalues: [1, -2]}}", encoding="utf-8")
+    marked = solver.check(TEXT, file, language="de")
+    assert "Bewertete Antworten von Ada" in marked.html()
+    assert "Musterlösung" not in marked.html()
+    assert "Musterlösung" in marked.html(solution=True)
+    assert "richtige Wert" in marked.html(answers=True)
+    assert marked._repr_html_().startswith("<iframe ")
+
+
+def test_an_answer_file_at_fault_is_raised():
+    with pytest.raises(InputError, match="has no part 'c'"):
+        solver.check(TEXT, {"c": {"K": 1}})

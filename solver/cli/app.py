@@ -14,6 +14,7 @@ from solver.cli.check import check
 from solver.cli.group import FileOrCommand, stop_writing
 from solver.cli.listing import new, schema, tasks
 from solver.cli.run import run
+from solver.cli.sheet import sheet
 
 INTERRUPTED = 130
 
@@ -34,7 +35,7 @@ def cli() -> None:
     """
 
 
-for command in (run, check, tasks, new, schema):
+for command in (run, check, sheet, tasks, new, schema):
     cli.add_command(command)
 
 

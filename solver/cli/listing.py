@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
 
 import click
 
 if TYPE_CHECKING:
     from solver.derivation import Task
+    from solver.problem.model import Problem
 
 
 @click.command(short_help="List what can be asked, or all about one task.")
@@ -45,15 +47,42 @@ def new(task: str, output: str | None) -> None:
         click.echo(f"wrote {output}; solve it with: solve {output}")
 
 
-@click.command(short_help="Print the JSON Schema of problem files.")
-def schema() -> None:
+@click.command(short_help="Print the JSON Schema of problem files, answer files or changes.")
+@click.argument("problem", required=False)
+@click.option("--answers", is_flag=True, help="Of answer files; of those to PROBLEM, with its parts and answers.")
+@click.option("--override", "changes", is_flag=True, help="Of an instructor's changes, for `solve check --override`.")
+def schema(problem: str | None, answers: bool, changes: bool) -> None:
     """Print the JSON Schema of problem files, for editors that complete and check YAML."""
-    import json
+    if changes and (answers or problem):
+        raise click.UsageError("--override is a schema of its own; it goes with nothing else.")
+    if problem and not answers:
+        raise click.UsageError("PROBLEM goes with --answers.")
+    click.echo(json.dumps(_schema(problem, answers, changes), indent=2, ensure_ascii=False))
 
+
+def _schema(problem: str | None, answers: bool, changes: bool) -> dict[str, Any]:
     from solver.problem.schema import json_schema
     from solver.tasks import catalogue
 
-    click.echo(json.dumps(json_schema(catalogue()), indent=2, ensure_ascii=False))
+    if not (answers or changes):
+        return json_schema(catalogue())
+    from solver.classroom.schema import answers_schema, changes_schema
+
+    return changes_schema() if changes else answers_schema(_read(problem) if problem else None)
+
+
+def _read(file: str) -> Problem:
+    """Return a problem; what is wrong with it ends the command, in words."""
+    from solver.cli.destination import AtFault
+    from solver.cli.solving import source_of
+    from solver.problem.reader import read_problem
+    from solver.problem.source import InputError
+    from solver.tasks import catalogue
+
+    try:
+        return read_problem(source_of(file), catalogue())
+    except InputError as error:
+        raise AtFault(error.render()) from None
 
 
 def _found(name: str) -> Task[Any, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import click
@@ -139,10 +139,7 @@ class Problems:
     def solution(self, name: str) -> Solution:
         """Return the solved problem; raises InputError."""
         if name not in self.solutions:
-            problem = read_problem(source_of(name), catalogue())
-            messages = self.request.presentation.messages(problem.display)
-            display = replace(problem.display, language=messages.language, notation=messages.notation)
-            problem = replace(problem, display=display)
+            problem = self.request.presentation.of(read_problem(source_of(name), catalogue()))
             if self.request.partial:
                 problem = ruled(problem, self.request.partial, catalogue())
             told = self.request.presentation if self.request.solution else None

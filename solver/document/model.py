@@ -16,7 +16,7 @@ from solver.derivation import Answers, Check, CheckStatus, Status
 from solver.derivation.figures import Drawing
 from solver.messages import Messages
 from solver.problem.images import Image
-from solver.problem.model import Display
+from solver.problem.model import Display, Problem
 from solver.words import Phrase
 
 ENGLISH_WORDS = Messages()
@@ -43,6 +43,12 @@ class Presentation:
     def messages(self, display: Display) -> Messages:
         """Return how reasons and phrases are worded for a problem with this display."""
         return Messages(self.templates, self.language or display.language, self.notation or display.notation)
+
+    def of(self, problem: Problem) -> Problem:
+        """Return the problem in the language and the notation that are asked for."""
+        messages = self.messages(problem.display)
+        display = replace(problem.display, language=messages.language, notation=messages.notation)
+        return replace(problem, display=display)
 
     @property
     def is_paper(self) -> bool:
@@ -248,9 +254,7 @@ class Document:
 
     def _repr_html_(self) -> str:
         """The page in a frame of its own, so that its style and the notebook's do not mix."""
-        title = escape(self.messages.say("Worked solution"))
-        frame = 'style="width: 100%; height: 40rem; border: 0" sandbox=""'
-        return f'<iframe {frame} title="{title}" srcdoc="{escape(self.html())}"></iframe>'
+        return in_a_frame(self.html(), self.messages.say("Worked solution"))
 
     def _repr_markdown_(self) -> str:
         return self.markdown()
@@ -262,3 +266,9 @@ class Document:
 
     def __repr__(self) -> str:
         return f"<worked solution of {self.title!r}: {self.status}>"
+
+
+def in_a_frame(page: str, title: str) -> str:
+    """Return a page as an element of another one."""
+    frame = 'style="width: 100%; height: 40rem; border: 0" sandbox=""'
+    return f'<iframe {frame} title="{escape(title)}" srcdoc="{escape(page)}"></iframe>'

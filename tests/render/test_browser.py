@@ -51,6 +51,8 @@ CUT_OFF = """() => [...document.querySelectorAll('body *')].filter(element => {
 }).map(element => element.outerHTML.slice(0, 200))"""
 TOO_HIGH = """() => [...document.querySelectorAll('.formula, .scroll')].filter(box =>
     box.scrollHeight > box.clientHeight + 1).map(box => box.outerHTML.slice(0, 200))"""
+FRAMES = """() => [...document.querySelectorAll('.verdict mrow[style]')].map(frame =>
+    [frame.textContent, getComputedStyle(frame).borderTopWidth])"""
 HIDDEN = """() => [...document.querySelectorAll('details > :not(summary), details > :not(summary) *')].filter(element =>
     !element.checkVisibility({contentVisibilityAuto: true})).length"""
 
@@ -221,8 +223,10 @@ def test_a_sheet_of_marked_answers_fits_and_keeps_nobody_out(
     submission = read_submission(Source("answers.yaml", ANSWERS), solution.problem)
     marking = mark(solution, submission)
     path = tmp_path / "sheet.html"
-    path.write_text(render_sheet(solution, marking, document_of(solution) if with_solution else None), "utf-8")
+    document = document_of(solution) if with_solution else None
+    path.write_text(render_sheet(solution, marking, document, key=True), "utf-8")
     visit = Visit(browser, path, width, "light")
+    assert visit.page.evaluate(FRAMES) == [["2", "1px"], ["1", "1px"], ["1", "1px"]]
     assert visit.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     assert visit.page.evaluate(CUT_OFF) == []
     assert barriers(visit) == []

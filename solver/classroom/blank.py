@@ -1,0 +1,97 @@
+"""The blank answer file of a problem: parts, names of answers, how each is written; nothing of our own answers.
+
+Of an answer only its kind is told, and the size of a matrix where the question leaves no choice of it. Where an answer
+may be missing nothing is told, for that would say that it is there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from textwrap import wrap
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.examples import example_of
+from solver.classroom.kinds import kind_of
+from solver.classroom.marking import Marker
+from solver.classroom.reading.answer_file import Submission
+from solver.derivation import AnswerName, Given
+from solver.document.checks import Say
+from solver.document.model import Presentation
+from solver.document.works import document_of
+from solver.engine import Solution, given_of
+from solver.problem.asked import asked_of
+from solver.problem.model import Part
+from solver.problem.source import Source
+from solver.render.prose import inline_as_text
+from solver.tasks import catalogue
+from solver.words import Phrase
+
+WIDTH = 110
+
+
+def blank_answers(solution: Solution, problem: str = "", templates: Path | None = None) -> str:
+    """Return the answer file to fill in, YAML with comments; `problem` is the file it names."""
+    marker = Marker(solution, Submission(Source("", ""), "", {}), templates)
+    paper = document_of(solution, Presentation("question", templates))
+    questions = {work.id: work.question for work in paper.parts}
+    say = marker.messages.say
+    lines = [*_comment(solution.problem.title, ""), *_comment(say(HOW), "")]
+    lines += [f"problem: {_quoted(problem)}"] if problem else []
+    lines += ["student:", "answers:"]
+    for part in solution.problem.parts:
+        title = say(catalogue()[part.task].title)
+        lines += ["", *_comment(f"({part.id}) {title}. {inline_as_text(questions[part.id])}", "  ")]
+        lines += [f"  {_quoted(part.id)}:", *_answers(part, marker)]
+    return "\n".join(lines) + "\n"
+
+
+HOW = "Write each value after its name, in quotes where it has a colon or a brace; what is left blank is not answered."
+
+
+def _answers(part: Part, marker: Marker) -> Iterator[str]:
+    task, ours, say = catalogue()[part.task], marker.ours(part.id), marker.messages.say
+    first = {id_: results[0] for id_, results in marker.results.items()}
+    given = given_of(part, part.methods[0], first) if ours else None
+    asked = asked_of(part, task)
+    width = max(map(len, asked), default=0)
+    for name in asked:
+        told = _how(task.answers[name], given, ours, say)
+        yield f"    {name + ':':{width + 2}} # {told}".rstrip(" #") if told else f"    {name}:"
+    others = [name for name, answer in task.answers.items() if name not in asked and _given(answer, part)]
+    if others:
+        yield from _comment(say(Phrase("judged too, without marks: {names}", names=", ".join(others))), "    ")
+
+
+def _given(answer: AnswerName, part: Part) -> bool:
+    """Whether one of the methods gives the answer."""
+    return not answer.methods or bool(set(answer.methods) & set(part.methods))
+
+
+def _how(answer: AnswerName, given: Given[Any, Any] | None, ours: Mapping[str, Any], say: Say) -> str:
+    """Return how an answer is written: its kind, its size where that is no choice, an example that is not ours."""
+    if answer.optional or given is None or answer.name not in ours:
+        return ""
+    value = ours[answer.name]
+    sized = isinstance(value, sp.MatrixBase) and not answer.is_free(given) and 0 not in value.shape
+    kind = say(kind_of(value))
+    if sized:
+        kind = say(Phrase("{kind}, {rows}×{columns}", kind=kind, rows=value.rows, columns=value.cols))
+    example = example_of(value, sized=sized)
+    return say(Phrase("{kind}, for example {example}", kind=kind, example=example)) if example else kind
+
+
+def _comment(text: str, indent: str) -> list[str]:
+    return [f"{indent}# {line}" for line in wrap(" ".join(text.split()), WIDTH - len(indent), break_on_hyphens=False)]
+
+
+def _quoted(text: str) -> str:
+    """Return a text as YAML reads it back."""
+    plain = text[:1].isalpha() and all(sign.isalnum() or sign in "-_./" for sign in text)
+    return text if plain and text.lower() not in WORDS else "'" + text.replace("'", "''") + "'"
+
+
+WORDS = ("yes", "no", "true", "false", "null", "on", "off", "y", "n")
+"""What YAML may take for something else than a text."""

@@ -1,0 +1,71 @@
+"""Examples of the notation that an answer is written in, none of which is the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.kinds import kind_of
+
+s, z, t, k = sp.symbols("s z t k")
+
+EXPRESSIONS = {
+    "s": (("(2s + 7)/(s^2 + 5s)", (2 * s + 7) / (s**2 + 5 * s)), ("3/(s + 8)", 3 / (s + 8))),
+    "z": (("(2z + 1)/(z^2 - z/5)", (2 * z + 1) / (z**2 - z / 5)), ("3/(z - 7)", 3 / (z - 7))),
+    "t": (("7 - 5exp(-9t)", 7 - 5 * sp.exp(-9 * t)), ("4 sin(7t)", 4 * sp.sin(7 * t))),
+    "k": (("7 - 5 (1/9)^k", 7 - 5 * sp.Rational(1, 9) ** k), ("4 (1/7)^k", 4 * sp.Rational(1, 7) ** k)),
+    "": (("3/7", sp.Rational(3, 7)), ("11/4", sp.Rational(11, 4))),
+}
+"""Two of each variable, as text and as value: at most one is the answer."""
+
+CONDITIONS = {"a condition": ("0 < a < 17", "a > 23"), "a list of conditions": ("[a > 23]",)}
+FREE_MATRIX = "[[1, 2], [3, 4]]"
+
+
+def example_of(ours: Any, *, sized: bool = False) -> str:
+    """Return an example of the notation for an answer of the kind of ours, "" where there is none; never ours itself.
+
+    It has the size of a matrix only where that is `sized`.
+    """
+    kind = kind_of(ours)
+    if kind == "a matrix":
+        return _matrix(ours) if sized else FREE_MATRIX
+    if kind == "a list":
+        return next(text for text, value in LISTS if not isinstance(ours, list | tuple) or list(ours) != value)
+    if kind == "an expression":
+        return next((text for text, value in EXPRESSIONS[_variable(ours)] if not _same(ours, value)), "")
+    return next(iter(CONDITIONS.get(kind, ())), "")
+
+
+LISTS: tuple[tuple[str, list[Any]], ...] = (
+    ("[-9, 7 ± 5j]", [sp.Integer(-9), 7 + 5 * sp.I, 7 - 5 * sp.I]),
+    ("[-11, 13/2]", []),
+)
+
+
+def _variable(ours: Any) -> str:
+    names = {symbol.name for symbol in getattr(ours, "free_symbols", ())}
+    return next((name for name in EXPRESSIONS if name in names), "")
+
+
+def _same(ours: Any, value: Any) -> bool:
+    """Whether two expressions agree at a point, or may do so."""
+    at = {symbol: sp.Rational(7, 3) for symbol in value.free_symbols}
+    named = {symbol: sp.Rational(7, 3) for symbol in getattr(ours, "free_symbols", ()) if symbol.name in EXPRESSIONS}
+    difference = (sp.Add(ours, 0).subs(named)) - value.subs(at)
+    return difference.is_zero is not False
+
+
+def _matrix(ours: sp.MatrixBase) -> str:
+    """Return a matrix of that size with the numbers from 1 on, or from the next on that are not ours."""
+    rows = next(rows for rows in _counted(*ours.shape) if sp.Matrix(rows) != sp.Matrix(ours))
+    if ours.rows == 1:
+        return str(rows[0])
+    return str(rows)
+
+
+def _counted(rows: int, columns: int) -> Iterator[list[list[int]]]:
+    for first in (1, 2):
+        yield [[first + i * columns + j for j in range(columns)] for i in range(rows)]
