@@ -78,7 +78,7 @@ def render_sheet(
         review=to_be_reviewed(marking, paper.messages.say),
         sections=[sections.section(part, works[part.id]) for part in marking.parts],
         paper=paper,
-        worked=document,
+        worked=document and replace(document, statement="", given=""),  # which the sheet has already
         document=document or paper,
     )
 
