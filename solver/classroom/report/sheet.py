@@ -78,8 +78,8 @@ def render_sheet(
         review=to_be_reviewed(marking, paper.messages.say),
         sections=[sections.section(part, works[part.id]) for part in marking.parts],
         paper=paper,
-        worked=document and replace(document, statement="", given=""),  # which the sheet has already
-        document=document or paper,
+        worked=document is not None,
+        document=replace(document, statement="", given="") if document else paper,  # the sheet has the problem already
     )
 
 
