@@ -14,6 +14,7 @@ from solver.formula import latex, read
 from solver.formula.building import row
 from solver.formula.nodes import Operator, Row, Text
 from solver.formula.width import LINE, width
+from solver.matrices import entry_alone
 from solver.render.displays import EQUALS, NOTHING, READABLE, aligned, chain, display, entries
 from solver.render.recording import Recorder
 from solver.render.row_operations import row_operation
@@ -56,9 +57,9 @@ class Displaying:
         return entries(shown[0], shown[1:-1], cells)
 
     def _side(self, side: Any, show: Callable[[Any], Row]) -> Row:
-        """Return a side of a display: a text is LaTeX with marks for values in it."""
+        """Return a side of a display: a text is LaTeX with marks for values, a matrix of one entry is a number."""
         if not isinstance(side, str):
-            return show(side)
+            return show(entry_alone(side))
         text = self.recorder.expanded(side)
         return read(text) if text.strip() else NOTHING
 

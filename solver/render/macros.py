@@ -11,6 +11,7 @@ from jinja2 import pass_context
 from jinja2.runtime import Context
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
+from solver.matrices import entry_alone
 from solver.messages import environment
 from solver.render.prose import plain
 from solver.render.recording import Recorder
@@ -34,7 +35,8 @@ def macros_of(_wording: Hashable) -> Macros:
 def environment_of(templates: Path | None) -> ImmutableSandboxedEnvironment:
     """Return the environment that finds wording files; compiled templates are shared by all wordings."""
     found = environment(templates)
-    found.filters.update({name: _named(name) for name in ("tex", "latex", "operation", "say")}, plain=plain)
+    found.filters.update({name: _named(name) for name in ("tex", "latex", "operation", "say")})
+    found.filters.update(plain=plain, alone=entry_alone)
     return found
 
 

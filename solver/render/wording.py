@@ -4,8 +4,8 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 
 - `brief`, `full`, `tutor`: the level of detail (`full` holds at the levels full and tutor, `brief` only at brief),
 - `value|tex`: a value as LaTeX, in the problem's number format; `value|latex`: the same as text to be compared or
-  changed, the value behind it forgotten; `operation|operation`: a row operation; `text|plain`: words of a user, with
-  Markdown's signs made harmless,
+  changed, the value behind it forgotten; `value|alone|tex`: a matrix of one entry as a number, as all displays have it;
+  `operation|operation`: a row operation; `text|plain`: words of a user, with Markdown's signs made harmless,
 - `eq(a, b, ...)`: the display a = b = ...; texts are LaTeX as it stands, anything else is printed as by `tex`,
   with `holds=false`: an equality that the text itself calls false, or that holds in one case only,
 - `claim(c.name, prefix)`: both sides of a claim as a display; `align([[a, b], [c, d]])`: equations under each other,

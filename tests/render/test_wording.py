@@ -209,6 +209,12 @@ def test_a_matrix_too_wide_to_be_read_is_listed_by_entries():
     assert "v_{2} &= b" in latex(entries(read("v"), [], [[read("a")], [read("b")]]))
 
 
+def test_a_matrix_of_one_entry_alone_on_a_side_is_a_number():
+    one = sp.ImmutableMatrix([[sp.Symbol("a") + 1]])
+    assert Wording().equation("K", one) == "K = a + 1"
+    assert Wording().equation("K", [one, one]).count("bmatrix") == 4  # in a list they stay matrices
+
+
 def test_number_formats_reach_the_templates(templates):
     half = Step("levels", claims={"value": Claim(sp.S.Half, sp.S.Half)}, x=sp.S.Half, words="")
     half.wording = "demo/demo"
