@@ -46,6 +46,7 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
         x=x,
         C=C,
         G=quotient(p, q),
+        open=H is None,
     )
     if H is not None:
         h, k = _polynomials(H)
@@ -80,9 +81,8 @@ def _of_matrices(loop: OutputFeedback, G: TransferFunction) -> Derivation[Transf
     """C G (I + H C G)⁻¹ of several inputs or outputs, in this order."""
     x, C, H, size = G.variable, loop.controller, loop.feedback, int(G.matrix.cols)
     L = _in_lowest_terms(C * G.matrix)
-    yield Step(
-        "forward", claims={"forward": Claim(product(C, G.matrix), L, "forward path $C G$")}, x=x, C=C, G=G.matrix
-    )
+    claims = {"forward": Claim(product(C, G.matrix), L, "forward path $C G$")}
+    yield Step("forward", claims=claims, x=x, C=C, G=G.matrix, open=H is None)
     T = L
     if H is not None:
         if G.matrix.rows != size:

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from solver.problem.context import Context
 
 NONE, UNITY = "none", "unity"
+WORDS = {NONE, UNITY, "unit", "negative", "positive", "yes", "no", "true", "false", "open", "closed"}
+"""What someone may write of a loop who means no parameter of that name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +42,12 @@ class LoopElement(OptionKind[Any]):
         """The simplest loop."""
         return UNITY if self.switched else "2"
 
-    def read(self, node: Node, name: str, context: Context) -> Any:  # noqa: ARG002 - the place says what is wrong
-        """Return the element, None where there is none."""
-        word = node.text if isinstance(node, ScalarNode) and self.switched else ""
-        return None if word == NONE else context.quotient(node, unity=word == UNITY)
+    def read(self, node: Node, name: str, context: Context) -> Any:
+        """Return the element, None where there is none; a word that may not stand here is no parameter's name."""
+        word = node.text if isinstance(node, ScalarNode) else ""
+        if self.switched and word in (NONE, UNITY):
+            return None if word == NONE else context.quotient(node, unity=True)
+        if word.lower() in WORDS:
+            also = f", {NONE} or {UNITY}" if self.switched else f", or leave '{name}' out"
+            raise node.fault(f"'{word}' cannot stand for the {name}", note=f"write an expression{also}")
+        return context.quotient(node)

@@ -36,7 +36,8 @@ ASSUMPTIONS: Mapping[str, Mapping[str, bool]] = {
     "integer": {"integer": True},
 }
 
-BARRED = MEANINGS | {"NaN": "it is not a number"}
+NOTHING = "leave the key out where there is nothing"
+BARRED = MEANINGS | {"NaN": "it is not a number", "none": NOTHING, "None": NOTHING}
 """Names that can't be parameters."""
 
 

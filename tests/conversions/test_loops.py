@@ -8,6 +8,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import solver
 from solver.derivation import CheckStatus, Status, Unsolved
 from solver.derivation.conversion import chain_to, composed, conversions, converted, reachable
 from solver.engine import solve_problem, yield_into
@@ -104,6 +105,29 @@ def test_a_loop_that_makes_no_sense_is_refused_in_words(find, system, says):
 def test_the_controller_must_be_a_quotient_of_polynomials():
     with pytest.raises(InputError, match="a quotient of polynomials in s is expected here"):
         solved("{task: stability, controller: exp(-s)}")
+
+
+@pytest.mark.parametrize(
+    ("find", "says"),
+    [
+        ("{task: stability, controller: none}", "'none' cannot stand for the controller"),
+        ("{task: stability, controller: unity, feedback: unity}", "'unity' cannot stand for the controller"),
+        ("{task: stability, feedback: None}", "'None' cannot stand for the feedback"),
+        ("{task: stability, feedback: negative}", "'negative' cannot stand for the feedback"),
+        ("{task: stability, gain: none}", "leave the key out where there is nothing"),
+    ],
+)
+def test_words_that_mean_no_parameter_are_refused(find, says):
+    with pytest.raises(InputError, match=says):
+        solved(find, "A: [[-1]], B: [1], C: [1]")
+
+
+@pytest.mark.parametrize("system", ['transfer_function: "1/(s+1)"', "transfer_matrix: [[1/(s+1), 2], [1/s, 1]]"])
+@pytest.mark.parametrize("loop", ["controller: 2/(s+3)", "feedback: none", "controller: 2, feedback: 1/(s+2)"])
+def test_the_page_names_what_the_question_is_about(system, loop):
+    document = solver.solve(f"system: {{{system}}}\nfind:\n  a: {{task: transfer_function, {loop}}}\n")
+    assert document.parts[0].status is Status.VERIFIED, document.parts[0].rows
+    assert not document.parts[0].unchecked
 
 
 @pytest.mark.parametrize(("B", "K"), [([[0], [1]], [[1]]), ([[0], [1]], [[1], [2]]), (None, [[1, 2]])])
