@@ -10,6 +10,7 @@ from solver.numeric.evaluation.ranks import independent, rank
 from solver.numeric.evaluation.relations import check_relation
 from solver.numeric.evaluation.rounding import agrees_to_digits
 from solver.numeric.evaluation.values import NoRule, NotEvaluable, ShapeMismatch, Undefined
+from solver.numeric.evaluation.vanishing import can_vanish
 
 __all__ = [
     "TOLERANCE",
@@ -19,6 +20,7 @@ __all__ = [
     "ShapeMismatch",
     "Undefined",
     "agrees_to_digits",
+    "can_vanish",
     "check_claim",
     "check_relation",
     "check_residual",

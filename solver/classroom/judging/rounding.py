@@ -2,47 +2,51 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
+
+import numpy as np
+import sympy as sp
 
 from solver.classroom.judging.question import Question, checks_of
 from solver.classroom.submitted import Submitted, replaced
 from solver.derivation import Check
+from solver.lazy import numeric
+
+FINE = 10**12
+"""Decimals are moved by so small parts of half a unit."""
 
 
 def within_rounding(
     question: Question, name: str, each: Submitted, fitting: Mapping[str, Submitted], failed: list[Check]
 ) -> bool:
-    """Whether rounding explains what is left of a defining property that has many right answers.
-
-    To first order: the residual is at most the sum of what moving each decimal by half a unit changes in it.
-    """
-    if not failed or not _numbers(failed):
+    """Whether one choice of all decimals within half units of their last digits satisfies all checks of a value."""
+    if not failed or not all(_is_number(check.residual) for check in failed):
         return False
-    allowed = 0.0
-    for symbol, decimal in each.decimals.items():
-        changes = [
-            abs(moved - start)
-            for half in (decimal.half_unit, -decimal.half_unit)
-            for start, moved in _residuals(question, name, each, fitting, symbol, decimal.number + half)
-        ]
-        allowed += max(changes, default=0.0)
-    return all(check.residual <= 1.05 * allowed + 1e-9 for check in failed if check.residual is not None)
+    judged = [check for check in checks_of(question, {**fitting, name: each}) or () if name in check.judges]
+    measured = [_is_number(check.residual) for check in judged]
+
+    def sizes(moved: Any) -> Any:
+        """The residuals where each decimal is moved by a share of its half unit."""
+        value = replaced(each.form, _moved(each, moved))
+        found = checks_of(question, {**fitting, name: Submitted(value, each.form)}) or ()
+        checks = [check for check in found if name in check.judges]
+        if [_is_number(check.residual) for check in checks] != measured:
+            raise numeric.NotEvaluable("another check")
+        return np.array([check.residual for check in checks if _is_number(check.residual)])
+
+    try:
+        return bool(numeric.can_vanish(sizes, len(each.decimals)))
+    except numeric.NotEvaluable:
+        return False
 
 
-def _numbers(checks: Iterable[Check]) -> bool:
-    return all(check.residual is not None and check.residual < float("inf") for check in checks)
+def _is_number(residual: float | None) -> bool:
+    return residual is not None and residual < float("inf")
 
 
-def _residuals(
-    question: Question, name: str, each: Submitted, fitting: Mapping[str, Submitted], symbol: Any, value: Any
-) -> list[tuple[float, float]]:
-    """Pairs of residuals of the same checks, before and after one decimal is moved."""
-    at = {other: decimal.number for other, decimal in each.decimals.items()} | {symbol: value}
-    moved = Submitted(replaced(each.form, at), each.form)
-    before, after = (checks_of(question, {**fitting, name: which}) or [] for which in (each, moved))
-    return [
-        (a.residual, b.residual)
-        for a, b in zip(before, after, strict=False)
-        if name in a.judges and a.residual is not None and b.residual is not None
-    ]
+def _moved(each: Submitted, shares: Any) -> dict[Any, Any]:
+    """The decimals moved by shares of their half units."""
+    exact = [sp.Rational(round(share * FINE), FINE) for share in shares]
+    pairs = zip(each.decimals.items(), exact, strict=True)
+    return {symbol: decimal.number + decimal.half_unit * share for (symbol, decimal), share in pairs}

@@ -10,7 +10,7 @@ import sympy as sp
 from solver.classroom.judging.entries import all_right, entrywise, shaped
 from solver.classroom.judging.question import Question, checks_of
 from solver.classroom.judging.readings import judged_by_readings
-from solver.classroom.judging.vectors import rounded, vectors
+from solver.classroom.judging.vectors import Vectors
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Verdict
 from solver.derivation import Check, CheckStatus
@@ -113,10 +113,11 @@ def _verdict_to_the_digits(name: str, fitting: Mapping[str, Submitted], question
     if entries is not None and all_right(entries) and by_digits:
         return _correct(name, each, TO_THE_DIGITS if each.decimals and failed else "")
     crashed = checks is None and not free and entries is not None
+    freely = Vectors(question, name, each)
     if failed or crashed or (own and not _some_skipped(own)):
-        if each.decimals and free and rounded(question, name, fitting, failed):
+        if each.decimals and free and freely.rounded(fitting, failed):
             return _correct(name, each, TO_THE_DIGITS)
-        entries = vectors(question, name, each) if free else entries
+        entries = freely.entries() if free else entries
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
     if not free and (strange := _strangers(each, question)):
         reason = Reason("marking/unknown_symbols", {"names": strange})
