@@ -88,3 +88,11 @@ def test_what_comes_of_decimals_of_an_earlier_part_has_fifteen_digits():
     coefficients = [polynomial.coeff(x, i) for i in (3, 2, 1, 0)]
     assert np.allclose([float(each) for each in coefficients], np.poly(A - B @ K), rtol=1e-12)
     assert [len(str(each)) for each in coefficients] == [1, *[len("1.41421356237309")] * 3]
+
+
+@pytest.mark.parametrize("system", ["polynomial: s^2 + 3s + 2", "transfer_function: exp(-s)/(s + 1)"])
+def test_what_an_option_gives_is_not_needed_of_the_system(system):
+    asked = "find:\n  a: {task: fundamental_subspaces, matrix: [[1, 2], [2, 4]]}\n"
+    own, beside = (solve(f"{each}\n{asked}")["a"] for each in (f"system: {{{system}}}", "system: {A: [[1]]}"))
+    assert own.status is Status.VERIFIED
+    assert [step.kind for step in own.steps] == [step.kind for step in beside.steps]

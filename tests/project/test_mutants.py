@@ -18,7 +18,7 @@ from tools.mutants.__main__ import candidates, equivalents, sample, sample_of_ea
 from tools.mutants.noting import MEMORY, Program
 from tools.mutants.operators import mutants_of
 from tools.mutants.reached import Reached, Record, read
-from tools.mutants.running import chosen_for, outcomes
+from tools.mutants.running import Chosen, chosen_for, outcomes
 
 ROOT = Path(__file__).parents[2]
 ROUTH = ROOT / "solver" / "exact" / "stability" / "routh.py"
@@ -224,6 +224,20 @@ def test_what_is_declared_is_seen_by_the_tests_of_the_tables_too():
     record = Record([running], {slip.file: (0, [(100, 100)])}, np.array([[0b10000000]], dtype=np.uint8))
     reached = Reached({running: 1, tables: 1, other: 1}, [record])
     assert chosen_for(slip, reached) == [running, tables]
+
+
+def test_where_a_slip_changes_the_names_of_cases_all_cases_are_run():
+    class Item:
+        def __init__(self, nodeid):
+            self.nodeid = nodeid
+
+    def left(*tests):
+        items = [Item(test) for test in ("t::a[1]", "t::a[2]", "t::b[3]", "t::b[4]", "t::c")]
+        Chosen(tests, "t").pytest_collection_modifyitems(items)
+        return [item.nodeid for item in items]
+
+    assert left("t::c", "t::a[2]") == ["t::c", "t::a[2]"]
+    assert left("t::b[no longer]", "t::a[1]", "t::d") == ["t::b[3]", "t::b[4]", "t::a[1]"]
 
 
 @pytest.mark.slow

@@ -77,14 +77,22 @@ def _one_of_each_first(tests: Iterable[str], reached: Reached, name: str) -> lis
     seen: dict[str, int] = defaultdict(int)
     turns = []
     for test in sorted(tests, key=lambda test: (reached.seconds[test], test)):
-        function = test.partition("[")[0]
+        function = _function(test)
         turns.append((seen[function], name not in test, reached.seconds[test], test))
         seen[function] += 1
     return [test for *_, test in sorted(turns)]
 
 
+def _function(test: str) -> str:
+    """The name of a test without that of its case."""
+    return test.partition("[")[0]
+
+
 class Chosen:
-    """A plugin for pytest: only these tests, in this order."""
+    """A plugin for pytest: only these tests, in this order.
+
+    A slip may change the names of cases: where one is not there, all cases of its function are run.
+    """
 
     def __init__(self, tests: Sequence[str], own: str) -> None:
         self.order = {test: i for i, test in enumerate(tests)}
@@ -93,9 +101,10 @@ class Chosen:
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """Leave what was chosen."""
-        items[:] = sorted(
-            (item for item in items if item.nodeid in self.order), key=lambda item: self.order[item.nodeid]
-        )
+        there = {item.nodeid for item in items}
+        lost = {_function(test): i for test, i in self.order.items() if test not in there}
+        places = {test: self.order.get(test, lost.get(_function(test), -1)) for test in there}
+        items[:] = sorted((item for item in items if places[item.nodeid] >= 0), key=lambda item: places[item.nodeid])
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Remember whose test it is that fails."""
