@@ -290,6 +290,7 @@ def test_widths_grow_with_the_formula() -> None:
     ]
     assert widths == sorted(widths)
     assert widths[0] == 0.5
+    assert mathml(r"\mathrm{co}").width == mathml("c").width + mathml("o").width
     assert mathml(r"\Re").width == mathml("R").width + mathml("e").width
 
 

@@ -19,6 +19,7 @@ FLAT = {
     r"\frac{1}{2} + t\frac{3}{4}, \frac{5}{6}\quad \frac{7}{8}": "1/2 + t(3/4), 5/6  7/8",
     r"-\frac{2}{3}": "−2/3",
     r"\frac{a}{2b}": "a/(2b)",
+    r"\frac{2a}{b}": "2a/b",
     r"\frac{N}{Rk} + \frac{R}{L_a} + \frac{x^2}{k_1^2} + \frac{1}{\sqrt{2}}": "N/(Rk) + R/Lₐ + x²/k₁² + 1/√2",
     r"\begin{aligned}a &= b \\ &= c \\ d &= e\end{aligned}": "a = b = c; d = e",
     r"\begin{bmatrix}1 & -2 \\ 3 & 4\end{bmatrix}": "[1, −2; 3, 4]",
