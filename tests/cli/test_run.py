@@ -150,6 +150,13 @@ def test_bad_standard_input_is_reported_like_a_bad_file(process, content):
     assert "Traceback" not in done.err
 
 
+def test_what_is_loaded_while_the_first_file_is_solved_changes_nothing(solve, good, monkeypatch):
+    later = solve("good.yaml", "-f", "json", "-o", "-"), solve("good.yaml")
+    monkeypatch.setattr("solver.cli.solving.begin_loading", lambda: True)
+    assert (solve("good.yaml", "-f", "json", "-o", "-"), solve("good.yaml")) == later
+    assert {done.code for done in later} == {0}
+
+
 @pytest.mark.parametrize(("beyond", "code"), [(0, 0), (1, 2)])
 def test_standard_input_may_be_as_large_as_a_file(solve, monkeypatch, beyond, code):
     text = GOOD + "#"
