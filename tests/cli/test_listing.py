@@ -93,6 +93,15 @@ def test_a_task_is_described_by_its_needs_methods_options_and_answers():
     ]
 
 
+def test_of_a_task_that_has_one_method_and_no_mistakes_these_are_not_listed():
+    task = Task(
+        "turn", title="Turning", doc="It turns.", needs=(), options=Options, answers=[AnswerName("P", "P", "P")]
+    )
+    task.method("slow", title="Slowly")(lambda given: given)
+    headings = [line for line in one(task).split("\n") if line and not line.startswith(" ")]
+    assert headings == ["turn", "Options", "Answers"]
+
+
 KINDS = {
     Integer(): "a whole number",
     Integer(1, 12): "a whole number from 1 to 12",
