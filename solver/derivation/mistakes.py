@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from solver.derivation.options import Options
 
 if TYPE_CHECKING:
     from solver.derivation.registry import Given
+    from solver.words import Reason
 
 S_co = TypeVar("S_co", covariant=True)
 O_co = TypeVar("O_co", bound=Options, covariant=True)
@@ -17,16 +18,22 @@ O_co = TypeVar("O_co", bound=Options, covariant=True)
 
 @dataclass(frozen=True, slots=True)
 class Attempt(Generic[S_co, O_co]):
-    """A wrong value of the answer `name`: what is given, and our answers."""
+    """A wrong value of the answer `name`: what is given, our answers, and what was submitted for the part."""
 
     given: Given[S_co, O_co]
     name: str
     answers: Mapping[str, Any]
+    submitted: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def ours(self) -> Any:
         """Our value."""
         return self.answers[self.name]
+
+    @property
+    def value(self) -> Any:
+        """The wrong value."""
+        return self.submitted[self.name]
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +51,14 @@ class Mistake:
     slip: Slip
     answers: tuple[str, ...]
     values: Callable[[Attempt[Any, Any]], Iterable[Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """What a wrong value of some answers would mean: a reason, None where it tells nothing."""
+
+    answers: tuple[str, ...]
+    of: Callable[[Attempt[Any, Any]], Reason | None]
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from solver.derivation.consequences import Consequence
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas, worded_by
-from solver.derivation.mistakes import Attempt, Mistake, MistakenQuestion, Slip
+from solver.derivation.mistakes import Attempt, Meaning, Mistake, MistakenQuestion, Slip
 from solver.derivation.options import Option, Options
 from solver.derivation.steps import Answers, Check
 from solver.words import Reason
@@ -28,15 +28,6 @@ S_co = TypeVar("S_co", covariant=True)
 O_co = TypeVar("O_co", bound=Options, covariant=True)
 Refusal = tuple[str, Reason]
 """The option at fault ("" for the question as a whole) and what is wrong with it, in words."""
-
-
-@dataclass(frozen=True, slots=True)
-class Topic:
-    """What the folder of a topic declares: its title, the group of topics that it stands in, and its place there."""
-
-    group: str
-    order: int
-    title: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +45,7 @@ Refuse = Callable[["System", O], Iterable[Refusal]]
 Wrong = Callable[[Attempt[S, O]], Iterable[Any]]
 Change = Callable[["System", O], "tuple[System, O] | None"]
 Follow = Callable[[Given[S, O], Mapping[str, Any]], Any]
+Tell = Callable[[Attempt[S, O]], Reason | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +145,7 @@ class Task(Generic[S, O]):
         self.consequences: list[Consequence] = []
         self.mistakes: list[Mistake] = []
         self.mistaken_questions: list[MistakenQuestion] = []
+        self.meanings: list[Meaning] = []
 
     @property
     def principal(self) -> tuple[str, ...]:
@@ -207,9 +200,7 @@ class Task(Generic[S, O]):
         It yields checks of the defining property, by other means than the derivation's: it accepts every right answer
         and rejects every wrong one, ours or a student's. It relates answers to each other only where both are present.
         """
-        unknown = set(answers) - set(self.answers)
-        if unknown or not answers:
-            raise ValueError(f"{self.name}: a verification needs names of its answers, not {sorted(unknown)}")
+        self._known(answers, "a verification")
 
         def register(judge: Judge[S, O]) -> Judge[S, O]:
             self.verifications.append(Verification(answers, judge))
@@ -247,9 +238,7 @@ class Task(Generic[S, O]):
         `symbolic` formula can be formed with letters for their entries; by a `completing` one each of several answers
         may follow from the rest.
         """
-        unknown = {answer, *of} - set(self.answers)
-        if unknown or not of:
-            raise ValueError(f"{self.name}: a consequence needs names of its answers, not {sorted(unknown)}")
+        self._known((answer, *of) if of else (), "a consequence")
 
         def register(formula: Follow[S, O]) -> Follow[S, O]:
             self.consequences.append(Consequence(answer, of, formula, symbolic, completing))
@@ -258,12 +247,8 @@ class Task(Generic[S, O]):
         return register
 
     def mistake(self, slip: Slip, *answers: str) -> Callable[[Wrong[S, O]], Wrong[S, O]]:
-        """Register a usual mistake in some answers, with a generator of the values that it leads to.
-
-        It is named in marking where it leads to the very value submitted.
-        """
-        if unknown := set(answers) - set(self.answers) or not answers:
-            raise ValueError(f"{self.name}: a mistake needs names of answers, not {unknown}")
+        """Register a usual mistake by a generator of values; it is named where one is the very value submitted."""
+        self._known(answers, "a mistake")
 
         def register(values: Wrong[S, O]) -> Wrong[S, O]:
             self.mistakes.append(Mistake(slip, answers, values))
@@ -279,6 +264,20 @@ class Task(Generic[S, O]):
             return change
 
         return register
+
+    def meaning(self, *answers: str) -> Callable[[Tell[S, O]], Tell[S, O]]:
+        """Register what a wrong value of some answers would mean, in the student's terms; ours is never told."""
+        self._known(answers, "a meaning")
+
+        def register(of: Tell[S, O]) -> Tell[S, O]:
+            self.meanings.append(Meaning(answers, of))
+            return of
+
+        return register
+
+    def _known(self, answers: tuple[str, ...], what: str) -> None:
+        if (unknown := set(answers) - set(self.answers)) or not answers:
+            raise ValueError(f"{self.name}: {what} needs names of its answers, not {sorted(unknown)}")
 
     @property
     def slips(self) -> list[Slip]:

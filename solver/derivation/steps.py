@@ -103,7 +103,8 @@ class Check:
     """One line of the table of checks: what was checked, by what, and with what result.
 
     `judges` names the answers that the check judges; none for an equality displayed in a step. `step` is the number
-    of the step, counted from 1 among those of the part, that displays the equality; 0 for a check of answers.
+    of the step, counted from 1 among those of the part, that displays the equality; 0 for a check of answers. `sides`
+    are those of an equality that failed.
     """
 
     claim: str
@@ -114,6 +115,7 @@ class Check:
     reason: str = ""
     judges: tuple[str, ...] = ()
     step: int = 0
+    sides: tuple[Any, Any] | None = field(default=None, compare=False, repr=False)
 
     @staticmethod
     def within(claim: str, oracle: str, residual: float, tolerance: float, *, answer: str = "") -> Check:

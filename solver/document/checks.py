@@ -71,4 +71,4 @@ def plain_check(check: Check) -> Check:
     """Return a check whose numbers and texts are Python's own."""
     residual, tolerance = (None if each is None else float(each) for each in (check.residual, check.tolerance))
     claim, oracle, reason = (str(text) for text in (check.claim, check.oracle, check.reason))
-    return replace(check, claim=claim, oracle=oracle, residual=residual, tolerance=tolerance, reason=reason)
+    return replace(check, claim=claim, oracle=oracle, residual=residual, tolerance=tolerance, reason=reason, sides=None)

@@ -63,7 +63,7 @@ WRONG = [
     ("a", "right_eigenvectors", "[[0.64, 0.632], [0.775, -0.775]]", ""),
     ("a", "right_eigenvectors", "[[sqrt(6), -sqrt(6)], [2, 2]]", "left and right eigenvectors are exchanged"),
     ("a", "diagonalizable", "no", "the opposite is true"),
-    ("b", "K", "[-13, -8]", "the sign is reversed"),
+    ("b", "K", "[-13, -8]", "it is the gain of $A + BK_f$; the feedback is subtracted, $A - BK_f$"),
     ("b", "K", "[8, 13]", "the entries stand in reverse order"),
     ("b", "K", "[13, 8.1]", ""),
     ("b", "K", "[-3, -4]", ""),

@@ -2,6 +2,8 @@
 
 import pytest
 import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from tests.helpers.marked import solved, verdict
 from tests.helpers.students import written
@@ -122,4 +124,81 @@ def test_an_unfinished_product_is_named():
 def test_nothing_is_said_where_no_mistake_leads_to_the_value(part, name, value):
     found = verdict(PLANT, part, name, value if value.startswith("[") else f'"{value}"')
     assert found.verdict == "wrong"
-    assert found.reason == "the opposite is true" or found.reason.startswith("it fails the check") or not found.reason
+    assert found.mistake == ""
+
+
+NAMES = [
+    ("gain", "K", "[-13, -9]", "sign"),
+    ("gain", "closed_loop_A", "[[1, 2], [16, 10]]", "feedback_sign"),
+    ("eigen", "right_eigenvectors", "[[2, sqrt(6)], [2, -sqrt(6)]]", "rows"),
+    ("eigen", "left_eigenvectors", "[[sqrt(6), -sqrt(6)], [2, 2]]", "rows"),
+    ("inputs", "K", "-K", "sign"),
+    ("inputs", "K", "K.T", "transposed"),
+    ("matrix", "G", "1/G", "exchanged"),
+    ("eigen", "eigenvalues", "[3.44, -1.44]", "rounding"),
+    ("eigen", "eigenvalues", "[3.43, -1.44]", ""),
+    ("eigen", "eigenvalues", "[3.45, -1.44]", ""),
+    ("half", "y_final", "0.34", ""),
+    ("flat", "K", "[3, 2]", ""),
+]
+"""Mistakes by their names, with none where digits are cut off in some places only or a whole unit too far."""
+
+MORE = (
+    PLANT
+    + """
+  inputs: {task: pole_placement, method: unity_rank, poles: [-1, -2],
+           system: {A: [[1, 2], [3, 1]], B: [[1, 0], [0, 1]]}}
+  matrix: {task: transfer_function, system: {A: [[-1, 0], [0, -2]], B: [[1, 0], [0, 1]], C: [[1, 0], [0, 3]]}}
+  half: {task: response, kind: zero_state, input: "0.35", system: {A: [[-1]], B: [1], C: [1]}}
+  flat: {task: pole_placement, poles: ["-1 ± j"], system: {A: [[0, 1], [0, 0]], B: [0, 1]}}
+"""
+)
+
+
+@pytest.mark.parametrize(("part", "name", "value", "mistake"), NAMES)
+def test_a_mistake_has_a_name(part, name, value, mistake):
+    ours = next(result.answers[name] for result in solved(MORE).parts if result.id == part)
+    changed = {"-K": lambda: -ours, "K.T": lambda: ours.T, "1/G": lambda: ours.applyfunc(lambda g: 1 / g if g else g)}
+    found = verdict(MORE, part, name, written(sp.ImmutableMatrix(changed[value]())) if value in changed else value)
+    assert (found.verdict, found.mistake) == ("wrong", mistake)
+
+
+POLES = st.lists(st.integers(-5, -1), min_size=2, max_size=3)
+
+
+@settings(max_examples=8, deadline=None)
+@given(POLES, st.sampled_from(["sign", "reversed", "factor", "double", "poles_sign", "transposed"]))
+def test_a_mistake_in_any_gain_is_named_and_none_in_ours(poles, mistake):
+    """In companion form with zeros the gain is made of the coefficients of the polynomial asked for."""
+    n = len(poles)
+    rows = [[int(j == i + 1) for j in range(n)] for i in range(n)]
+    problem = f"""
+title: Companion
+system: {{A: {rows}, B: {[0] * (n - 1) + [1]}}}
+find: {{a: {{task: pole_placement, poles: {poles}}}}}
+"""
+    ours = gain_of(poles)
+    values = {
+        "sign": [-k for k in ours],
+        "reversed": ours[::-1],
+        "factor": [k / 2 for k in ours],
+        "double": [2 * k for k in ours],
+        "poles_sign": gain_of([-p for p in poles]),
+        "transposed": [ours],
+    }
+    value = values[mistake]
+    found = verdict(problem, "a", "K", str(value).replace("Fraction", ""))
+    if value in (ours, [ours]):
+        assert (found.verdict, found.mistake) == ("correct", "")
+    else:
+        alike = {{"double": "factor"}.get(name, name) for name, other in values.items() if other == value}
+        assert found.verdict == "wrong"
+        assert found.mistake in alike | ({"sign"} if mistake == "poles_sign" and value[-1] == -ours[-1] else set())
+
+
+def gain_of(poles):
+    """The coefficients c₀, c₁, … of Π(s − p), without the leading one."""
+    coefficients = [1]
+    for p in poles:
+        coefficients = [a - p * b for a, b in zip([*coefficients, 0], [0, *coefficients], strict=True)]
+    return coefficients[:0:-1]

@@ -114,7 +114,7 @@ def test_a_marking_is_told_in_the_language_and_the_symbols_asked_for(solve, fold
     german = solve("check", "placed.yaml", "mine.yaml", "--language", "de")
     assert (german.code, german.err) == (1, "")
     assert "a  Charakteristisches Polynom: 0 von 1" in german.out
-    assert "✗ K: falsch – diese Probe scheitert" in german.out
+    assert "✗ K: falsch – mit Ihrem K_f sind die Pole −1.562, 2.562; verlangt sind −2, −1" in german.out
     assert "Characteristic polynomial: 0 of 1" in solve("check", "placed.yaml", "mine.yaml").out
     done = solve("check", "placed.yaml", "mine.yaml", "-f", "html", "--language", "de", "--notation", "ogata")
     assert done.out == "mine.yaml: 0 von 1 Punkten; mine.marked.html geschrieben\n"

@@ -17,6 +17,9 @@ from solver.derivation import Check, CheckStatus
 from solver.symbols import MEANINGS, SAMPLES
 from solver.words import Reason
 
+MOST_CLAIMS = 2
+"""Checks that fail are told up to so many."""
+
 TO_THE_DIGITS = Reason("marking/to_the_digits")
 
 
@@ -158,4 +161,4 @@ def _complaint(value: Any, failed: list[Check]) -> Reason | str:
     if isinstance(value, bool):
         return Reason("marking/opposite")
     claims = list(dict.fromkeys(check.claim for check in failed if check.claim))
-    return Reason("marking/failed_checks", {"claims": claims}) if claims else ""
+    return Reason("marking/failed_checks", {"claims": claims[:MOST_CLAIMS]}) if claims else ""

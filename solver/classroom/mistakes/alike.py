@@ -14,7 +14,7 @@ from solver.classroom.verdicts import Verdict
 from solver.derivation import Slip
 from solver.derivation import usual_mistakes as usual
 
-ALMOST = 1 - sp.Rational(1, 10**6)
+ALMOST = sp.Rational(999, 1000)
 """The part of a unit up to which digits are cut off; a whole unit farther is another digit."""
 
 

@@ -65,21 +65,29 @@ def check_claim(
     except NotEvaluable as refusal:
         return Check.skipped(label, oracle, refusal.reason, answer=answer)
     by = oracle if digits == DOUBLE.digits else Phrase("{oracle} ({digits} digits)", oracle=oracle, digits=digits)
-    return Check.within(label, by, residual, residual.tolerance, answer=answer)
+    found = Check.within(label, by, residual, residual.tolerance, answer=answer)
+    return replace(found, sides=(claim.left, claim.right)) if found.status is CheckStatus.FAILED else found
 
 
 def check_residual(
-    label: str, oracle: str, residual: Callable[[], float], tolerance: float = TOLERANCE, *, answer: str = ""
+    label: str,
+    oracle: str,
+    residual: Callable[[], float],
+    tolerance: float = TOLERANCE,
+    *,
+    answer: str = "",
+    sides: tuple[Any, Any] | None = None,
 ) -> Check:
     """Return the check of a residual function's result; skipped, with the reason, where it refuses.
 
     The residual's own tolerance counts where it has one. Failed where shapes do not fit. `answer` is the name of the
-    answer that it judges.
+    answer that it judges; `sides` are those of the equality that the residual is of, if it is of one.
     """
     try:
         found = residual()
         tolerance = found.tolerance if isinstance(found, Residual) else tolerance
-        return Check.within(label, oracle, found, tolerance, answer=answer)
+        check = Check.within(label, oracle, found, tolerance, answer=answer)
+        return replace(check, sides=sides) if check.status is CheckStatus.FAILED else check
     except ShapeMismatch as mismatch:
         return replace(Check.that(label, oracle, False, answer=answer), reason=mismatch.reason)
     except (ZeroDivisionError, np.linalg.LinAlgError):

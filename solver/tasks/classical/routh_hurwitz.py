@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -26,6 +27,7 @@ from solver.stated.algebra import product
 from solver.stated.matrices import determinant
 from solver.tasks import consequences
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.stability.counterexamples import counterexample
 from solver.tasks.stability.routh_array import rows_of
 from solver.words import Phrase, Reason
 
@@ -272,3 +274,9 @@ routh_hurwitz.consequence("right_half_plane_roots", of=("array",), symbolic=Fals
 def none_outside(_given: Given[Polynomial, RouthHurwitzOptions], found: Mapping[str, Any]) -> Any:
     """No root in the right half plane or on the axis."""
     return bool(found["right_half_plane_roots"] == found["imaginary_axis_roots"] == 0)
+
+
+@routh_hurwitz.meaning("condition")
+def where_it_is_wrong(wrong: Attempt[Polynomial, RouthHurwitzOptions]) -> Reason | None:
+    """Values of the parameters at which the condition is wrong."""
+    return counterexample(_companion(wrong.given.system), wrong.value, discrete=False)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -27,7 +28,8 @@ from solver.options.choice import Choice
 from solver.options.number import Number
 from solver.tasks.design.frames import linear_factors
 from solver.tasks.plant_options import PlantOptions
-from solver.words import Phrase
+from solver.tasks.told import short
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -206,3 +208,20 @@ def polynomial_of_damping_and_frequency(_given: Given[System, StepSpecifications
 def polynomial_of_the_poles(_given: Given[System, StepSpecifications], found: Mapping[str, Any]) -> Any:
     """Π(s − p)."""
     return sp.expand(sp.Mul(*(sp.Symbol("s") - pole for pole in found["poles"])))
+
+
+ROUNDED = 0.01
+"""What poles in rounded numbers may change in a specification."""
+
+
+@desired_poles.meaning("poles")
+def step_response_of_the_poles(wrong: Attempt[System, StepSpecifications]) -> Reason | None:
+    """The first specification that the poles do not meet, and what it is with them."""
+    if len(wrong.value) != 2:
+        return None
+    total, omega = -sp.Add(*wrong.value), sp.sqrt(sp.Mul(*wrong.value))
+    for name, asked in specified(wrong.given.options).items():
+        found = exact.specified(name, total / (2 * omega), omega, band(wrong.given.options))
+        if abs(complex(found - asked)) > ROUNDED * abs(complex(asked)):
+            return Reason("meanings/step_response", {"name": name, "found": short(found), "wanted": short(asked)})
+    return None

@@ -26,7 +26,7 @@ from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
-from solver.tasks import consequences, mistakes
+from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -229,3 +229,11 @@ def gain_of_another_solution(wrong: Attempt[WithOutput, KalmanFilterOptions]) ->
 
 
 kalman_filter.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)
+
+
+@kalman_filter.meaning("L", "error_A")
+def instability(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Reason | None:
+    """The poles, where they are not asymptotically stable."""
+    plant = wrong.given.system
+    loop = wrong.value if wrong.name == "error_A" else plant.A - wrong.value * plant.C
+    return meanings.unstable(loop, discrete=plant.discrete)

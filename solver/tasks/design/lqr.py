@@ -26,7 +26,7 @@ from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
-from solver.tasks import consequences, mistakes
+from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design import regulator_formulas as formulas
 from solver.tasks.design.minimal_solution import MINIMAL, minimal_checks, minimal_solution_of
 from solver.tasks.design.regulator import Regulator, faulty_weights
@@ -284,3 +284,11 @@ def without_initial_state(system: System, options: LqrOptions) -> tuple[System, 
 def without_cross_weight(system: System, options: LqrOptions) -> tuple[System, LqrOptions] | None:
     """The regulator without N."""
     return None if options.N is None else (system, replace(options, N=None))
+
+
+@lqr.meaning("K", "closed_loop_A")
+def instability(wrong: Attempt[WithInput, LqrOptions]) -> Reason | None:
+    """The poles, where they are not asymptotically stable."""
+    plant = wrong.given.system
+    loop = wrong.value if wrong.name == "closed_loop_A" else plant.A - plant.B * wrong.value
+    return meanings.unstable(loop, discrete=plant.discrete)

@@ -6,17 +6,18 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Task, option
+from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Refusal, Task, option
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.poles import Poles
 from solver.stated.algebra import difference, product
-from solver.tasks import consequences, mistakes
+from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
 from solver.tasks.freedom import observer_gain_is_free
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -177,3 +178,12 @@ observer.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
 
 observer.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
 observer.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)
+
+
+@observer.meaning("L", "error_A", "polynomial")
+def poles_of_the_error(wrong: Attempt[WithOutput, ObserverOptions]) -> Reason | None:
+    """The poles that the gain, the matrix of the error or the polynomial has."""
+    plant, asked = wrong.given.system, wrong.given.options.poles
+    if wrong.name == "polynomial":
+        return meanings.roots_given(wrong.value, sp.Symbol("z" if plant.discrete else "s"), asked)
+    return meanings.poles_given(wrong.value if wrong.name == "error_A" else plant.A - wrong.value * plant.C, asked)

@@ -12,7 +12,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.expression_list import ExpressionList
 from solver.options.matrix import MatrixOf
-from solver.tasks import consequences, mistakes
+from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design.eigenvector_assignment import Question, assign_eigenvectors
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
@@ -228,3 +228,16 @@ def taken_as_asked(wrong: Attempt[WithInput, PolePlacementOptions]) -> Iterable[
     """The wanted eigenvectors themselves."""
     if wrong.given.options.eigenvectors is not None:
         yield wrong.given.options.eigenvectors
+
+
+@pole_placement.meaning("K", "closed_loop_A", "polynomial")
+def poles_of_the_loop(wrong: Attempt[WithInput, PolePlacementOptions]) -> Reason | None:
+    """The poles that the gain, the loop or the polynomial has."""
+    plant, asked = wrong.given.system, numeric_poles(wrong.given.options)
+    if wrong.name == "polynomial":
+        return meanings.roots_given(wrong.value, variable(plant), asked)
+    loop = wrong.value if wrong.name == "closed_loop_A" else plant.A - plant.B * wrong.value
+    return meanings.poles_given(loop, asked)
+
+
+pole_placement.meaning("fixed_poles")(meanings.hidden)

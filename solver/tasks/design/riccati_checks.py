@@ -32,6 +32,7 @@ def solution_checks(weights: Weights, P: Any, name: str = "$P$", answer: str = "
         "residual",
         lambda: judges.riccati_residual(weights, P),
         answer=answer,
+        sides=judges.riccati_sides(weights, P),
     )
 
 

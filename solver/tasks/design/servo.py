@@ -5,19 +5,33 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, Unsolved, lemma
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Refusal,
+    Step,
+    Task,
+    Unsolved,
+    lemma,
+)
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant, inverse, rank
+from solver.tasks import meanings
 from solver.tasks.design.gain_checks import Asked, judge_gain
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import feedthrough
 from solver.tasks.freedom import several_inputs
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -205,3 +219,14 @@ def loop_of_the_gains(given: Given[WithBoth, PoleOptions], found: Mapping[str, A
     A, B = augmented(given.system)
     whole = sp.Matrix.hstack(sp.Matrix(found["K"]), -sp.Matrix(found["k_I"]))
     return sp.ImmutableMatrix(A - B * whole)
+
+
+@servo.meaning("K", "k_I", "closed_loop_A")
+def poles_of_the_loop(wrong: Attempt[WithBoth, PoleOptions]) -> Reason | None:
+    """The poles that the loop has; of the gains both must be known."""
+    asked, own = numeric_poles(wrong.given.options), wrong.submitted
+    if wrong.name == "closed_loop_A":
+        return meanings.poles_given(wrong.value, asked)
+    if "K" not in own or "k_I" not in own:
+        return None
+    return meanings.poles_given(loop_of_the_gains(wrong.given, own), asked)

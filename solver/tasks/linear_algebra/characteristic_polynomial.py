@@ -12,9 +12,9 @@ from solver.numeric.judges import linear_algebra as judges
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, trace
-from solver.tasks import mistakes
+from solver.tasks import meanings, mistakes
 from solver.tasks.plant_options import PlantOptions
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -212,3 +212,9 @@ def minus_determinant(wrong: Attempt[StateSpace, PlantOptions]) -> Iterable[Any]
     """det(A − λI), which is −det(λI − A) for odd n."""
     if wrong.given.system.A.rows % 2:
         yield -wrong.ours
+
+
+@characteristic_polynomial.meaning("polynomial")
+def value_at_a_point(wrong: Attempt[StateSpace, PlantOptions]) -> Reason | None:
+    """Its value and that of the determinant."""
+    return meanings.at_a_point(wrong.value, determinant(exact.pencil(wrong.given.system.A, sp.Symbol("lamda"))))

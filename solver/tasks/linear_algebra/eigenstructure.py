@@ -6,15 +6,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma
+from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra as judges
 from solver.stated.algebra import power, product
 from solver.stated.calculus import value_at
-from solver.tasks import mistakes
+from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -270,3 +271,14 @@ def diagonal_of(given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]
     values = found["eigenvalues"]
     simple = len(set(values)) == len(values) == given.system.order
     return sp.ImmutableMatrix(sp.diag(*values)) if simple else None
+
+
+eigenstructure.meaning("eigenvalues")(meanings.no_eigenvalue)
+
+
+@eigenstructure.meaning("right_eigenvectors", "left_eigenvectors")
+def turned(wrong: Attempt[StateSpace, PlantOptions]) -> Reason | None:
+    """A column (row) that A turns, where there is a basis of eigenvectors."""
+    if not judges.diagonalizable(wrong.given.system.A):
+        return None
+    return meanings.turned_by(wrong.given.system.A, wrong.value, rows=wrong.name == "left_eigenvectors")

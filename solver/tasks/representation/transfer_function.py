@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, lemma, option
+from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma, option
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import representation as judges
 from solver.options.channel import Channel
 from solver.stated import Stated
 from solver.stated.algebra import difference, power, product, quotient, total
-from solver.tasks import mistakes
+from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
 from solver.tasks.plant_options import LoopOptions
@@ -26,7 +26,7 @@ from solver.tasks.representation.plants import (
     stated_transfer,
     variable_of,
 )
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -267,3 +267,16 @@ def _fractions(given: Given[InputOutput, TransferFunctionOptions], G: Any) -> ex
 
 
 transfer_function.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+
+
+@transfer_function.meaning("G")
+def value_at_a_point(wrong: Attempt[InputOutput, TransferFunctionOptions]) -> Reason | None:
+    """Its value and that of the formula."""
+    return meanings.at_a_point(wrong.value, stated_matrix(chosen_channel(wrong.given)))
+
+
+@transfer_function.meaning("poles", "zeros")
+def value_at_one_of_them(wrong: Attempt[InputOutput, TransferFunctionOptions]) -> Reason | None:
+    """The value of G where it has no pole, or no zero."""
+    plant = chosen_channel(wrong.given)
+    return meanings.finite_at(wrong.value, stated_matrix(plant), variable_of(plant), zeros=wrong.name == "zeros")

@@ -11,7 +11,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra, stability
 from solver.stated.algebra import difference, exponential, power, product
 from solver.stated.matrices import determinant, trace
-from solver.tasks import mistakes
+from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.stability.trajectories import portrait_of
@@ -187,3 +187,6 @@ def _sign(x: Any) -> int:
 
 
 phase_portrait.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)
+
+
+phase_portrait.meaning("eigenvalues")(meanings.no_eigenvalue)

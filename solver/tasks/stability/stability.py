@@ -24,7 +24,7 @@ from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import power, product
 from solver.stated.matrices import determinant
-from solver.tasks import consequences, mistakes
+from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability import checks
@@ -286,3 +286,6 @@ stability.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entries)
 def weight_reversed(system: System, options: StabilityOptions) -> tuple[System, StabilityOptions] | None:
     """Lyapunov's equation with +Q on its right."""
     return None if options.Q is None else (system, replace(options, Q=sp.ImmutableMatrix(-options.Q)))
+
+
+stability.meaning("eigenvalues")(meanings.no_eigenvalue)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -27,6 +28,7 @@ from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.stability.counterexamples import counterexample
 from solver.tasks.stability.hurwitz_conditions import hurwitz_conditions_of
 from solver.tasks.stability.routh_array import routh_array_of
 from solver.words import Phrase, Reason
@@ -183,3 +185,9 @@ def holds_where_the_eigenvalues_say(
         not fault,
     )
     yield replace(check, reason=fault)
+
+
+@stability_range.meaning("condition")
+def where_it_is_wrong(wrong: Attempt[StateSpace, StabilityRangeOptions]) -> Reason | None:
+    """Values of the parameters at which the condition is wrong."""
+    return counterexample(wrong.given.system.A, wrong.value, discrete=wrong.given.system.discrete)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Refusal, Task
 from solver.lazy import sympy as sp
-from solver.tasks import mistakes
+from solver.tasks import meanings, mistakes
 from solver.tasks.structure.pair_checks import checks_of
 from solver.tasks.structure.pair_formulas import register
 from solver.tasks.structure.pair_methods import PairOptions, by_gramian, by_pbh, by_rank, horizon_refusals
@@ -91,3 +91,6 @@ def stacked_the_other_way(wrong: Attempt[WithInput, PairOptions]) -> Iterable[An
     """B, AB, … one below the other."""
     plant = wrong.given.system
     yield sp.ImmutableMatrix.vstack(*(plant.A**i * plant.B for i in range(plant.order)))
+
+
+controllability.meaning("uncontrollable_modes")(meanings.hidden)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
-from solver.tasks import consequences
+from solver.tasks import consequences, meanings
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.pairs import observability_pair
 from solver.tasks.structure.weak_conditions import decay_of_hidden_modes, weak_checks
@@ -53,3 +53,6 @@ def hidden_modes_and_their_decay(given: Given[WithOutput, PlantOptions], answers
 
 
 detectability.consequence("detectable", of=("hidden_modes",), symbolic=False)(consequences.modes_decay)
+
+
+detectability.meaning("hidden_modes")(meanings.hidden)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Derivation,
     Given,
@@ -26,7 +27,7 @@ from solver.tasks.plant_options import LoopOptions
 from solver.tasks.time_response import by_convolution as convolution
 from solver.tasks.time_response import by_transform as transform
 from solver.tasks.time_response.question import Question, entry_or_column
-from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks
+from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks, what_x_would_mean
 from solver.tasks.time_response.whole_response import passed_on, put_together
 from solver.words import Reason
 
@@ -193,3 +194,9 @@ def without_initial_state(system: System, options: ResponseOptions) -> tuple[Sys
     """The response from rest."""
     x0 = options.initial_state
     return None if x0 is None else (system, replace(options, initial_state=sp.ImmutableMatrix(sp.zeros(*x0.shape))))
+
+
+@response.meaning("x")
+def state_at_the_start(wrong: Attempt[StateSpace | LateInput, ResponseOptions]) -> Reason | None:
+    """The state that it begins with, or where it leaves the differential (difference) equation."""
+    return what_x_would_mean(wrong.given, wrong.value)

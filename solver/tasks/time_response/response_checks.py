@@ -13,7 +13,9 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
 from solver.stated.algebra import product, total
 from solver.stated.calculus import derivative, value_at
-from solver.words import Phrase, formula
+from solver.tasks.meanings import difference_of
+from solver.tasks.told import shortened
+from solver.words import Phrase, Reason, formula
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -187,3 +189,20 @@ def _peak_residual(truth: Truth, submitted: Any, which: int) -> float:
 
 def _column(value: Any) -> Any:
     return value if hasattr(value, "rows") else sp.ImmutableMatrix([value])
+
+
+def what_x_would_mean(given: Given[StateSpace | LateInput, ResponseOptions], value: Any) -> Reason | None:
+    """Return the state that x begins with where it is another one, or where x leaves its equation."""
+    truth, x = Truth.of(given), _column(value)
+    t, system, u = truth.time, truth.system, truth.inputs
+    if x.shape != truth.x0.shape or (x.free_symbols | truth.x0.free_symbols | system.A.free_symbols) - {t}:
+        return None
+    jumps = x.has(sp.Heaviside, sp.DiracDelta) or (u is not None and u.has(sp.Heaviside, sp.DiracDelta))
+    start, wanted = (shortened(each) for each in (x.xreplace({t: sp.S.Zero}), truth.x0))
+    if not jumps and start != wanted:
+        return Reason("meanings/initial", {"x": t, "value": start, "wanted": wanted})
+    right = product(system.A, x) if u is None else total(product(system.A, x), product(system.B, u))
+    later = x.xreplace({t: t + 1}) if system.discrete else derivative(x, t)
+    claim = "$x(k + 1) = A x(k) + B u(k)$" if system.discrete else r"$\dot{x} = A x + B u$"
+    found = difference_of(later, right)
+    return None if jumps or found is None else Reason("meanings/equality", {"claim": claim, **found})

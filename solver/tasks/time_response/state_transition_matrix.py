@@ -28,11 +28,11 @@ from solver.stated.algebra import power, product, total
 from solver.stated.calculus import derivative, value_at
 from solver.stated.matrices import inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
-from solver.tasks import mistakes
+from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, left_eigenvectors_of, right_eigenvectors_of
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil, partial_fractions_of, transform_pairs_of
 from solver.tasks.plant_options import PlantOptions
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix, Symbol
@@ -273,3 +273,10 @@ def entry_by_entry(wrong: Attempt[StateSpace, StateTransitionMatrixOptions]) -> 
     if not wrong.given.system.discrete:
         t = sp.Symbol("t")
         yield sp.ImmutableMatrix(wrong.given.system.A.applyfunc(lambda entry: sp.exp(entry * t)))
+
+
+@state_transition_matrix.meaning("Phi")
+def how_it_begins(wrong: Attempt[StateSpace, StateTransitionMatrixOptions]) -> Reason | None:
+    """Its value at 0, and how it goes on from there."""
+    plant = wrong.given.system
+    return meanings.begins(wrong.value, plant.A, discrete=plant.discrete)

@@ -15,10 +15,14 @@ from solver.numeric.evaluation.equalities import equality_residual
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, admissible, free_symbols, holds_decimals
 from solver.numeric.evaluation.precision import TOLERANCE
-from solver.numeric.judges.linear_algebra.eigen import spectrum_residual
+from solver.numeric.judges.linear_algebra.eigen import (
+    DIGITS,
+    eigenvalues_in_decimals,
+    in_decimals,
+    spectrum_residual,
+)
 from solver.stated.algebra import difference, product
 
-DIGITS = 60
 NEAR = 1e-9
 MULTIPLE = 1e-14
 """Eigenvalues found with 60 digits are known to more than this, fourfold ones too."""
@@ -135,7 +139,7 @@ def fixed_modes(A: Any, B: Any, row: Any = None, unknowns: Sequence[Any] = ()) -
             K = sp.Matrix(B.cols, A.rows, lambda *_: sp.Rational(random.randint(-400, 400), 97))
         else:
             K = row.subs({unknown: sp.Rational(random.randint(-400, 400), 97) for unknown in unknowns})
-        spectra.append(_eigenvalues(A - B * K))
+        spectra.append(eigenvalues_in_decimals(A - B * K))
     first, second = spectra
     found = []
     for value in first:
@@ -143,19 +147,7 @@ def fixed_modes(A: Any, B: Any, row: Any = None, unknowns: Sequence[Any] = ()) -
         if near is not None and abs(near - value) < NEAR * (1 + abs(value)):
             second.remove(near)
             found.append(value)
-    return [_number(value) for value in found]
-
-
-def _eigenvalues(M: Any) -> list[Any]:
-    with mpmath.workdps(DIGITS):
-        matrix = mpmath.matrix([[mpmath.mpmathify(sp.N(entry, DIGITS)) for entry in row] for row in M.tolist()])
-        return list(mpmath.eig(matrix, left=False, right=False))
-
-
-def _number(value: Any) -> Any:
-    z = mpmath.mpmathify(value)
-    real, imaginary = sp.Float(mpmath.re(z), DIGITS), sp.Float(mpmath.im(z), DIGITS)
-    return real if abs(imaginary) < sp.Float("1e-12") * (1 + abs(real)) else real + sp.I * imaginary
+    return [in_decimals(value) for value in found]
 
 
 def modes_residual(expected: Sequence[Any], found: Sequence[Any]) -> float:

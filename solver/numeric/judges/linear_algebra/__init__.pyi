@@ -2,6 +2,7 @@
 
 from solver.numeric.judges.linear_algebra.eigen import (
     chain_residual,
+    decimal_eigenvalues,
     eigenpair_residual,
     left_residual,
     polynomial_residual,
@@ -19,6 +20,7 @@ __all__ = [
     "are_in_order",
     "chain_residual",
     "chains_residual",
+    "decimal_eigenvalues",
     "diagonalizable",
     "eigenpair_residual",
     "is_jordan_form",

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from random import Random
 from typing import Any
 
+import mpmath
 import numpy as np
 import sympy as sp
 
@@ -23,6 +24,7 @@ from solver.stated.matrices import determinant
 SAME_SIZE = 4.0
 """Eigenvalues whose sizes differ by less than this factor share a point of comparison."""
 
+DIGITS = 60
 SMALL = 1e-5
 LADDER = (1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15)
 """Sizes relative to the entries of A; between two steps an eigenvalue still shows to three digits less."""
@@ -58,6 +60,25 @@ def left_residual(A: Any, M: Any, J: Any) -> float:
     if _has_zero_column(M.T):
         return float("inf")
     return equality_residual(product(M, A), product(J, M), _points(A, M, J))
+
+
+def decimal_eigenvalues(M: Any) -> list[Any]:
+    """Return the eigenvalues of a matrix of numbers, each as often as its multiplicity, as decimals of 60 digits."""
+    return [in_decimals(value) for value in eigenvalues_in_decimals(M)]
+
+
+def eigenvalues_in_decimals(M: Any) -> list[Any]:
+    """Return what `decimal_eigenvalues` does, as numbers of mpmath."""
+    with mpmath.workdps(DIGITS):
+        matrix = mpmath.matrix([[mpmath.mpmathify(sp.N(entry, DIGITS)) for entry in row] for row in M.tolist()])
+        return list(mpmath.eig(matrix, left=False, right=False))
+
+
+def in_decimals(value: Any) -> Any:
+    """Return a number of mpmath as sympy's, real where its imaginary part is rounding."""
+    z = mpmath.mpmathify(value)
+    real, imaginary = sp.Float(mpmath.re(z), DIGITS), sp.Float(mpmath.im(z), DIGITS)
+    return real if abs(imaginary) < sp.Float("1e-12") * (1 + abs(real)) else real + sp.I * imaginary
 
 
 def _has_zero_column(V: Any) -> bool:

@@ -11,6 +11,7 @@ from solver.numeric.judges.optimal.riccati import (
     equations_residual,
     hamiltonian_spectrum_residual,
     riccati_residual,
+    riccati_sides,
     stabilizes,
     symmetry_residual,
 )
@@ -34,6 +35,7 @@ __all__ = [
     "loop_residual",
     "number_of_solutions",
     "riccati_residual",
+    "riccati_sides",
     "stabilizes",
     "symmetry_residual",
 ]

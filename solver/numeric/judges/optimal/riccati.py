@@ -37,10 +37,10 @@ def riccati_residual(weights: Weights, P: Any) -> float:
     Q = weights.Q
     if getattr(P, "shape", None) != Q.shape:
         raise ShapeMismatch(Phrase("P must be {rows}×{columns}", rows=Q.rows, columns=Q.cols))
-    return equality_residual(*sides(weights, P), [optimum.point for optimum in optima(weights, (P,))])
+    return equality_residual(*riccati_sides(weights, P), [optimum.point for optimum in optima(weights, (P,))])
 
 
-def sides(weights: Weights, P: Any) -> tuple[Stated, Stated]:
+def riccati_sides(weights: Weights, P: Any) -> tuple[Stated, Stated]:
     """AᵀP + PA + Q and (PB + N) R⁻¹ (BᵀP + Nᵀ), as stated."""
     A, B, Q, R, N = weights
     linear = total(product(transpose(A), P), product(P, A), Q)
@@ -127,7 +127,7 @@ def equations_residual(weights: Weights, equations: Sequence[Any]) -> float:
     """
     n = weights.A.rows
     P = unknown_matrix(n)
-    left = difference(*sides(weights, P))
+    left = difference(*riccati_sides(weights, P))
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
     if len(equations) != len(pairs):
         return float("inf")

@@ -7,12 +7,13 @@ from solver.numeric.judges.stability.location import (
     spread_points,
 )
 from solver.numeric.judges.stability.planar import kinds_and_exceptions
-from solver.numeric.judges.stability.regions import StablePart, counterexample
+from solver.numeric.judges.stability.regions import StablePart, counterexample, is_admissible
 
 __all__ = [
     "StablePart",
     "counterexample",
     "externally_stable",
+    "is_admissible",
     "kinds_and_exceptions",
     "locations",
     "routh_fault",
