@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import DOUBLE, Array
-from solver.numeric.evaluation.contour import columns, combined, mean_on_circle, number_of_nodes, unit_roots
+from solver.numeric.evaluation.contour import columns, combined, mean_on_circle, number_of_nodes, turns
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.poles import circle_around_poles
 from solver.numeric.evaluation.stated import Oracle
@@ -39,11 +39,11 @@ def _laplace_integral(environment: Environment, image: Any, s: Any, t: Any) -> V
     limit = 25.0 if arithmetic is DOUBLE else FARTHEST
     if growth > FARTHEST:
         raise NotEvaluable("t is too large for the inversion integral to keep its digits")
-    roots = unit_roots(number_of_nodes(arithmetic, min(growth, limit)), arithmetic)
+    turned = turns(environment, image, t, number_of_nodes(arithmetic, min(growth, limit)))
     centre, radius = columns(circle, arithmetic)
-    nodes = centre + radius * roots[None, :]
-    weights = arithmetic.apply("exp", nodes * time[:, None]) * radius * roots[None, :]
-    return mean_on_circle(environment, image, s, nodes, weights)
+    nodes = centre + radius * turned.roots[None, :]
+    weights = arithmetic.apply("exp", nodes * time[:, None]) * radius * turned.roots[None, :]
+    return mean_on_circle(environment, image, s, nodes, weights, turned)
 
 
 def reach(environment: Environment, image: Any, s: Any, t: Any) -> dict[Any, Array]:

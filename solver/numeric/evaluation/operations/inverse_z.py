@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solver.numeric.evaluation.contour import columns, combined, mean_on_circle, number_of_nodes, unit_roots
+from solver.numeric.evaluation.contour import columns, combined, mean_on_circle, number_of_nodes, turns
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.poles import circle_around_poles
 from solver.numeric.evaluation.stated import Oracle
@@ -30,7 +30,7 @@ def _z_integral(environment: Environment, image: Any, z: Any, k: Any) -> Value:
     steps = np.asarray(arithmetic.approximate(order))
     if np.any(steps != np.round(steps.real)) or np.any(np.abs(steps) > 100):
         raise NotEvaluable("the inverse z-transform is evaluated at whole numbers k up to 100")
-    roots = unit_roots(number_of_nodes(arithmetic, float(np.max(np.abs(steps))) / 4 + 4), arithmetic)
+    turned = turns(environment, image, k, number_of_nodes(arithmetic, float(np.max(np.abs(steps))) / 4 + 4))
     _, radius = columns(circle, arithmetic)
-    nodes = radius * roots[None, :]
-    return mean_on_circle(environment, image, z, nodes, arithmetic.power(nodes, order[:, None]))
+    nodes = radius * turned.roots[None, :]
+    return mean_on_circle(environment, image, z, nodes, arithmetic.power(nodes, order[:, None]), turned)
