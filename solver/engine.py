@@ -113,10 +113,7 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
     checks: tuple[Check, ...] = ()
     try:
         with noted_calls(steps) as calls:
-            given = given_of(part, method, earlier, steps)
-            answers = yield_into(steps, task.methods[method].derive(given))
-        if _rests_on_decimals(part, earlier):
-            answers = Answers(**{name: _short_again(value) for name, value in answers.items()})
+            given, answers = found_by(method, part, earlier, steps)
         checks = (*numeric.check_steps(steps), *check_calls(calls, steps), *task.verify(given, answers))
         status, reason = verdict(checks, answers)
     except (Unsolved, exact.NotExact) as refusal:
@@ -125,6 +122,21 @@ def _solve_by(method: str, part: Part, earlier: Earlier) -> PartResult:
         answers = Answers()
     seconds = perf_counter() - start
     return PartResult(part.id, part.task, method, status, answers, checks, tuple(steps), reason, seconds)
+
+
+def found_by(
+    method: str, part: Part, earlier: Earlier, steps: list[Step] | None = None
+) -> tuple[Given[Any, Any], Answers]:
+    """Return what a method works on and what it finds, unchecked; its steps are appended to `steps`.
+
+    Raises Unsolved, NotExact.
+    """
+    done: list[Step] = [] if steps is None else steps
+    given = given_of(part, method, earlier, done)
+    answers = yield_into(done, catalogue()[part.task].methods[method].derive(given))
+    if _rests_on_decimals(part, earlier):
+        answers = Answers(**{name: _short_again(value) for name, value in answers.items()})
+    return given, answers
 
 
 def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None = None) -> Given[Any, Any]:

@@ -7,7 +7,6 @@ A mistake is a slip and the values it leads to, what undoes it, or the question 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -22,8 +21,8 @@ from solver.classroom.mistakes.undone import undone
 from solver.classroom.mistakes.values import TRANSFORMED, Case
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
-from solver.derivation import Attempt, PartResult, Slip, Task, Unsolved
-from solver.engine import given_of, solve_part
+from solver.derivation import Attempt, Given, PartResult, Slip, Task, Unsolved
+from solver.engine import found_by
 from solver.lazy import exact
 from solver.problem.model import Part
 
@@ -124,12 +123,22 @@ def _answers_changed(case: Case, submitted: Submitted, change: Change) -> bool:
     if part is None:
         return False
     try:
-        result = solve_part(replace(part, methods=part.methods[:1]), case.earlier)[0]
-        if case.name not in result.answers:
+        given, answers = found_by(part.methods[0], part, case.earlier)
+        if case.name not in answers:
             return False
-        given = given_of(part, part.methods[0], case.earlier)
-        changed = Question(case.question.task, given, result.answers)
         ours = Submitted(case.ours, case.ours)
+        if _is_determined(case, given) and _comparable(answers[case.name]):
+            return _reproduces(submitted, answers[case.name]) and not _reproduces(ours, answers[case.name])
+        changed = Question(case.question.task, given, answers)
         return _is_right(changed, case.name, submitted) and not _is_right(changed, case.name, ours)
     except (*STRANGE, exact.NotExact, Unsolved):  # the changed question has no meaning
         return False
+
+
+def _is_determined(case: Case, given: Given[Any, Any]) -> bool:
+    return not case.question.task.answers[case.name].is_free(given)
+
+
+def _comparable(value: Any) -> bool:
+    """Whether a value is compared more quickly than it is judged by what defines it."""
+    return isinstance(value, sp.MatrixBase) or is_scalar(value)
