@@ -42,7 +42,7 @@ class PolePlacementOptions(PoleOptions):
     )
     eigenvectors: ImmutableMatrix | None = option(
         MatrixOf("n"),
-        "eigenvectors wanted of the closed loop (several inputs), as columns in the order of `poles`; "
+        "eigenvectors wanted of the closed loop (several inputs), as columns in the order of the poles; "
         "the nearest attainable ones are taken",
         way=Way("Assignment of eigenvectors", "B. C. Moore, IEEE Trans. Automatic Control 21 (1976)"),
     )
