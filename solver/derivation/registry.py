@@ -52,12 +52,13 @@ Tell = Callable[[Attempt[S, O]], Reason | None]
 class AnswerName:
     """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all).
 
-    An `optional` one is given when it makes sense. A `free` one is not determined by the question (eigenvectors: any
-    scale is right); it may depend on what is given (a gain is free where there are several inputs). In an `ordered`
-    list each item has its place; the items of any other may stand in any order. `vectors` says that the "columns", or
-    the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task earn the marks
-    where a problem does not say which. A `count` is reached by many mistakes, so that none is named for it. `words` are
-    those that an answer in words may have, `unit` is "rad/s" or "s" where a number has one.
+    An `optional` one is given when it makes sense. A `free` one is not determined by the question (eigenvectors:
+    any scale is right); it may depend on what is given (a gain is free where there are several inputs). In an
+    `ordered` list each item has its place; the items of any other may stand in any order. `vectors` says that the
+    "columns", or the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task
+    earn the marks where a problem does not say which; that may depend on the system. A `count` is reached by many
+    mistakes, so that none is named for it. `words` are those that an answer in words may have, `unit` is "rad/s" or
+    "s" where a number has one.
     """
 
     name: str
@@ -68,7 +69,7 @@ class AnswerName:
     free: bool | Callable[[Given[Any, Any]], bool] = False
     ordered: bool = False
     vectors: str = ""
-    principal: bool = False
+    principal: bool | Callable[[Any], bool] = False
     count: bool = False
     words: tuple[str, ...] = ()
     unit: str = ""
@@ -149,9 +150,14 @@ class Task(Generic[S, O]):
 
     @property
     def principal(self) -> tuple[str, ...]:
-        """The answers that earn the marks: those declared so, or else all that are always given."""
+        """The answers that may earn the marks: those declared so, or else all that are always given."""
         declared = tuple(name for name, answer in self.answers.items() if answer.principal)
         return declared or tuple(name for name, answer in self.answers.items() if not answer.optional)
+
+    def principal_of(self, system: S) -> tuple[str, ...]:
+        """The answers that earn the marks where a question is about this system."""
+        declared = {name: self.answers[name].principal for name in self.principal}
+        return tuple(name for name, of in declared.items() if not callable(of) or of(system))
 
     def given(self, system: S, values: Mapping[str, Any], method: str = "") -> Given[S, O]:
         """Return what a method works on, from the values of options by name."""

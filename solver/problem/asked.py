@@ -63,7 +63,7 @@ def answer_named(node: ScalarNode, task: Task[Any, Any], methods: Sequence[str])
 def asked_of(part: Part, task: Task[Any, Any]) -> tuple[str, ...]:
     """Return the answers asked for: those that the part names or gives marks to, else the task's principal ones."""
     methods = {name: set(answer.methods or part.methods) for name, answer in task.answers.items()}
-    principal = tuple(name for name in task.principal if methods[name] & set(part.methods))
+    principal = tuple(name for name in task.principal_of(part.system) if methods[name] & set(part.methods))
     return part.asked or tuple(part.answer_marks) or principal
 
 

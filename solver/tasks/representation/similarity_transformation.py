@@ -36,9 +36,9 @@ similarity_transformation: Task[StateSpace, SimilarityTransformationOptions] = T
     needs=("A",),
     options=SimilarityTransformationOptions,
     answers=[
-        AnswerName("A", r"\bar{A}", "$T^{-1}AT$"),
-        AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True),
-        AnswerName("C", r"\bar{C}", "$CT$", optional=True),
+        AnswerName("A", r"\bar{A}", "$T^{-1}AT$", principal=True),
+        AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True, principal=lambda system: "B" in system.provides),
+        AnswerName("C", r"\bar{C}", "$CT$", optional=True, principal=lambda system: "C" in system.provides),
         AnswerName("D", r"\bar{D}", "$D$, as before", optional=True),
     ],
 )

@@ -53,6 +53,15 @@ class ResponseOptions(LoopOptions):
     )
 
 
+def _has_states(system: System) -> bool:
+    """Whether the question has states; those of a realization are not asked for."""
+    return hasattr(system, "A")
+
+
+def _has_output(system: System) -> bool:
+    return not _has_states(system) or "C" in system.provides
+
+
 response: Task[StateSpace | LateInput, ResponseOptions] = Task(
     "response",
     title="Response",
@@ -60,8 +69,8 @@ response: Task[StateSpace | LateInput, ResponseOptions] = Task(
     needs=("motion",),
     options=ResponseOptions,
     answers=[
-        AnswerName("x", "x", "the states"),
-        AnswerName("y", "y", "the output (several: a column)", optional=True),
+        AnswerName("x", "x", "the states", principal=_has_states),
+        AnswerName("y", "y", "the output (several: a column)", optional=True, principal=_has_output),
         AnswerName("y_final", r"y_{\infty}", "the final value, the limit of $y$", optional=True),
         AnswerName("y_peak", r"y_{\text{peak}}", "the peak, the value of largest size", optional=True),
         AnswerName(
