@@ -27,7 +27,7 @@ SHORT = "{A: [[0, 1], [-2, -3]], B: [0, 1]}"
     ],
 )
 def test_what_is_asked_depends_on_the_system(question, asked):
-    part = read_problem(Source("problem.yaml", f"find: {{a: {{{question}, marks: 6}}}}"), catalogue()).parts[0]
+    part = read_problem(Source("problem.yaml", f"find:\n  a: {{{question}, marks: 6}}\n"), catalogue()).parts[0]
     task = catalogue()[part.task]
     assert asked_of(part, task) == asked
-    assert marks_of(part, task) == dict.fromkeys(asked, 6 / len(asked))
+    assert marks_of(part, task) == dict.fromkeys(asked, 6 // len(asked))
