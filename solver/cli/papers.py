@@ -163,4 +163,4 @@ def _named(source: Source, file: str) -> str:
     name = problem_named_in(source)
     if not name:
         raise AtFault("it names no problem; call solve check PROBLEM ANSWERS, or add the key 'problem'")
-    return str(Path(name) if file == STANDARD else Path(file).parent / name)
+    return str(Path(file).parent / name)

@@ -1,6 +1,7 @@
 """`solve check` from the outside: exit codes, formats, sheets, tables of marks, files at fault."""
 
 import csv
+import io
 import json
 
 import pytest
@@ -30,6 +31,18 @@ def test_right_answers_end_with_zero_and_wrong_ones_with_one(solve, folder):
     assert solve("check", "problem.yaml", "right.yaml").code == 0
     assert solve("check", "problem.yaml", "wrong.yaml").code == 1
     assert solve("check", "named.yaml").code == 0
+
+
+def test_the_problem_is_sought_beside_the_answers_that_name_it(solve, folder):
+    (folder / "class").mkdir()
+    for name in ("problem.yaml", "named.yaml"):
+        (folder / name).rename(folder / "class" / name)
+    assert solve("check", "class/named.yaml").code == 0
+
+
+def test_answers_from_standard_input_may_name_a_problem(solve, folder, monkeypatch):
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO((folder / "named.yaml").read_bytes())))
+    assert solve("check", "-").code == 0
 
 
 def test_json_is_as_documented(solve, folder):

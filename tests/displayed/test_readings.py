@@ -104,6 +104,8 @@ UNREAD = {
     "rows of different lengths": r"\begin{bmatrix}1 & 2 \\ 3\end{bmatrix}",
     "a transform of nothing": r"\mathcal{L}^{-1} 3",
     "a sign at the end": "2 +",
+    "a name that stands for nothing, in brackets": "5(q)",
+    "a value beside it": "A(q)",
 }
 
 
