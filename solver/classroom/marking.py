@@ -8,8 +8,6 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import sympy as sp
-
 from solver.classroom.following.between import OwnResults
 from solver.classroom.following.chain import followed
 from solver.classroom.judging.question import Question
@@ -33,9 +31,6 @@ from solver.problem.source import Diagnostic, Fault
 from solver.render.prose import plain
 from solver.tasks import catalogue
 from solver.words import Reason
-
-NOTHING = sp.Rational(1, 1000)
-"""A gain that is smaller beside ours changes almost nothing."""
 
 Values = dict[str, Submitted]
 """What was submitted for a part and could be read, by the answers' names."""
