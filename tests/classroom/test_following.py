@@ -202,8 +202,8 @@ def test_consequences_of_a_rounded_right_value_are_right():
 )
 def test_parts_are_solved_again_only_where_something_is_wrong_and_may_follow(monkeypatch, answers, count):
     solution, calls = solved(MODEL), []
-    solve_part = between.solve_part
-    monkeypatch.setattr(between, "solve_part", lambda *args: calls.append(args) or solve_part(*args))
+    found_by = between.found_by
+    monkeypatch.setattr(between, "found_by", lambda *args: calls.append(args) or found_by(*args))
     marked(solution, f"answers: {answers}")
     assert len(calls) == count
 
@@ -239,6 +239,19 @@ def test_whatever_the_slip_its_consequences_are_right_and_a_slip_in_these_is_not
     for part, name in (("b", "polynomial"), ("c", "poles"), ("d", "K_o")):
         right = found[part][name]
         assert right[0] == ("wrong" if name == slip else "correct"), (part, name, right)
+
+
+def test_what_only_own_values_can_judge_is_judged_by_them():
+    # two outputs: many gains L place the poles, so J, N and M are judged by the one submitted, which is wrong here
+    problem = """
+system: {A: [[0, 1, 0], [0, 0, 1], [-6, -11, -6]], B: [0, 0, 1], C: [[1, 0, 0], [0, 1, 0]]}
+find: {a: {task: reduced_observer, poles: [-8]}}
+"""
+    # A11 = [[0, 1], [0, 0]], A12 = [0; 1], A21 = [-6, -11], A22 = -6; L = [1, 3]: J = -9, N = A21 - L A11 + J L
+    found = said(problem, "{a: {L: [[1, 3]], J: [[-9]], N: [[-15, -39]], M: [[1]]}}")["a"]
+    assert found == {"L": WRONG, "J": FOLLOWS, "N": FOLLOWS, "M": RIGHT}
+    found = said(problem, "{a: {L: [[1, 3]], J: [[-9]], N: [[-15, -38]], M: [[1]]}}")["a"]
+    assert found["N"] != FOLLOWS
 
 
 REALIZED = """

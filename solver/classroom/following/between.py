@@ -12,11 +12,12 @@ from solver.classroom.following.within import OwnAnswers
 from solver.classroom.judging.question import STRANGE, Question
 from solver.classroom.submitted import Submitted
 from solver.derivation import Answers, PartResult, Status
-from solver.engine import Earlier, given_of, solve_part
+from solver.engine import Earlier, found_by, given_of
 from solver.problem.model import Part, Reference
 from solver.systems import EarlierPart
 from solver.systems.earlier_part import TRANSFER
 from solver.tasks import catalogue
+from solver.words import Told
 
 MOST_CHOICES = 8
 """Choices of own values for ours that are tried for one part."""
@@ -46,7 +47,7 @@ class OwnResults:
         self.ours = ours
         self.submitted = submitted
         self.of = cache(self._of)
-        self.solved: dict[tuple[Any, ...], list[PartResult] | None] = {}
+        self.asked: dict[tuple[Any, ...], Question | None] = {}
 
     def earlier(self) -> Earlier:
         """Our results of all parts."""
@@ -57,14 +58,8 @@ class OwnResults:
         taken = [each for each in taken_by(part, self.earlier()) if self._own(each)]
         choices = (chosen for size in range(len(taken), 0, -1) for chosen in combinations(taken, size))
         for chosen, _ in zip(choices, range(MOST_CHOICES), strict=False):
-            earlier = self._with(chosen)
-            solved = self._solved(part, chosen)
-            if solved is not None:
-                ours: dict[str, Any] = {}
-                for result in solved:
-                    ours = {**result.answers, **ours}
-                given = given_of(part, part.methods[0], earlier)
-                yield Question(catalogue()[part.task], given, ours, part.digits), self._sources(chosen)
+            if (asked := self._asked(part, chosen)) is not None:
+                yield asked, self._sources(chosen)
 
     def _own(self, group: tuple[Source, ...]) -> tuple[Source, ...]:
         """From which own values some answers come."""
@@ -84,30 +79,30 @@ class OwnResults:
                 earlier[part] = replace(result, answers=Answers(**{**result.answers, name: own[name]}))
         return earlier
 
-    def _solved(self, part: Part, chosen: Sequence[tuple[Source, ...]]) -> list[PartResult] | None:
-        """The part solved with own values; None where that has no verified solution."""
+    def _asked(self, part: Part, chosen: Sequence[tuple[Source, ...]]) -> Question | None:
+        """The question that a part asks with own values; None where it has no answers."""
         earlier = self._with(chosen)
         sources = [source for group in chosen for source in group]
         key = (part.id, *((id_, name, str(earlier[id_].answers.get(name))) for id_, name in sources))
-        if key not in self.solved:
-            self.solved[key] = _verified(part, earlier)
-        return self.solved[key]
+        if key not in self.asked:
+            self.asked[key] = _answered(part, earlier)
+        return self.asked[key]
 
     def _of(self, id_: str) -> OwnResult:
         """A part with all own values: solved with those of earlier parts, then with its own answers in their places."""
         part, result = self.parts[id_], self.ours[id_][0]
         taken = [each for each in taken_by(part, self.earlier()) if self._own(each)]
         own: dict[str, tuple[Source, ...]] = {}
-        if taken and (solved := self._solved(part, taken)) is not None:
-            result = solved[0]
+        question = self._asked(part, taken) if taken else None
+        if question is not None:
+            result = replace(result, answers=Answers(**question.ours))
             own = dict.fromkeys(result.answers, self._sources(taken))
         submitted = self.submitted.get(id_, {})
         if result.status is not Status.VERIFIED or not submitted:
             return OwnResult(result, own)
-        earlier = self._with(taken) if own else self.earlier()
-        question = Question(
-            catalogue()[part.task], given_of(part, part.methods[0], earlier), result.answers, part.digits
-        )
+        if question is None:
+            given = given_of(part, part.methods[0], self.earlier())
+            question = Question(catalogue()[part.task], given, result.answers, part.digits)
         answers = OwnAnswers(question, submitted)
         found = dict(result.answers)
         for name in result.answers:
@@ -120,13 +115,16 @@ class OwnResults:
         return OwnResult(replace(result, answers=Answers(**found)), own)
 
 
-def _verified(part: Part, earlier: Earlier) -> list[PartResult] | None:
-    """The part solved, by all its methods; None where that fails."""
+def _answered(part: Part, earlier: Earlier) -> Question | None:
+    """The question of a part with the answers by all its methods; None where it has none."""
     try:
-        found = solve_part(part, earlier)
-    except STRANGE:  # the own values are of a form that the task was never meant for
+        found = [found_by(method, part, earlier) for method in part.methods]
+    except (*STRANGE, Told):  # no solution, or own values of a form that the task was never meant for
         return None
-    return found if all(result.status is Status.VERIFIED for result in found) else None
+    ours: dict[str, Any] = {}
+    for _, answers in found:
+        ours = {**answers, **ours}
+    return Question(catalogue()[part.task], found[0][0], ours, part.digits)
 
 
 def taken_by(part: Part, earlier: Earlier) -> list[tuple[Source, ...]]:

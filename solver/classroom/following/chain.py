@@ -29,12 +29,12 @@ def followed(
     """
     found = blamed(question, values, verdicts)
     for asked, sources in chain([(question, ())], own.questions(part)):
-        wrong = [name for name, verdict in found.items() if verdict.verdict is Verdict.WRONG]
-        if not wrong:
+        doubtful = [name for name, verdict in found.items() if verdict.verdict is not Verdict.CORRECT]
+        if not doubtful:
             break
         again = blamed(asked, values, judge(asked, values)) if sources else found
         answers = OwnAnswers(asked, values)
-        for name in wrong:
+        for name in doubtful:
             for verdict, of in _candidates(part, name, again[name], answers):
                 found[name] = _better(found[name], verdict, [*sources, *of])
     return found
@@ -62,7 +62,7 @@ def _better(found: AnswerVerdict, other: AnswerVerdict, sources: list[Source]) -
     own = [{"name": name, "part": part} for part, name in dict.fromkeys(sources)]
     if other.verdict is Verdict.CORRECT:
         return replace(other, note=Reason("marking/with_your_own_answer", {"own": own}), follows=True)
-    if other.verdict is Verdict.WRONG and other.share > found.share:
+    if found.verdict is other.verdict is Verdict.WRONG and other.share > found.share:
         note = Reason("marking/partly_with_your_own_answer", {"own": own})
         return replace(found, entries=other.entries, note=note)
     return found

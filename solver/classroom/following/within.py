@@ -19,6 +19,9 @@ from solver.words import Told
 MOST_VALUES = 4
 """Values that an answer may have: the student's, those that follow from other ones, ours."""
 
+MOST_LETTERS = 16
+"""Decimals that letters stand for in a formula; of more the values as they stand are taken."""
+
 MOST_TRIED = 24
 """Choices of values from which one answer may follow."""
 
@@ -84,7 +87,7 @@ class OwnAnswers:
         decimals = {symbol: each for source in sources for symbol, each in source.decimals.items()}
         try:
             value = self._carried_out(formula, [source.value for source in sources])
-            if value is None or not formula.symbolic or not decimals:
+            if value is None or not formula.symbolic or not 0 < len(decimals) <= MOST_LETTERS:
                 return None if value is None else _plain(value)
             form = self._carried_out(formula, [source.form for source in sources])
             return Submitted(value, form, decimals)
