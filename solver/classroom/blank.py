@@ -6,7 +6,7 @@ may be missing nothing is told, for that would say that it is there.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from textwrap import wrap
 from typing import Any
@@ -17,11 +17,11 @@ from solver.classroom.examples import example_of
 from solver.classroom.kinds import kind_of
 from solver.classroom.marking import Marker
 from solver.classroom.reading.answer_file import Submission
-from solver.derivation import AnswerName, Given
+from solver.derivation import AnswerName
 from solver.document.checks import Say
 from solver.document.model import Presentation
 from solver.document.works import document_of
-from solver.engine import Solution, given_of
+from solver.engine import Solution
 from solver.problem.asked import asked_of
 from solver.problem.model import Part
 from solver.problem.source import Source
@@ -53,12 +53,11 @@ HOW = "Write each value after its name, in quotes where it has a colon or a brac
 
 def _answers(part: Part, marker: Marker) -> Iterator[str]:
     task, ours, say = catalogue()[part.task], marker.ours(part.id), marker.messages.say
-    first = {id_: results[0] for id_, results in marker.results.items()}
-    given = given_of(part, part.methods[0], first) if ours else None
     asked = asked_of(part, task)
     width = max(map(len, asked), default=0)
     for name in asked:
-        told = _how(task.answers[name], given, ours, say)
+        known = name in ours and not task.answers[name].optional
+        told = _how(ours[name], marker.is_determined(part, name), say) if known else ""
         yield f"    {name + ':':{width + 2}} # {told}".rstrip(" #") if told else f"    {name}:"
     others = [name for name, answer in task.answers.items() if name not in asked and _given(answer, part)]
     if others:
@@ -70,12 +69,9 @@ def _given(answer: AnswerName, part: Part) -> bool:
     return not answer.methods or bool(set(answer.methods) & set(part.methods))
 
 
-def _how(answer: AnswerName, given: Given[Any, Any] | None, ours: Mapping[str, Any], say: Say) -> str:
+def _how(value: Any, determined: bool, say: Say) -> str:
     """Return how an answer is written: its kind, its size where that is no choice, an example that is not ours."""
-    if answer.optional or given is None or answer.name not in ours:
-        return ""
-    value = ours[answer.name]
-    sized = isinstance(value, sp.MatrixBase) and not answer.is_free(given) and 0 not in value.shape
+    sized = isinstance(value, sp.MatrixBase) and determined and 0 not in value.shape
     kind = say(kind_of(value))
     if sized:
         kind = say(Phrase("{kind}, {rows}×{columns}", kind=kind, rows=value.rows, columns=value.cols))

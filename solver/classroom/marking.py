@@ -119,6 +119,11 @@ class Marker:
                 found = {**result.answers, **found}
         return found
 
+    def is_determined(self, part: Part, name: str) -> bool:
+        """Whether the question leaves no choice of an answer of ours."""
+        first = {id_: results[0] for id_, results in self.results.items()}
+        return not catalogue()[part.task].answers[name].is_free(given_of(part, part.methods[0], first))
+
     def part(self, part: Part) -> PartVerdict:
         """Return the verdicts and marks of one part."""
         out_of = self._out_of(part)

@@ -71,8 +71,9 @@ def test_the_right_value_is_shown_only_if_the_instructor_says_so():
     answers = "answers: {a: {K: [13, 7], closed_loop_A: [[1, 2], [-10, -7]]}}"
     assert "right value" not in sheet(answers)
     found = results(sheet(answers, key=True))
-    assert "right value:" in found["K"]
-    assert "right value:" in found["polynomial"]  # which is not submitted
+    assert "The right value:" in found["K"]
+    assert "A right value:" in found["right_eigenvectors"]
+    assert "The right value:" in found["polynomial"]  # which is not submitted
     assert "right value" not in found["closed_loop_A"]
 
 

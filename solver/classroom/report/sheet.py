@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 from solver.classroom.marking import Marker
 from solver.classroom.reading.answer_file import Submission
@@ -91,22 +90,21 @@ class _Sections:
         self.exact = Wording.of(exact, templates=templates)
         self.decimals = Wording.of(typed, templates=templates)
         self.own = Wording.of(solution.problem.display, templates=templates)
+        self.parts = {part.id: part for part in solution.problem.parts}
         self.marker = Marker(solution, Submission(Source("", ""), "", {}), templates) if key else None
 
     def section(self, part: PartVerdict, work: Work) -> Section:
         """Return a part with its lines, in the order of the catalogue."""
         declared = catalogue()[part.task].answers
-        ours = self.marker.ours(part.id) if self.marker is not None else {}
-        lines = tuple(self._lines(part, declared, ours))
+        lines = tuple(self._with_key(part.id, line, declared[line.name]) for line in self._lines(part, declared))
         return Section(part, self.exact.say(catalogue()[part.task].title), work, lines)
 
-    def _lines(self, part: PartVerdict, declared: Mapping[str, AnswerName], ours: Mapping[str, Any]) -> Iterator[Line]:
+    def _lines(self, part: PartVerdict, declared: Mapping[str, AnswerName]) -> Iterator[Line]:
         for name in declared:
             if name in part.answers:
-                yield self._with_key(self._line(part.answers[name], declared[name]), declared[name], ours)
+                yield self._line(part.answers[name], declared[name])
             elif name in part.missing:
-                left_out = Line(name, "", self.exact.say("not submitted"), out_of=part.missing[name])
-                yield self._with_key(left_out, declared[name], ours)
+                yield Line(name, "", self.exact.say("not submitted"), out_of=part.missing[name])
 
     def _line(self, answer: AnswerVerdict, declared: AnswerName) -> Line:
         wording = self.decimals if answer.in_decimals else self.exact
@@ -116,12 +114,13 @@ class _Sections:
         verdict, respelt, comment = str(answer.verdict), answer.respelt, answer.comment
         return Line(answer.name, verdict, said, answer.marks, answer.out_of, answer.typed, tex, respelt, words, comment)
 
-    def _with_key(self, line: Line, declared: AnswerName, ours: Mapping[str, Any]) -> Line:
+    def _with_key(self, id_: str, line: Line, declared: AnswerName) -> Line:
         """The line with our own value, where it is to be shown and the one submitted is not right."""
-        if line.name not in ours or line.verdict == Verdict.CORRECT:
+        ours = self.marker.ours(id_) if self.marker is not None else {}
+        if self.marker is None or line.name not in ours or line.verdict == Verdict.CORRECT:
             return line
         key = self.own.equation(self.own.symbol(declared), ours[line.name])
-        return replace(line, key=key, unique=declared.free is False)
+        return replace(line, key=key, unique=self.marker.is_determined(self.parts[id_], line.name))
 
 
 def _sentence(words: str) -> str:
