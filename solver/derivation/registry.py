@@ -12,6 +12,7 @@ from functools import wraps
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from solver.derivation.answer_names import AnswerName
 from solver.derivation.consequences import Consequence
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas, worded_by
 from solver.derivation.mistakes import Attempt, Meaning, Mistake, MistakenQuestion, Slip
@@ -46,37 +47,6 @@ Wrong = Callable[[Attempt[S, O]], Iterable[Any]]
 Change = Callable[["System", O], "tuple[System, O] | None"]
 Follow = Callable[[Given[S, O], Mapping[str, Any]], Any]
 Tell = Callable[[Attempt[S, O]], Reason | None]
-
-
-@dataclass(frozen=True, slots=True)
-class AnswerName:
-    """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all).
-
-    An `optional` one is given when it makes sense. A `free` one is not determined by the question (eigenvectors:
-    any scale is right); it may depend on what is given (a gain is free where there are several inputs). In an
-    `ordered` list each item has its place; the items of any other may stand in any order. `vectors` says that the
-    "columns", or the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task
-    earn the marks where a problem does not say which; that may depend on the system. A `count` is reached by many
-    mistakes, so that none is named for it. `words` are those that an answer in words may have, `unit` is "rad/s" or
-    "s" where a number has one.
-    """
-
-    name: str
-    symbol: str
-    doc: str
-    methods: tuple[str, ...] = ()
-    optional: bool = False
-    free: bool | Callable[[Given[Any, Any]], bool] = False
-    ordered: bool = False
-    vectors: str = ""
-    principal: bool | Callable[[Any], bool] = False
-    count: bool = False
-    words: tuple[str, ...] = ()
-    unit: str = ""
-
-    def is_free(self, given: Given[Any, Any]) -> bool:
-        """Whether several values are right."""
-        return self.free(given) if callable(self.free) else self.free
 
 
 @dataclass(frozen=True, slots=True)

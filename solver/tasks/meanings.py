@@ -111,6 +111,12 @@ def at_a_point(value: Any, formula: Any) -> Reason | None:
     return Reason("meanings/at_a_point", found) if found is not None else None
 
 
+def difference_at(value: Any, formula: Any, x: Any, point: int) -> Reason | None:
+    """Return an entry of a value in x that differs at one point from a formula of the question."""
+    found = difference_of(value.xreplace({x: sp.Integer(point)}), formula)
+    return None if found is None else Reason("meanings/at_a_point", {**found, "x": x, "point": sp.Integer(point)})
+
+
 def difference_of(left: Any, right: Any) -> dict[str, Any] | None:
     """Return the first entry in which two formulas differ, at a short value of their variable if they have one."""
     symbols = sorted(numeric.free_symbols(left) | numeric.free_symbols(right), key=str)

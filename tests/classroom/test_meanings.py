@@ -64,6 +64,7 @@ TOLD = [
      r"at $t = 0$ it is $\begin{bmatrix}2\\0\end{bmatrix}$; the initial state is $\begin{bmatrix}1\\0\end{bmatrix}$"),
     ("response", "x", "[[1 + t], [t]]",
      r"it fails the check “$\dot{x} = A x + B u$”: at $t = 1$ in row 2, column 1 the sides are $1$ and $-6$"),
+    ("response", "y", "2 - exp(-t)/3", r"at $t = 0$ it is $\frac{5}{3}$, not $1$"),
     ("second", "poles", '["-2 ± 3j"]', "with these poles the overshoot is $0.1231$; asked was $0.14$"),
     ("range", "condition", "0 < K < 8", r"$K = 7$ fulfils it, but there the eigenvalues $0.04337 \pm 1.505j$ do not lie"
      " in the left half plane"),

@@ -5,6 +5,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from solver.classroom.mistakes import changed
+from solver.engine import found_by
 from tests.helpers.marked import solved, verdict
 from tests.helpers.students import written
 
@@ -161,6 +163,17 @@ def test_a_mistake_has_a_name(part, name, value, mistake):
     changed = {"-K": lambda: -ours, "K.T": lambda: ours.T, "1/G": lambda: ours.applyfunc(lambda g: 1 / g if g else g)}
     found = verdict(MORE, part, name, written(sp.ImmutableMatrix(changed[value]())) if value in changed else value)
     assert (found.verdict, found.mistake) == ("wrong", mistake)
+
+
+def test_a_changed_question_is_solved_once_for_all_students(monkeypatch):
+    solved_ones = []
+    monkeypatch.setattr(changed, "found_by", lambda *asked: solved_ones.append(asked) or found_by(*asked))
+    problem = PLANT.replace("title: Mistakes", "title: Mistakes of two students")
+    counts = []
+    for value in ("[12, 8]", "[14, 7]"):
+        assert verdict(problem, "gain", "K", value).mistake == ""
+        counts.append(len(solved_ones))
+    assert counts[0] == counts[1] > 2
 
 
 POLES = st.lists(st.integers(-5, -1), min_size=2, max_size=3)

@@ -16,13 +16,12 @@ from solver.classroom.judging.entries import all_right, entrywise, is_scalar
 from solver.classroom.judging.question import STRANGE, Question
 from solver.classroom.judging.verdict import judge
 from solver.classroom.mistakes.alike import ALIKE
-from solver.classroom.mistakes.questions import CHANGED, Change, declared
+from solver.classroom.mistakes.changed import changed_questions
 from solver.classroom.mistakes.undone import undone
 from solver.classroom.mistakes.values import TRANSFORMED, Case
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
-from solver.derivation import Attempt, Given, PartResult, Slip, Task, Unsolved
-from solver.engine import found_by
+from solver.derivation import Answers, Attempt, Given, PartResult, Slip
 from solver.lazy import exact
 from solver.problem.model import Part
 
@@ -51,7 +50,9 @@ def _found(case: Case, submitted: Submitted) -> Iterator[Slip]:
             yield slip
     yield from _leading_to(case, submitted, ((slip, partial(values, case)) for slip, values in TRANSFORMED))
     yield from (slip for slip, holds in ALIKE if _holds(holds, submitted, case))
-    yield from (slip for slip, change in _changes_of(case.question.task) if _answers_changed(case, submitted, change))
+    for slip, found in changed_questions(case.part, case.earlier):
+        if _answers_changed(case, submitted, *found):
+            yield slip
 
 
 def _values_of(case: Case) -> Iterator[tuple[Slip, Callable[[], Iterable[Any]]]]:
@@ -71,13 +72,6 @@ def _leading_to(
             if _reproduces(submitted, value) and not _is_right(case.question, case.name, Submitted(value, value)):
                 yield slip
                 break
-
-
-def _changes_of(task: Task[Any, Any]) -> Iterator[tuple[Slip, Change]]:
-    """Yield the mistakes that answer another question: those that the task declares, then those of any task."""
-    for mistake in task.mistaken_questions:
-        yield mistake.slip, partial(declared, mistake.change, task)
-    yield from CHANGED
 
 
 def _telling(value: Any) -> bool:
@@ -117,21 +111,17 @@ def _holds(holds: Callable[[Submitted, Case], bool], submitted: Submitted, case:
         return False
 
 
-def _answers_changed(case: Case, submitted: Submitted, change: Change) -> bool:
+def _answers_changed(case: Case, submitted: Submitted, given: Given[Any, Any], answers: Answers) -> bool:
     """Whether the value is a right answer to the changed question, and ours is none."""
-    part = change(case.part)
-    if part is None:
+    if case.name not in answers:
         return False
+    value, ours = answers[case.name], Submitted(case.ours, case.ours)
     try:
-        given, answers = found_by(part.methods[0], part, case.earlier)
-        if case.name not in answers:
-            return False
-        ours = Submitted(case.ours, case.ours)
-        if _is_determined(case, given) and _comparable(answers[case.name]):
-            return _reproduces(submitted, answers[case.name]) and not _reproduces(ours, answers[case.name])
+        if _is_determined(case, given) and _comparable(value):
+            return _reproduces(submitted, value) and not _reproduces(ours, value)
         changed = Question(case.question.task, given, answers)
         return _is_right(changed, case.name, submitted) and not _is_right(changed, case.name, ours)
-    except (*STRANGE, exact.NotExact, Unsolved):  # the changed question has no meaning
+    except STRANGE:  # the two can't be compared
         return False
 
 

@@ -12,9 +12,9 @@ import sympy as sp
 
 from solver.classroom.judging.entries import is_scalar
 from solver.classroom.judging.question import Question
+from solver.classroom.mistakes.changed import steps_taken
 from solver.derivation import PartResult, Slip
 from solver.derivation import usual_mistakes as usual
-from solver.engine import steps_of
 from solver.problem.model import Part
 
 MOST_PERMUTATIONS = 24
@@ -121,7 +121,7 @@ def _in_degrees(angle: Callable[[Any], Any], z: Any) -> Any:
 def _intermediate(case: Case) -> Values:
     """A result of one of the steps, of the answer's shape."""
     for result in case.results:
-        for step in steps_of(case.part, result.method, case.earlier):
+        for step in steps_taken(case.part, result.method, case.earlier):
             for each in step.walk():
                 yield from (claim.right for claim in each.claims.values() if _alike(claim.right, case.ours))
 

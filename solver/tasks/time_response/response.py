@@ -27,7 +27,13 @@ from solver.tasks.plant_options import LoopOptions
 from solver.tasks.time_response import by_convolution as convolution
 from solver.tasks.time_response import by_transform as transform
 from solver.tasks.time_response.question import Question, entry_or_column
-from solver.tasks.time_response.response_checks import checks_of, final_value_checks, peak_checks, what_x_would_mean
+from solver.tasks.time_response.response_checks import (
+    checks_of,
+    final_value_checks,
+    peak_checks,
+    what_x_would_mean,
+    what_y_would_mean,
+)
 from solver.tasks.time_response.whole_response import passed_on, put_together
 from solver.words import Reason
 
@@ -209,3 +215,9 @@ def without_initial_state(system: System, options: ResponseOptions) -> tuple[Sys
 def state_at_the_start(wrong: Attempt[StateSpace | LateInput, ResponseOptions]) -> Reason | None:
     """The state that it begins with, or where it leaves the differential (difference) equation."""
     return what_x_would_mean(wrong.given, wrong.value)
+
+
+@response.meaning("y")
+def output_at_the_start(wrong: Attempt[StateSpace | LateInput, ResponseOptions]) -> Reason | None:
+    """The output that it begins with."""
+    return what_y_would_mean(wrong.given, wrong.value)

@@ -13,7 +13,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import time_response as judges
 from solver.stated.algebra import product, total
 from solver.stated.calculus import derivative, value_at
-from solver.tasks.meanings import difference_of
+from solver.tasks.meanings import difference_at, difference_of
 from solver.tasks.told import shortened
 from solver.words import Phrase, Reason, formula
 
@@ -206,3 +206,13 @@ def what_x_would_mean(given: Given[StateSpace | LateInput, ResponseOptions], val
     claim = "$x(k + 1) = A x(k) + B u(k)$" if system.discrete else r"$\dot{x} = A x + B u$"
     found = difference_of(later, right)
     return None if jumps or found is None else Reason("meanings/equality", {"claim": claim, **found})
+
+
+def what_y_would_mean(given: Given[StateSpace | LateInput, ResponseOptions], value: Any) -> Reason | None:
+    """Return the output that y begins with where it is another one than that of the initial state, without D."""
+    truth, y = Truth.of(given), _column(value)
+    t, system = truth.time, truth.system
+    passes = system.D is not None and not system.D.is_zero_matrix
+    if passes or system.C is None or y.has(sp.Heaviside, sp.DiracDelta) or _impulses(truth):
+        return None
+    return difference_at(y, product(system.C, truth.x0), t, 0)
