@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.words import truth
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
@@ -24,11 +25,7 @@ def kind_of(ours: Any) -> str:
     if isinstance(ours, sp.Set | list | tuple):
         items = {kind_of(each) for each in ours} if isinstance(ours, list | tuple) else set()
         return LISTS.get(min(items, default=""), "a list")
-    return "a condition" if _is_condition(ours) else "an expression"
-
-
-def _is_condition(value: Any) -> bool:
-    return isinstance(value, sp.logic.boolalg.Boolean) and not isinstance(value, sp.Expr)
+    return "a condition" if is_condition(ours) else "an expression"
 
 
 LISTS = {"a matrix": "a list of matrices", "a condition": "a list of conditions", "words": "a list of words"}

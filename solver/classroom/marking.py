@@ -109,7 +109,7 @@ class Marker:
         problem = self.solution.problem
         symbols, parameters = {**problem.symbols, **part.symbols}, {**problem.parameters, **part.parameters}
         names = names_for(symbols, parameters, dict(ours), part.system.discrete)
-        return Reader(names, discrete=part.system.discrete)
+        return Reader(names, discrete=part.system.discrete, decimal_comma=part.decimal_comma)
 
     def ours(self, part: str) -> dict[str, Any]:
         """Our answers of a part by all its methods, verified ones only."""

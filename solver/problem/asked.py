@@ -7,7 +7,7 @@ from typing import Any
 
 from solver.derivation import Task
 from solver.problem.model import Part
-from solver.problem.nodes import MappingNode, ScalarNode, SequenceNode, scalar, whole_number
+from solver.problem.nodes import TRUE, MappingNode, ScalarNode, SequenceNode, scalar, whole_number
 from solver.problem.source import Report, did_you_mean
 
 
@@ -43,6 +43,12 @@ def read_digits(holder: MappingNode, default: int, report: Report) -> int:
         with report:
             return whole_number(holder["digits"], "digits", 1, MOST_DIGITS)
     return default
+
+
+def read_comma(holder: MappingNode, *, default: bool) -> bool:
+    """Return whether students may write 1,5 for 1.5, as the key `decimal_comma` of a problem or part says."""
+    node = holder.get("decimal_comma")
+    return node.text in ("yes", *TRUE) if isinstance(node, ScalarNode) else default
 
 
 def given_by(task: Task[Any, Any], methods: Sequence[str]) -> list[str]:

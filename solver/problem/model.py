@@ -85,8 +85,8 @@ class Part:
 
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
     `asked` are the answers that the file asks for, none where it does not say; a decimal must have `digits` significant
-    ones to be judged. `partial` says what wrong answers can earn, where anything is said of them. `show` is what a
-    paper shows of it.
+    ones to be judged, and may have a comma where `decimal_comma` says so. `partial` says what wrong answers can earn,
+    where anything is said of them. `show` is what a paper shows of it.
     `symbols` and `parameters` are those of a part that has its own, `assumed` what its own `assume` says of symbols,
     `conditions` all that hold in it. `decimals_typed` tells that its question holds decimals. `places` tells where its
     task, its options and the conditions stand in the file.
@@ -108,6 +108,7 @@ class Part:
     asked: tuple[str, ...] = ()
     digits: int = DIGITS
     partial: Mapping[str, Partial] = field(default_factory=dict)
+    decimal_comma: bool = False
     show: Show = Show()
     decimals_typed: bool = False
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from solver.derivation import Option, Task
 from solver.derivation.conversion import reachable
-from solver.problem.asked import answer_named, given_by, read_asked, read_digits
+from solver.problem.asked import answer_named, given_by, read_asked, read_comma, read_digits
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
 from solver.problem.model import Part, Partial, Reference, Show
@@ -20,7 +20,7 @@ from solver.problem.systems import NOTHING
 from solver.systems import StateSpace, System
 
 OWN_KEYS = ("task", "method", "marks", "prompt", "system", "assume", "conditions", "answers", "digits", "partial",
-            "show")  # fmt: skip
+            "decimal_comma", "show")  # fmt: skip
 IN_WORDS = {
     "transfer_function": "a transfer function (or A, B and C)",
     "matrix": "a matrix",
@@ -43,11 +43,12 @@ class PlantOf(NamedTuple):
 
 
 class Usual(NamedTuple):
-    """What a problem says of all its parts: what a paper shows, digits of decimals, what wrong answers can earn."""
+    """What a problem says of all its parts: what a paper shows, how decimals are read, what wrong answers can earn."""
 
     show: Show
     digits: int
     partial: Said
+    decimal_comma: bool = False
 
 
 class PartReader:
@@ -108,6 +109,7 @@ class PartReader:
             asked=asked,
             digits=digits,
             partial=partial,
+            decimal_comma=read_comma(mapping, default=self.usual.decimal_comma),
             show=read_show(mapping, self.usual.show),
             conditions=lexicon.chains,
             places={entry.key.text: entry.value.place for entry in mapping}

@@ -8,7 +8,7 @@ from pathlib import PurePath
 from typing import Any
 
 from solver.derivation import Task
-from solver.problem.asked import read_digits
+from solver.problem.asked import read_comma, read_digits
 from solver.problem.conditions import check_occurring
 from solver.problem.files import load
 from solver.problem.lexicon import Declarations, Lexicon, check_used, read_lexicon
@@ -129,7 +129,8 @@ class _ProblemReader:
         `by_names` tells that the values of parameters hold decimals, `typed` that these or the common system do.
         """
         digits = DIGITS if self.spoilt("digits") else read_digits(self.root, DIGITS, self.report)
-        reader = PartReader(self.catalogue, self.lexicon, Usual(self.show, digits, self.partial()))
+        usual = Usual(self.show, digits, self.partial(), read_comma(self.root, default=False))
+        reader = PartReader(self.catalogue, self.lexicon, usual)
         parts: list[Part] = []
         find = self.root.get("find")
         for entry in find if isinstance(find, MappingNode) else ():

@@ -46,6 +46,8 @@ def _either(expected: str) -> Discriminator:
     return Discriminator(kind_of_value, custom_error_type="expected", custom_error_message=expected)
 
 
+YES_OR_NO = ("yes", "no", True, False)
+YesOrNo = Annotated[Literal["yes", "no", True, False], Schema({"enum": [*YES_OR_NO]})]
 Text = Annotated[str, Schema({"type": ["string", "number"]})]
 Value = Annotated[str, Schema({"type": ["number", "string"]})]
 Values = Annotated[
@@ -228,6 +230,7 @@ class PartShape(BaseModel):
     answers: Values = optional("the answers that are asked for and earn the marks")
     digits: Value = optional("significant digits that a student's decimal must have")
     partial: Partial = optional("what wrong answers earn: entries, none, named, by answer, or by mistake: {sign: 1}")
+    decimal_comma: YesOrNo = optional("whether students may write 1,5 for 1.5, where the part differs from the problem")
     show: ShowShape = optional("what a paper shows of the part; false leaves out what would give it away")
     system: System = optional("the part's own system")
     parameters: Parameters = optional("the part's own values of symbols, which win over those of the problem")
@@ -264,6 +267,7 @@ class ProblemShape(Shape):
     display: Display = optional("how numbers are shown")
     digits: Value = optional("significant digits that a student's decimals must have, 2 if nothing is said")
     partial: Partial = optional("what wrong answers of all parts earn: entries (if nothing is said), none or named")
+    decimal_comma: YesOrNo = optional("whether students may write 1,5 for 1.5; lists are then separated by ;")
     show: ShowShape = optional("what a paper shows of all parts")
     language: Text = optional("the language of the solution: en, de")
     notation: Text = optional("the symbols of the solution: course (K_f, L_c, xi) or ogata (K, K_e, zeta)")

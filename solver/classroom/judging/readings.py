@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import Any
+
+import sympy as sp
 
 from solver.classroom.judging.question import Question
 from solver.classroom.submitted import Submitted
@@ -29,7 +32,14 @@ def judged_by_readings(
         if len(right) == 1 or (right and len(right) == len(readings)):
             chosen[name] = right[0]
         elif readings:
-            reason = Reason("marking/several_readings", {"readings": [read.value for read in readings]})
+            reason = Reason("marking/several_readings", {"readings": [_as_told(read.value) for read in readings]})
             unclear[name] = AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason)
     found = {**unclear, **judge(question, {name: chosen[name] for name in submitted if name in chosen})}
     return {name: found[name] for name in submitted}
+
+
+def _as_told(value: Any) -> Any:
+    """A value as one object of sympy, which a reason can show."""
+    if isinstance(value, Mapping):
+        return sp.Dict(value)
+    return sp.Tuple(*map(_as_told, value)) if isinstance(value, list | tuple) else value

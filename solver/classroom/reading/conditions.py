@@ -10,7 +10,7 @@ import sympy as sp
 
 from solver.classroom.reading.brackets import matching, split
 from solver.classroom.reading.words import NO, YES
-from solver.problem.expressions import ExpressionError, Names, parse_equation, parse_expression
+from solver.problem.expressions import ExpressionError
 
 MAX_NESTING = 12
 RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!=", sp.Ne), ("≠", sp.Ne), ("<", sp.Lt),
@@ -23,11 +23,10 @@ _INTERVAL = re.compile(r"^(.+?)\s*(?:∈|\bin\b)\s*([\[\](])([^,;]+)[,;]([^,;]+)
 
 
 class ConditionReader:
-    """Reads conditions; `plain` puts an expression into our notation."""
+    """Reads conditions; `side` reads what stands beside their signs."""
 
-    def __init__(self, names: Names, plain: Callable[[str], str]) -> None:
-        self.names = names
-        self.plain = plain
+    def __init__(self, side: Callable[[str], Any]) -> None:
+        self.side = side
 
     def read(self, text: str) -> Any:
         """Return the condition, True for "always", False for "never". Raises ExpressionError."""
@@ -41,7 +40,7 @@ class ConditionReader:
         if depth > MAX_NESTING:
             raise ExpressionError("the condition is nested too deeply", 0, len(text))
         if found := _EQUATION.match(text):
-            sides = [self._side(side) for side in split(found[2], ",")]
+            sides = [self.side(side) for side in split(found[2], ",")]
             if len(sides) != 2:
                 raise ExpressionError(f"{found[1]} has two sides", 0, len(text))
             return sp.Eq(*sides, evaluate=False) if found[1] == "Eq" else sp.Ne(*sides)
@@ -56,7 +55,7 @@ class ConditionReader:
 
     def _interval(self, found: re.Match[str]) -> Any:
         """K in (0, 6], or ]0, 6]; a bound of infinity is none."""
-        name, lower, upper = (self._side(found[i]) for i in (1, 3, 4))
+        name, lower, upper = (self.side(found[i]) for i in (1, 3, 4))
         below = sp.Le(lower, name) if found[2] == "[" else sp.Lt(lower, name)
         above = sp.Le(name, upper) if found[5] == "]" else sp.Lt(name, upper)
         bounds = [each for each, bound in ((below, lower), (above, upper)) if bound not in (sp.oo, -sp.oo)]
@@ -68,14 +67,10 @@ class ConditionReader:
         if not signs:
             raise ExpressionError("a condition such as 0 < K < 6 is expected here", 0, len(text))
         if signs in (["="], ["=="]):
-            left, right = _RELATION.split(text)
-            return [sp.Eq(*parse_equation(f"{self.plain(left)}={self.plain(right)}", self.names), evaluate=False)]
-        sides = [self._side(side) for side in _RELATION.split(text)]
+            return [sp.Eq(*map(self.side, _RELATION.split(text)), evaluate=False)]
+        sides = [self.side(side) for side in _RELATION.split(text)]
         relations: dict[str, Any] = dict(RELATIONS) | {"==": sp.Eq}
         try:
             return [relations[sign](sides[i], sides[i + 1]) for i, sign in enumerate(signs)]
         except TypeError:
             raise ExpressionError("only real quantities can be compared", 0, len(text)) from None
-
-    def _side(self, text: str) -> Any:
-        return parse_expression(self.plain(text).strip(), self.names)

@@ -15,6 +15,10 @@ from solver.symbols import NOTATIONS
 
 _LABEL = re.compile(r"^\s*([^=<>≤≥≠!:≈\[\]]{1,80}?)\s*(?::=|==|=|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
 _NAME = re.compile(r"\\?[^\W\d][\w\s\\{},*'′]*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\|", re.DOTALL)
+_RANGE = re.compile(
+    r"\s*[,;]?\s*\(?(?:\\quad\s*|\\text\{[^{}]*\}\s*|for|für|if|where|when|with|wenn)?\s*"
+    r"\b[tk]\s*(?:>=?|≥|\\geq?\b)\s*0\s*\)?\s*[.$]?\s*$"
+)
 _INDEX = re.compile(r"(\d+)\D*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
 _DECORATION = re.compile(r"\\(?:text|mathrm|mathcal|operatorname|bar|hat|tilde|left|right|mathbf)\b|[\\${}_\s*^]")
@@ -48,6 +52,11 @@ class Labels:
         if self.name and foreign:
             raise ForeignLabelError(f"it is labelled {found[1].strip()}, and {self.name} is asked for")
         return (found[2].strip(), True) if _NAME.fullmatch(found[1].strip()) else (text, False)
+
+
+def without_range(text: str) -> str:
+    """Return a function of time without "for t >= 0" behind it."""
+    return _RANGE.sub("", text)
 
 
 def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:

@@ -56,7 +56,7 @@ class Unfolding:
         items: list[Node] = []
         pieces = [by_spaces(item.text) if isinstance(item, ScalarNode) else [] for item in node.items]
         plain = all(isinstance(item, ScalarNode) and item.style == "plain" for item in node.items)
-        if self.grid and len(node.items) == 1 and plain and len(pieces[0]) > 1:
+        if len(node.items) == 1 and plain and len(pieces[0]) > 1:
             (only,) = node.items
             return SequenceNode(node.place, tuple(self._leaves(only, typed(only))), node.braces)
         if self.grid and plain and all(len(each) > 1 and are_numbers(each) for each in pieces):
@@ -139,9 +139,9 @@ class Unfolding:
     def _leaves(self, node: Node, text: str, depth: int = 0) -> list[Node]:
         """The entries between spaces; what is no plain number may as well be one product, or one sum."""
         pieces = by_spaces(text)
-        several = self.grid and len(pieces) > 1
+        several = len(pieces) > 1
         if several and not are_numbers(pieces):
-            several = self.choices.choose("spaces", (True, False))
+            several = self.grid and self.choices.choose("spaces", (True, False))
         return [self.text(node, piece, depth + 1) for piece in (pieces if several else [text])]
 
 
@@ -196,7 +196,8 @@ def _scaled(text: str) -> tuple[str, str, str] | None:
     end = matching(text, start)
     before, after = text[:start].strip().rstrip("*·×").strip(), text[end + 1 :].strip()
     bare = not any(sign in before + after for sign in "[]{},;=")
-    if not bare or not (before or after) or end == len(text) or before[-1:] in ("/", "^"):
+    called = text[:start][-1:].isalpha()  # Sin[t] of Mathematica
+    if not bare or called or not (before or after) or end == len(text) or before[-1:] in ("/", "^"):
         return None
     if after and after[0] not in "*/":
         return None

@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+import sympy as sp
+
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.latex import is_latex, translated
 from solver.classroom.reading.spelling import respelled
@@ -84,12 +86,15 @@ def _with_signs(text: str, choices: Choices) -> str:
 
 def _with_steps(text: str, names: Names) -> str:
     """u(t - 2), σ(t), 1(t) as step(t - 2), … where the problem has no such name."""
-    own = {*names.symbols, *names.values, *names.functions}
-    free = [name for name in _STEPS if name not in own]
-    calls = re.compile(
-        rf"(?:(?<![A-Za-z_])(?:{'|'.join(free)})|(?<![\w.)])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tk])(?!\w))"
-    )
-    return calls.sub(lambda found: found[0] if found[1] in own else "step(", text)
+    declared = {*names.symbols, *names.values, *names.functions}
+    free = "|".join(name for name in _STEPS if name not in declared)
+    call = re.compile(rf"(?:(?<![A-Za-z_])(?:{free})|(?<![\w.)])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tk])(?!\w))")
+    return call.sub(lambda found: found[0] if _is_parameter(found[1], names) else "step(", text)
+
+
+def _is_parameter(name: str, names: Names) -> bool:
+    """Whether the problem gives the name of a variable of time to something else."""
+    return name in names.values or names.symbols.get(name, sp.Symbol(name)) != sp.Symbol(name)
 
 
 def _with_units(text: str, names: Names) -> str:

@@ -17,7 +17,8 @@ from solver.classroom.reading.notations import has_bare_call, plain
 from solver.classroom.reading.spelling import respelled
 from solver.classroom.reading.units import without_unit
 from solver.classroom.submitted import Decimal
-from solver.problem.expressions import Doubt, Names, parse_written
+from solver.problem.expressions import Doubt, ExpressionError, Names, parse_written
+from solver.problem.expressions.notation import MAX_CHARACTERS
 from solver.problem.nodes import Node
 
 Pair = tuple[Any, Any]
@@ -57,9 +58,24 @@ class TextReader:
     def condition(self, node: Node) -> Any:
         """Return a condition such as "0 < K < 6", True for "always", False for "never"; raises Fault."""
         text = text_of(node)
+        if len(text) > MAX_CHARACTERS:
+            raise node.fault(f"a condition is longer than {MAX_CHARACTERS} characters")
         with At(node):
             text = translated(text) if is_latex(text) else text
-            return ConditionReader(self.names, self._plain).read(text)
+            return ConditionReader(self._side).read(text)
+
+    def _side(self, text: str) -> Any:
+        """One side of a condition, where decimals stand for themselves. Raises ExpressionError."""
+        (value, _), *others = parse_written(self._plain(text), self.names, {}, self._decide)
+        if others:
+            raise ExpressionError("± stands for two values; one is expected here", 0, len(text))
+        return value
+
+    @property
+    def ones(self) -> dict[Any, Any]:
+        """What u(t) is where an answer holds from t = 0 on, and ours does without it."""
+        t, k = (self.names.variables.get(name, sp.Symbol(name)) for name in ("t", "k"))
+        return {sp.Heaviside(k + sp.S.Half) if self.discrete else sp.Heaviside(t): sp.S.One}
 
     def _decide(self, doubt: Doubt) -> bool:
         self.respelt = True
@@ -67,7 +83,9 @@ class TextReader:
         return self.choices.choose(doubt, (usual, not usual))
 
     def _plain(self, text: str) -> str:
-        """A text in our notation, without its unit."""
+        """A text in our notation, without its unit; one that is too long stays as it is, and is refused."""
+        if len(text) > MAX_CHARACTERS:
+            return text
         bare = without_unit(text, self.unit)
         found = polynomials.with_quotients(bare, "z" if self.discrete else "s")
         found = plain(found, self.names, self.choices)

@@ -16,12 +16,13 @@ import sympy as sp
 from solver.classroom.reading import polynomials, words
 from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.expected import Expected
-from solver.classroom.reading.labels import ForeignLabelError, without_labels
+from solver.classroom.reading.labels import ForeignLabelError, without_labels, without_range
+from solver.classroom.reading.likeness import has_step, is_condition, is_like
 from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.nodes import flat, is_trivial, labelled, lower, only, rows_of, text_of
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import Pair, TextReader
-from solver.classroom.submitted import Submitted
+from solver.classroom.submitted import Submitted, replaced
 from solver.problem.expressions import Names
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.problem.source import Fault, Report
@@ -60,7 +61,7 @@ class Reader:
                 found.append(each)
         if not found:
             raise faults[0]
-        found = [each for each in found if _is_like(each.value, ours)] or found
+        found = [each for each in found if is_like(each.value, ours)] or found
         if len(found) == 1:
             return found[0]
         first, *others = (replace(each, respelt=True) for each in found)
@@ -69,14 +70,20 @@ class Reader:
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:
         self.texts = TextReader(self.names, choices, self.expected.unit, discrete=self.discrete)
         value, form = self._read(self._unlabelled(node, ours), ours)
+        if not has_step(ours):
+            later = replaced(value, self.texts.ones)
+            self.texts.respelt = self.texts.respelt or later != value
+            value, form = later, replaced(form, self.texts.ones)
         return Submitted(value, form, dict(self.texts.decimals), typed(node), self.texts.respelt)
 
     def _unlabelled(self, node: Node, ours: Any) -> Node:
         """A text without the label before it; where an equation, a condition or a mapping is asked for it has none."""
-        if not isinstance(node, ScalarNode) or isinstance(ours, Mapping) or _is_condition(ours):
+        if not isinstance(node, ScalarNode) or isinstance(ours, Mapping) or is_condition(ours):
             return node
-        text = polynomials.one_side(node.text) if polynomials.variable_of(ours) is not None else node.text
-        self.texts.respelt = self.texts.respelt or text != node.text
+        text = without_range(node.text)
+        if polynomials.variable_of(ours) is not None:
+            text = polynomials.one_side(text)
+            self.texts.respelt = self.texts.respelt or text != node.text
         try:
             text, foreign = self.expected.labels.without(text)
         except ForeignLabelError as error:
@@ -89,7 +96,7 @@ class Reader:
             return (self._word(node, ours),) * 2
         if isinstance(ours, bool):
             return (self._truth(node),) * 2
-        if _is_condition(ours):
+        if is_condition(ours):
             return (self.texts.condition(node),) * 2
         if isinstance(ours, sp.Set | list | tuple):
             return self._set(node, ours)
@@ -143,7 +150,7 @@ class Reader:
 
     def _list(self, node: Node, ours: Sequence[Any]) -> Pair:
         """A list of expressions (with ± for two), of matrices, of conditions, or of words."""
-        grid = not (ours and (_is_condition(ours[0]) or isinstance(ours[0], sp.MatrixBase | str)))
+        grid = not (ours and (is_condition(ours[0]) or isinstance(ours[0], sp.MatrixBase | str)))
         node = self._unfolded(node, grid=grid)
         if isinstance(node, MappingNode):
             node = SequenceNode(node.place, tuple(labelled(entry) for entry in node))
@@ -154,7 +161,9 @@ class Reader:
         values: list[Any] = []
         forms: list[Any] = []
         report = Report()
-        for item in self._unlabelled_items(flat(items)):
+        if len(flat(items)) > MAX_ENTRIES:
+            raise node.fault(f"a list of more than {MAX_ENTRIES} items cannot be read")
+        for item in self._unlabelled_items(flat(items)) or flat(items):
             with report:
                 for value, form in self.texts.alternatives(item):
                     values.append(value)
@@ -163,14 +172,14 @@ class Reader:
         return values, forms
 
     def _unlabelled_items(self, items: Sequence[Node]) -> Sequence[Node]:
-        """Items such as λ_1 = -1 without what names them."""
+        """Items such as λ_1 = -1 without what names them; nothing where none has a name."""
         texts = [item for item in items if isinstance(item, ScalarNode)]
         if len(texts) != len(items):
-            return items
+            return []
         found, labelled = without_labels([item.text for item in texts])
         self.texts.respelt = self.texts.respelt or labelled
         if not labelled:
-            return items
+            return []
         return [ScalarNode(item.place, text, "quoted") for item, text in zip(texts, found, strict=True)]
 
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:
@@ -179,6 +188,8 @@ class Reader:
         node = self._unfolded(node, grid=True)
         if is_trivial(node):
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
+        if isinstance(node, SequenceNode) and (named := self._unlabelled_items(flat(node.items))):
+            node = SequenceNode(node.place, tuple(named))
         rows = rows_of(node, ours)
         if any(len(row) != len(rows[0]) for row in rows):
             raise node.fault("the rows of a matrix must have the same length")
@@ -222,19 +233,3 @@ class Reader:
         renamed = polynomials.in_variable(read, variable, known)
         self.texts.respelt = self.texts.respelt or renamed[0] != read[0]
         return renamed
-
-
-def _is_condition(ours: Any) -> bool:
-    return isinstance(ours, sp.logic.boolalg.Boolean) and not isinstance(ours, sp.Expr)
-
-
-def _is_like(value: Any, ours: Any) -> bool:
-    """Whether a value has the shape of ours, where shapes can be told."""
-    if isinstance(value, sp.MatrixBase) and isinstance(ours, sp.MatrixBase):
-        return bool(value.shape == ours.shape)
-    if isinstance(value, list) and isinstance(ours, list | tuple):
-        return len(value) == len(ours)
-    variable = polynomials.variable_of(ours)
-    if variable is None or not isinstance(value, sp.Expr) or not value.is_polynomial(variable):
-        return variable is None
-    return bool(sp.degree(value, variable) == sp.degree(ours, variable))

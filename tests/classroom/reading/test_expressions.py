@@ -10,7 +10,7 @@ s, t, lamda = sp.symbols("s t lamda")
 x1, x_dot, p11, p12, p22 = sp.symbols("x1 x_dot p11 p12 p22", real=True)
 i = sp.I
 step = sp.Heaviside
-NAMED = x1 + x_dot + p11 + p12 + p22
+NAMED = step(t - 5) + x1 + x_dot + p11 + p12 + p22
 
 
 @pytest.mark.parametrize(
@@ -152,6 +152,12 @@ def test_what_is_no_polynomial_in_one_unknown_name_stays_as_it_is(text):
     assert not found.respelt
 
 
+@pytest.mark.parametrize("text", ["[13 -10.4]", "'[13 -10.4]'", "[1 2]", "'[1; 2]'", "[[1], [2]]", "(1, 2)"])
+def test_two_values_are_never_one(text):
+    with pytest.raises(Fault):
+        read(text, a)
+
+
 def test_decimals_keep_their_digits_in_every_notation():
     for text in (r"\frac{0.67}{2} a", "0.67 a/2", "'[0.67]'"):
         ((_, decimal),) = read(text, a).decimals.items()
@@ -161,3 +167,10 @@ def test_decimals_keep_their_digits_in_every_notation():
     found = read("e^-2.5t", a)
     ((symbol, _),) = found.decimals.items()
     assert found.form == sp.exp(-symbol * t)
+
+
+def test_an_answer_from_zero_on_may_be_written_with_the_step():
+    found = read("e^-t u(t)", sp.exp(-t))
+    assert (found.value, found.respelt) == (sp.exp(-t), True)
+    assert read("e^-t u(t - 1)", sp.exp(-t)).value == sp.exp(-t) * step(t - 1)
+    assert read("e^-t u(t)", sp.exp(-t) * step(t - 1)).value == sp.exp(-t) * step(t)

@@ -1,0 +1,32 @@
+"""The kind of our own answer, by which a student's is read, and whether what is read has its shape."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.reading import polynomials
+
+
+def has_step(ours: Any) -> bool:
+    """Whether our own answer says when it begins."""
+    values = ours if isinstance(ours, list | tuple) else [ours]
+    return any(isinstance(each, sp.Basic) and each.has(sp.Heaviside) for each in values)
+
+
+def is_condition(ours: Any) -> bool:
+    """Whether our own answer is a condition on parameters."""
+    return isinstance(ours, sp.logic.boolalg.Boolean) and not isinstance(ours, sp.Expr)
+
+
+def is_like(value: Any, ours: Any) -> bool:
+    """Whether a value has the shape of ours, where shapes can be told."""
+    if isinstance(value, sp.MatrixBase) and isinstance(ours, sp.MatrixBase):
+        return bool(value.shape == ours.shape)
+    if isinstance(value, list) and isinstance(ours, list | tuple):
+        return len(value) == len(ours)
+    variable = polynomials.variable_of(ours)
+    if variable is None or not isinstance(value, sp.Expr) or not value.is_polynomial(variable):
+        return variable is None
+    return bool(sp.degree(value, variable) == sp.degree(ours, variable))
