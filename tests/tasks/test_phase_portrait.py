@@ -1,5 +1,7 @@
 """Kinds of phase portraits, figures of exact trajectories, refusals, corruptions."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -9,6 +11,7 @@ from scipy.linalg import expm
 
 import solver
 from solver.derivation import Status
+from solver.numeric.judges import stability
 from solver.problem.source import InputError
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.tried import tried
@@ -117,6 +120,23 @@ def test_parameters_are_taken_as_general_and_the_exceptions_named(name):
     assert result.answers["kind"] == kind
     assert result.answers["exceptions"] == exceptions
     assert "general" in [step.kind for step in result.steps]
+
+
+@pytest.mark.parametrize("name", GENERAL)
+def test_wherever_the_kind_is_another_the_case_says_which(name):
+    plant = system(GENERAL[name][0])
+    result = ask("phase_portrait", plant)
+    cases = next(step.values["others"] for step in result.steps if step.kind == "general")
+    symbols = sorted(plant.A.free_symbols, key=str)
+    values = [sp.Rational(value, 4) for value in (-12, -8, -4, -1, 0, 1, 2, 4, 5, 8, 12)] + [-sp.sqrt(2)]
+    for point in product(values, repeat=len(symbols)):
+        here = dict(zip(symbols, point, strict=True))
+        if any(value <= 0 for x, value in here.items() if x.is_positive) or plant.A.subs(here).has(sp.zoo):
+            continue
+        (kind,), _ = stability.kinds_and_exceptions(sp.ImmutableMatrix(plant.A.subs(here)), ())
+        holding = [kinds for case, kinds in cases if all(sp.sign(sp.expand(x.subs(here))) == sign for x, sign in case)]
+        assert kind in (holding[0] if holding else [result.answers["kind"]]), here
+        assert len(holding) < 2
 
 
 @pytest.mark.parametrize("name", [name for name in GENERAL if len(GENERAL[name][2]) == 1 and name != "a star"])

@@ -14,6 +14,7 @@ from solver.stated.matrices import determinant, trace
 from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
+from solver.tasks.stability.planar_kinds import kind_by_signs, other_cases
 from solver.tasks.stability.trajectories import portrait_of
 from solver.words import Reason
 
@@ -74,7 +75,7 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
         },
     )
     found = exact.planar_signs(A)
-    signs, kind = found.signs, _kind(A, *found.signs)
+    signs, kind = found.signs, kind_by_signs(A, *found.signs)
     if found.exceptions:
         yield Step(
             "general",
@@ -88,6 +89,7 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
                 if is_open
             ],
             exceptions=list(found.exceptions),
+            others=list(other_cases(A, (tr, det, discriminant), found)),
         )
     yield from _directions(A, kind, found)
     yield Step("kind", unclaimed="read off; the answer has a check of its own", kind=kind, equilibria=_equilibria(A))
@@ -105,20 +107,6 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
         )
     answers = Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
     return Answers(**answers, exceptions=list(found.exceptions)) if found.exceptions else answers
-
-
-def _kind(A: ImmutableMatrix, tr: int, det: int, discriminant: int) -> str:
-    """The kind by the signs of trace, determinant and discriminant."""
-    speed = "stable" if tr < 0 else "unstable"
-    if det < 0:
-        return "saddle"
-    if det == 0:
-        return "line of equilibria" if tr else "all points are equilibria" if A.is_zero_matrix else "shear"
-    if discriminant < 0:
-        return f"{speed} focus" if tr else "center"
-    if discriminant > 0:
-        return f"{speed} node"
-    return f"{speed} star" if A[0, 1] == 0 and A[1, 0] == 0 else f"{speed} degenerate node"
 
 
 def _directions(A: ImmutableMatrix, kind: str, found: exact.PlanarSigns) -> Derivation[None]:
@@ -178,7 +166,7 @@ def kind_of(_given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]) -
         return None
     tr, det, discriminant = sum(values), values[0] * values[1], (values[0] - values[1]) ** 2
     signs = [_sign(sp.re(sp.N(x, 30))) for x in (tr, det, discriminant)]
-    return _kind(sp.ImmutableMatrix(sp.eye(2)), *signs)
+    return kind_by_signs(sp.ImmutableMatrix(sp.eye(2)), *signs)
 
 
 def _sign(x: Any) -> int:
