@@ -241,6 +241,20 @@ def test_whatever_the_slip_its_consequences_are_right_and_a_slip_in_these_is_not
         assert right[0] == ("wrong" if name == slip else "correct"), (part, name, right)
 
 
+def test_of_two_readings_the_one_that_follows_counts():
+    problem = """
+system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}
+find:
+  a: {task: pole_placement, method: ackermann, poles: [-4, -5]}
+  b: {task: response, gain: {from: a}, kind: zero_input, initial_state: [1/2, 0]}
+  c: {task: response, kind: zero_input, initial_state: [1/2, 0]}
+"""
+    found = said(problem, "{a: {K: [16, 6]}, b: {y: e^(-3t) - 1/2 e^(-6t)}}")
+    assert found == {"a": {"K": WRONG}, "b": {"y": FOLLOWS}, "c": {}}
+    found = said(problem, "{c: {x: [e^(-t) - 1/2 e^(-3t), -e^(-t) + 3/2 e^(-3t)], y: e^(-t) - 1/2 e^(-3t)}}")["c"]
+    assert found["y"] != RIGHT
+
+
 def test_what_only_own_values_can_judge_is_judged_by_them():
     # two outputs: many gains L place the poles, so J, N and M are judged by the one submitted, which is wrong here
     problem = """

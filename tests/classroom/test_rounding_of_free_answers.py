@@ -32,6 +32,20 @@ def test_a_decimal_off_by_more_than_its_rounding_is_not_excused_by_those_of_the_
     assert sum(word == "correct" for row in found.entries for word in row) == 6
 
 
+@pytest.mark.parametrize(
+    ("vectors", "right"),
+    [
+        ("[[2, 2], [2.4, -2.4]]", True),
+        ("[[2, 2], [2.5, -2.5]]", False),
+        ("[[1, 1], [1.22, -1.22]]", True),
+        ("[[1, 1], [1.23, -1.23]]", False),
+    ],
+)
+def test_half_a_unit_is_half_a_unit(vectors, right):
+    surds = "{system: {A: [[1, 2], [3, 1]]}, find: {a: eigenstructure}}"  # columns (2, ±√6), √6 = 2.4495
+    assert (verdict(surds, "a", "right_eigenvectors", vectors).verdict == "correct") == right
+
+
 GAIN = """
 system: {A: [[0, 1], [0, 0]], B: [[1, 0], [0, 1]]}
 find:

@@ -47,10 +47,13 @@ def _candidates(
     yield again, []
     if again.verdict is Verdict.CORRECT:
         return
-    for entries, of in answers.compared(name):
+    for reading, entries, of in answers.compared(name):
         right = all_right(entries)
-        verdict = replace(again, verdict=Verdict.CORRECT if right else Verdict.WRONG, reason="", entries=entries)
-        yield verdict, [(part.id, each) for each in of]
+        which = Verdict.CORRECT if right else Verdict.WRONG
+        yield (
+            replace(again, verdict=which, value=reading.value, reason="", entries=entries),
+            [(part.id, each) for each in of],
+        )
         if right:
             return
 

@@ -76,9 +76,9 @@ class OwnAnswers:
                 yield Value(found, own)
 
     def _submitted(self, name: str) -> Submitted | None:
-        """The value submitted, where it is another than ours and not a trivial one; coarse decimals as they stand."""
+        """The value submitted, where it is clear, another than ours and not trivial; coarse decimals as they stand."""
         each, ours = self.submitted.get(name), self.ours.get(name)
-        if each is None or each.value == ours or trivial(each.value, ours):
+        if each is None or each.others or each.value == ours or trivial(each.value, ours):
             return None
         return each.with_digits(self.question.digits)
 
@@ -98,15 +98,16 @@ class OwnAnswers:
         found = {**self.ours, **dict(zip(formula.of, sources, strict=True))}
         return formula.formula(self.question.given, found)
 
-    def compared(self, name: str) -> Iterator[tuple[Any, tuple[str, ...]]]:
-        """Yield the entries of a submitted value compared with what follows, and from which own answers it does."""
+    def compared(self, name: str) -> Iterator[tuple[Submitted, Any, tuple[str, ...]]]:
+        """Yield a reading of a submitted value, its entries beside what follows, and from which own answers it does."""
         each = self.submitted[name]
-        each = each.with_digits(self.question.digits)
         ordered = self.question.task.answers[name].ordered
         for value in self.following(name):
-            both = replace(each, decimals={**each.decimals, **value.what.decimals})
-            if (entries := entrywise(both, value.what.form, ordered=ordered)) is not None:
-                yield entries, value.own
+            for reading in (each, *each.others):
+                firm = reading.with_digits(self.question.digits)
+                both = replace(firm, decimals={**firm.decimals, **value.what.decimals})
+                if (entries := entrywise(both, value.what.form, ordered=ordered)) is not None:
+                    yield reading, entries, value.own
 
 
 def _plain(value: Any) -> Submitted:

@@ -8,8 +8,11 @@ import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
 
-ENOUGH = 0.02
-"""What may be left of a residual, beside what the unknowns change in it: curvature, and halves rounded either way."""
+ENOUGH = 0.002
+"""What may be left of a residual, beside what the unknowns change in it."""
+
+CURVED = 0.02
+"""By so much tangents may lie above residuals that are not quite linear."""
 
 TINY = 1e-12
 """A residual of numbers that agree in doubles."""
@@ -33,7 +36,7 @@ def can_vanish(sizes: Sizes, unknowns: int) -> bool:
     u = np.zeros(unknowns)
     start = sizes(u)
     reach = _reach(sizes, start, unknowns) + TINY
-    if np.any(start > (1 + ENOUGH) * reach):
+    if np.any(start > (1 + CURVED) * reach):
         return False
     slopes, levels = np.empty((0, unknowns)), np.empty(0)
     for _ in range(MOST_CUTS):
@@ -43,7 +46,7 @@ def can_vanish(sizes: Sizes, unknowns: int) -> bool:
         slope = _slopes(sizes, u) / reach[:, None]
         slopes, levels = np.concatenate([slopes, slope]), np.concatenate([levels, found - slope @ u])
         u, least = _lowest(slopes, levels)
-        if least > ENOUGH:
+        if least > CURVED:
             return False
     return False
 
