@@ -46,7 +46,7 @@ def _points(A: Any, exceptions: Sequence[Any]) -> Iterator[dict[Any, Any]]:
     drawn = [{symbol: random_value(symbol, random) for symbol in symbols} for _ in range(POINTS)]
     tr, det = A[0, 0] + A[1, 1], A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0]
     named = [sp.Eq(sp.expand(x), 0) for x in (tr, det, tr**2 - 4 * det, A[0, 1], A[1, 0])]
-    edges = [each for each in (*exceptions, *named) if isinstance(each, sp.Basic) and each not in (sp.true, sp.false)]
+    edges = [each for each in (*exceptions, *named) if isinstance(each, sp.Basic)]
     moved = [place for point in drawn[:EDGES] for each in edges for place in on_edges(each, point)]
     lines = dict.fromkeys(_along(point, symbol) for point in drawn[:EDGES] for symbol in symbols)
     roots = [{**dict(rest), x: root} for x, *rest in lines for each in edges for root in _roots(each, x, dict(rest))]
