@@ -21,7 +21,8 @@ INTERRUPTED = 130
 EPILOG = """\b
 Exit codes:
   0  every part is solved and every check passed
-  1  a part could not be solved, a check failed, or (check) an answer is wrong
+  1  a part could not be solved, a check failed, or (check) an answer is wrong,
+     or with --syntax not read
   2  the input is at fault
 """
 

@@ -11,8 +11,9 @@ from solver.classroom import Marking, Submission, mark, mark_each
 from solver.classroom.changed import changed
 from solver.classroom.reading.change_file import Changes, StudentChanges, read_changes
 from solver.classroom.report.table import as_csv, columns_of
+from solver.cli.bugs import report_bug
 from solver.cli.delivery import Delivery
-from solver.cli.destination import STANDARD, write_whole
+from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.papers import CheckRequest, Paper, Problems, files_in, told_apart
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
@@ -98,8 +99,21 @@ class _Desk:
                 codes.append(code)
             meter.next_file()
             self.rows.append((paper.name, marking))
-            self.delivery.hand_back(paper, marking, self.problems)
+            codes.append(self._hand_back(paper, marking))
         return max(codes)
+
+    def _hand_back(self, paper: Paper, marking: Marking | None) -> int:
+        """Hand a paper back; whatever goes wrong becomes words on standard error and an exit code."""
+        try:
+            self.delivery.hand_back(paper, marking, self.problems)
+        except AtFault as error:
+            click.echo(f"{paper.name}: error: {error.format_message()}", err=True)
+            return error.exit_code
+        except BrokenPipeError:
+            raise  # it concerns all papers
+        except Exception as bug:  # noqa: BLE001 - the boundary of a paper: a bug in one must not stop the rest
+            return report_bug(bug, paper.name)
+        return SOLVED
 
     def _with_changes(self, paper: Paper, marking: Marking) -> tuple[Marking, int]:
         """Return the marking with the instructor's changes, and its exit code."""

@@ -18,6 +18,7 @@ from solver.classroom.report.words import number, to_be_reviewed
 from solver.cli.destination import STANDARD, write_whole
 from solver.cli.papers import CheckRequest, Paper, Problems
 from solver.cli.solving import in_words
+from solver.messages import Messages
 from solver.words import Phrase
 
 SUFFIXES = {"html": ".marked.html", "json": ".marked.json", "text": ".marked.txt"}
@@ -32,6 +33,8 @@ class Delivery:
         self.stems = _stems(files)
         self.format = request.chosen_format
         self.items: list[dict[str, Any]] = []
+        self.to_review: list[str] = []
+        self.messages = Messages()
         output = request.output or ""
         place = Path(output)
         folder = bool(output) and (place.is_dir() or output.endswith("/"))
@@ -42,12 +45,16 @@ class Delivery:
 
     def hand_back(self, paper: Paper, marking: Marking | None, problems: Problems) -> None:
         """Write or print the marking of a paper; of one at fault there is none."""
+        if marking is None or marking.needs_review:
+            self.to_review.append(paper.name)
+        if marking is not None:
+            self.messages = problems.messages(paper.problem)
         if self.is_list:
             self.items.append({"file": paper.name, **_data(paper, marking)})
         if marking is None or self.is_list:
             return
         content = self._content(paper, marking, problems)
-        output, say = self.request.output, problems.messages(paper.problem).say
+        output, say = self.request.output, self.messages.say
         if output == STANDARD or (output is None and self.format != "html"):
             sys.stdout.write(content)
             sys.stdout.flush()
@@ -59,8 +66,11 @@ class Delivery:
         click.echo(f"{paper.name}: {'; '.join(filter(None, said))}")
 
     def conclude(self) -> None:
-        """Write or print the list of the data of all papers."""
+        """Write or print the list of the data of all papers; of texts say which files need review."""
         if not self.is_list:
+            if self.several and self.to_review and self.format == "text":
+                files = Phrase("needs review: {answers}", answers=", ".join(self.to_review))
+                click.echo(self.messages.say(files))
             return
         content = json.dumps(self.items, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
         output = self.request.output
@@ -85,7 +95,7 @@ class Delivery:
         to_terminal = self.request.output is None and sys.stdout.isatty()
         console = Console(highlight=False, width=None if to_terminal else WIDTH, force_terminal=to_terminal)
         with console.capture() as captured:
-            print_marking(marking, paper.name, console, problems.messages(paper.problem))
+            print_marking(marking, paper.name, console, self.messages)
         return captured.get()
 
     def _path(self, file: str) -> Path:

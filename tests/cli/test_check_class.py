@@ -87,6 +87,19 @@ def test_what_is_not_judged_is_said_on_the_last_line(solve, folder):
     assert "needs review: a.polynomial (not judged)" in solve("check", "problem.yaml", "class", "-f", "html").out
 
 
+def test_the_last_line_of_several_files_names_those_that_need_review(solve, folder):
+    out = solve("check", "problem.yaml", "class").out
+    assert out.splitlines()[-1] == "needs review: class/bob.yml, class/eve.yaml"
+
+
+def test_a_sheet_that_cannot_be_written_does_not_stop_the_rest(solve, folder):
+    (folder / "class" / "ada.marked.html").mkdir()
+    done = solve("check", "problem.yaml", "class", "-f", "html")
+    assert done.code == 2
+    assert "class/ada.yaml: error: cannot write" in done.err
+    assert (folder / "class" / "bob.marked.html").is_file()
+
+
 CHANGES = """\
 changes:
   Bob:
