@@ -39,7 +39,7 @@ def blank_answers(solution: Solution, problem: str = "", templates: Path | None 
     questions = {work.id: work.question for work in paper.parts}
     say = marker.messages.say
     lines = [*_comment(solution.problem.title, ""), *_comment(say(HOW), "")]
-    lines += [f"problem: {_quoted(problem)}"] if problem else []
+    lines += [" ".join(["problem:", _quoted(problem)])] if problem else []
     lines += ["student:", "answers:"]
     for part in solution.problem.parts:
         title = say(catalogue()[part.task].title)

@@ -59,5 +59,5 @@ class Marked:
         return in_a_frame(self.html(), self.solution.problem.title)
 
     def __repr__(self) -> str:
-        student = f" of {self.marking.student!r}" if self.marking.student else ""
+        student = f" {self.marking.student!r}" if self.marking.student else ""
         return f"<marked answers{student}: {number(self.marks)} of {number(self.out_of)}>"
