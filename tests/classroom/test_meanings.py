@@ -7,7 +7,7 @@ from solver.classroom.mistakes.equalities import broken
 from solver.derivation import Check, CheckStatus, Claim
 from solver.numeric import check_claim
 from solver.stated.algebra import product
-from solver.tasks.told import Told, short, told
+from solver.tasks.told import Told, short, spectrum, told
 from solver.words import formula
 from tests.helpers.marked import marked, solved
 
@@ -31,6 +31,8 @@ find:
   second: {{task: desired_poles, overshoot: "14%", settling_time: 2}}
   range: {{task: stability_range, system: {{A: [[0, 1, 0], [0, 0, 1], ["-K", -2, -3]]}}}}
   lyapunov: {{task: stability, method: lyapunov}}
+  reduced: {{task: reduced_observer, poles: [-4]}}
+  tracking: {{task: reference_tracking, poles: [-1, -2]}}
   hidden: {{task: stabilizability, system: {{A: [[-1, 0], [0, -2]], B: [1, 0]}}}}
 """
 
@@ -43,6 +45,9 @@ TOLD = [
     ("observer", "L", "[5, 0]", r"with your $L_c$ the poles are $-4 \pm j$; asked were $-5,\ -4$"),
     ("servo", "closed_loop_A", "[[0, 1, 0], [-2, -3, 1], [-1, 0, 0]]",
      r"with your $\bar{A} - \bar{B}\bar{K}$ the poles are $-2.325,\ -0.3376 \pm 0.5623j$; asked were $-3,\ -2,\ -1$"),
+    ("reduced", "L", "[[3]]", r"with your $L_c$ the poles are $-6$; asked were $-4$"),
+    ("reduced", "J", "[[-3]]", r"with your $J$ the poles are $-3$; asked were $-4$"),
+    ("tracking", "K", "[1, 1]", r"with your $K_f$ the poles are $-3,\ -1$; asked were $-2,\ -1$"),
     ("lqr", "K", "[-3, 0]", r"with your $K_f$ the poles are $-3.303,\ 0.3028$: that is not asymptotically stable"),
     ("eigen", "eigenvalues", "[-1, 3]", r"$3$ is no eigenvalue: there $\det(\lambda I - A) = 20$, not $0$"),
     ("eigen", "eigenvalues", "[-1, -1]", r"their sum is $-2$; that of the eigenvalues is the trace, $-3$"),
@@ -141,6 +146,14 @@ def test_a_check_that_passed_keeps_no_sides():
 )
 def test_numbers_are_exact_where_they_are_short(number, shown):
     assert short(number) == shown
+
+
+@pytest.mark.parametrize(
+    ("rows", "found"),
+    [([], []), ([[-3]], [Told(-3)]), ([[0, 1], [-13, -6]], [Told(-3, 2)]), ([[sp.Symbol("K")]], None)],
+)
+def test_the_eigenvalues_of_a_matrix_of_any_size_are_told(rows, found):
+    assert spectrum(sp.ImmutableMatrix(len(rows), len(rows), [x for row in rows for x in row])) == found
 
 
 def test_pairs_are_told_as_one_in_rising_order():

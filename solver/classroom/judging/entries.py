@@ -42,6 +42,23 @@ def _in_order(each: Submitted, ours: Sequence[Any]) -> list[Any]:
     return words + [str(Verdict.WRONG)] * (max(len(each.form), len(ours)) - len(words))
 
 
+def same(each: Submitted, value: Any) -> bool:
+    """Whether a submitted value is this one to the digits written; of a matrix no entry is tried after a wrong one."""
+    try:
+        if isinstance(each.value, sp.MatrixBase) and isinstance(value, sp.MatrixBase):
+            pairs = zip(each.form.flat(), value.flat(), strict=False)
+            return each.value.shape == value.shape and all(_agrees(each, form, mine) for form, mine in pairs)
+        entries = _compared(each, value, ordered=False)
+    except numeric.NotEvaluable:
+        return False
+    return entries not in (None, []) and all_right(entries)
+
+
+def same_entry(each: Submitted, i: int, j: int, value: Any) -> bool:
+    """Whether an entry of a submitted matrix is this number to the digits written."""
+    return _agrees(each, each.form[i, j], value)
+
+
 def is_scalar(value: Any) -> bool:
     """Whether a value is an expression; sympy's immutable matrices are expressions too."""
     return isinstance(value, sp.Expr) and not isinstance(value, sp.MatrixBase)

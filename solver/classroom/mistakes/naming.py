@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.judging.entries import all_right, entrywise, is_scalar
+from solver.classroom.judging.entries import is_scalar, same
 from solver.classroom.judging.question import STRANGE, Question
 from solver.classroom.judging.verdict import judge
 from solver.classroom.mistakes.alike import ALIKE
@@ -92,8 +92,7 @@ def _reproduces(submitted: Submitted, value: Any) -> bool:
     """Whether the submitted value is this one, entry by entry, to the digits written."""
     if isinstance(value, list) and len(value) != len(submitted.value):
         return False
-    entries = entrywise(submitted, value)
-    return entries not in (None, []) and all_right(entries)
+    return same(submitted, value)
 
 
 def _careful(values: Callable[[], Iterable[Any]]) -> Iterator[Any]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -25,7 +26,7 @@ from solver.numeric.judges import design, optimal
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import product
 from solver.stated.matrices import inverse
-from solver.tasks import consequences
+from solver.tasks import consequences, meanings
 from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import FLOATS, gain_check
@@ -160,3 +161,10 @@ def belong_to_a_set_point(given: Given[WithBoth, OptimalTrackingOptions], answer
 optimal_tracking.consequence("F", of=("N",))(consequences.state_of_rest)
 optimal_tracking.consequence("K_o", of=("F", "N"))(consequences.reference_gain)
 optimal_tracking.consequence("K_o", of=("F", "N", "K"))(consequences.reference_gain)
+
+
+@optimal_tracking.meaning("K")
+def instability(wrong: Attempt[WithBoth, OptimalTrackingOptions]) -> Reason | None:
+    """The poles, where they are not asymptotically stable."""
+    plant = wrong.given.system
+    return meanings.unstable(plant.A - plant.B * wrong.value, discrete=plant.discrete)

@@ -7,13 +7,26 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Claim, Derivation, Given, Refusal, Step, Task, Unsolved, option
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Claim,
+    Derivation,
+    Given,
+    Refusal,
+    Step,
+    Task,
+    Unsolved,
+    option,
+)
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.options.names import Names
 from solver.options.poles import Poles
 from solver.stated.algebra import product, total
 from solver.stated.matrices import partitioned
+from solver.tasks import meanings
 from solver.tasks.design import reduced_observer_checks as checks
 from solver.tasks.design import reduced_observer_formulas as formulas
 from solver.tasks.design.plants import measuring
@@ -27,6 +40,7 @@ from solver.tasks.design.reduced_order import (
 )
 from solver.tasks.freedom import measured_by_combinations, reduced_gain_is_free
 from solver.tasks.plant_options import PlantOptions
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -162,3 +176,14 @@ reduced_observer.consequence("A_combined", of=("J", "N"))(formulas.combined_matr
 reduced_observer.consequence("B_combined", of=("M", "N"))(formulas.combined_input)
 for each in checks.BLOCKS:
     reduced_observer.consequence(each, of=("T",))(partial(formulas.block, each))
+
+
+@reduced_observer.meaning("L", "J")
+def poles_of_the_error(wrong: Attempt[WithInput, ReducedObserverOptions]) -> Reason | None:
+    """The poles of the error; those of a gain where the coordinates are those of the plant."""
+    if wrong.name == "J":
+        return meanings.poles_given(wrong.value, wrong.given.options.poles)
+    if measured_by_combinations(wrong.given):
+        return None
+    A22, A12 = wrong.answers["A22"], wrong.answers["A12"]
+    return meanings.poles_given(A22 - wrong.value * A12, wrong.given.options.poles)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -25,7 +26,7 @@ from solver.numeric.judges import design as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, rank
-from solver.tasks import consequences
+from solver.tasks import consequences, meanings
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
@@ -224,3 +225,10 @@ def holds_the_output_at_the_reference(
 reference_tracking.consequence("F", of=("N",))(consequences.state_of_rest)
 reference_tracking.consequence("K_o", of=("F", "N"))(consequences.reference_gain)
 reference_tracking.consequence("K_o", of=("F", "N", "K"))(consequences.reference_gain)
+
+
+@reference_tracking.meaning("K")
+def poles_of_the_gain(wrong: Attempt[WithBoth, ReferenceTrackingOptions]) -> Reason | None:
+    """The poles that the gain gives."""
+    plant = wrong.given.system
+    return meanings.poles_given(plant.A - plant.B * wrong.value, numeric_poles(wrong.given.options))

@@ -70,8 +70,10 @@ def decimal_eigenvalues(M: Any) -> list[Any]:
 def eigenvalues_in_decimals(M: Any) -> list[Any]:
     """Return what `decimal_eigenvalues` does, as numbers of mpmath."""
     with mpmath.workdps(DIGITS):
-        matrix = mpmath.matrix([[mpmath.mpmathify(sp.N(entry, DIGITS)) for entry in row] for row in M.tolist()])
-        return list(mpmath.eig(matrix, left=False, right=False))
+        rows = [[mpmath.mpmathify(sp.N(entry, DIGITS)) for entry in row] for row in M.tolist()]
+        if len(rows) < 2:  # mpmath returns eigenvectors too for one row
+            return [entry for row in rows for entry in row]
+        return list(mpmath.eig(mpmath.matrix(rows), left=False, right=False))
 
 
 def in_decimals(value: Any) -> Any:
