@@ -90,7 +90,7 @@ SAID_OF_DETERMINANTS = {
     "Expand along row 2": "middle_row",
     "Expand along row 3": "last_row",
     "Multiply out each minor": "three middle_row last_row irreducible",
-    "Factor the polynomial": "two lower upper last_row",
+    "Factor the polynomial": "two last_row",
 }
 SAID_OF_EIGENVECTORS = {
     "Solve the quadratic factor": "complex surd complex_chains complex_pair symbolic",
