@@ -311,6 +311,13 @@ def test_a_slip_in_the_system_matrix_leaves_the_others_right():
     assert entries(REALIZED, "a", answers) == (3.75, {**GOOD, "A": (W, [[C, C], [C, W]])})
 
 
+def test_what_the_question_determines_is_right_whatever_stands_beside_it():
+    # neither B nor C can be completed alone: the second state is neither reached nor seen
+    found = entries(REALIZED, "b", "A: [[-1, 0], [0, -2]], B: [1, 0], C: [3, 0], D: 0")[1]
+    assert {name: verdict for name, (verdict, _) in found.items()} == {"A": C, "B": W, "C": W, "D": C}
+    assert found["D"][1] == [[C]]
+
+
 def test_two_slips_are_not_put_down_to_one():
     found = entries(REALIZED, "a", "A: [[-1, 0], [0, -3]], B: [1, 1], C: [3, -3], D: 0")[1]
     assert (found["A"][0], found["C"][0], found["D"][0]) == (W, "not judged", C)

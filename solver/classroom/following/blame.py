@@ -23,18 +23,26 @@ MOST_TRIED = 24
 def blamed(question: Question, values: Values, verdicts: Verdicts) -> Verdicts:
     """Return the verdicts with only those wrong that must be; of equal numbers the later answers of the task.
 
-    What is wrong by itself stays so. A value is replaced by what follows from the others, or by ours. Its entries are
-    those of the replacement, or not.
+    What is wrong by itself stays so; what is determined by the question is right where it is so by itself. Others are
+    replaced by what follows from the rest, or by ours; their entries are those of the replacement, or not.
     """
     doubtful = [name for name in question.task.answers if name in values and not _is_right(verdicts[name])]
     if len(doubtful) < 2:
         return verdicts
-    alone = [name for name in doubtful if judge(question, {name: values[name]})[name].verdict is Verdict.WRONG]
+    each = {name: judge(question, {name: values[name]})[name] for name in doubtful}
+    answers = question.task.answers
+    determined = {
+        name: own for name, own in each.items() if _is_right(own) and not answers[name].is_free(question.given)
+    }
+    verdicts, doubtful = {**verdicts, **determined}, [name for name in doubtful if name not in determined]
+    alone = [name for name in doubtful if each[name].verdict is Verdict.WRONG]
     together = [name for name in doubtful if name not in alone and verdicts[name].verdict is Verdict.WRONG]
     for chosen in islice(_replaced(question, values, alone, together), MOST_TRIED):
         again = judge(question, {**values, **chosen})
         if all(map(_is_right, again.values())):
-            told = {name: _with_entries(question, each, values[name], verdicts[name]) for name, each in chosen.items()}
+            told = {
+                name: _with_entries(question, right, values[name], verdicts[name]) for name, right in chosen.items()
+            }
             return {**again, **told}
     return verdicts
 
