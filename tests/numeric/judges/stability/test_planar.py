@@ -31,6 +31,8 @@ DEGENERATE = {"stable degenerate node", "unstable degenerate node"}
         ([[0, 0], [5 * a, 0]], {"shear", "all points are equilibria"}),
         # trace 1/a, discriminant 1/a² − 4, nothing at a = 0
         ([[1 / a, 1], [-1, 0]], {*FOCI, *NODES, *DEGENERATE}),
+        # eigenvalues 1/a − 2 ± j: the trace is zero at a = 1/2
+        ([[1 / a - 2, 1], [-1, 1 / a - 2]], {"center", *FOCI}),
         # trace a + b, determinant ab + 1, discriminant (a − b)² − 4
         ([[a, -1], [1, b]], {"center", "saddle", "line of equilibria", *FOCI, *NODES, *DEGENERATE}),
         # diagonal: trace a + b, determinant ab, discriminant (a − b)²
