@@ -14,7 +14,10 @@ COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
 }  # fmt: skip
 SYMMETRIC = frozenset(
-    "isinstance issubclass zip max min gcd lcm getattr hasattr setattr hypot allclose add cast suppress TypeVar Claim".split()
+    (
+        "isinstance issubclass zip max min gcd lcm getattr hasattr setattr hypot allclose "
+        "add cast suppress TypeVar Claim"
+    ).split()
 )
 """Functions whose arguments may be swapped, or whose swapped arguments are no slip of anyone's."""
 WORDED = frozenset({"check_residual", "that"})
