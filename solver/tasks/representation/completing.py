@@ -26,7 +26,9 @@ def register(task: Task[Any, Any]) -> None:
 
 
 def output_matrix(given: Given[Any, Any], found: Found) -> Any:
-    """C with C [B, AB, …] = [h₁, h₂, …]; None where (A, B) is not controllable."""
+    """C with C [B, AB, …] = [h₁, h₂, …]; None where (A, B) is complex or not controllable."""
+    if found["A"].has(sp.I) or found["B"].has(sp.I):
+        return None
     reached = exact.controllability_matrix(found["A"], found["B"])
     wanted = sp.Matrix.hstack(*markov_parameters(given.system, found["A"].rows))
     gram = sp.ImmutableMatrix(reached * reached.T)
@@ -34,7 +36,9 @@ def output_matrix(given: Given[Any, Any], found: Found) -> Any:
 
 
 def input_matrix(given: Given[Any, Any], found: Found) -> Any:
-    """B with [C; CA; …] B = [h₁; h₂; …]; None where (A, C) is not observable."""
+    """B with [C; CA; …] B = [h₁; h₂; …]; None where (A, C) is complex or not observable."""
+    if found["A"].has(sp.I) or found["C"].has(sp.I):
+        return None
     seen = sp.ImmutableMatrix(exact.controllability_matrix(found["A"].T, found["C"].T).T)
     wanted = sp.Matrix.vstack(*markov_parameters(given.system, found["A"].rows))
     gram = sp.ImmutableMatrix(seen.T * seen)
