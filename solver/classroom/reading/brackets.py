@@ -9,6 +9,11 @@ OPENING, CLOSING = "([{", ")]}"
 _BINARY = "+-*/^±=<>,;&|·×⋅−"
 _SIGNS = "+-−±"
 _NUMBER = re.compile(r"[+−-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(?:/\d+)?")
+_GOES_ON = re.compile(r"(?:(?:±\s*|\S\s+[+−-]\s+)[ijI]|\bwith|multiplicity)$", re.IGNORECASE)
+_REMARK = re.compile(
+    r"\(?(?:double|twice|triple|doppelt|dreifach|with\b|mult)|\(\d+\s*(?:x|×|times|fold)", re.IGNORECASE
+)
+"""What ends without an entry of its own, as j in -1 ± j 2, and what belongs to the entry before: 3 (double)."""
 _ROW = re.compile(r"[;\n]")
 _CONTINUED = re.compile(r"\.\.\.[ \t]*\n?|(?<=,)[ \t]*\n")
 
@@ -69,7 +74,9 @@ def by_spaces(text: str) -> list[str]:
 def _separates(text: str, at: int, end: int) -> bool:
     """Whether spaces stand between two entries: after no operator, and before none but a sign that has no space."""
     after, following = text[end], text[end + 1 : end + 2]
-    if text[at - 1] in _BINARY or after in CLOSING or (after == "+" and following in "-−/"):
+    if text[at - 1] in _BINARY or _GOES_ON.search(text, max(0, at - 20), at) or _REMARK.match(text, end):
+        return False
+    if after in CLOSING or (after == "+" and following in "-−/"):
         return False
     return after not in _BINARY or (after in _SIGNS and after != "±" and not following.isspace())
 

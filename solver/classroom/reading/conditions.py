@@ -18,7 +18,7 @@ RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!="
 _RELATION = re.compile(r"<=|>=|!=|[≤≥≠<>]|==?")
 _AND = re.compile(r"\s+(?:and|und)\s+|\s*(?:&&?|∧|;|,)\s*", re.IGNORECASE)
 _OR = re.compile(r"\s+(?:or|oder)\s+|\s*(?:\|\|?|∨)\s*", re.IGNORECASE)
-_EQUATION = re.compile(r"^(Eq|Ne)\s*\((.*)\)$", re.DOTALL)
+_EQUATION = re.compile(r"^(Eq|Ne|And|Or)\s*\((.*)\)$", re.DOTALL)
 _INTERVAL = re.compile(r"^(.+?)\s*(?:∈|\bin\b)\s*([\[\](])([^,;]+)[,;]([^,;]+)([\])\[])$", re.DOTALL)
 
 
@@ -40,10 +40,7 @@ class ConditionReader:
         if depth > MAX_NESTING:
             raise ExpressionError("the condition is nested too deeply", 0, len(text))
         if found := _EQUATION.match(text):
-            sides = [self.side(side) for side in split(found[2], ",")]
-            if len(sides) != 2:
-                raise ExpressionError(f"{found[1]} has two sides", 0, len(text))
-            return sp.Eq(*sides, evaluate=False) if found[1] == "Eq" else sp.Ne(*sides)
+            return self._called(found[1], text, depth)
         if found := _INTERVAL.match(text):
             return self._interval(found)
         for pattern, join in ((_OR, sp.Or), (_AND, sp.And)):
@@ -52,6 +49,17 @@ class ConditionReader:
         if text.startswith("(") and matching(text, 0) == len(text) - 1 and _RELATION.search(text):
             return self._any_of(text[1:-1], depth + 1)
         return sp.And(*self._chain(text))
+
+    def _called(self, name: str, text: str, depth: int) -> Any:
+        """The relations of sympy: Eq(a, b), And(a > 0, b > 0)."""
+        arguments = split(text[text.index("(") + 1 : -1], ",")
+        if name in ("And", "Or"):
+            joined = [self._any_of(each, depth + 1) for each in arguments]
+            return sp.And(*joined) if name == "And" else sp.Or(*joined)
+        if len(arguments) != 2:
+            raise ExpressionError(f"{name} has two sides", 0, len(text))
+        left, right = map(self.side, arguments)
+        return sp.Eq(left, right, evaluate=False) if name == "Eq" else sp.Ne(left, right)
 
     def _interval(self, found: re.Match[str]) -> Any:
         """K in (0, 6], or ]0, 6]; a bound of infinity is none."""

@@ -13,12 +13,20 @@ from solver.derivation import AnswerName
 from solver.problem.expressions.notation import GREEK
 from solver.symbols import NOTATIONS
 
-_LABEL = re.compile(r"^\s*([^=<>≤≥≠!:≈\[\]]{1,80}?)\s*(?::=|==|=|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
-_NAME = re.compile(r"\\?[^\W\d][\w\s\\{},*'′]*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\|", re.DOTALL)
+_LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[k\]){1,80}?)\s*(?::=|==|=|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
+_NAME = re.compile(
+    r"\\?[^\W\d][\w\s\\{},*'′]*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[k\]|\w+\(\w\)\s*/\s*\w+\(\w\)", re.DOTALL
+)
 _RANGE = re.compile(
     r"\s*[,;]?\s*\(?(?:\\quad\s*|\\text\{[^{}]*\}\s*|for|für|if|where|when|with|wenn)?\s*"
     r"\b[tk]\s*(?:>=?|≥|\\geq?\b)\s*0\s*\)?\s*[.$]?\s*$"
 )
+_MULTIPLE = re.compile(
+    r"^(.*?[^\s(,])\s*(?:\(?\s*(?:double(?: root| pole)?|twice|doppelt|triple|dreifach"
+    r"|(?:with )?mult(?:iplicity|\.)?\s*(\d{1,2}))|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
+    re.IGNORECASE,
+)
+MOST_TIMES = 24
 _INDEX = re.compile(r"(\d+)\D*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
 _DECORATION = re.compile(r"\\(?:text|mathrm|mathcal|operatorname|bar|hat|tilde|left|right|mathbf)\b|[\\${}_\s*^]")
@@ -64,15 +72,28 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
 
     Also tells whether there were any.
     """
-    found = [_LABEL.match(item) for item in items]
+    written, items = items, [each for item in items for each in _repeated(item)]
+    matches = [_LABEL.match(item) for item in items]
+    found = [match if match and _NAME.fullmatch(match[1].strip()) else None for match in matches]
     if not any(found):
-        return list(items), False
+        return items, len(items) > len(written)
     values = [match[2].strip() if match else item for match, item in zip(found, items, strict=True)]
     indices = [_INDEX.search(match[1]) if match else None for match in found]
     numbers = [int(index[1]) for index in indices if index]
     if len(numbers) == len(items) == len(set(numbers)):
         values = [value for _, value in sorted(zip(numbers, values, strict=True))]
     return values, True
+
+
+def _repeated(item: str) -> list[str]:
+    """An item as often as it says: λ_1 = λ_2 = 3, 3 (double), 3 with multiplicity 2."""
+    *names, value = item.split("=")
+    if len(names) > 1 and all(_NAME.fullmatch(name.strip()) for name in names):
+        return [f"{name} = {value}" for name in names]
+    if found := _MULTIPLE.match(item):
+        times = int(found[2] or found[3] or (3 if found[0].rstrip(" )").endswith(("triple", "dreifach")) else 2))
+        return [found[1]] * min(times, MOST_TIMES)
+    return [item]
 
 
 def _spellings(answer: AnswerName) -> set[str]:
@@ -93,7 +114,7 @@ def _normal(label: str) -> str:
     """A label without what decorates it, its argument and its index: K_{f}(t) is Kf, λ_{1,2} is lamda."""
     bare = _DECORATION.sub("", label.replace("−", "-"))
     bare = "".join(_GREEK.get(sign, sign) for sign in bare).replace("lambda", "lamda")
-    bare = re.sub(r"\([a-z]*\)$", "", bare)
+    bare = re.sub(r"\([a-zA-Z]\)$|(?<=[A-Za-z])\([a-z]{4,5}\)$", "", bare)
     return re.sub(r"(?<=\D)[\d,]+$|(?<=.)i$", "", bare)
 
 

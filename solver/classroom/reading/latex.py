@@ -14,6 +14,7 @@ from solver.problem.expressions.notation import FUNCTIONS, GREEK_NAMES
 
 MAX_NESTING = 30
 _TOKEN = re.compile(r"\\begin\{[a-zA-Z]+\*?\}|\\end\{[a-zA-Z]+\*?\}|\\[a-zA-Z]+|\\.|[{}^_&]|[^\\{}^_&]", re.DOTALL)
+_FACTOR = re.compile(r"(?<![A-Za-z\\])([a-z])(\d+\^)")  # k3^{k-1}
 _MATRICES = {"matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "smallmatrix", "array"}
 _LINES = {"aligned", "align", "equation", "gather", "gathered", "split", "cases"}
 _SIGNS = {
@@ -51,6 +52,7 @@ def is_latex(text: str) -> bool:
 
 def translated(text: str) -> str:
     """Return LaTeX in plain notation: matrices as [a, b; c, d], fractions in brackets. Raises NotReadableError."""
+    text = _FACTOR.sub(r"\1 \2", text)
     tokens = _TOKEN.findall(text.replace("$", " ").replace("~", " "))
     return re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()
 

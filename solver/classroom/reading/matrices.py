@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, rows, split
 from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.grids import SPECIAL, scaled, special_matrix, times, transposed
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.spelling import typed
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
@@ -92,11 +93,14 @@ class Unfolding:
         """What stands in no brackets of its own: a call, a product, entries with separators; None for one value."""
         if found := _TRANSPOSE.search(text):
             inside = self.text(node, text[: found.start()], depth + 1)
-            return _transposed(inside) if isinstance(inside, SequenceNode) else _leaf(node, text)
+            return transposed(inside) if isinstance(inside, SequenceNode) else _leaf(node, text)
         if (found := _MAKER.match(text)) and matching(text, found.end() - 1) == len(text) - 1:
             return self._made(node, text[found.end() : -1], depth)
-        if (scaled := _scaled(text)) and self.grid:
-            return _times(self.text(node, scaled[1], depth + 1), scaled[0], scaled[2])
+        if self.grid and (found := SPECIAL.fullmatch(text)):
+            listed = self.text(node, f"[{found[2]}]", depth + 1)
+            return special_matrix(found[1], listed) if isinstance(listed, SequenceNode) else None
+        if (factors := scaled(text)) and self.grid:
+            return times(self.text(node, factors[1], depth + 1), factors[0], factors[2])
         if self.grid and depth == 0 and self._separated(text):
             return self._bracketed(node, text, depth, braces=False)
         return None
@@ -186,54 +190,6 @@ def mapped(node: Node, text: str) -> Node | None:
     """Return the entries of a text such as "x1: 3, x2: 4" or "{x1 = 3}", None if it holds anything else."""
     text = text.strip()
     return _mapped(node, text[1:-1] if enclosed(text, "{}") or enclosed(text, "[]") else text)
-
-
-def _scaled(text: str) -> tuple[str, str, str] | None:
-    """The factors before and after the one matrix of a text, 1/2 [1 2] or [1 2]/2; None where there are none."""
-    start = next((at for at in _outside(text) if text[at] == "["), -1)
-    if start < 0:
-        return None
-    end = matching(text, start)
-    before, after = text[:start].strip().rstrip("*·×").strip(), text[end + 1 :].strip()
-    bare = not any(sign in before + after for sign in "[]{},;=")
-    called = text[:start][-1:].isalpha()  # Sin[t] of Mathematica
-    if not bare or called or not (before or after) or end == len(text) or before[-1:] in ("/", "^"):
-        return None
-    if after and after[0] not in "*/":
-        return None
-    return before, text[start : end + 1], after
-
-
-def _outside(text: str) -> list[int]:
-    """The places of a text that stand in no round bracket."""
-    places, at = [], 0
-    while at < len(text):
-        if text[at] == "(":
-            at = matching(text, at)
-        else:
-            places.append(at)
-        at += 1
-    return places
-
-
-def _times(node: Node, before: str, after: str) -> Node:
-    """Every entry with a factor before and after it."""
-    if isinstance(node, SequenceNode):
-        return SequenceNode(node.place, tuple(_times(item, before, after) for item in node.items))
-    if not isinstance(node, ScalarNode):
-        return node
-    factor = before if before in ("", "+", "-", "−") else f"({before})*"
-    return ScalarNode(node.place, f"{factor}({node.text}){after}")
-
-
-def _transposed(node: SequenceNode) -> SequenceNode:
-    lines = [item.items if isinstance(item, SequenceNode) else None for item in node.items]
-    if any(line is None for line in lines):
-        return SequenceNode(node.place, tuple(SequenceNode(node.place, (item,)) for item in node.items))
-    if len({len(line) for line in lines if line is not None}) > 1:
-        return node  # no matrix, as the reader will say
-    columns = zip(*(line for line in lines if line is not None), strict=True)
-    return SequenceNode(node.place, tuple(SequenceNode(node.place, tuple(column)) for column in columns))
 
 
 def _leaves(node: Node, pieces: Sequence[str]) -> list[Node]:

@@ -47,10 +47,13 @@ def flat(items: Sequence[Node]) -> list[Node]:
     return [each for item in items for each in (flat(item.items) if isinstance(item, SequenceNode) else [item])]
 
 
-def labelled(entry: Entry) -> Node:
-    """Return the entry of a mapping, {λ_1: -1}, as an item with its label."""
-    text = f"{entry.key.text} = {typed(entry.value)}"
-    return ScalarNode(entry.value.place, text, "quoted")
+def labelled(entry: Entry) -> list[Node]:
+    """Return the entry {λ_1: -1} of a mapping as an item with its label, {-1: 2} as an item that stands there twice."""
+    key, value = entry.key.text.strip(), typed(entry.value).strip()
+    if not key[:1].isalpha() or any(sign in key for sign in "+-*/"):
+        times = int(value) if value.isdigit() and len(value) < 3 else 0
+        return [ScalarNode(entry.key.place, key, "quoted")] * times or [entry.value]
+    return [ScalarNode(entry.value.place, f"{key} = {value}", "quoted")]
 
 
 def lower(node: Node) -> str:

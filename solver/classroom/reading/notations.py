@@ -23,7 +23,7 @@ _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _FUNCTION = "|".join(
     sorted((each for each in FUNCTIONS if each not in ("step", "delta", "inv")), key=len, reverse=True)
 )
-_BARE_CALL = re.compile(rf"\b(?:{_FUNCTION})(?![\w(])(?!\s*\()")
+_BARE_CALL = re.compile(rf"(?<![A-Za-z_])(?:{_FUNCTION})(?![\w(])(?!\s*\()")
 _STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
 """Names of the unit step."""
 
@@ -38,6 +38,8 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"[•∙˙]", "*"),
         (r"⁄", "/"),
         (r"√", " sqrt "),
+        (r"\b(?:np|numpy|math|cmath|sp|sympy)\.(?=[A-Za-z])", ""),  # np.exp(-t)
+        (r"(\d+(?:\.\d+)?)\s*°", r"(\1*pi/180)"),
         (r"½", "(1/2)"),
         (r"¼", "(1/4)"),
         (r"¾", "(3/4)"),
@@ -48,8 +50,9 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\.(?=[*/^])", ""),  # MATLAB's 2.*t
         (r"(?<=\d)\.(?![\d.])", ""),  # numpy's 1.
         (r"\bexp\s*\^", "e^"),
-        (rf"\b({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
-        (rf"\b(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
+        (r"\b([a-z])\s+(\d+\^)", r"\1*\2"),  # k 3^(k-1)
+        (rf"(?<![A-Za-z_])({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
+        (rf"(?<![A-Za-z_])(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
         (r"\{", "("),
         (r"\}", ")"),
         (r"\[", "("),
@@ -104,7 +107,7 @@ def _with_units(text: str, names: Names) -> str:
         declared = names.declares(found[0]) or names.declares(f"{found[1]}_{found[2]}") or found[1] in names.symbols
         return found[0] if declared else f"({found[1]}*{found[2]})"
 
-    text = re.sub(r"(?<![\w.])([ijI])(\d+(?:\.\d+)?)(?![\w.])", product, text)
+    text = re.sub(r"(?<![\w.])([ijI])\s?(\d+(?:\.\d+)?)(?![.\d^])", product, text)
     return re.sub(rf"(?<![\w.])([ijI])(?=(?:{_FUNCTION})\b)", r"\1 ", text)
 
 

@@ -14,8 +14,8 @@ import sympy as sp
 from solver.classroom.reading.brackets import are_numbers, by_spaces, matching, split
 from solver.symbols import POLYNOMIAL
 
-_FRACTION = re.compile(r"\b(tf|TransferFunction)\s*\(")
-_POLYNOMIAL = re.compile(r"^\s*(?:\w+\.)*Poly\s*\(([^,]*)(?:,.*)?\)\s*$", re.DOTALL)
+_FRACTION = re.compile(r"(?:\b\w+\.)*\b(tf|TransferFunction)\s*\(")
+_POLYNOMIAL = re.compile(r"^\s*(?:\w+\.)*(?:Pure)?Poly\s*\(([^,]*)(?:,.*)?\)\s*$", re.DOTALL)
 _LIST = re.compile(r"\[|(?:\w+\.)*(?:poly1d|array|Matrix)\(|\\begin")
 _ZERO = re.compile(r"^\s*\+?0(?:\.0*)?\s*$")
 MAX_DEGREE = 40

@@ -28,7 +28,6 @@ from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.problem.source import Fault, Report
 
 MAX_ENTRIES = 400
-ALL, NONE = ("reals", "all", "any", "every", "always", "all reals"), ("none", "never", "no", "[]", "empty", "trivial")
 
 
 class Reader:
@@ -110,6 +109,8 @@ class Reader:
     def _word(self, node: Node, ours: str) -> str:
         """A verdict in words: one of those that the answer has, where its list is known."""
         text = text_of(node)
+        if not words.in_words(text):
+            raise node.fault("a word is expected here")
         if not self.expected.words:
             return words.in_words(text)
         known = tuple(dict.fromkeys([*self.expected.words, ours]))
@@ -142,9 +143,9 @@ class Reader:
 
     def _set(self, node: Node, ours: Any) -> Pair:
         """A list; or all real numbers, in a word, where values of a parameter are asked for."""
-        if lower(node) in ALL:
+        if lower(node) in words.ALL:
             return (sp.S.Reals,) * 2
-        if lower(node) in NONE:
+        if lower(node) in words.NONE:
             return [], []
         return self._list(node, () if isinstance(ours, sp.Set) else ours)
 
@@ -153,7 +154,7 @@ class Reader:
         grid = not (ours and (is_condition(ours[0]) or isinstance(ours[0], sp.MatrixBase | str)))
         node = self._unfolded(node, grid=grid)
         if isinstance(node, MappingNode):
-            node = SequenceNode(node.place, tuple(labelled(entry) for entry in node))
+            node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
         items = node.items if isinstance(node, SequenceNode) else (node,)
         if not grid:
             pairs = [self._read(item, ours[0]) for item in items]
@@ -180,10 +181,11 @@ class Reader:
         self.texts.respelt = self.texts.respelt or labelled
         if not labelled:
             return []
-        return [ScalarNode(item.place, text, "quoted") for item, text in zip(texts, found, strict=True)]
+        places = [item.place for item in texts] if len(found) == len(texts) else [texts[0].place] * len(found)
+        return [ScalarNode(place, text, "quoted") for place, text in zip(places, found, strict=True)]
 
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:
-        if lower(node) in NONE:
+        if lower(node) in words.NONE:
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
         node = self._unfolded(node, grid=True)
         if is_trivial(node):
@@ -218,6 +220,8 @@ class Reader:
 
     def _value(self, node: Node, ours: Any) -> Pair:
         """An expression; a polynomial also by its coefficients, or in another variable."""
+        if isinstance(ours, sp.Integer) and isinstance(node, ScalarNode):
+            node = node if words.count(node.text) == node.text else ScalarNode(node.place, words.count(node.text))
         variable = polynomials.variable_of(ours)
         listed = not isinstance(node, ScalarNode) or polynomials.holds_coefficients(node.text)
         node = only(self._unfolded(node, grid=variable is not None and listed))

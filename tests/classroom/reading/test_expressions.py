@@ -68,6 +68,14 @@ NAMED = step(t - 5) + x1 + x_dot + p11 + p12 + p22
         ("tf([1 0], [1, 3, 2])", s / (s**2 + 3 * s + 2), True),
         ("y(t) = 2t", 2 * t, True),
         ("1/s+1", 1 / s + 1, False),
+        ("cos3t + 2sin3t", sp.cos(3 * t) + 2 * sp.sin(3 * t), True),
+        ("1*np.exp(-2*t)*np.cos(3*t)", sp.exp(-2 * t) * sp.cos(3 * t), True),
+        ("sin(3t + 30°)", sp.sin(3 * t + sp.pi / 6), True),
+        ("t 3^(t-1)", t * 3 ** (t - 1), True),
+        (r"\frac{1}{1}t3^{t-1}", t * 3 ** (t - 1), True),
+        ("control.tf([2, 5], [1, 2])", (2 * s + 5) / (s + 2), True),
+        ("Y(s)/U(s) = 1/s", 1 / s, True),
+        ("y[k] = 2t", 2 * t, True),
     ],
 )
 def test_an_expression_is_read_and_what_it_does_not_say_is_said(text, value, said):
@@ -97,6 +105,11 @@ def test_one_text_is_read_in_one_way_throughout():
     found = read("1/2 e^(-t) + 1/3 e^(-2t)", a)
     assert len(found.others) == 1
     assert found.value == sp.exp(-t) / 2 + sp.exp(-2 * t) / 3
+
+
+@pytest.mark.parametrize(("text", "value"), [("two", 2), ("rank 1", 1), ("2 roots", 2), ("Three.", 3)])
+def test_a_count_may_be_said_in_words(text, value):
+    assert read(text, sp.Integer(5)).value == value
 
 
 @pytest.mark.parametrize(

@@ -40,6 +40,17 @@ TWO, ROW, COLUMN, SQUARE = [a, b], M([[a, b]]), M([a, b]), M([[a, b], [a, b]])
         ("{λ_1: -1, λ_2: -2}", [-1, -2]),
         ("'s_{1,2} = -3 ± 2j'", [-3 + 2 * i, -3 - 2 * i]),
         ("[a -b]", [a, -b]),
+        ("-1 ± 2√3 j", [-1 + 2 * sp.sqrt(3) * i, -1 - 2 * sp.sqrt(3) * i]),
+        ("-1 ± 2sqrt3 j", [-1 + 2 * sp.sqrt(3) * i, -1 - 2 * sp.sqrt(3) * i]),
+        (r"$-2 \pm j\,2\sqrt{3}$", [-2 + 2 * sp.sqrt(3) * i, -2 - 2 * sp.sqrt(3) * i]),
+        ("-1 (double)", [-1, -1]),
+        ("-1 (twice)", [-1, -1]),
+        ("-1 with multiplicity 2", [-1, -1]),
+        ("-1 (2x)", [-1, -1]),
+        ("λ1 = λ2 = -1", [-1, -1]),
+        ("{-1: 2}", [-1, -1]),
+        ("'{1 - sqrt(6): 1, 1 + sqrt(6): 1}'", [1 - sp.sqrt(6), 1 + sp.sqrt(6)]),
+        ("[1+2j, 1-2j]", [1 + 2 * i, 1 - 2 * i]),
     ],
 )
 def test_a_list_is_read(text, value):
@@ -57,6 +68,8 @@ def test_a_list_is_read(text, value):
         ("[-1 -2]", [-1, -2]),
         ("[1, 2;]", [1, 2]),
         ("[2a 3]", [2 * a, 3]),
+        ("[-j 2]", [-i, 2]),
+        ("[-j j]", [-i, i]),
         ("[a -b]", [a, -b]),
         ("np.array([[1, 2]])", [1, 2]),
         ("np.matrix('1 2')", [1, 2]),
@@ -103,6 +116,21 @@ def test_entries_may_be_expressions(text, value):
     assert found.others == ()
 
 
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("diag(1, 2)", sp.diag(1, 2)), ("diag([1 2])", sp.diag(1, 2)), ("np.diag([1, 2])", sp.diag(1, 2)),
+     ("eye(2)", sp.eye(2)), ("np.eye(2)", sp.eye(2)), ("zeros(2)", sp.zeros(2)), ("ones(2, 2)", sp.ones(2))],
+)  # fmt: skip
+def test_matrices_with_a_name_are_read(text, value):
+    assert read(f'"{text}"', SQUARE).value == M(value)
+
+
+@pytest.mark.parametrize("text", ["eye(99)", "ones(a)", "zeros(1, 2, 3)", "eye(1e9)"])
+def test_matrices_of_no_size_are_refused(text):
+    with pytest.raises(Fault):
+        read(f"'{text}'", SQUARE)
+
+
 @pytest.mark.parametrize(("text", "ours"), [("[[1], [2]]", ROW), ("[1; 2]", ROW), ("[[1, 2]]", COLUMN)])
 def test_a_vector_in_the_other_orientation_is_turned_and_that_is_said(text, ours):
     found = read(text, ours)
@@ -126,7 +154,7 @@ def test_what_shapes_do_not_tell_apart_has_both_readings():
     assert [found.value, *(other.value for other in found.others)] == [[a, -b], [a - b]]
 
 
-@pytest.mark.parametrize("text", ["{0}", "'{0}'", "{}", "[]", "none", "∅", "trivial"])
+@pytest.mark.parametrize("text", ["{0}", "'{0}'", "{}", "[]", "none", "∅", "trivial", "only the zero vector"])
 def test_the_basis_of_the_trivial_space_has_no_columns(text):
     assert read(text, SQUARE).value.shape == (2, 0)
 

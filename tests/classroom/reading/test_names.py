@@ -70,7 +70,8 @@ def test_every_word_of_our_own_is_in_the_list_of_its_answer():
 
 @pytest.mark.parametrize(
     ("text", "value"),
-    [("yes", True), ("Yes.", True), ("ja", True), ("wahr", True), ("controllable", True), ("no", False),
+    [("yes", True), ("Yes.", True), ("yes, rank 2", True), ("no, rank 1 < 2", False),
+     ("not completely controllable", False), ("ja", True), ("wahr", True), ("controllable", True), ("no", False),
      ("nein", False), ("falsch", False), ("not controllable", False),
      ("uncontrollable", False), ("nicht controllable", False)],
 )  # fmt: skip
@@ -103,6 +104,8 @@ def test_another_unit_is_refused(text):
         ("K ∈ (0, 6)", sp.And(K > 0, K < 6)),
         ("K in [0; 6)", sp.And(K >= 0, K < 6)),
         ("K ∈ ]0, inf[", sp.And(K > 0)),
+        ("And(K > 0, K < 6)", sp.And(K > 0, K < 6)),
+        ("Or(K < 0, K > 6)", sp.Or(K < 0, K > 6)),
         (r"0 < K \leq 6", sp.And(K > 0, K <= 6)),
         (r"$K > 0 \land K < 6$", sp.And(K > 0, K < 6)),
         ("'K > 0, K < 6'", sp.And(K > 0, K < 6)),

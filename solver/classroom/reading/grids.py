@@ -1,0 +1,82 @@
+"""Matrices as nodes: what is done to them in the text of an answer, and those that programs have a name for."""
+
+from __future__ import annotations
+
+import re
+
+from solver.classroom.reading.brackets import matching
+from solver.problem.nodes import Node, ScalarNode, SequenceNode
+
+SPECIAL = re.compile(r"(?:[A-Za-z_]\w*\.)?(diag|eye|zeros|ones|identity)\s*\((.*)\)", re.DOTALL)
+"""diag(1, 2), eye(2), zeros(1, 2), ones(2)."""
+SIZES = tuple(map(str, range(1, 13)))
+
+
+def scaled(text: str) -> tuple[str, str, str] | None:
+    """Return the factors before and after the one matrix of a text, 1/2 [1 2] or [1 2]/2; None where there are none."""
+    start = next((at for at in _outside(text) if text[at] == "["), -1)
+    if start < 0:
+        return None
+    end = matching(text, start)
+    before, after = text[:start].strip().rstrip("*·×").strip(), text[end + 1 :].strip()
+    bare = not any(sign in before + after for sign in "[]{},;=")
+    called = text[:start][-1:].isalpha()  # Sin[t] of Mathematica
+    if not bare or called or not (before or after) or end == len(text) or before[-1:] in ("/", "^"):
+        return None
+    if after and after[0] not in "*/":
+        return None
+    return before, text[start : end + 1], after
+
+
+def _outside(text: str) -> list[int]:
+    """The places of a text that stand in no round bracket."""
+    places, at = [], 0
+    while at < len(text):
+        if text[at] == "(":
+            at = matching(text, at)
+        else:
+            places.append(at)
+        at += 1
+    return places
+
+
+def times(node: Node, before: str, after: str) -> Node:
+    """Return the matrix with a factor before and after every entry."""
+    if isinstance(node, SequenceNode):
+        return SequenceNode(node.place, tuple(times(item, before, after) for item in node.items))
+    if not isinstance(node, ScalarNode):
+        return node
+    factor = before if before in ("", "+", "-", "−") else f"({before})*"
+    return ScalarNode(node.place, f"{factor}({node.text}){after}")
+
+
+def transposed(node: SequenceNode) -> SequenceNode:
+    """Return the columns as rows; a flat list becomes a column."""
+    lines = [item.items if isinstance(item, SequenceNode) else None for item in node.items]
+    if any(line is None for line in lines):
+        return SequenceNode(node.place, tuple(SequenceNode(node.place, (item,)) for item in node.items))
+    if len({len(line) for line in lines if line is not None}) > 1:
+        return node  # no matrix, as the reader will say
+    columns = zip(*(line for line in lines if line is not None), strict=True)
+    return SequenceNode(node.place, tuple(SequenceNode(node.place, tuple(column)) for column in columns))
+
+
+def special_matrix(name: str, arguments: SequenceNode) -> Node | None:
+    """Return the matrix of a name, with its diagonal or its size as arguments; None where they are no size."""
+    inner = arguments
+    while len(inner.items) == 1 and isinstance(only := inner.items[0], SequenceNode):
+        inner = only
+    place, items = inner.place, inner.items
+    if name == "diag":
+        zero = ScalarNode(place, "0")
+        lines = [[item if i == j else zero for j in range(len(items))] for i, item in enumerate(items)]
+    else:
+        sizes = [int(item.text) for item in items if isinstance(item, ScalarNode) and item.text in SIZES]
+        if len(sizes) != len(items) or len(sizes) not in (1, 2):
+            return None
+        lines = [[ScalarNode(place, _entry(name, i, j)) for j in range(sizes[-1])] for i in range(sizes[0])]
+    return SequenceNode(place, tuple(SequenceNode(place, tuple(line)) for line in lines))
+
+
+def _entry(name: str, i: int, j: int) -> str:
+    return "1" if name == "ones" or (name != "zeros" and i == j) else "0"
