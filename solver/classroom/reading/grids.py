@@ -61,6 +61,20 @@ def transposed(node: SequenceNode) -> SequenceNode:
     return SequenceNode(node.place, tuple(SequenceNode(node.place, tuple(column)) for column in columns))
 
 
+def side_by_side(node: SequenceNode) -> SequenceNode:
+    """Return the matrix of columns that stand in a row, [[1; 2], [3; 4]]; any other list as it is."""
+    columns = [item.items if isinstance(item, SequenceNode) else () for item in node.items]
+    singles = all(isinstance(each, SequenceNode) and len(each.items) == 1 for column in columns for each in column)
+    heights = {len(column) for column in columns}
+    if len(columns) < 2 or not singles or len(heights) != 1 or min(heights) < 2:
+        return node
+    return transposed(SequenceNode(node.place, tuple(SequenceNode(node.place, _flat(column)) for column in columns)))
+
+
+def _flat(column: tuple[Node, ...]) -> tuple[Node, ...]:
+    return tuple(each.items[0] for each in column if isinstance(each, SequenceNode))
+
+
 def special_matrix(name: str, arguments: SequenceNode) -> Node | None:
     """Return the matrix of a name, with its diagonal or its size as arguments; None where they are no size."""
     inner = arguments

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, rows, split
 from solver.classroom.reading.choices import Choices
-from solver.classroom.reading.grids import SPECIAL, scaled, special_matrix, times, transposed
+from solver.classroom.reading.grids import SPECIAL, scaled, side_by_side, special_matrix, times, transposed
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.spelling import typed
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
@@ -66,7 +66,8 @@ class Unfolding:
         for item in node.items:
             holds = isinstance(item, SequenceNode) or (isinstance(item, ScalarNode) and _holds_list(item.text))
             items.append(self.node(item) if holds else item)
-        return SequenceNode(node.place, tuple(items), node.braces)
+        found = SequenceNode(node.place, tuple(items), node.braces)
+        return side_by_side(found) if self.grid else found
 
     def _with_points(self, text: str) -> str:
         """A text with decimal commas as points; in a list the commas between digits may separate, all or none."""
@@ -126,7 +127,8 @@ class Unfolding:
         """The entries between brackets; where there are several rows, a list that stands alone in one is the row."""
         lines = rows(text)
         if len(lines) < 2:
-            return SequenceNode(node.place, self._row(node, text, depth) if text.strip() else (), braces)
+            row = SequenceNode(node.place, self._row(node, text, depth) if text.strip() else (), braces)
+            return side_by_side(row) if self.grid else row
         found = [self._row(node, line, depth) for line in lines]
         whole = [row[0] if len(row) == 1 and isinstance(row[0], SequenceNode) else None for row in found]
         pairs = zip(whole, found, strict=True)
