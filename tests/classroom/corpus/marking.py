@@ -1,0 +1,58 @@
+"""How the program marks the submissions of the corpus."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from solver.problem.source import InputError
+from tests.classroom.corpus.cases import Claim, Submission
+from tests.helpers.marked import marked
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the program says of values of which something is true."""
+
+    submission: Submission
+    claim: Claim
+    said: str
+    read: str
+
+    @property
+    def false_positive(self) -> bool:
+        """Marked correct though it is wrong, or has several readings."""
+        return self.said == "correct" and self.claim.truth in ("wrong", "slip", "ambiguous")
+
+    @property
+    def false_negative(self) -> bool:
+        """Not marked correct though it is right."""
+        return self.said != "correct" and self.claim.truth in ("right", "follows")
+
+    @property
+    def told_apart(self) -> bool:
+        """As it should be: an ambiguous value not judged, a wrong one not correct."""
+        return not self.false_negative and not self.false_positive and not self.guessed
+
+    @property
+    def guessed(self) -> bool:
+        """Marked wrong though it can be read in several ways."""
+        return self.claim.truth == "ambiguous" and self.said == "wrong"
+
+    def __str__(self) -> str:
+        typed = "; ".join(f"{each.answer}: {each.typed}" for each in self.claim.values)
+        return f"{self.submission.id} [{self.submission.kind}] {typed!r}: {self.claim.truth}, said {self.said}{self.read}"
+
+
+def outcomes(submission: Submission) -> Iterator[Outcome]:
+    """What the program says of all that a submission claims."""
+    try:
+        parts = marked(submission.problem.text, submission.answers)
+    except InputError as fault:
+        for claim in submission.claims:
+            yield Outcome(submission, claim, "refused", f" ({str(fault).splitlines()[0]})")
+        return
+    for claim in submission.claims:
+        found = [parts[each.part].answers.get(each.answer) for each in claim.values]
+        verdicts = [each.verdict if each is not None else "not judged" for each in found]
+        said = "wrong" if "wrong" in verdicts else "correct" if set(verdicts) == {"correct"} else "not judged"
+        notes = [str(each.reason) for each in found if each is not None and each.verdict != "correct" and each.reason]
+        yield Outcome(submission, claim, said, f" ({'; '.join(notes)})" if notes else "")
