@@ -1,8 +1,9 @@
 """The submissions of the corpus, read from its files.
 
-A file is a list of problems. Each has submissions of one value (`right`, `wrong`, `ambiguous`: lists of kind, typed text
-and meaning, by part and answer), of values that belong together (`together`), and of several parts (`chains`). Typed
-text stands in the answer file as it is here, after the name of the answer.
+A file is a list of problems. Each has submissions of one value (`right`, `wrong`, `ambiguous`: lists of kind, typed
+text and meaning, by part and answer), of values that belong together (`together`), and of several parts (`chains`).
+Typed text stands in the answer file as it is here, after the name of the answer. A `right` one without a meaning means
+what the first of its list means; an ambiguous one lists what it could mean; what has no meaning cannot be read.
 """
 
 from collections.abc import Iterator, Mapping
@@ -120,11 +121,12 @@ def submissions() -> Iterator[Submission]:
     """All submissions of all files."""
     for path in FILES:
         text = path.read_text(encoding="utf-8")
-        for read_as_asked, entry in zip(yaml.safe_load(text), yaml.load(text, yaml.BaseLoader), strict=True):  # noqa: S506
-            yield from _of_problem(Problem(entry["name"], read_as_asked["problem"], read_as_asked.get("known", {})), entry, read_as_asked)
+        entries = yaml.BaseLoader(text).get_single_data()  # what is typed stays text
+        for entry, data in zip(entries, yaml.safe_load(text), strict=True):
+            yield from _of_problem(Problem(entry["name"], data["problem"], data.get("known", {})), entry, data)
 
 
-def _of_problem(problem: Problem, entry: Mapping[str, Any], typed: Mapping[str, Any]) -> Iterator[Submission]:
+def _of_problem(problem: Problem, entry: Mapping[str, Any], data: Mapping[str, Any]) -> Iterator[Submission]:
     for truth in ("right", "wrong", "ambiguous"):
         for place, rows in entry.get(truth, {}).items():
             part, answer = place.split(".")
@@ -141,5 +143,5 @@ def _of_problem(problem: Problem, entry: Mapping[str, Any], typed: Mapping[str, 
         claims = []
         for place, (truth, text, means) in case["answers"].items():
             claims.append(Claim(truth, (Value(*place.split("."), text, means),)))
-        own = typed["chains"][number - 1].get("own", {})
+        own = data["chains"][number - 1].get("own", {})
         yield Submission(f"{problem.name} chain {number}", case["kind"], problem, tuple(claims), own)

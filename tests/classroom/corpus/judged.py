@@ -7,7 +7,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from tests.classroom.corpus.judges import judge_of, judge_together
-from tests.classroom.corpus.meanings import Impossible, Meaning, box
+from tests.classroom.corpus.meanings import ImpossibleError, Meaning, box
 from tests.hunt.asked import Point, Question, points
 
 EXACT, FITTED = 1e-8, 1e-6
@@ -53,5 +53,5 @@ def _right_at(point: Point, raws: Mapping[str, Any], judge: Callable[..., Any]) 
             gtol=1e-15,
         )  # fmt: skip
         return bool(np.max(np.abs(found.fun)) <= FITTED)
-    except (Impossible, np.linalg.LinAlgError):
+    except (ImpossibleError, np.linalg.LinAlgError):
         return False

@@ -18,6 +18,13 @@ class Outcome:
     read: str
 
     @property
+    def name(self) -> str:
+        """The submission, and in a chain the value."""
+        first = self.claim.values[0]
+        chain = f" {first.part}.{first.answer}" if len(self.submission.claims) > 1 else ""
+        return f"{self.submission.id}{chain} [{self.submission.kind}]"
+
+    @property
     def false_positive(self) -> bool:
         """Marked correct though it is wrong, or has several readings."""
         return self.said == "correct" and self.claim.truth in ("wrong", "slip", "ambiguous")
@@ -28,18 +35,13 @@ class Outcome:
         return self.said != "correct" and self.claim.truth in ("right", "follows")
 
     @property
-    def told_apart(self) -> bool:
-        """As it should be: an ambiguous value not judged, a wrong one not correct."""
-        return not self.false_negative and not self.false_positive and not self.guessed
-
-    @property
     def guessed(self) -> bool:
         """Marked wrong though it can be read in several ways."""
         return self.claim.truth == "ambiguous" and self.said == "wrong"
 
     def __str__(self) -> str:
         typed = "; ".join(f"{each.answer}: {each.typed}" for each in self.claim.values)
-        return f"{self.submission.id} [{self.submission.kind}] {typed!r}: {self.claim.truth}, said {self.said}{self.read}"
+        return f"{self.name} {typed!r}: {self.claim.truth}, said {self.said}{self.read}"
 
 
 def outcomes(submission: Submission) -> Iterator[Outcome]:

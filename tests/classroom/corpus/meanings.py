@@ -16,8 +16,7 @@ from tests.hunt.asked import parsed
 DECIMAL = re.compile(r"\d+\.\d*(?:e[+-]?\d+)?|\d+e[+-]?\d+")
 
 
-
-class Impossible(Exception):  # noqa: N818
+class ImpossibleError(Exception):
     """The value cannot be an answer at all: another shape, another kind, a letter that nobody gave."""
 
 
@@ -89,8 +88,8 @@ def _function(text: str, names: tuple[str, ...]) -> Any:
     if (text, names) not in _KNOWN:
         expression = parsed(text)
         if unknown := {str(each) for each in expression.free_symbols} - set(names):
-            raise Impossible(f"unknown letters {unknown}")
+            raise ImpossibleError(f"unknown letters {unknown}")
         if expression.has(sp.zoo, sp.oo, sp.nan):
-            raise Impossible("infinite")
+            raise ImpossibleError("infinite")
         _KNOWN[text, names] = sp.lambdify([sp.Symbol(name) for name in names], expression, "numpy")
     return _KNOWN[text, names]

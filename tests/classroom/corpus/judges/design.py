@@ -129,8 +129,6 @@ def _parts(point: Point) -> tuple[np.ndarray, ...]:
     return A11, A12, A21, A22, B[:p], B[p:], gain
 
 
-
-
 @judge("reduced_observer", "L")
 def reduced_gain(point: Point, meant: Meaning):
     gain = _parts(point)[-1]

@@ -6,7 +6,7 @@ from scipy.linalg import expm, logm, null_space, sqrtm
 
 from tests.classroom.corpus.judges.registry import (
     POINTS,
-    Impossible,
+    ImpossibleError,
     difference,
     judge,
     letter,
@@ -72,7 +72,7 @@ def left_eigenvectors(point: Point, meant: Meaning):
 def _chains(A: np.ndarray, V: np.ndarray, backwards: bool = False) -> np.ndarray:
     """A V = V J for a J of Jordan's form: the ratio of each column, and the ones of the chains."""
     if rank(V) < len(A):
-        raise Impossible("dependent")
+        raise ImpossibleError("dependent")
     J = np.linalg.solve(V, A @ V)
     J = J.T if backwards else J
     off = J - np.diag(np.diag(J))
@@ -88,7 +88,7 @@ def jordan_form(point: Point, meant: Meaning):
     ones = np.diag(J, 1)
     between = ones * (values[1:] - values[:-1])
     if np.any(J - np.diag(values) - np.diag(ones, 1)) or set(ones) - {0, 1} or np.any(np.abs(between) > 1e-9):
-        raise Impossible("no Jordan form")
+        raise ImpossibleError("no Jordan form")
     for value in values:
         for power in range(1, len(A) + 1):
             theirs = np.linalg.matrix_power(A - value * np.eye(len(A)), power)
@@ -139,7 +139,7 @@ def _basis_of(meant: Meaning, space: np.ndarray) -> np.ndarray:
         return [word(meant.raw == [])]
     V = matrix(meant, space.shape)
     if rank(V) < V.shape[1]:
-        raise Impossible("dependent")
+        raise ImpossibleError("dependent")
     return V - space @ (space.conj().T @ V)
 
 

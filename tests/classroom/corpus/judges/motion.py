@@ -77,7 +77,9 @@ def states(point: Point, meant: Meaning):
 
 @judge("response", "y")
 def outputs(point: Point, meant: Meaning):
-    return [difference(meant(**now).reshape(y.shape), y) for now, (_, y) in zip(_at(point), _motion(point), strict=True)]
+    return [
+        difference(meant(**now).reshape(y.shape), y) for now, (_, y) in zip(_at(point), _motion(point), strict=True)
+    ]
 
 
 @judge("response", "y_final")

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.linalg import solve_continuous_are, solve_discrete_are
 
 from tests.classroom.corpus.judges.design import _rest
-from tests.classroom.corpus.judges.registry import Impossible, judge, matrix, multiset, unique
+from tests.classroom.corpus.judges.registry import ImpossibleError, judge, matrix, multiset, unique
 from tests.classroom.corpus.meanings import Meaning
 from tests.hunt.asked import Point
 from tests.hunt.judges.optimal import weights
@@ -94,7 +94,7 @@ def cost(point: Point, meant: Meaning):
     factor = point.option("cost_factor")
     factors = [0.5, 1.0] if factor is None else [point.number(factor).real]
     if meant().size != 1:
-        raise Impossible("no number")
+        raise ImpossibleError("no number")
     return [min((meant().ravel()[0] - each * whole for each in factors), key=abs)]
 
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from tests.classroom.corpus.meanings import Impossible, Meaning
+from tests.classroom.corpus.meanings import ImpossibleError, Meaning
 from tests.hunt.asked import Point
 
 Judge = Callable[[Point, Meaning], Any]
@@ -48,7 +48,7 @@ def difference(ours: np.ndarray, theirs: Any) -> np.ndarray:
     if np.shape(ours) != theirs.shape:
         if np.size(ours) == theirs.size == 1:
             return np.ravel(ours) - np.ravel(theirs)
-        raise Impossible(f"shape {np.shape(ours)} for {theirs.shape}")
+        raise ImpossibleError(f"shape {np.shape(ours)} for {theirs.shape}")
     return ours - theirs
 
 
@@ -56,7 +56,7 @@ def multiset(ours: np.ndarray, theirs: Iterable[complex]) -> np.ndarray:
     """How two lists differ whose order is free."""
     a, b = np.ravel(ours), np.asarray(list(theirs), dtype=complex)
     if len(a) != len(b):
-        raise Impossible(f"{len(a)} values for {len(b)}")
+        raise ImpossibleError(f"{len(a)} values for {len(b)}")
     return a[(pairs := linear_sum_assignment(np.abs(a[:, None] - b)))[0]] - b[pairs[1]]
 
 
@@ -67,7 +67,7 @@ def matrix(meant: Meaning, shape: tuple[int, int], **more: complex) -> np.ndarra
         return M
     if M.ndim < 2 and 1 in shape and M.size == shape[0] * shape[1]:
         return M.reshape(shape)
-    raise Impossible(f"shape {M.shape} for {shape}")
+    raise ImpossibleError(f"shape {M.shape} for {shape}")
 
 
 def monic(M: np.ndarray) -> np.ndarray:
@@ -93,5 +93,5 @@ def word(condition: bool) -> float:
 def truth(meant: Meaning) -> bool:
     """A verdict of yes or no."""
     if meant.word not in ("true", "false"):
-        raise Impossible("no verdict")
+        raise ImpossibleError("no verdict")
     return meant.word == "true"

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.classroom.corpus.judges.registry import POINTS, Impossible, difference, judge, letter, matrix, multiset
+from tests.classroom.corpus.judges.registry import POINTS, ImpossibleError, difference, judge, letter, matrix, multiset
 from tests.classroom.corpus.meanings import Meaning
 from tests.hunt.asked import Point
 from tests.hunt.judges.found import hidden, krylov, rank
@@ -54,7 +54,7 @@ def realizes(point: Point, found: dict[str, Meaning]) -> list[np.ndarray]:
     B, C = matrix(found["B"], (n, m)), matrix(found["C"], (p, n))
     D = matrix(found["D"], (p, m)) if "D" in found else transfer(point)(1e12).real
     if point.question.task == "minimal_realization" and n != mcmillan_degree(transfer(point)):
-        raise Impossible("not minimal")
+        raise ImpossibleError("not minimal")
     if point.question.task == "realization":
         _in_form(point, A, B, C)
     return [C @ np.linalg.solve(s * np.eye(n) - A, B) + D - transfer(point)(s) for s in POINTS]
@@ -63,18 +63,20 @@ def realizes(point: Point, found: dict[str, Meaning]) -> list[np.ndarray]:
 def _in_form(point: Point, A: np.ndarray, B: np.ndarray, C: np.ndarray) -> None:
     """The pattern of the canonical form; where no convention is named, that of any textbook."""
     if "transfer_function" in point.question.system and len(A) != len(loop(point)[1]) - 1:
-        raise Impossible("order")
+        raise ImpossibleError("order")
     form, convention = point.option("form", "controllable"), point.option("convention")
     if form == "diagonal" and np.any(A - np.diag(np.diag(A))):
-        raise Impossible("not diagonal")
-    if form in ("controllable", "observable") and not _companion(*((A, B) if form == "controllable" else (A.T, C.T)), convention):
-        raise Impossible("no companion form")
+        raise ImpossibleError("not diagonal")
+    pair = {"controllable": (A, B), "observable": (A.T, C.T)}.get(form)
+    if pair is not None and not _companion(*pair, convention):
+        raise ImpossibleError("no companion form")
 
 
 def _companion(A: np.ndarray, B: np.ndarray, convention: str | None) -> bool:
-    n = len(A)
-    last = np.array_equal(A[:-1, 1:], np.eye(n - 1)) and not np.any(A[:-1, 0]) and np.array_equal(B[:, 0], np.eye(n)[-1])
-    first = np.array_equal(A[1:, :-1], np.eye(n - 1)) and not np.any(A[1:, -1]) and np.array_equal(B[:, 0], np.eye(n)[0])
+    """Coefficients in the last row with the input there, or in the first; either where none is named."""
+    unit = np.eye(len(A))
+    last = np.array_equal(A[:-1], unit[1:]) and np.array_equal(B[:, 0], unit[-1])
+    first = np.array_equal(A[1:], unit[:-1]) and np.array_equal(B[:, 0], unit[0])
     return {"last_row": last, "first_row": first}.get(str(convention), last or first)
 
 
@@ -83,7 +85,7 @@ def decomposes(point: Point, found: dict[str, Meaning]) -> list[np.ndarray]:
     A, B, C, _ = matrices(point)
     T, new = found["T"](), found["A"]()
     if T.shape != A.shape or new.shape != A.shape or rank(T) < len(A):
-        raise Impossible("no transformation")
+        raise ImpossibleError("no transformation")
     left = [A @ T - T @ new]
     if "B" in found:
         left.append(T @ matrix(found["B"], B.shape) - B)

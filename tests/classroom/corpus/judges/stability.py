@@ -5,7 +5,7 @@ import re
 import numpy as np
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
-from tests.classroom.corpus.judges.registry import Impossible, difference, judge, truth, unique, word
+from tests.classroom.corpus.judges.registry import ImpossibleError, difference, judge, truth, unique, word
 from tests.classroom.corpus.meanings import Meaning
 from tests.hunt.asked import Point, holds, points
 from tests.hunt.judges.found import hidden, rank
@@ -110,7 +110,7 @@ def array(point: Point, meant: Meaning):
     theirs = np.array(rows)
     ours = meant()
     if ours.ndim != 2 or len(ours) != len(theirs):
-        raise Impossible("rows")
+        raise ImpossibleError("rows")
     ours = np.pad(ours, ((0, 0), (0, max(0, width - ours.shape[1]))))[:, :width]
     factors = ours[:, 0].real / theirs[:, 0].real
     return [1.0] if np.any(factors <= 0) else ours - factors[:, None] * theirs
@@ -143,5 +143,3 @@ def kind(point: Point, meant: Meaning):
     else:
         said = f"{side} node" if spread > 0 else "center" if abs(trace) < 1e-9 else f"{side} focus"
     return [word(meant.word == said)]
-
-

@@ -6,7 +6,7 @@ import sympy as sp
 from scipy.integrate import quad_vec
 from scipy.linalg import expm, solve_continuous_lyapunov, solve_discrete_lyapunov
 
-from tests.classroom.corpus.judges.registry import Impossible, difference, judge, multiset, truth, unique, word
+from tests.classroom.corpus.judges.registry import ImpossibleError, difference, judge, multiset, truth, unique, word
 from tests.classroom.corpus.meanings import Meaning
 from tests.hunt.asked import Point
 from tests.hunt.judges.found import hidden, krylov, rank
@@ -113,7 +113,7 @@ def transformation(point: Point, meant: Meaning):
     A, B, C, _ = matrices(point)
     T = meant()
     if T.shape != A.shape or rank(T) < len(A):
-        raise Impossible("no transformation")
+        raise ImpossibleError("no transformation")
     if point.option("part", "controllable") == "controllable":
         first = rank(krylov(A, B))
         return np.linalg.solve(T, krylov(A, B))[first:]
@@ -135,7 +135,8 @@ def orders(point: Point, meant: Meaning):
 @judge("kalman_decomposition", "hidden_modes")
 def hidden_modes(point: Point, meant: Meaning):
     A, B, C, _ = matrices(point)
-    return multiset(meant(), hidden(A, B) if point.option("part", "controllable") == "controllable" else hidden(A.T, C.T))
+    pair = (A, B) if point.option("part", "controllable") == "controllable" else (A.T, C.T)
+    return multiset(meant(), hidden(*pair))
 
 
 @judge("parameter_condition", "values")
