@@ -18,18 +18,24 @@ RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!="
 _RELATION = re.compile(r"<=|>=|!=|[≤≥≠<>]|==?")
 _AND = re.compile(r"\s+(?:and|und)\s+|\s*(?:&&?|∧|;|,)\s*", re.IGNORECASE)
 _OR = re.compile(r"\s+(?:or|oder)\s+|\s*(?:\|\|?|∨)\s*", re.IGNORECASE)
+_SEVERAL = re.compile(r"^((?:[^\W\d]\w*\s*,\s*)+[^\W\d]\w*)\s*([<>≤≥].*)$", re.DOTALL)
 _EQUATION = re.compile(r"^(Eq|Ne|And|Or)\s*\((.*)\)$", re.DOTALL)
 _INTERVAL = re.compile(r"^(.+?)\s*(?:∈|\bin\b)\s*([\[\](])([^,;]+)[,;]([^,;]+)([\])\[])$", re.DOTALL)
 
 
 class ConditionReader:
-    """Reads conditions; `side` reads what stands beside their signs."""
+    """Reads conditions; `side` reads what stands beside their signs. An interval alone is of the parameter `name`."""
 
-    def __init__(self, side: Callable[[str], Any]) -> None:
+    def __init__(self, side: Callable[[str], Any], name: str = "") -> None:
         self.side = side
+        self.name = name
 
     def read(self, text: str) -> Any:
         """Return the condition, True for "always", False for "never". Raises ExpressionError."""
+        if found := _SEVERAL.match(text.strip()):  # a, b > 0
+            text = " and ".join(f"{name} {found[2]}" for name in found[1].split(","))
+        if self.name and _INTERVAL.match(f"{self.name} in {text.strip()}"):
+            text = f"{self.name} in {text.strip()}"
         return self._any_of(text, 0)
 
     def _any_of(self, text: str, depth: int) -> Any:

@@ -28,6 +28,12 @@ _MULTIPLE = re.compile(
 )
 MOST_TIMES = 24
 _INDEX = re.compile(r"(\d+)\D*$")
+_SHARED = re.compile(
+    r"([^\W\d][^\W\d_]*)_?\{?(\d),\s*(\d)\}?\s*=\s*([^=]*?)(?=[,;]\s*[^\W\d]\w*(?:,\s*\d)?\}?\s*=|\s*$)"
+)
+_PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
+_MEMBER = re.compile(r"\s*\\?[^\W\d]\w*\s*(?:∈|\\in\b|\bin\b)\s*(?=\\?[{\[])")
+_ARGUMENT = re.compile(r"\([stzk]\)\s*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
 _DECORATION = re.compile(r"\\(?:text|mathrm|mathcal|operatorname|bar|hat|tilde|left|right|mathbf)\b|[\\${}_\s*^]")
 _GREEK = {**GREEK, "lambda": "lamda"}
@@ -56,7 +62,8 @@ class Labels:
         label = _normal(found[1])
         if label in self.own:
             return found[2].strip(), False
-        foreign = label in self.others or (_is_quantity(label) and _letter(label) not in map(_letter, self.own))
+        quantity = _is_quantity(label) and not _ARGUMENT.search(found[1])  # C(s) is a function, and no matrix C
+        foreign = label in self.others or (quantity and _letter(label) not in map(_letter, self.own))
         if self.name and foreign:
             raise ForeignLabelError(f"it is labelled {found[1].strip()}, and {self.name} is asked for")
         return (found[2].strip(), True) if _NAME.fullmatch(found[1].strip()) else (text, False)
@@ -83,6 +90,37 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
     if len(numbers) == len(items) == len(set(numbers)):
         values = [value for _, value in sorted(zip(numbers, values, strict=True))]
     return values, True
+
+
+def with_own_labels(text: str) -> str:
+    """Return a list without "b ∈" before it, and with λ_{1,2} = 3 as λ_1 = λ_2 = 3; where ± says two values, as one."""
+
+    def each(found: re.Match[str]) -> str:
+        name, first, second, value = found.groups()
+        return f"{name}{first} = {value}" if "±" in value else f"{name}{first} = {name}{second} = {value}"
+
+    return _SHARED.sub(each, _MEMBER.sub("", text, count=1) if _MEMBER.match(text) else text)
+
+
+def by_places(items: Sequence[str]) -> list[list[str]] | None:
+    """Return the rows of a matrix whose entries are named, p11 = 2, p12 = p21 = 0; None where some are missing.
+
+    Of a square matrix what is missing on one side of the diagonal is as on the other.
+    """
+    found: dict[tuple[int, int], str] = {}
+    for item in items:
+        places, value = [], item
+        while match := _PLACE.match(value):
+            places.append((int(match[1]), int(match[2])))
+            value = value[match.end() :]
+        if not places:
+            return None
+        found |= dict.fromkeys(places, value.strip())
+    height, width = (range(1, 1 + max((place[of] for place in found), default=0)) for of in (0, 1))
+    if height == width and not all((i, j) in found for i in height for j in width):
+        found = {(j, i): value for (i, j), value in found.items()} | found
+    whole = all((i, j) in found for i in height for j in width)
+    return [[found[i, j] for j in width] for i in height] if whole else None
 
 
 def _repeated(item: str) -> list[str]:

@@ -52,7 +52,7 @@ def is_latex(text: str) -> bool:
 
 def translated(text: str) -> str:
     """Return LaTeX in plain notation: matrices as [a, b; c, d], fractions in brackets. Raises NotReadableError."""
-    text = _FACTOR.sub(r"\1 \2", text)
+    text = _FACTOR.sub(r"\1 \2", text).replace("{,}", ",")
     tokens = _TOKEN.findall(text.replace("$", " ").replace("~", " "))
     return re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()
 

@@ -25,6 +25,8 @@ _MAKER = re.compile(
 _KEYWORD = re.compile(r"\s*[A-Za-z_]\w*\s*=")
 _TRANSPOSE = re.compile(r"(?:\.?['’′]|\^\(?\s*T\s*\)?|ᵀ|\.T|\^⊤|\^\\top)\s*$")
 _PAIR = re.compile(r"\s*(?::=|[:=])\s*")
+_VECTOR = re.compile(r"(^|[,;]\s*)[^\W\d]\w*\s*=\s*(?=[\[(].*[,;]\s*[^\W\d]\w*\s*=|[\[(][^=]*$)", re.DOTALL)
+_SPAN = re.compile(r"\s*(?:span|Span|lin|LH)\s*(?=[({\[])")
 _JOINED = re.compile(r"\s+(?:and|und|or|oder)\s+", re.IGNORECASE)
 _SETS = {"∅": "[]", "{ }": "[]"}
 _DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.]|,\d)")
@@ -82,7 +84,10 @@ class Unfolding:
         if depth > MAX_DEPTH:
             return _leaf(node, text)
         if self.grid and depth == 0:
-            text = _JOINED.sub(", ", text)
+            text = _VECTOR.sub(r"\1", _JOINED.sub(", ", text))
+            if _SPAN.match(text):
+                vectors = self.text(node, _SPAN.sub("", text, count=1), 1)
+                return vectors if ";" in text else _columns(vectors)
         tuple_ = enclosed(text, "()") and (len(split(text[1:-1], ",")) > 1 or len(rows(text[1:-1])) > 1)
         if enclosed(text, "{}") and (mapped := _mapped(node, text[1:-1])):
             return mapped
@@ -149,6 +154,14 @@ class Unfolding:
         if several and not are_numbers(pieces):
             several = self.grid and self.choices.choose("spaces", (True, False))
         return [self.text(node, piece, depth + 1) for piece in (pieces if several else [text])]
+
+
+def _columns(node: Node) -> Node:
+    """The matrix of the vectors of a list, (1, 2) and (3, 4); anything else as it is."""
+    lines = node.items if isinstance(node, SequenceNode) else ()
+    vectors = [line.items for line in lines if isinstance(line, SequenceNode)]
+    flat = all(isinstance(entry, ScalarNode) for vector in vectors for entry in vector)
+    return transposed(node) if isinstance(node, SequenceNode) and len(vectors) == len(lines) and flat else node
 
 
 def _plain(node: ScalarNode, text: str) -> str:

@@ -43,6 +43,11 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"½", "(1/2)"),
         (r"¼", "(1/4)"),
         (r"¾", "(3/4)"),
+        (r"⅓", "(1/3)"),
+        (r"⅔", "(2/3)"),
+        (r"⅕", "(1/5)"),
+        (r"⅙", "(1/6)"),
+        (r"⅛", "(1/8)"),
         (r"_?[₀-₉]+", lambda found: f"_{found[0].lstrip('_').translate(_SUBSCRIPTS)}"),  # x₁ for x_1
         (r"_\{\s*(\w+)\s*\}", r"_\1"),  # x_{1}
         (r"_\(\s*(\d+)\s*\)", r"_\1"),

@@ -15,6 +15,7 @@ from solver.classroom.reading.brackets import are_numbers, by_spaces, matching, 
 from solver.symbols import POLYNOMIAL
 
 _FRACTION = re.compile(r"(?:\b\w+\.)*\b(tf|TransferFunction)\s*\(")
+_ZPK = re.compile(r"(?:\b\w+\.)*\bzpk\s*\(")
 _POLYNOMIAL = re.compile(r"^\s*(?:\w+\.)*(?:Pure)?Poly\s*\(([^,]*)(?:,.*)?\)\s*$", re.DOTALL)
 _LIST = re.compile(r"\[|(?:\w+\.)*(?:poly1d|array|Matrix)\(|\\begin")
 _ZERO = re.compile(r"^\s*\+?0(?:\.0*)?\s*$")
@@ -62,9 +63,10 @@ def in_variable(read: tuple[Any, Any], variable: sp.Symbol, known: set[sp.Symbol
 
 
 def with_quotients(text: str, variable: str) -> str:
-    """Return a text with tf([1], [1 3 2]) as a quotient of polynomials, and Poly(p, s) as p; other calls stay."""
+    """Return a text with tf([1], [1 3 2]), zpk([], [-1 -2], 1) as quotients, Poly(p, s) as p; other calls stay."""
     if found := _POLYNOMIAL.match(text):
         return found[1]
+    text = _with_roots(text, variable)
     while found := _FRACTION.search(text):
         end = matching(text, found.end() - 1)
         arguments = split(text[found.end() : end], ",")
@@ -75,6 +77,28 @@ def with_quotients(text: str, variable: str) -> str:
             return text
         text = f"{text[: found.start()]}(({above})/({below})){text[end + 1 :]}"
     return text
+
+
+def _with_roots(text: str, variable: str) -> str:
+    """A text with zpk(zeros, poles, gain) as a quotient of factors."""
+    while found := _ZPK.search(text):
+        end = matching(text, found.end() - 1)
+        arguments = split(text[found.end() : end], ",")
+        if len(arguments) < 3:
+            return text
+        above, below = (_factors(each, variable) for each in arguments[:2])
+        if max(len(above), len(below)) > MAX_DEGREE:
+            return text
+        quotient = f"(({arguments[2]})*{'*'.join(['1', *above])}/({'*'.join(['1', *below])}))"
+        text = f"{text[: found.start()]}{quotient}{text[end + 1 :]}"
+    return text
+
+
+def _factors(text: str, variable: str) -> list[str]:
+    """The factors of the roots in brackets, or of one root."""
+    inside = text.strip().removeprefix("[").removesuffix("]").strip()
+    entries = split(inside, ",") if "," in inside else by_spaces(inside)
+    return [f"({variable}-({entry.strip()}))" for entry in entries if entry.strip()]
 
 
 def _polynomial(text: str, variable: str) -> str:

@@ -55,14 +55,17 @@ class TextReader:
             pairs = parse_written(text, self.names, symbols, self._decide)
             return [(self._sampled(value), self._sampled(form)) for value, form in pairs]
 
-    def condition(self, node: Node) -> Any:
-        """Return a condition such as "0 < K < 6", True for "always", False for "never"; raises Fault."""
+    def condition(self, node: Node, name: str = "") -> Any:
+        """Return a condition such as "0 < K < 6", True for "always", False for "never"; raises Fault.
+
+        The interval (0, 6) alone is a condition on the parameter of this name.
+        """
         text = text_of(node)
         if len(text) > MAX_CHARACTERS:
             raise node.fault(f"a condition is longer than {MAX_CHARACTERS} characters")
         with At(node):
             text = translated(text) if is_latex(text) else text
-            return ConditionReader(self._side).read(text)
+            return ConditionReader(self._side, name).read(text)
 
     def _side(self, text: str) -> Any:
         """One side of a condition, where decimals stand for themselves. Raises ExpressionError."""

@@ -16,7 +16,13 @@ import sympy as sp
 from solver.classroom.reading import polynomials, words
 from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.expected import Expected
-from solver.classroom.reading.labels import ForeignLabelError, without_labels, without_range
+from solver.classroom.reading.labels import (
+    ForeignLabelError,
+    by_places,
+    with_own_labels,
+    without_labels,
+    without_range,
+)
 from solver.classroom.reading.likeness import has_step, is_condition, is_like
 from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.nodes import flat, is_trivial, labelled, lower, only, rows_of, text_of
@@ -80,6 +86,9 @@ class Reader:
         if not isinstance(node, ScalarNode) or isinstance(ours, Mapping) or is_condition(ours):
             return node
         text = without_range(node.text)
+        if isinstance(ours, sp.Set | list | tuple):
+            text = with_own_labels(text)
+            self.texts.respelt = self.texts.respelt or text != node.text
         if polynomials.variable_of(ours) is not None:
             text = polynomials.one_side(text)
             self.texts.respelt = self.texts.respelt or text != node.text
@@ -96,7 +105,8 @@ class Reader:
         if isinstance(ours, bool):
             return (self._truth(node),) * 2
         if is_condition(ours):
-            return (self.texts.condition(node),) * 2
+            names = [symbol.name for symbol in ours.free_symbols]
+            return (self.texts.condition(node, names[0] if len(names) == 1 else ""),) * 2
         if isinstance(ours, sp.Set | list | tuple):
             return self._set(node, ours)
         if isinstance(ours, sp.MatrixBase):
@@ -190,9 +200,11 @@ class Reader:
         node = self._unfolded(node, grid=True)
         if is_trivial(node):
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
-        if isinstance(node, SequenceNode) and (named := self._unlabelled_items(flat(node.items))):
-            node = SequenceNode(node.place, tuple(named))
+        if isinstance(node, SequenceNode):
+            node = self._placed(node) or node
         rows = rows_of(node, ours)
+        if self.expected.name == "array":  # Routh's, whose zeros at the end of a row are often left out
+            rows = [[*row, *[ScalarNode(node.place, "0")] * (ours.cols - len(row))] for row in rows]
         if any(len(row) != len(rows[0]) for row in rows):
             raise node.fault("the rows of a matrix must have the same length")
         if sum(map(len, rows)) > MAX_ENTRIES:
@@ -210,6 +222,17 @@ class Reader:
                     forms[-1].append(form)
         report.conclude()
         return self._turned(sp.ImmutableMatrix(values), sp.ImmutableMatrix(forms), ours)
+
+    def _placed(self, node: SequenceNode) -> SequenceNode | None:
+        """A list of entries with their names, p11 = 2 or k_1 = 3; None where they have none."""
+        items = flat(node.items)
+        texts = [item.text for item in items if isinstance(item, ScalarNode)]
+        if texts and len(texts) == len(items) and (lines := by_places(texts)):
+            self.texts.respelt = True
+            rows = [tuple(ScalarNode(node.place, text, "quoted") for text in line) for line in lines]
+            return SequenceNode(node.place, tuple(SequenceNode(node.place, row) for row in rows))
+        named = self._unlabelled_items(items)
+        return SequenceNode(node.place, tuple(named)) if named else None
 
     def _turned(self, value: Any, form: Any, ours: sp.MatrixBase) -> Pair:
         """A vector in the orientation of ours: a gain written as a column is the row that is asked for."""

@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 
 from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.expected import Expected
 from solver.problem.source import Fault
 from tests.helpers.reading import a, b, read
 
@@ -51,6 +52,9 @@ TWO, ROW, COLUMN, SQUARE = [a, b], M([[a, b]]), M([a, b]), M([[a, b], [a, b]])
         ("{-1: 2}", [-1, -1]),
         ("'{1 - sqrt(6): 1, 1 + sqrt(6): 1}'", [1 - sp.sqrt(6), 1 + sp.sqrt(6)]),
         ("[1+2j, 1-2j]", [1 + 2 * i, 1 - 2 * i]),
+        ("'λ1,2 = 0'", [0, 0]),
+        ("'s1,2 = -3 ± 2j, s3,4 = -10'", [-3 + 2 * i, -3 - 2 * i, -10, -10]),
+        ("'b ∈ {-1, -2}'", [-1, -2]),
     ],
 )
 def test_a_list_is_read(text, value):
@@ -115,6 +119,40 @@ def test_entries_may_be_expressions(text, value):
     found = read(text, SQUARE)
     assert sp.expand(found.value - value) == sp.zeros(2, 2)
     assert found.others == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("'p11 = 1, p12 = 2, p22 = 3'", [[1, 2], [2, 3]]),
+        ("'p_11 = 1, p_21 = 2, p_22 = 3'", [[1, 2], [2, 3]]),
+        ("'p_{11} = 1, p_{12} = p_{21} = 2, p_{22} = 3'", [[1, 2], [2, 3]]),
+        ("'a_11 = 1; a_12 = 2; a_21 = 4; a_22 = 3'", [[1, 2], [4, 3]]),
+    ],
+)
+def test_a_matrix_is_read_by_the_names_of_its_entries(text, value):
+    found = read(text, SQUARE)
+    assert (found.value, found.respelt) == (M(value), True)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("'span{(-2, 1, 0), (-3, 0, 1)}'", [[-2, -3], [1, 0], [0, 1]]),
+        ("'span{[1; 2; 0], [3; 4; 1]}'", [[1, 3], [2, 4], [0, 1]]),
+        ("'v1 = [1; 2; 0], v2 = [3; 4; 1]'", [[1, 3], [2, 4], [0, 1]]),
+    ],
+)
+def test_vectors_are_the_columns_of_a_basis(text, value):
+    assert read(text, M([[a, b], [a, b], [b, a]])).value == M(value)
+
+
+def test_zeros_left_out_at_the_end_of_a_row_of_rouths_array_are_read_there_only():
+    array = M([[1, 3, 5], [2, 4, 0], [a, 0, 0]])
+    text = "[[1, 3, 5], [2, 4], [7]]"
+    assert read(text, array, Expected("array")).value == M([[1, 3, 5], [2, 4, 0], [7, 0, 0]])
+    with pytest.raises(Fault, match="the same length"):
+        read(text, array)
 
 
 @pytest.mark.parametrize(

@@ -115,3 +115,13 @@ def test_another_unit_is_refused(text):
 )
 def test_conditions_are_read_as_ranges_and_in_latex(text, value):
     assert sp.simplify_logic(read(text, sp.Lt(a, b)).value) == sp.simplify_logic(value)
+
+
+def test_an_interval_alone_is_that_of_the_one_parameter():
+    assert {each.canonical for each in read("(0, 6]", K > 0).value.args} == {K > 0, K <= 6}
+    with pytest.raises(Fault):
+        read("(0, 6]", sp.Lt(a, b))
+
+
+def test_several_names_before_a_sign_have_it_each():
+    assert read("'a, b > 0'", sp.Lt(a, b)).value == sp.And(a > 0, b > 0)
