@@ -10,6 +10,7 @@ from typing import Any
 
 from solver.classroom.following.between import OwnResults
 from solver.classroom.following.chain import followed
+from solver.classroom.following.conventions import Judged, by_convention
 from solver.classroom.judging.question import Question
 from solver.classroom.judging.verdict import judge
 from solver.classroom.marks import carried, fraction, left_out, marked
@@ -164,11 +165,12 @@ class Marker:
         earlier = self.own.earlier()
         question = self._question(part, earlier, ours)
         verdicts = followed(part, question, values, judge(question, values), self.own)
-        for name, verdict in verdicts.items():
-            if verdict.verdict is Verdict.WRONG:
-                results = self.results[part.id]
-                verdicts[name] = explained(verdict, Wrong(part, question, values, results, earlier))
-        return verdicts
+        found = by_convention(Judged(part, question, verdicts), values, self.own)
+        wrong = Wrong(found.part, found.question, values, self.results[part.id], earlier)
+        return {
+            name: explained(verdict, wrong) if verdict.verdict is Verdict.WRONG else verdict
+            for name, verdict in found.verdicts.items()
+        }
 
     def _question(self, part: Part, earlier: Mapping[str, PartResult], ours: Mapping[str, Any]) -> Question:
         return Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), ours, part.digits)

@@ -74,7 +74,8 @@ class Option:
     `default` is as it is typed in a file. `answer` is the answer that `{from: part}` takes (empty: the one of the
     option's own name). One with a `loop` changes the system before the
     task sees it; `loop` is the lemma whose wording says so in the question. `way` is what pages name in place of the
-    method where the option is given.
+    method where the option is given. `conventions` are usual values, as typed, by which an answer is right too where
+    the file gives none.
     """
 
     name: str
@@ -86,6 +87,7 @@ class Option:
     answer: str = ""
     loop: str = ""
     way: Way | None = None
+    conventions: tuple[Typed, ...] = ()
 
 
 @overload
@@ -93,7 +95,9 @@ def option(kind: OptionKind[T], doc: str, *, required: Literal[True], methods: t
 @overload
 def option(kind: OptionKind[T], doc: str, *, default: Typed, methods: tuple[str, ...] = ()) -> T: ...
 @overload
-def option(kind: ImpliedKind[T], doc: str, *, methods: tuple[str, ...] = ()) -> T: ...
+def option(
+    kind: ImpliedKind[T], doc: str, *, methods: tuple[str, ...] = (), conventions: tuple[Typed, ...] = ()
+) -> T: ...
 @overload
 def option(
     kind: OptionKind[T],
@@ -103,6 +107,7 @@ def option(
     answer: str = "",
     loop: str = "",
     way: Way | None = None,
+    conventions: tuple[Typed, ...] = (),
 ) -> T | None: ...
 def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **facts: Any) -> Any:
     """Return the field of an option, whose type follows from how it is declared.
@@ -111,7 +116,7 @@ def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **f
     file, or of a kind that implies one (a flag, a choice): that value where none is given. Else None where none is
     given; then `answer` names the answer of an earlier part that it is usually taken from, `loop` the lemma that closes
     a loop with it, and `way` is what it has done in place of the method. `methods` are those that take the option
-    (none: all).
+    (none: all); `conventions` are other usual values, which a student may follow where the file gives none.
     """
     default = kind.implied if default is None else default
     declared = Option("", kind, doc, default, **facts)

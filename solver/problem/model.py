@@ -86,7 +86,8 @@ class Part:
     `marks` is what the part carries; `answer_marks` how they are split over its answers, where the file says so.
     `asked` are the answers that the file asks for, none where it does not say; a decimal must have `digits` significant
     ones to be judged, and may have a comma where `decimal_comma` says so. `partial` says what wrong answers can earn,
-    where anything is said of them. `show` is what a paper shows of it.
+    where anything is said of them. `show` is what a paper shows of it. `conventions` has the other usual
+    values of options that the file does not give, by option and as typed.
     `symbols` and `parameters` are those of a part that has its own, `assumed` what its own `assume` says of symbols,
     `conditions` all that hold in it. `decimals_typed` tells that its question holds decimals. `places` tells where its
     task, its options and the conditions stand in the file.
@@ -110,6 +111,7 @@ class Part:
     partial: Mapping[str, Partial] = field(default_factory=dict)
     decimal_comma: bool = False
     show: Show = Show()
+    conventions: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     decimals_typed: bool = False
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)
 

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from solver.derivation import Option, Task
 from solver.derivation.conversion import reachable
+from solver.derivation.options import Typed
 from solver.problem.asked import answer_named, given_by, read_asked, read_comma, read_digits
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
@@ -111,6 +112,7 @@ class PartReader:
             partial=partial,
             decimal_comma=read_comma(mapping, default=self.usual.decimal_comma),
             show=read_show(mapping, self.usual.show),
+            conventions=reader.conventions(),
             conditions=lexicon.chains,
             places={entry.key.text: entry.value.place for entry in mapping}
             | {f"conditions {i}": chain.place for i, chain in enumerate(lexicon.chains)},
@@ -264,7 +266,18 @@ class _OptionsReader:
             raise self.part["task"].fault(message)
         if value is None:
             return {}
-        return {option.name: read_option(option, node_of(value, self.part["task"].place), self.context)}
+        return {option.name: self._typed(option, value)}
+
+    def conventions(self) -> dict[str, dict[str, Any]]:
+        """Return the usual values of the options that are conventions and not given, by option and as typed."""
+        return {
+            name: {str(typed): self._typed(option, typed) for typed in option.conventions if typed != option.default}
+            for name, option in self.takes.items()
+            if option.conventions and name not in self.given
+        }
+
+    def _typed(self, option: Option, value: Typed) -> Any:
+        return read_option(option, node_of(value, self.part["task"].place), self.context)
 
     def _check_plant(self) -> None:
         """Refuse a gain where there is nothing to feed back to."""

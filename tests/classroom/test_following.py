@@ -40,7 +40,7 @@ def test_all_that_follows_from_a_wrong_solution_of_riccati_is_right():
 def test_a_slip_in_what_follows_is_wrong_and_followed_in_its_turn():
     found = said(
         REGULATOR,
-        "{a: {P: [[2, 1], [1, 3]], K: [1, 4], closed_loop_A: [[0, 1], [-1, -4]], cost: 2,"
+        "{a: {P: [[2, 1], [1, 3]], K: [1, 4], closed_loop_A: [[0, 1], [-1, -4]], cost: 3,"
         " eigenvalues: [-2 ± sqrt(3)]}}",
     )["a"]
     assert found == {"P": WRONG, "K": WRONG, "closed_loop_A": FOLLOWS, "cost": WRONG, "eigenvalues": FOLLOWS}

@@ -31,7 +31,7 @@ find:
   polynomial: {task: characteristic_polynomial, system: {matrix: [[1, 2, 0], [0, 1, 1], [1, 0, 3]]}}
   reachable: {task: controllability, system: {A: [[1, 2], [3, 1]], B: [[0, 1], [1, 1]]}}
   visible: {task: observability, system: {A: [[1, 2], [3, 1]], C: [[1, 0], [1, 1]]}}
-  realized: {task: realization, system: {transfer_function: "(s+5)/(s^2+3s+2)"}}
+  realized: {task: realization, convention: last_row, system: {transfer_function: "(s+5)/(s^2+3s+2)"}}
   power: {task: matrix_function, function: "A^3"}
   response: {task: response, kind: complete, input: "1", initial_state: [1, 0],
              system: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]}}

@@ -83,9 +83,10 @@ class OwnResults:
         """The question that a part asks with own values; None where it has no answers."""
         earlier = self._with(chosen)
         sources = [source for group in chosen for source in group]
-        key = (part.id, *((id_, name, str(earlier[id_].answers.get(name))) for id_, name in sources))
+        named = [str(part.options.get(name)) for name in part.conventions]
+        key = (part.id, *named, *((id_, name, str(earlier[id_].answers.get(name))) for id_, name in sources))
         if key not in self.asked:
-            self.asked[key] = _answered(part, earlier)
+            self.asked[key] = answered(part, earlier)
         return self.asked[key]
 
     def _of(self, id_: str) -> OwnResult:
@@ -115,7 +116,7 @@ class OwnResults:
         return OwnResult(replace(result, answers=Answers(**found)), own)
 
 
-def _answered(part: Part, earlier: Earlier) -> Question | None:
+def answered(part: Part, earlier: Earlier) -> Question | None:
     """The question of a part with the answers by all its methods; None where it has none."""
     try:
         found = [found_by(method, part, earlier) for method in part.methods]
@@ -138,4 +139,4 @@ def taken_by(part: Part, earlier: Earlier) -> list[tuple[Source, ...]]:
     return list(dict.fromkeys(groups))
 
 
-__all__ = ["OwnResult", "OwnResults", "Source", "taken_by"]
+__all__ = ["OwnResult", "OwnResults", "Source", "answered", "taken_by"]

@@ -12,20 +12,23 @@ NOTHING = sp.Rational(1, 1000)
 
 
 def trivial(own: Any, ours: Any) -> bool:
-    """Whether an own value trivialises what follows: zeros, almost nothing, a word, or a shape that ours has not."""
+    """Whether an own value trivialises what follows: zeros that ours has not, almost nothing, a word, another shape."""
     if isinstance(own, bool | str):
         return True
     if isinstance(own, sp.MatrixBase):
         if not isinstance(ours, sp.MatrixBase) or own.shape != ours.shape or _is_nothing(own.flat(), ours.flat()):
             return True
-        zero_rows = [own.row(i).is_zero_matrix and not ours.row(i).is_zero_matrix for i in range(own.rows)]
         identity = own.is_square and own == sp.eye(own.rows) and ours != own
-        return any(zero_rows) or identity
+        return _zero_rows(own) > _zero_rows(ours) or identity
     if isinstance(own, list | tuple):
         if len(own) != len(ours):
             return True
         return any(map(trivial, own, ours)) if own and isinstance(own[0], sp.MatrixBase) else _is_nothing(own, ours)
     return not isinstance(own, sp.Expr) or _is_nothing([own], [ours])
+
+
+def _zero_rows(M: Any) -> int:
+    return sum(bool(M.row(i).is_zero_matrix) for i in range(M.rows))
 
 
 def _is_nothing(own: Iterable[Any], ours: Iterable[Any]) -> bool:

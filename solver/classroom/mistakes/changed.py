@@ -8,6 +8,7 @@ from typing import Any
 
 from solver.classroom.judging.question import STRANGE
 from solver.classroom.mistakes.questions import CHANGED, Change, declared
+from solver.classroom.same_part import SamePart
 from solver.derivation import Answers, Given, PartResult, Slip, Step, Task, Unsolved
 from solver.engine import found_by, steps_of
 from solver.lazy import exact
@@ -20,41 +21,26 @@ KEPT = 200
 Found = tuple[Given[Any, Any], Answers]
 
 
-class _Same:
-    """A part as it is: equal to itself only."""
-
-    __slots__ = ("part",)
-
-    def __init__(self, part: Part) -> None:
-        self.part = part
-
-    def __hash__(self) -> int:
-        return id(self.part)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and self.part is other.part
-
-
 def changed_questions(part: Part, earlier: Mapping[str, PartResult]) -> Iterator[tuple[Slip, Found]]:
     """Yield the mistakes that answer another question, the task's own first: what is given there, and the answers."""
     for number, (slip, _) in enumerate(_changes_of(catalogue()[part.task])):
-        found = _found(part, number, earlier) if part.sources else _remembered(_Same(part), number)
+        found = _found(part, number, earlier) if part.sources else _remembered(SamePart(part), number)
         if found is not None:
             yield slip, found
 
 
 def steps_taken(part: Part, method: str, earlier: Mapping[str, PartResult]) -> list[Step]:
     """Return the steps of a part by a method."""
-    return steps_of(part, method, earlier) if part.sources else _remembered_steps(_Same(part), method)
+    return steps_of(part, method, earlier) if part.sources else _remembered_steps(SamePart(part), method)
 
 
 @lru_cache(maxsize=KEPT)
-def _remembered(same: _Same, number: int) -> Found | None:
+def _remembered(same: SamePart, number: int) -> Found | None:
     return _found(same.part, number, {})
 
 
 @lru_cache(maxsize=KEPT)
-def _remembered_steps(same: _Same, method: str) -> list[Step]:
+def _remembered_steps(same: SamePart, method: str) -> list[Step]:
     return steps_of(same.part, method, {})
 
 

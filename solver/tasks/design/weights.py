@@ -48,7 +48,9 @@ class WeightOptions(PlantOptions):
     tolerances: ImmutableMatrix | None = option(
         MatrixOf("n", 1, flat="column"), "tolerable deviations x̃ of the states: Q = diag(1/x̃²)"
     )
-    cost_factor: Expr | None = option(Number(), "factor before the integral of the cost, 1/2 (the default) or 1")
+    cost_factor: Expr | None = option(
+        Number(), "factor before the integral of the cost, 1/2 (the default) or 1", conventions=("1",)
+    )
 
 
 def faulty_state_weight(system: System, options: WeightOptions) -> Iterable[Refusal]:

@@ -37,6 +37,7 @@ class RealizationOptions(LoopOptions):
         Choice(CONVENTIONS),
         "companion forms: coefficients in the last row (controllable; observable: column) or in the first; "
         "Jordan and modal form: the ones of a chain below or above the diagonal (subdiagonal if not said)",
+        conventions=CONVENTIONS,
     )
 
 
