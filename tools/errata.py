@@ -75,7 +75,7 @@ def marked(path: Path) -> tuple[int, list[Line], list[str]]:
     for part in mark(solution, submission).parts:
         for answer in part.answers.values():
             count += 1
-            if answer.verdict is Verdict.WRONG:
+            if answer.verdict is Verdict.WRONG or answer.follows:
                 right = shown(ours[part.id].get(answer.name))
                 words = in_words(answer)
                 printed = f"`{as_written(submission.answers[part.id][answer.name].plain())}`"
@@ -91,7 +91,9 @@ def as_written(value: Any) -> str:
 
 
 def in_words(answer: AnswerVerdict) -> str:
-    """Return what is wrong, and where."""
+    """Return what is wrong, and where; of what follows from another wrong value, from which."""
+    if answer.follows:
+        return str(answer.note).replace("your own", "the printed")
     places = wrong_places(answer)
     where = f"wrong at {'; '.join(places)}" if places else ""
     return "; ".join(filter(None, (answer.reason, where)))

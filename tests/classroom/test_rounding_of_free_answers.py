@@ -73,7 +73,7 @@ def test_a_gain_of_several_inputs_is_right_where_some_choice_places_the_poles(K,
 @given(st.integers(1, 5), st.integers(0, 10**6), st.booleans(), st.booleans())
 def test_linear_conditions_vanish_where_their_solution_is_in_the_box(n, seed, inside, joined):
     random = np.random.default_rng(seed)
-    A = random.normal(size=(n, n)) + 3 * np.eye(n)
+    A = np.linalg.qr(random.normal(size=(n, n)))[0] * random.uniform(0.5, 2, n)
     u = random.uniform(-0.95, 0.95, n)
     if not inside:
         u[random.integers(n)] = random.choice([-1, 1]) * random.uniform(1.5, 3)

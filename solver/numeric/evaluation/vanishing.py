@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.points import SEED
 
 ENOUGH = 0.002
 """What may be left of a residual, beside what the unknowns change in it."""
@@ -17,10 +18,13 @@ CURVED = 0.02
 TINY = 1e-12
 """A residual of numbers that agree in doubles."""
 
-STEP = 1e-4
+STEP = 1e-6
 """Of the differences that slopes are made of, in units of the bounds."""
 
-MOST_CUTS = 16
+ASIDE = 2e-3
+"""How far from the lowest point a tangent is taken: residuals that are equally high there have no slope in common."""
+
+MOST_CUTS = 24
 
 Sizes = Callable[[Array], Array]
 """The sizes of the residuals at some values of the unknowns, as many at all of them."""
@@ -36,15 +40,14 @@ def can_vanish(sizes: Sizes, unknowns: int) -> bool:
     u = np.zeros(unknowns)
     start = sizes(u)
     reach = _reach(sizes, start, unknowns) + TINY
-    if np.any(start > (1 + CURVED) * reach):
-        return False
     slopes, levels = np.empty((0, unknowns)), np.empty(0)
-    for _ in range(MOST_CUTS):
-        found = sizes(u) / reach
-        if np.all(found <= ENOUGH):
+    aside = np.random.default_rng(SEED).uniform(-ASIDE, ASIDE, (MOST_CUTS, unknowns))
+    for offset in aside:
+        if np.all(sizes(u) / reach <= ENOUGH):
             return True
-        slope = _slopes(sizes, u) / reach[:, None]
-        slopes, levels = np.concatenate([slopes, slope]), np.concatenate([levels, found - slope @ u])
+        at = u + offset
+        slope = _slopes(sizes, at) / reach[:, None]
+        slopes, levels = np.concatenate([slopes, slope]), np.concatenate([levels, sizes(at) / reach - slope @ at])
         u, least = _lowest(slopes, levels)
         if least > CURVED:
             return False

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Answers, Check, Refusal
+from solver.derivation import Answers, Check, Claim, Refusal
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
+from solver.stated.algebra import product
 from solver.tasks.design.desired_poles import specified
 from solver.tasks.design.frames import same_number
 from solver.words import Reason
@@ -89,3 +90,7 @@ def judge_eigenvectors(asked: Asked, wanted: ImmutableMatrix, answers: Answers) 
             lambda: judges.nearest_residual(*question, answers["eigenvectors"]),
             answer="eigenvectors",
         )
+    if "eigenvectors" in answers and loop is not None and loop.shape == answers["eigenvectors"].shape:
+        V, poles = answers["eigenvectors"], sp.ImmutableMatrix(sp.diag(*asked.poles))
+        says = r"$(A - B\sym{K}) V = V \operatorname{diag}(\lambda_{1}, \ldots, \lambda_{n})$"
+        yield numeric.check_claim(Claim(product(loop, V), product(V, poles)), says, answer="eigenvectors")
