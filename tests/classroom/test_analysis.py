@@ -24,7 +24,7 @@ find:
   lost: {task: parameter_condition, system: {A: [[2, alpha - 1], [0, 2]], B: [1, alpha], C: [1, 0]}}
   always: {task: parameter_condition, system: {A: [[alpha, 0], [0, alpha]], B: [1, 1]}}
   portrait: {task: phase_portrait, system: {matrix: [[0, 1], [-5, -2]]}}
-  realized: {task: realization, system: {transfer_function: "(s+5)/(s^2+3s+2)"}}
+  realized: {task: realization, convention: last_row, system: {transfer_function: "(s+5)/(s^2+3s+2)"}}
   modes: {task: realization, form: diagonal, system: {transfer_function: "(s+5)/(s^2+3s+2)"}}
   response: {task: response, kind: zero_state, input: 1}
   pulse: {task: response, input: "step(t) - step(t - 2)", system: {A: [[-1]], B: [1], C: [1]}}
