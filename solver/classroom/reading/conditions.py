@@ -34,7 +34,7 @@ class ConditionReader:
         """Return the condition, True for "always", False for "never". Raises ExpressionError."""
         if found := _SEVERAL.match(text.strip()):  # a, b > 0
             text = " and ".join(f"{name} {found[2]}" for name in found[1].split(","))
-        if self.name and _INTERVAL.match(f"{self.name} in {text.strip()}"):
+        if self.name and text.strip()[:1] in tuple("()[]") and _INTERVAL.match(f"{self.name} in {text.strip()}"):
             text = f"{self.name} in {text.strip()}"
         return self._any_of(text, 0)
 

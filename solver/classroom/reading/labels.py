@@ -31,6 +31,8 @@ _INDEX = re.compile(r"(\d+)\D*$")
 _SHARED = re.compile(
     r"([^\W\d][^\W\d_]*)_?\{?(\d),\s*(\d)\}?\s*=\s*([^=]*?)(?=[,;]\s*[^\W\d]\w*(?:,\s*\d)?\}?\s*=|\s*$)"
 )
+_TWO = re.compile(r"±|∓|\\pm|\\mp|\+\s*/?\s*[-−]")
+_COLUMNS = re.compile(r"^\s*\[[^\[\]=]*\]\s*=\s*(?=\[)")
 _PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
 _MEMBER = re.compile(r"\s*\\?[^\W\d]\w*\s*(?:∈|\\in\b|\bin\b)\s*(?=\\?[{\[])")
 _ARGUMENT = re.compile(r"\([stzk]\)\s*$")
@@ -56,6 +58,8 @@ class Labels:
 
         Raises ForeignLabelError.
         """
+        if found := _COLUMNS.match(text):  # [B AB] = [1 2; 3 4]
+            return text[found.end() :], True
         found = _LABEL.match(text)
         if found is None or "=" in found[2].strip("= "):
             return text, False
@@ -97,7 +101,7 @@ def with_own_labels(text: str) -> str:
 
     def each(found: re.Match[str]) -> str:
         name, first, second, value = found.groups()
-        return f"{name}{first} = {value}" if "±" in value else f"{name}{first} = {name}{second} = {value}"
+        return f"{name}{first} = {value}" if _TWO.search(value) else f"{name}{first} = {name}{second} = {value}"
 
     return _SHARED.sub(each, _MEMBER.sub("", text, count=1) if _MEMBER.match(text) else text)
 

@@ -86,7 +86,9 @@ class Unfolding:
         if self.grid and depth == 0:
             text = _VECTOR.sub(r"\1", _JOINED.sub(", ", text))
             if _SPAN.match(text):
-                vectors = self.text(node, _SPAN.sub("", text, count=1), 1)
+                inside = _SPAN.sub("", text, count=1)
+                called = enclosed(inside, "()") and inside[1:-1].lstrip().startswith("[")
+                vectors = self.text(node, f"{{{inside[1:-1]}}}" if called else inside, 1)
                 return vectors if ";" in text else _columns(vectors)
         tuple_ = enclosed(text, "()") and (len(split(text[1:-1], ",")) > 1 or len(rows(text[1:-1])) > 1)
         if enclosed(text, "{}") and (mapped := _mapped(node, text[1:-1])):

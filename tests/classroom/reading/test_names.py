@@ -119,6 +119,7 @@ def test_conditions_are_read_as_ranges_and_in_latex(text, value):
 
 def test_an_interval_alone_is_that_of_the_one_parameter():
     assert {each.canonical for each in read("(0, 6]", K > 0).value.args} == {K > 0, K <= 6}
+    assert {each.canonical for each in read("K ∈ (0, 6]", K > 0).value.args} == {K > 0, K <= 6}
     with pytest.raises(Fault):
         read("(0, 6]", sp.Lt(a, b))
 
