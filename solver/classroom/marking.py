@@ -22,7 +22,7 @@ from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.values import Reader
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import AnswerVerdict, Marking, PartVerdict, Verdict
-from solver.derivation import PartResult, Status
+from solver.derivation import Given, PartResult, Status
 from solver.engine import Solution, given_of
 from solver.limits import Exceeded, Limits, call_within
 from solver.messages import Messages
@@ -99,11 +99,15 @@ class Marker:
         for name, node in self.submission.answers.get(part.id, {}).items():
             if name in ours:
                 try:
-                    expected = Expected.of(name, catalogue()[part.task].answers)
-                    found[name] = read_value(reader, node, ours[name], expected)
+                    found[name] = read_value(reader, node, ours[name], self._expected(part, name))
                 except Fault as fault:
                     unread[name] = Reason("marking/not_read", placed(fault.diagnostics[0]))
         return found
+
+    def _expected(self, part: Part, name: str) -> Expected:
+        """What is known of an answer before it is read."""
+        answers = catalogue()[part.task].answers
+        return Expected.of(name, answers, self._given(part) if answers[name].most else None)
 
     def reader(self, part: Part, ours: Mapping[str, Any]) -> Reader:
         """Return what reads the values of a part, in which the names of our own answers have their meaning."""
@@ -122,8 +126,12 @@ class Marker:
 
     def is_determined(self, part: Part, name: str) -> bool:
         """Whether the question leaves no choice of an answer of ours."""
+        return not catalogue()[part.task].answers[name].is_free(self._given(part))
+
+    def _given(self, part: Part) -> Given[Any, Any]:
+        """What our own solution of a part works on."""
         first = {id_: results[0] for id_, results in self.results.items()}
-        return not catalogue()[part.task].answers[name].is_free(given_of(part, part.methods[0], first))
+        return given_of(part, part.methods[0], first)
 
     def part(self, part: Part) -> PartVerdict:
         """Return the verdicts and marks of one part."""

@@ -19,8 +19,8 @@ class AnswerName:
     `ordered` list each item has its place; the items of any other may stand in any order. `vectors` says that the
     "columns", or the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task
     earn the marks where a problem does not say which; that may depend on the system. A `count` is reached by many
-    mistakes, so that none is named for it. `words` are those that an answer in words may have, `unit` is "rad/s" or
-    "s" where a number has one.
+    mistakes, so that none is named for it; `most` tells what a full rank is. `words` are those that an answer in words
+    may have, `unit` is "rad/s" or "s" where a number has one.
     """
 
     name: str
@@ -33,6 +33,7 @@ class AnswerName:
     vectors: str = ""
     principal: bool | Callable[[Any], bool] = False
     count: bool = False
+    most: Callable[[Given[Any, Any]], int] | None = None
     words: tuple[str, ...] = ()
     unit: str = ""
 

@@ -1,26 +1,33 @@
-"""What is known of an answer before its value is read: its labels, its words, its unit."""
+"""What is known of an answer before its value is read: its labels, its words, its unit, what it counts."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from solver.classroom.reading.labels import Labels
-from solver.derivation import AnswerName
+from solver.derivation import AnswerName, Given
 
 
 @dataclass(frozen=True)
 class Expected:
-    """The answer that a value is submitted for; by default nothing is known of it."""
+    """The answer that a value is submitted for; by default nothing is known of it.
+
+    Of an answer that is a `count`, a full one is `most`, where that can be told.
+    """
 
     name: str = ""
     labels: Labels = field(default_factory=Labels)
     words: tuple[str, ...] = ()
     unit: str = ""
+    count: bool = False
+    most: int | None = None
 
     @classmethod
-    def of(cls, name: str, answers: Mapping[str, AnswerName]) -> Expected:
-        """Return what is expected of one of the answers of a task."""
+    def of(cls, name: str, answers: Mapping[str, AnswerName], given: Given[Any, Any] | None = None) -> Expected:
+        """Return what is expected of one of the answers of a task, for what is given."""
         answer = answers[name]
         others = [other for other in answers.values() if other.name != name]
-        return cls(name, Labels(answer, others), answer.words, answer.unit)
+        most = answer.most(given) if answer.most and given else None
+        return cls(name, Labels(answer, others), answer.words, answer.unit, answer.count, most)

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading import polynomials, words
+from solver.classroom.reading import counts, polynomials, words
 from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.labels import (
@@ -155,7 +155,7 @@ class Reader:
         """A list; or all real numbers, in a word, where values of a parameter are asked for."""
         if lower(node) in words.ALL:
             return (sp.S.Reals,) * 2
-        if lower(node) in words.NONE:
+        if isinstance(node, ScalarNode) and words.is_none(node.text, self.expected.name):
             return [], []
         return self._list(node, () if isinstance(ours, sp.Set) else ours)
 
@@ -241,10 +241,18 @@ class Reader:
         self.texts.respelt = True
         return value.T, form.T
 
+    def _count(self, node: ScalarNode) -> ScalarNode:
+        """A whole number in digits, where it is said in words; raises Fault where a full one cannot be told."""
+        asked = self.expected
+        said = counts.counted(node.text, asked.name, asked.most) if asked.count else counts.count(node.text)
+        if said is None:
+            raise node.fault("it is not clear which number is meant")
+        return node if said == node.text else ScalarNode(node.place, said)
+
     def _value(self, node: Node, ours: Any) -> Pair:
         """An expression; a polynomial also by its coefficients, or in another variable."""
         if isinstance(ours, sp.Integer) and isinstance(node, ScalarNode):
-            node = node if words.count(node.text) == node.text else ScalarNode(node.place, words.count(node.text))
+            node = self._count(node)
         variable = polynomials.variable_of(ours)
         listed = not isinstance(node, ScalarNode) or polynomials.holds_coefficients(node.text)
         node = only(self._unfolded(node, grid=variable is not None and listed))

@@ -5,25 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from solver.classroom.reading.terms import ADJECTIVES, IGNORED, NEGATIONS, NOUNS, PARTS, PHRASES, SYNONYMS
+
 YES = {"yes", "true", "always", "y", "ja", "wahr", "correct", "holds", "✓"}
 NO = {"no", "false", "never", "n", "nein", "falsch", "not", "✗"}
-_NUMBERS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
-_COUNT = re.compile(r"(?:rank|rang)\s*[=:]?\s*(\d+)|(\d+)\s+(?:roots?|poles?|eigenvalues?|nullstellen)")
 ALL = ("reals", "all", "any", "every", "always", "all reals")
 NONE = ("none", "never", "no", "[]", "empty", "trivial", "only the zero vector", "the zero vector", "zero vector",
-        "nullvektor", "the trivial space", "trivial space")  # fmt: skip
+        "nullvektor", "the trivial space", "trivial space", "keine", "empty set", "the empty set",
+        "leere menge")  # fmt: skip
 _REASONED = re.compile(r"\w+\s*[,;:.(–-]")
-_WHOLLY = {"completely", "fully", "vollständig", "is", "it", "system", "the", "matrix"}
-_IGNORED = {"a", "an", "the", "is", "it", "system", "equilibrium", "point", "matrix", "this", "plant", "ein", "eine",
-            "das", "der", "die", "ist", "origin", "loop", "closed"}  # fmt: skip
-_SYNONYMS = {"spiral": "focus", "spirale": "focus", "strudel": "focus", "centre": "center", "vortex": "center",
-             "wirbel": "center", "zentrum": "center", "asymptotic": "asymptotically", "asymptotisch": "asymptotically",
-             "asymp": "asymptotically", "stabil": "stable", "stabiler": "stable", "instabil": "unstable",
-             "instabiler": "unstable", "instable": "unstable", "marginal": "marginally", "critically": "marginally",
-             "grenzstabil": "marginally stable", "sattel": "saddle", "sattelpunkt": "saddle", "knoten": "node",
-             "improper": "degenerate", "posdef": "positive definite", "attractive": "stable",
-             "positiv": "positive", "negativ": "negative", "definit": "definite", "semidefinit": "semidefinite",
-             "indefinit": "indefinite", "semi": "semi"}  # fmt: skip
+_REASON = re.compile(r"\s*[,;(–]|\s+(?:since|because|as|da|weil|denn)\s")
+_WHOLLY = {"completely", "fully", "vollständig", "is", "ist", "it", "es", "system", "the", "das", "matrix"}
+_DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
+_FINITE = {"finite", "endlichen", "such", "transmission", "invariant"}
 
 
 def truth(text: str, name: str = "") -> bool | None:
@@ -33,33 +27,40 @@ def truth(text: str, name: str = "") -> bool | None:
     if words in YES | NO or (said and _REASONED.match(text.strip()) and said[0] in YES | NO):
         return said[0] in YES
     own = name.replace("_", " ").lower()
-    if own == "diagonalizable" and words.endswith("defective"):
-        return "not" in said
-    if own and words == own:
+    if own == "diagonalizable" and words.endswith(("defective", "defekt")):
+        return bool({"not", "nicht"} & set(said))
+    adjectives = (own, *ADJECTIVES.get(own, ())) if own else ()
+    if words in adjectives:
         return True
-    negated = {f"not {own}", f"un{own}", f"non {own}", f"nicht {own}"}
-    return False if own and words in negated else None
+    if any(words == f"{negation}{each}" for each in adjectives for negation in NEGATIONS):
+        return False
+    claim, *reason = _REASON.split(text, maxsplit=1)
+    return truth(claim, name) if reason and own and not _DENIED & set(_words(reason[0])) else None
 
 
 def fitting(text: str, known: Sequence[str]) -> list[str]:
     """Return the words of a list that a text may mean: the one that it is, else those that say all that it says."""
-    said = [word for word in _words(text) if word not in _IGNORED]
-    spoken = " ".join(_SYNONYMS.get(word, word) for word in said)
-    for negated in ("not asymptotically stable", "not stable"):
-        if spoken == negated and negated not in known and "unstable" in known and negated == "not stable":
-            return ["unstable"]
-    if spoken in known:
-        return [spoken]
+    spoken = " ".join(SYNONYMS.get(word, word) for word in _words(text) if word not in IGNORED)
+    spoken = PHRASES.get(spoken, spoken)
+    if spoken == "stable" and "asymptotically stable" in known:
+        return ["asymptotically stable"]
+    for words, part in PARTS.items():
+        spoken = spoken if words in known else spoken.replace(words, part)
     parts = set(spoken.split())
-    return [each for each in known if parts and parts <= set(each.split())]
+    same = [each for each in known if parts == set(each.split())]
+    return same or [each for each in known if parts and parts <= set(each.split())]
 
 
-def count(text: str) -> str:
-    """Return a whole number that is said in words, two, rank 1 or 2 roots, in digits; any other text as it is."""
-    bare = text.strip().rstrip(".").lower()
-    if found := _COUNT.fullmatch(bare):
-        return found[1] or found[2]
-    return str(_NUMBERS.index(bare)) if bare in _NUMBERS else text
+def is_none(text: str, name: str = "") -> bool:
+    """Whether a text says that there is nothing: none, no zeros, keine Nullstellen."""
+    if text.strip().lower() in NONE:
+        return True
+    said = [word for word in _words(text) if word not in _WHOLLY | {"there", "are", "gibt", "has", "hat"}]
+    if not said or said[0] not in ("no", "none", "keine"):
+        return False
+    own = set(name.split("_"))
+    *adjectives, noun = said[1:] or [name]
+    return set(adjectives) <= own | _FINITE and NOUNS.get(noun, noun) in own | {name}
 
 
 def in_words(text: str) -> str:
@@ -68,4 +69,4 @@ def in_words(text: str) -> str:
 
 
 def _words(text: str) -> list[str]:
-    return re.sub(r"[-_.!,;:\"'`$]|\\text|[{}]", " ", text.lower()).split()
+    return re.sub(r"[-_.!,;:()\"'`$]|\\text|[{}]", " ", text.lower()).split()

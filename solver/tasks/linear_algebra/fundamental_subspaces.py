@@ -67,7 +67,13 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             vectors="columns",
             principal=True,
         ),
-        AnswerName("rank", r"\operatorname{rank} M", "the rank (with parameters: the rank in general)", count=True),
+        AnswerName(
+            "rank",
+            r"\operatorname{rank} M",
+            "the rank (with parameters: the rank in general)",
+            count=True,
+            most=lambda given: min(_matrix(given).shape),
+        ),
     ],
 )
 

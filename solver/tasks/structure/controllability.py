@@ -36,6 +36,7 @@ controllability: Task[WithInput, PairOptions] = Task(
             r"\operatorname{rank} \sym{controllability_matrix}",
             "its rank (with parameters: the rank in general)",
             count=True,
+            most=lambda given: given.system.order,
         ),
         AnswerName("controllable", r"\text{controllable}", "whether the rank is $n$", principal=True),
         AnswerName(

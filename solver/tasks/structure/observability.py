@@ -36,6 +36,7 @@ observability: Task[WithOutput, PairOptions] = Task(
             r"\operatorname{rank} \sym{observability_matrix}",
             "its rank (with parameters: the rank in general)",
             count=True,
+            most=lambda given: given.system.order,
         ),
         AnswerName("observable", r"\text{observable}", "whether the rank is $n$", principal=True),
         AnswerName(

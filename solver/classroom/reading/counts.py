@@ -1,0 +1,57 @@
+"""Whole numbers in words: two, rank 2, full rank, 2 roots in the right half plane, none."""
+
+from __future__ import annotations
+
+import re
+
+_ENGLISH = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+_GERMAN = ("keine", "eins", "zwei", "drei", "vier", "fünf", "sechs", "sieben", "acht", "neun", "zehn")
+_NUMBERS = {**{word: i for i, word in enumerate(_ENGLISH)}, **{word: i for i, word in enumerate(_GERMAN)}, "eine": 1}
+_NONE = {"none", "no", "keine"}
+_FULL = {"full", "maximal", "voll", "voller", "vollen"}
+_NOUNS = {"rank", "rang", "root", "roots", "pole", "poles", "eigenvalue", "eigenvalues", "nullstelle", "nullstellen",
+          "eigenwert", "eigenwerte"}  # fmt: skip
+_FILLING = {"there", "is", "are", "it", "has", "the", "lie", "lies", "es", "gibt", "ist", "hat", "der", "liegt",
+            "liegen", "="}  # fmt: skip
+_PLACES = {
+    "right_half_plane_roots": re.compile(
+        r"(?:in |on )?(?:open |offenen )?(?:right half ?plane|rhp|rechten halbebene)|rechts|unstable|instabile"
+    ),
+    "imaginary_axis_roots": re.compile(r"(?:on |auf )(?:imaginary axis|imaginären achse)"),
+}
+
+
+def count(text: str) -> str:
+    """Return a whole number that is said in words, two, rank 1 or 2 roots, in digits; any other text as it is."""
+    bare = [word for word in _said(text) if word not in _NOUNS]
+    number = _number(bare[0]) if len(bare) == 1 and bare[0] not in _NONE else None
+    return text if number is None else str(number)
+
+
+def counted(text: str, name: str, most: int | None) -> str | None:
+    """Return the number of an answer that counts: as in `count`, where `full` is `most`, and none is 0.
+
+    None where it speaks of what is full, and which number that is cannot be told, or it says another one beside it.
+    """
+    said = _said(text)
+    bare = [word for word in said if word not in _NOUNS | _FULL]
+    full = any(word in _FULL for word in said)
+    if full and not bare:
+        return None if most is None else str(most)
+    number = _number(bare[0]) if bare and said != ["no"] else None
+    place, places = " ".join(bare[1:]), _PLACES.get(name)
+    if number is None or (place and (places is None or not places.fullmatch(place))):
+        return None if full else text
+    return None if full and most not in (None, number) else str(number)
+
+
+def _number(word: str) -> int | None:
+    if word.isdecimal():
+        return int(word)
+    return 0 if word in _NONE else _NUMBERS.get(word)
+
+
+def _said(text: str) -> list[str]:
+    """The words of a text without those that say nothing."""
+    bare = re.sub(r"[(),:;]|(?<=half)-(?=plane)|\.\s*$", " ", text.lower().replace("=", " = "))
+    return [word for word in bare.split() if word not in _FILLING]

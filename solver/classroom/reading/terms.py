@@ -1,0 +1,52 @@
+"""The usual terms for the words of verdicts, English and German, each with the word that our lists have for it."""
+
+from __future__ import annotations
+
+IGNORED = {"a", "an", "the", "is", "it", "system", "equilibrium", "point", "matrix", "this", "plant", "ein", "eine",
+           "das", "der", "die", "ist", "origin", "loop", "closed", "only", "nur", "globally", "global"}  # fmt: skip
+SYNONYMS = {
+    **dict.fromkeys(("spiral", "spirale", "strudel", "strudelpunkt", "fokus", "brennpunkt"), "focus"),
+    **dict.fromkeys(("centre", "vortex", "wirbel", "wirbelpunkt", "zentrum"), "center"),
+    **dict.fromkeys(("nodal", "knoten", "knotenpunkt"), "node"),
+    **dict.fromkeys(("sattel", "sattelpunkt"), "saddle"),
+    **dict.fromkeys(("stern", "sternknoten"), "star"),
+    **dict.fromkeys(("improper", "entarteter", "ausgearteter"), "degenerate"),
+    **dict.fromkeys(("scherung", "scherströmung"), "shear"),
+    **dict.fromkeys(("sink", "senke", "attractive", "attracting", "stabil", "stabile", "stabiler", "stabiles"), "stable"),
+    **dict.fromkeys(("source", "quelle", "repelling", "repulsive", "instable"), "unstable"),
+    **dict.fromkeys(("instabil", "instabile", "instabiler", "instabiles"), "unstable"),
+    **dict.fromkeys(("asymptotic", "asymptotisch", "asymp", "exponentially", "exponentiell"), "asymptotically"),
+    **dict.fromkeys(("asymptotischer", "asymptotisches", "exponential"), "asymptotically"),
+    **dict.fromkeys(("marginal", "critically", "neutrally"), "marginally"),
+    **dict.fromkeys(("grenzstabil", "grenzstabiler"), "marginally stable"),
+    "nicht": "not", "aber": "but", "ljapunow": "lyapunov", "posdef": "positive definite", "positiv": "positive",
+    "negativ": "negative", "definit": "definite", "semidefinit": "semidefinite", "indefinit": "indefinite",
+}  # fmt: skip
+PHRASES = {
+    "stable but not asymptotically stable": "marginally stable",
+    "stable but not asymptotically": "marginally stable",
+    "stable not asymptotically stable": "marginally stable",
+    "stable not asymptotically": "marginally stable",
+    "lyapunov stable but not asymptotically stable": "marginally stable",
+    "not stable": "unstable",
+    "unstable saddle": "saddle",
+}
+"""What is said in several words, where it is all that is said."""
+PARTS = {"proper node": "star", "star node": "star", "asymptotically stable": "stable"}
+"""Words beside others, where the list of the answer does not have them."""
+ADJECTIVES = {
+    "controllable": ("steuerbar",),
+    "observable": ("beobachtbar",),
+    "stabilizable": ("stabilisierbar",),
+    "detectable": ("detektierbar", "entdeckbar"),
+    "diagonalizable": ("diagonalisierbar",),
+    "feasible": ("possible", "möglich", "machbar", "erfüllbar"),
+    "stable": ("asymptotically stable", "stabil", "asymptotisch stabil"),
+    "bibo stable": ("stable", "stabil", "bibo stabil"),
+}
+"""Other words for what an answer is called that is yes or no."""
+NEGATIONS = ("not ", "nicht ", "non ", "un", "in", "im", "non", "nicht")
+NOUNS = {"nullstellen": "zeros", "nullstelle": "zeros", "zero": "zeros", "pole": "poles", "polstellen": "poles",
+         "eigenwerte": "eigenvalues", "moden": "modes", "mode": "modes", "ausnahmen": "exceptions",
+         "exception": "exceptions", "lösungen": "solutions", "solution": "solutions"}  # fmt: skip
+"""Nouns after no or keine, with the word in the name of the answer."""
