@@ -31,7 +31,7 @@ def count(text: str) -> str:
 def counted(text: str, name: str, most: int | None) -> str | None:
     """Return the number of an answer that counts: as in `count`, where `full` is `most`, and none is 0.
 
-    None where it speaks of what is full, and which number that is cannot be told, or it says another one beside it.
+    None where that is not clear: what is full is not known, or is another number; or what is counted lies elsewhere.
     """
     said = _said(text)
     bare = [word for word in said if word not in _NOUNS | _FULL]
@@ -40,9 +40,10 @@ def counted(text: str, name: str, most: int | None) -> str | None:
         return None if most is None else str(most)
     number = _number(bare[0]) if bare and said != ["no"] else None
     place, places = " ".join(bare[1:]), _PLACES.get(name)
-    if number is None or (place and (places is None or not places.fullmatch(place))):
+    if number is None or (place and places is None):
         return None if full else text
-    return None if full and most not in (None, number) else str(number)
+    elsewhere = place and places is not None and not places.fullmatch(place)
+    return None if elsewhere or (full and most not in (None, number)) else str(number)
 
 
 def _number(word: str) -> int | None:
