@@ -128,8 +128,9 @@ def test_a_drawing_that_does_more_than_draw_is_refused(file, inside):
 
 
 def test_an_image_must_be_what_its_name_says_and_not_too_large(file):
-    (file.parent / "c.svg").write_bytes(PNG)
-    assert "not what the ending" in refusal(file)
+    for content in (PNG, b"a text", SVG.encode() + b"\0"):
+        (file.parent / "c.svg").write_bytes(content)
+        assert "not what the ending" in refusal(file)
     (file.parent / "c.svg").write_text(SVG, encoding="utf-8")
     (file.parent / "pics" / "a b.png").write_bytes(PNG + bytes(2 * 2**20))
     assert "larger than 2 MB" in refusal(file)

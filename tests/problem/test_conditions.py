@@ -236,3 +236,14 @@ def test_of_several_bounds_the_narrowest_holds_and_none_may_contradict(bounds):
     if left_over and set(left_over) != {0}:
         a = read(text).symbols["a"]
         assert a.is_positive is (True if min(left_over) > 0 else None if max(left_over) > 0 else False)
+
+
+@pytest.mark.parametrize("condition", ["0 < a < 1/2", "0 < a < 1", "0 <= a <= 0"])
+def test_numbers_that_are_near_each_other_stand_in_a_condition(condition):
+    assert len(read(f'{PLANT}conditions: ["{condition}"]\n{FIND}').conditions) == 1
+
+
+@pytest.mark.parametrize("condition", ["1/2 < a < 0", "1 < a < 1", "0 <= a <= -1/2"])
+def test_a_condition_that_never_holds_is_refused(condition):
+    ((*_, message, _),) = complaints(f'{PLANT}conditions: ["{condition}"]\n{FIND}')
+    assert message == "this condition never holds"

@@ -301,6 +301,11 @@ def test_marks_may_be_given_to_each_answer(catalogue):
     assert (part.marks, part.answer_marks) == (sp.Rational(5, 2), {"K": 2, "polynomial": sp.Rational(1, 2)})
 
 
+def test_a_part_may_carry_no_marks(catalogue):
+    text = SYSTEM + "find: {a: {task: placement, method: ackermann, poles: [-1, -2], marks: 0}}\n"
+    assert read_problem(Source("problem.yaml", text), catalogue).parts[0].marks == 0
+
+
 def test_decimals_of_one_part_say_nothing_of_another_unless_it_goes_on_with_them():
     text = """
     system: {A: [[0, 1], [-2, -3]], B: [0, 1]}
