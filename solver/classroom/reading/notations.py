@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
+from solver.classroom.reading.brackets import matching
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.latex import is_latex, translated
 from solver.classroom.reading.spelling import respelled
@@ -24,6 +25,7 @@ _FUNCTION = "|".join(
     sorted((each for each in FUNCTIONS if each not in ("step", "delta", "inv")), key=len, reverse=True)
 )
 _BARE_CALL = re.compile(rf"(?<![A-Za-z_])(?:{_FUNCTION})(?![\w(])(?!\s*\()")
+_POLAR = re.compile(r"((?:(?<![A-Za-z_])e\s*\^|\bexp)\s*\()\s*±\s*([ij])(?![A-Za-z_])\s*\*?")
 _STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
 """Names of the unit step."""
 
@@ -75,7 +77,7 @@ def plain(text: str, names: Names, choices: Choices) -> str:
     text = respelled(text).strip().rstrip(".;").rstrip()
     for pattern, change in TABLE:
         text = pattern.sub(change, text)
-    text = _with_units(_with_steps(_with_signs(text, choices), names), names)
+    text = _with_units(_with_steps(_with_polar(_with_signs(text, choices)), names), names)
     return _with_names(_with_derivatives(text, names), names)
 
 
@@ -90,6 +92,15 @@ def _with_signs(text: str, choices: Choices) -> str:
     if not pattern.search(text):
         return text
     return pattern.sub(choices.choose("+-", ("±", "-")), text)
+
+
+def _with_polar(text: str) -> str:
+    """e^(±jφ) as cos φ ± j sin φ."""
+    while found := _POLAR.search(text):
+        end = matching(text, found.end(1) - 1)
+        angle = text[found.end() : end]
+        text = f"{text[: found.start()]}(cos({angle}) ± {found[2]}*sin({angle})){text[end + 1 :]}"
+    return text
 
 
 def _with_steps(text: str, names: Names) -> str:

@@ -197,6 +197,11 @@ class Reader:
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:
         if lower(node) in words.NONE:
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
+        if (size := words.whole_space(typed(node))) == ours.rows == ours.cols:
+            self.texts.respelt = True
+            return (sp.ImmutableMatrix(sp.eye(size)),) * 2
+        if ours.shape == (1, 1) and (mixed := words.mixed_number(typed(node))):
+            node = ScalarNode(node.place, self.texts.choices.choose("mixed", mixed), "quoted")
         node = self._unfolded(node, grid=True)
         if is_trivial(node):
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2

@@ -19,6 +19,9 @@ _WHOLLY = {"completely", "fully", "vollständig", "is", "ist", "it", "es", "syst
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
 _FINITE = {"finite", "endlichen", "such", "transmission", "invariant"}
 
+_SPACE = re.compile(r"(?:ℝ|\\mathbb\{?\s*R\s*\}?|R)\s*\^\s*\{?([1-9])\}?")
+_MIXED = re.compile(r"([+-]?)\s*(\d{1,9})\s+(\d{1,9}/\d{1,9})")
+
 
 def truth(text: str, name: str = "") -> bool | None:
     """Return what a text says of whether something has a property, yes or "not controllable"; None if nothing."""
@@ -70,3 +73,18 @@ def in_words(text: str) -> str:
 
 def _words(text: str) -> list[str]:
     return re.sub(r"[-_.!,;:()\"'`$]|\\text|[{}]", " ", text.lower()).split()
+
+
+def whole_space(text: str) -> int:
+    """Return n where a text is the name of a whole space, R^n; else 0."""
+    found = _SPACE.fullmatch(text.strip().strip("$"))
+    return int(found[1]) if found else 0
+
+
+def mixed_number(text: str) -> tuple[str, str] | None:
+    """Return what 2 3/5 may be, the sum or the product; None of any other text."""
+    found = _MIXED.fullmatch(text.strip())
+    if found is None:
+        return None
+    sign, whole, part = found.groups()
+    return f"{sign}({whole} + {part})", f"{sign}({whole})*({part})"

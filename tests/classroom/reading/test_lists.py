@@ -55,6 +55,8 @@ TWO, ROW, COLUMN, SQUARE = [a, b], M([[a, b]]), M([a, b]), M([[a, b], [a, b]])
         ("'λ1,2 = 0'", [0, 0]),
         ("'s1,2 = -3 ± 2j, s3,4 = -10'", [-3 + 2 * i, -3 - 2 * i, -10, -10]),
         ("'b ∈ {-1, -2}'", [-1, -2]),
+        ("4e^(±j 2pi/3)", [-2 + 2 * sp.sqrt(3) * i, -2 - 2 * sp.sqrt(3) * i]),
+        ("'exp(±i*pi/2)'", [i, -i]),
         (r"'\lambda_{1,2} = -3 \pm 2j'", [-3 + 2 * i, -3 - 2 * i]),
         (r"'s_{1,2} = -2 \pm 3\,\mathrm{j}'", [-2 + 3 * i, -2 - 3 * i]),
     ],
@@ -149,6 +151,17 @@ def test_a_matrix_is_read_by_the_names_of_its_entries(text, value):
 )
 def test_vectors_are_the_columns_of_a_basis(text, value):
     assert read(text, M([[a, b], [a, b], [b, a]])).value == M(value)
+
+
+def test_the_name_of_a_whole_space_is_its_basis():
+    assert read("R^2", SQUARE).value == sp.eye(2)
+    assert read(r"'\mathbb{R}^{2}'", SQUARE).value == sp.eye(2)
+    assert read("R^3", SQUARE).value != sp.eye(2)
+
+
+def test_a_mixed_number_is_the_sum_or_the_product():
+    found = read("2 3/5", M([[a]]))
+    assert [each.value for each in (found, *found.others)] == [M([[sp.Rational(13, 5)]]), M([[sp.Rational(6, 5)]])]
 
 
 def test_zeros_left_out_at_the_end_of_a_row_of_rouths_array_are_read_there_only():
