@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from solver.classroom.reading.brackets import matching
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 SPECIAL = re.compile(r"(?:[A-Za-z_]\w*\.)?(diag|eye|zeros|ones|identity)\s*\((.*)\)", re.DOTALL)
 """diag(1, 2), eye(2), zeros(1, 2), ones(2)."""
+_NO_TERM = re.compile(r"(?:^|[*/^·×(,=]|\d[eE])\s*$")
+"""What stands before a sign that joins no two terms."""
 SIZES = tuple(map(str, range(1, 13)))
 
 
@@ -23,9 +26,45 @@ def scaled(text: str) -> tuple[str, str, str] | None:
     called = text[:start][-1:].isalpha()  # Sin[t] of Mathematica
     if not bare or called or not (before or after) or end == len(text) or before[-1:] in ("/", "^"):
         return None
-    if after and after[0] not in "*/":
-        return None
+    if (after and after[0] not in "*/") or _is_sum(before) or _is_sum(after):
+        return None  # of 2 + 4 [3 1] only 4 is a factor
     return before, text[start : end + 1], after
+
+
+def _is_sum(text: str) -> bool:
+    """Whether a text has a sign between two terms: 2 + 4, but not -4, e^-t, 2*-3, 1e-3."""
+    return any(text[at] in "+-−±" and not _NO_TERM.search(text[:at]) for at in _outside(text))
+
+
+def summed(nodes: Sequence[Node], signs: Sequence[str]) -> Node | None:
+    """Return the sum of matrices of one size, with their signs; None where they are none."""
+    first = nodes[0]
+    if isinstance(first, ScalarNode):
+        if not all(isinstance(node, ScalarNode) for node in nodes):
+            return None
+        terms = zip(signs, (node.text for node in nodes if isinstance(node, ScalarNode)), strict=True)
+        return ScalarNode(first.place, " + ".join(f"{sign}({text})" for sign, text in terms))
+    rows = [node.items for node in nodes if isinstance(node, SequenceNode)]
+    if len(rows) != len(nodes) or len({len(row) for row in rows}) != 1:
+        return None
+    items = [summed(each, signs) for each in zip(*rows, strict=True)]
+    return None if None in items else SequenceNode(first.place, tuple(item for item in items if item is not None))
+
+
+def terms_of(text: str) -> tuple[list[str], list[str]]:
+    """Return the terms of a sum in each of which a matrix stands, and their signs; nothing of anything else."""
+    terms, signs, start = [], [], 0
+    depth = 0
+    for at, sign in enumerate(text):
+        depth += (sign in "([{") - (sign in ")]}")
+        if depth == 0 and sign in "+-−" and not _NO_TERM.search(text[:at]):
+            terms.append(text[start:at])
+            start = at
+    terms = [term.strip() for term in [*terms, text[start:]]]
+    signs = ["-" if term[:1] in "-−" else "" for term in terms]
+    bare = [term.lstrip("+-−").strip() for term in terms]
+    matrices = all(term.endswith("]") or "[" in term for term in bare)
+    return (bare, signs) if len(bare) > 1 and matrices else ([], [])
 
 
 def _outside(text: str) -> list[int]:

@@ -12,7 +12,16 @@ from dataclasses import dataclass
 
 from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, rows, split
 from solver.classroom.reading.choices import Choices
-from solver.classroom.reading.grids import SPECIAL, scaled, side_by_side, special_matrix, times, transposed
+from solver.classroom.reading.grids import (
+    SPECIAL,
+    scaled,
+    side_by_side,
+    special_matrix,
+    summed,
+    terms_of,
+    times,
+    transposed,
+)
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.spelling import typed
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
@@ -107,11 +116,19 @@ class Unfolding:
         if self.grid and (found := SPECIAL.fullmatch(text)):
             listed = self.text(node, f"[{found[2]}]", depth + 1)
             return special_matrix(found[1], listed) if isinstance(listed, SequenceNode) else None
-        if (factors := scaled(text)) and self.grid:
-            return times(self.text(node, factors[1], depth + 1), factors[0], factors[2])
+        if self.grid and (whole := self._combined(node, text, depth)):
+            return whole
         if self.grid and depth == 0 and self._separated(text):
             return self._bracketed(node, text, depth, braces=False)
         return None
+
+    def _combined(self, node: Node, text: str, depth: int) -> Node | None:
+        """A sum of matrices, or a matrix with factors; None for anything else."""
+        terms, signs = terms_of(text)
+        if terms:
+            return summed([self.text(node, term, depth + 1) for term in terms], signs)
+        factors = scaled(text)
+        return times(self.text(node, factors[1], depth + 1), factors[0], factors[2]) if factors else None
 
     def _separated(self, text: str) -> bool:
         """Whether a text without brackets holds several entries: -1, -2; -1; -2; or numbers with spaces between."""

@@ -115,6 +115,11 @@ def test_a_matrix_is_read_in_the_notation_of_many_programs(text):
     ("text", "value"),
     [
         ("'[e^(-t) 0; 0 e^(-2t)]'", M([[e(-t), 0], [0, e(-2 * t)]])),
+        (
+            "'e^(-t) [2 1; -2 -1] + e^-2t [-1 -1; 2 2]'",
+            M([[2, 1], [-2, -1]]) * e(-t) - M([[1, 1], [-2, -2]]) * e(-2 * t),
+        ),
+        ("'[1 2; 3 4] - [1 1; 1 1]/2'", M([[1, 3], [5, 7]]) / 2),
         ("'1/(s+1) [s 1; -2 s+3]'", M([[s, 1], [-2, s + 3]]) / (s + 1)),
         ("[[te^-t, 0], [0, cos2t]]", M([[t * e(-t), 0], [0, sp.cos(2 * t)]])),
     ],
@@ -151,6 +156,15 @@ def test_a_matrix_is_read_by_the_names_of_its_entries(text, value):
 )
 def test_vectors_are_the_columns_of_a_basis(text, value):
     assert read(text, M([[a, b], [a, b], [b, a]])).value == M(value)
+
+
+@pytest.mark.parametrize("text", ["2+4*[3 1]", "2 + 4 [3 1]", "7 - 1*[3 1]", "[3 1]/2 + 1", "(2 + 4) [3 1] + 1"])
+def test_a_number_beside_a_matrix_is_no_factor_of_it(text):
+    try:
+        found = read(f"'{text}'", ROW)
+    except Fault:
+        return
+    assert all(each.value.shape != ROW.shape or each.value[0] not in (18, 6) for each in (found, *found.others)), found
 
 
 def test_the_name_of_a_whole_space_is_its_basis():
