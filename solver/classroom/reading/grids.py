@@ -10,8 +10,8 @@ from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 SPECIAL = re.compile(r"(?:[A-Za-z_]\w*\.)?(diag|eye|zeros|ones|identity)\s*\((.*)\)", re.DOTALL)
 """diag(1, 2), eye(2), zeros(1, 2), ones(2)."""
-_NO_TERM = re.compile(r"(?:^|[*/^·×(,=]|\d[eE])\s*$")
-"""What stands before a sign that joins no two terms."""
+NEAR = 40
+"""Characters before a sign that are looked at."""
 SIZES = tuple(map(str, range(1, 13)))
 
 
@@ -33,7 +33,14 @@ def scaled(text: str) -> tuple[str, str, str] | None:
 
 def _is_sum(text: str) -> bool:
     """Whether a text has a sign between two terms: 2 + 4, but not -4, e^-t, 2*-3, 1e-3."""
-    return any(text[at] in "+-−±" and not _NO_TERM.search(text[:at]) for at in _outside(text))
+    return any(text[at] in "+-−±" and _joins_terms(text, at) for at in _outside(text))
+
+
+def _joins_terms(text: str, at: int) -> bool:
+    """Whether a sign stands between two terms; not at the beginning, after an operator, or in 1e-3."""
+    before = text[max(0, at - NEAR) : at].rstrip()
+    exponent = before[-1:] in ("e", "E") and before[-2:-1].isdigit()
+    return bool(before) and before[-1] not in "*/^·×(,=" and not exponent
 
 
 def summed(nodes: Sequence[Node], signs: Sequence[str]) -> Node | None:
@@ -57,7 +64,7 @@ def terms_of(text: str) -> tuple[list[str], list[str]]:
     depth = 0
     for at, sign in enumerate(text):
         depth += (sign in "([{") - (sign in ")]}")
-        if depth == 0 and sign in "+-−" and not _NO_TERM.search(text[:at]):
+        if depth == 0 and sign in "+-−" and _joins_terms(text, at):
             terms.append(text[start:at])
             start = at
     terms = [term.strip() for term in [*terms, text[start:]]]
