@@ -52,12 +52,12 @@ bench: $(READY)  ## Print the table of speed targets beside their peers.
 errata: $(READY)  ## Mark what the lecture note prints, and list in docs/errata.md what is wrong.
 	$(BIN)/python tools/errata.py
 
-tables: $(READY)  ## Write what the tasks declare into docs/user-guide.md and docs/tasks.md.
-	$(BIN)/python tools/tables.py
+tables: $(READY)  ## Write what the tasks declare into docs/user-guide.md, docs/tasks.md and docs/methods.md.
+	$(BIN)/python -m tools.tables
 
 task: $(READY)  ## Write the files of a new task that run as they are (NAME=steady_state_error TOPIC=classical).
 	$(BIN)/python tools/new_task.py $(NAME) $(TOPIC)
-	$(BIN)/python tools/tables.py
+	$(BIN)/python -m tools.tables
 
 clean:  ## Remove what was made, but not the environment.
 	rm -rf build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache

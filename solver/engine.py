@@ -192,9 +192,10 @@ def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) ->
 def _plant(task: Task[Any, Any], given: Given[Any, Any]) -> Derivation[Given[Any, Any]]:
     """Bring the system to what the task works on, by conversions; with the loop closed that the options ask for."""
     options = {name: getattr(given.options, name) for name, option in task.options.items() if option.loop}
-    own = {name for name in task.needs if name in task.options and given.options.has(name)}
+    has = {name for name in task.options if given.options.has(name)}
+    needs = set(task.needs).union(*(task.options[name].needs for name in has)) - has
     system = composed(given.system, options)
-    return replace(given, system=(yield from converted(system, set(task.needs) - own)))
+    return replace(given, system=(yield from converted(system, needs)))
 
 
 def yield_into(steps: list[Step], derivation: Derivation[Any]) -> Any:

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from sympy import ImmutableDenseMatrix, MatrixBase
+from solver.lazy import sympy as sp
+
+if TYPE_CHECKING:
+    from sympy import MatrixBase
 
 
 def entry_alone(value: Any) -> Any:
     """Return the entry of a matrix that has no other; any other value as it is."""
-    return value[0, 0] if isinstance(value, MatrixBase) and value.shape == (1, 1) else value
+    return value[0, 0] if isinstance(value, sp.MatrixBase) and value.shape == (1, 1) else value
 
 
 def entries(M: MatrixBase) -> Sequence[Any]:
     """Return the entries row by row; `flat()` would make the expressions anew, an immutable matrix keeps its own."""
-    return M.args[2].args if isinstance(M, ImmutableDenseMatrix) else M.flat()
+    return M.args[2].args if isinstance(M, sp.ImmutableDenseMatrix) else M.flat()

@@ -1,7 +1,7 @@
-"""Write what the tasks declare into the documentation: the list in docs/user-guide.md and the pages of docs/tasks.md.
+"""Write what the tasks declare into the documentation: the list in docs/user-guide.md, docs/tasks.md, docs/methods.md.
 
-python tools/tables.py            write both
-python tools/tables.py --check    only say whether they are up to date (exit code 1 if not)
+python -m tools.tables            write them
+python -m tools.tables --check    only say whether they are up to date (exit code 1 if not)
 """
 
 from __future__ import annotations
@@ -16,10 +16,12 @@ from solver.derivation import AnswerName, Option, Task
 from solver.notation import spelled
 from solver.symbols import COURSE
 from solver.tasks import Catalogue, Declaration, catalogue
+from tools import methods_page
 
 ROOT = Path(__file__).parents[1]
 GUIDE = ROOT / "docs" / "user-guide.md"
 PAGE = ROOT / "docs" / "tasks.md"
+METHODS = ROOT / "docs" / "methods.md"
 BEGIN, END = "<!-- tasks: made by `make tables` -->\n", "<!-- end of tasks -->\n"
 
 HEAD = """\
@@ -108,9 +110,9 @@ def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[s
 
 
 def main(arguments: list[str]) -> int:
-    """Write both; with --check say whether that would change them."""
+    """Write all; with --check say whether that would change them."""
     known = catalogue()
-    made = {GUIDE: guide(GUIDE.read_text(encoding="utf-8"), known), PAGE: page(known)}
+    made = {GUIDE: guide(GUIDE.read_text(encoding="utf-8"), known), PAGE: page(known), METHODS: methods_page.page()}
     old = {path: path.read_text(encoding="utf-8") if path.exists() else "" for path in made}
     stale = [path for path, text in made.items() if text != old[path]]
     if "--check" in arguments:

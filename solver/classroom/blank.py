@@ -36,14 +36,14 @@ def blank_answers(solution: Solution, problem: str = "", templates: Path | None 
     """Return the answer file to fill in, YAML with comments; `problem` is the file it names."""
     marker = Marker(solution, Submission(Source("", ""), "", {}), templates)
     paper = document_of(solution, Presentation("question", templates))
-    questions = {work.id: work.question for work in paper.parts}
+    works = {work.id: work for work in paper.parts}
     say = marker.messages.say
     lines = [*_comment(solution.problem.title, ""), *_comment(say(HOW), "")]
     lines += [" ".join(["problem:", _quoted(problem)])] if problem else []
     lines += ["student:", "answers:"]
     for part in solution.problem.parts:
-        title = say(catalogue()[part.task].title)
-        lines += ["", *_comment(f"({part.id}) {title}. {inline_as_text(questions[part.id])}", "  ")]
+        work = works[part.id]
+        lines += ["", *_comment(f"({work.letter}) {work.title}. {inline_as_text(work.question)}", "  ")]
         lines += [f"  {_quoted(part.id)}:", *_answers(part, marker)]
     return "\n".join(lines) + "\n"
 

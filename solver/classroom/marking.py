@@ -176,7 +176,7 @@ class Marker:
         found = by_convention(Judged(part, question, verdicts), values, self.own)
         wrong = Wrong(found.part, found.question, values, self.results[part.id], earlier)
         return {
-            name: explained(verdict, wrong) if verdict.verdict is Verdict.WRONG else verdict
+            name: explained(verdict, wrong) if verdict.verdict is Verdict.WRONG and not values[name].others else verdict
             for name, verdict in found.verdicts.items()
         }
 

@@ -24,7 +24,7 @@ def closed(system: System, options: Mapping[str, Any]) -> OutputFeedback:
     return OutputFeedback(system, sp.Integer(1) if controller is None else controller, options["feedback"])
 
 
-@conversion(OutputFeedback, TransferFunction, gives=lambda _: ("transfer_function",))
+@conversion(OutputFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion"))
 @lemma("loop")
 def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFunction]:
     """L = C G (1 + C G H)⁻¹ on polynomials, nothing cancelled between C, G and H: what is hidden stays a root.

@@ -1,5 +1,6 @@
 """Steps, claims, answers and the registration of tasks; knows no topic."""
 
+from solver.derivation.answer_equations import AnswerEquations, Equation, control_law, state_equations
 from solver.derivation.answer_names import AnswerName
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lemma
 from solver.derivation.mistakes import Attempt, Slip
@@ -9,6 +10,7 @@ from solver.derivation.steps import Answers, Check, CheckStatus, Claim, PartResu
 from solver.derivation.topic import Topic
 
 __all__ = [
+    "AnswerEquations",
     "AnswerName",
     "Answers",
     "Attempt",
@@ -16,6 +18,7 @@ __all__ = [
     "CheckStatus",
     "Claim",
     "Derivation",
+    "Equation",
     "Given",
     "Method",
     "MistakenDerivation",
@@ -31,6 +34,8 @@ __all__ = [
     "Topic",
     "Unsolved",
     "Way",
+    "control_law",
     "lemma",
     "option",
+    "state_equations",
 ]

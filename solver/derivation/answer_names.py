@@ -20,7 +20,8 @@ class AnswerName:
     "columns", or the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task
     earn the marks where a problem does not say which; that may depend on the system. A `count` is reached by many
     mistakes, so that none is named for it; `most` tells what a full rank is. `words` are those that an answer in words
-    may have, `unit` is "rad/s" or "s" where a number has one.
+    may have, `unit` is "rad/s" or "s" where a number has one. `earned` are the kinds of steps that earn its
+    marks beside the one in which its value is found: a key shows them.
     """
 
     name: str
@@ -36,6 +37,7 @@ class AnswerName:
     most: Callable[[Given[Any, Any]], int] | None = None
     words: tuple[str, ...] = ()
     unit: str = ""
+    earned: tuple[str, ...] = ()
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

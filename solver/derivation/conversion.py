@@ -127,7 +127,7 @@ def _ways(system: System) -> Iterable[tuple[type, Provided, tuple[Conversion, ..
     seen = {start}
     while queue:
         kind, has, chain = queue.popleft()
-        yield kind, has | {"motion"} if "A" in has else has, chain  # where there is A it can be asked how it moves
+        yield kind, has | {"motion", "states"} if "A" in has else has, chain  # where there is A, states move
         for each in conversions():
             given = frozenset(each.gives(has)) if each.source is kind and each.target not in seen else frozenset()
             if given:

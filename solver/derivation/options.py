@@ -75,7 +75,8 @@ class Option:
     option's own name). One with a `loop` changes the system before the
     task sees it; `loop` is the lemma whose wording says so in the question. `way` is what pages name in place of the
     method where the option is given. `conventions` are usual values, as typed, by which an answer is right too where
-    the file gives none.
+    the file gives none. `needs` are what the system must provide where the option is given, beside the task's own.
+    `titles` are the titles of the question by values that the file gives.
     """
 
     name: str
@@ -88,6 +89,8 @@ class Option:
     loop: str = ""
     way: Way | None = None
     conventions: tuple[Typed, ...] = ()
+    needs: tuple[str, ...] = ()
+    titles: Mapping[str, str] = field(default_factory=dict, hash=False)
 
 
 @overload
@@ -96,7 +99,12 @@ def option(kind: OptionKind[T], doc: str, *, required: Literal[True], methods: t
 def option(kind: OptionKind[T], doc: str, *, default: Typed, methods: tuple[str, ...] = ()) -> T: ...
 @overload
 def option(
-    kind: ImpliedKind[T], doc: str, *, methods: tuple[str, ...] = (), conventions: tuple[Typed, ...] = ()
+    kind: ImpliedKind[T],
+    doc: str,
+    *,
+    methods: tuple[str, ...] = (),
+    conventions: tuple[Typed, ...] = (),
+    titles: Mapping[str, str] = ...,
 ) -> T: ...
 @overload
 def option(
@@ -108,6 +116,7 @@ def option(
     loop: str = "",
     way: Way | None = None,
     conventions: tuple[Typed, ...] = (),
+    needs: tuple[str, ...] = (),
 ) -> T | None: ...
 def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **facts: Any) -> Any:
     """Return the field of an option, whose type follows from how it is declared.
@@ -116,7 +125,9 @@ def option(kind: OptionKind[Any], doc: str, *, default: Typed | None = None, **f
     file, or of a kind that implies one (a flag, a choice): that value where none is given. Else None where none is
     given; then `answer` names the answer of an earlier part that it is usually taken from, `loop` the lemma that closes
     a loop with it, and `way` is what it has done in place of the method. `methods` are those that take the option
-    (none: all); `conventions` are other usual values, which a student may follow where the file gives none.
+    (none: all); `conventions` are other usual values, which a student may follow where the file gives none;
+    `needs` is what the system must provide where the option is given; `titles` tell questions apart by a value that
+    the file gives.
     """
     default = kind.implied if default is None else default
     declared = Option("", kind, doc, default, **facts)

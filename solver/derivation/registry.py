@@ -6,12 +6,13 @@ verification. Nothing here computes, so that reading the catalogue needs no alge
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import wraps
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
+from solver.derivation.answer_equations import AnswerEquations
 from solver.derivation.answer_names import AnswerName
 from solver.derivation.consequences import Consequence
 from solver.derivation.lemmas import Derivation, MistakenDerivation, lost_lemmas, worded_by
@@ -107,6 +108,7 @@ class Task(Generic[S, O]):
         self.needs = needs
         self.example = example
         self.complex_entries = complex_entries
+        self.equations: list[AnswerEquations] = []
         self.answers = {answer.name: answer for answer in answers}
         self.options_class = options
         self.options = options.declared()
@@ -169,6 +171,11 @@ class Task(Generic[S, O]):
             return answers
 
         return completed
+
+    def together(self, equations: AnswerEquations) -> None:
+        """Register answers that pages show together, as equations."""
+        self._known(equations.answers, "equations")
+        self.equations.append(equations)
 
     def verification(self, *answers: str) -> Callable[[Judge[S, O]], Judge[S, O]]:
         """Register the judge of some answers, called when at least one of them is present.
@@ -269,6 +276,11 @@ class Task(Generic[S, O]):
         given = (option for option in self.options.values() if option.way and options.get(option.name) is not None)
         way, method = next((option.way for option in given), None), self.methods[name]
         return replace(method, title=way.title, source=way.source) if way else method
+
+    def title_of(self, options: Mapping[str, Any], written: Collection[str]) -> str:
+        """Return the title of a question with these options: by the value of one that the file has written."""
+        titles = (self.options[name].titles.get(options[name]) for name in options if name in written)
+        return next(filter(None, titles), self.title)
 
     def options_for(self, method: str) -> dict[str, Option]:
         """Return the options that the method takes."""

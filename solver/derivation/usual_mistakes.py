@@ -23,6 +23,7 @@ UPSIDE_DOWN = Slip("exchanged", "numerator and denominator are exchanged")
 WITHOUT_POWER = Slip("power", "the factor $t$ (or $k$) of a repeated eigenvalue is missing")
 EXPONENTS = Slip("exponents", "the sign of the exponents is reversed")
 DEGREES = Slip("degrees", "an angle is in degrees where radians are meant")
+WITHOUT_A_TERM = Slip("term", "a term is missing")
 INTERMEDIATE = Slip("intermediate", "it is an intermediate result: the last step is missing")
 CUT_OFF = Slip("rounding", "the last digit is cut off, not rounded")
 POLES_REVERSED = Slip("poles_sign", "the poles have the wrong sign")
@@ -34,6 +35,6 @@ OTHER_TIME = Slip("time", "it is right for the other kind of time, discrete or c
 
 USUAL = (
     SIGN, SIGN_OF_ENTRY, SIGNS_OF_ENTRIES, TRANSPOSED, REVERSED, ROWS_IN_ORDER, ITEMS_IN_ORDER, WRITTEN_AS_ROWS,
-    WRITTEN_AS_COLUMNS, MULTIPLICITY, HALF, DOUBLE, UPSIDE_DOWN, WITHOUT_POWER, EXPONENTS, DEGREES, INTERMEDIATE,
-    CUT_OFF, POLES_REVERSED, POLES_SQUARED, WITHOUT_D, A_TRANSPOSED, B_REVERSED, OTHER_TIME,
+    WRITTEN_AS_COLUMNS, MULTIPLICITY, HALF, DOUBLE, UPSIDE_DOWN, WITHOUT_POWER, EXPONENTS, DEGREES, WITHOUT_A_TERM,
+    INTERMEDIATE, CUT_OFF, POLES_REVERSED, POLES_SQUARED, WITHOUT_D, A_TRANSPOSED, B_REVERSED, OTHER_TIME,
 )  # fmt: skip

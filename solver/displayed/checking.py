@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Check, CheckStatus, PartResult, Status
+from solver.derivation import Check, CheckStatus, PartResult, Status, Step
 from solver.derivation.displayed import STANDS, Written
 from solver.displayed.judging import Judge
 from solver.displayed.names import VARIABLES, Names
@@ -86,13 +86,16 @@ def displayed_checks(
     of_system |= variables
     unknowns = Unknowns(given | variables, answered, of_system)
     judge = Judge(names, unknowns, numeric.Environments(), open_names, matrices)
-    _go_through(judge, worded, given | answered)
+    _go_through(judge, worded, given | answered, result.steps)
     return tuple(judge.checks)
 
 
-def _go_through(judge: Judge, worded: Sequence[WordedStep], parameters: AbstractSet[Any]) -> None:
-    """Let the judge see the displays of the steps in the order of reading."""
-    for number, step in enumerate(worded, start=1):
+def _go_through(
+    judge: Judge, worded: Sequence[WordedStep], parameters: AbstractSet[Any], all_steps: Sequence[Step]
+) -> None:
+    """Let the judge see the displays of the steps in the order of reading; they are numbered among all of the part."""
+    for place, step in enumerate(worded, start=1):
+        number = all_steps.index(step.step) + 1 if step.step in all_steps else place
         for each in step.walk():
             judge.begin(number, Phrase("equality displayed in “{title}”", title=each.title))
             for claim in each.step.claims.values():

@@ -30,6 +30,9 @@ def shape_of(value: Any) -> Shape:
 def _of_stated(operation: str, operands: Sequence[Any]) -> Shape:
     if operation in OF_A_MATRIX:
         return SCALAR
+    if operation == "matrix_of":
+        columns, *entries = operands
+        return len(entries) // columns, columns
     if operation == "transpose":
         shape = shape_of(operands[0])
         return shape and shape[::-1]

@@ -71,11 +71,15 @@ def _has_pair(chain: Chain) -> bool:
 
 
 def _of_pairs(chain: Chain) -> Iterator[Chain]:
-    """Yield the chains of the sums and of the products of both values; a name in front stands for either."""
+    """Yield the chains of the sums and of the products of both values; a name in front, or its power, is either."""
     first = chain.sides[0]
-    named = isinstance(first, Side) and bool(name_in(first.meaning))
+    named = isinstance(first, Side) and bool(name_in(first.meaning) or name_in(_base(first.meaning)))
     for kind in ("sum", "product"):
         yield Chain(tuple(_both(side, kind) for side in chain.sides[named:]), chain.relations[named:])
+
+
+def _base(meaning: Meaning | None) -> Meaning | None:
+    return meaning.parts[0] if meaning is not None and meaning.kind == "power" else None
 
 
 def _both(side: Any, kind: str) -> Any:

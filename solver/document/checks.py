@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
-from solver.derivation import Check, CheckStatus, PartResult
-from solver.document.model import CheckRow
+from solver.derivation import Check, CheckStatus
+from solver.document.model import CheckRow, WorkStep
 from solver.render.numbers import NumberFormat
 from solver.words import Phrase
 
@@ -14,23 +14,30 @@ Say = Callable[[str], str]
 """Words a phrase in the language of the document."""
 
 
-def check_rows(result: PartResult, say: Say) -> list[CheckRow]:
-    """Return the table of checks: one line for the equalities of each step, then one for each other check."""
+def check_rows(checks: Sequence[Check], steps: Sequence[WorkStep], say: Say) -> list[CheckRow]:
+    """Return the table of checks: one line for the equalities of each step, then one for each other check.
+
+    Steps are numbered as they are shown; the equalities of those that are not shown are one line.
+    """
     rows = []
-    for number in range(1, len(result.steps) + 1):
-        rows.extend(_of_step([check for check in result.checks if check.step == number], number, say))
-    return rows + [_row(check, say) for check in result.checks if not check.step]
+    for number, step in enumerate(steps, start=1):
+        rows.extend(_of_step([check for check in checks if check.step in step.covers], number, say))
+    shown = {number for step in steps for number in step.covers}
+    rows.extend(_of_step([check for check in checks if check.step and check.step not in shown], 0, say))
+    return rows + [_row(check, say) for check in checks if not check.step]
 
 
-def _of_step(checks: list[Check], number: int, say: Say) -> list[CheckRow]:
-    """Return one line for the equalities of a step that passed, then one for each that did not."""
+def _of_step(checks: Sequence[Check], number: int, say: Say) -> list[CheckRow]:
+    """Return one line for the equalities of a step that passed, then one for each that did not; 0: of none shown."""
     passed = [check for check in checks if check.status is CheckStatus.PASSED]
     others = [_row(check, say) for check in checks if check.status is not CheckStatus.PASSED]
     if not passed:
         return others
     worst = max(passed, key=_nearness)
     claim: str = Phrase("the equality of step {step}", step=number)
-    if len(passed) > 1:
+    if not number:
+        claim = Phrase("equalities of steps that are not shown at this level: {count}", count=len(passed))
+    elif len(passed) > 1:
         claim = Phrase("{count} equalities of step {step}", count=len(passed), step=number)
     elif worst.claim:
         claim = Phrase("{claim} (step {step})", claim=worst.claim, step=number)

@@ -6,14 +6,14 @@ so that no format can say more, or something else, than another; and it can be s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from html import escape
 from pathlib import Path
 from typing import Any
 
-from solver.derivation import Answers, Check, CheckStatus, Status
-from solver.derivation.figures import Drawing
+from solver.derivation import Answers, CheckStatus, Status
+from solver.document.work import CheckRow, Reference, Work, WorkAnswer, WorkStep, step_anchor
 from solver.messages import Messages
 from solver.problem.images import Image
 from solver.problem.model import Display, Problem
@@ -61,111 +61,6 @@ class Presentation:
         return self.checks or ("none" if self.detail in {"question", "key"} else "summary")
 
 
-@dataclass(frozen=True, slots=True)
-class WorkStep:
-    """A step in words: title and text are Markdown; its values by name, as sympy reads them back."""
-
-    kind: str
-    title: str
-    markdown: str
-    steps: tuple[WorkStep, ...] = ()
-    figures: tuple[Drawing, ...] = ()
-    values: Mapping[str, str] = field(default_factory=dict)
-
-    def walk(self) -> Iterator[WorkStep]:
-        """This step and all its substeps, in the order of reading."""
-        yield self
-        for step in self.steps:
-            yield from step.walk()
-
-
-@dataclass(frozen=True, slots=True)
-class WorkAnswer:
-    """One answer: its name, LaTeX of its symbol and value (no dollar signs), its meaning; `value` as sympy reads it.
-
-    `equation` is LaTeX of symbol = value laid out for a page: broken over lines, or entry by entry, where it is wide.
-    `narrow` is the same entry by entry in any case. `marks` is what it earns, as text, or "" where that is not said.
-    `numeric` are its numbers in nested lists, a complex one as [re, im], where it has no symbols. `given` tells that it
-    is what the question gives, such as the weights of a regulator, and is no news.
-    """
-
-    name: str
-    symbol: str
-    tex: str
-    doc: str
-    value: str
-    equation: str
-    narrow: str = ""
-    marks: str = ""
-    numeric: Any = None
-    given: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class CheckRow:
-    """One line of the table of checks: `claim`, `oracle`, `reason` are Markdown, numbers LaTeX or "" for none.
-
-    The equalities of one step are one line: `residual` and `tolerance` are then those nearest to failing.
-    """
-
-    claim: str
-    oracle: str
-    residual: str
-    tolerance: str
-    status: CheckStatus
-    reason: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Work:
-    """One part by one method.
-
-    `question` and `given` are Markdown; `again` tells that they stand above, with another method. `marks` is a number
-    as text, or "" where the file gives none; `out_of` what the part counts for. `reason` (Markdown) says why a part is
-    not verified, `unchecked` how many checks could not be made, and why. `rows` is the table of checks, `checks` each
-    of them. `symbols` are the free names of answers and steps, `system` what is asked about, as sympy reads it. `fault`
-    is what is wrong with the templates, where the part could not be worded.
-    """
-
-    id: str
-    task: str
-    method: str
-    title: str
-    method_title: str
-    source: str
-    marks: str
-    question: str
-    given: str
-    again: bool
-    steps: tuple[WorkStep, ...]
-    answers: tuple[WorkAnswer, ...]
-    rows: tuple[CheckRow, ...]
-    status: Status
-    reason: str
-    unchecked: str = ""
-    out_of: float = 1
-    checks: tuple[Check, ...] = ()
-    symbols: tuple[str, ...] = ()
-    system: Mapping[str, str] = field(default_factory=dict)
-    fault: str = ""
-
-    @property
-    def found(self) -> tuple[WorkAnswer, ...]:
-        """The answers that the question does not give: those a page shows."""
-        return tuple(answer for answer in self.answers if not answer.given)
-
-    @property
-    def named_method(self) -> str:
-        """The title of the method where it says more than the task's, and may be said."""
-        return "" if self.method_title == self.title else self.method_title
-
-    @property
-    def anchor(self) -> str:
-        """A name for links to the part, unique on the page: letters, digits and hyphens."""
-        words = f"part-{self.id}-{self.method}".replace("_", "-").lower()
-        return "".join(letter for letter in words if letter.isascii() and (letter.isalnum() or letter == "-"))
-
-
 @dataclass(frozen=True, slots=True, repr=False)
 class Document:
     """A whole solution. `title` and `source` are plain text; `statement` and `given` are Markdown, maybe empty.
@@ -188,13 +83,28 @@ class Document:
 
     @property
     def status(self) -> Status:
-        """The worst status of the parts."""
-        return Status.worst([part.status for part in self.parts])
+        """The worst status of the parts; a special case without an answer is one of their answers."""
+        counted = [part.status for part in self.parts if not part.case or part.status is Status.FAILED]
+        return Status.worst(counted)
+
+    @property
+    def shown(self) -> tuple[Work, ...]:
+        """The parts as pages show them: what stands above is referred to. A key has lines that earn marks, and all."""
+        from solver.document.once import told_once  # noqa: PLC0415 - it builds on this file
+
+        return (
+            self.parts if self.presentation.detail in {"question", "key"} else told_once(self.parts, self.messages.say)
+        )
 
     def checks_of(self, part: Work) -> str:
         """Return how the checks of a part are told: "none", "summary" or "table"; of a failed one as a table."""
         shown = self.presentation.shown_checks if part.rows else "none"
         return "table" if shown == "summary" and part.status is Status.FAILED else shown
+
+    def heading_of(self, part: Work) -> str:
+        """Return what a table of checks is headed by: the part, and its method where it has several."""
+        named = f": {part.named_method}" if part.named_method else ""
+        return f"({part.letter}) {part.title}{named}"
 
     def tally_of(self, part: Work) -> str:
         """Return how the checks of a part ended, in words: "Checks: 5 passed, 1 skipped"."""
@@ -262,7 +172,7 @@ class Document:
     def _repr_latex_(self) -> str:
         """The answers as displayed formulas."""
         shown = [answer for part in self.parts for answer in part.found]
-        return "\n".join(f"$$\n{answer.symbol} = {answer.tex}\n$$" for answer in shown)
+        return "\n".join(f"$$\n{answer.shown}\n$$" for answer in shown)
 
     def __repr__(self) -> str:
         return f"<worked solution of {self.title!r}: {self.status}>"
@@ -272,3 +182,16 @@ def in_a_frame(page: str, title: str) -> str:
     """Return a page as an element of another one."""
     frame = 'style="width: 100%; height: 40rem; border: 0" sandbox=""'
     return f'<iframe {frame} title="{escape(title)}" srcdoc="{escape(page)}"></iframe>'
+
+
+__all__ = [
+    "CheckRow",
+    "Document",
+    "Presentation",
+    "Reference",
+    "Work",
+    "WorkAnswer",
+    "WorkStep",
+    "in_a_frame",
+    "step_anchor",
+]

@@ -9,20 +9,22 @@ from typing import Any
 
 import sympy as sp
 
-from solver.derivation import Answers, Check, Method, PartResult, Status, Step, Task, Unsolved
+from solver.derivation import Answers, PartResult, Status, Step, Unsolved
 from solver.derivation.figures import Drawing, Figure
 from solver.displayed import judged
 from solver.document.checks import Say, check_rows, unchecked, worded_check
+from solver.document.keys import key_of
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
+from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of, title_of
 from solver.document.values import numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution, resolved
 from solver.problem.asked import asked_of, marks_of
-from solver.problem.model import Chain, Display, Part, Problem
+from solver.problem.model import Display, Part, Problem
 from solver.render.numbers import NumberFormat
 from solver.render.plain import sympy_text
-from solver.render.prose import plain
+from solver.render.prose import inline_as_text, plain
 from solver.render.wording import WordedStep, Wording, WordingError
-from solver.systems import System
+from solver.special_cases import SpecialCase, special_cases
 from solver.tasks import catalogue
 from solver.words import Phrase, Reason
 
@@ -47,6 +49,7 @@ class Writer:
         self.problem = problem
         self.presentation = presentation
         self.parts = {part.id: part for part in problem.parts}
+        self.labels = problem.labels
         self.any_marks = any(part.marks is not None for part in problem.parts)
 
     def document(
@@ -55,10 +58,11 @@ class Writer:
         """Return the document of all parts; `name` is the problem's file, `exact` gives the exact answers."""
         problem, told = self.problem, self.presentation
         wording = self._wording(problem.display)
-        given = _given(wording, problem, problem.system, problem.conditions) if problem.show.system else ""
+        shown = given(wording, problem, problem.system, problem.conditions) if problem.show.system else ""
         source = problem.source if told.sources and (problem.show.source or not told.is_paper) else ""
-        parts = tuple(work for work in works if not (told.is_paper and work.again))
-        texts = problem.title, source, problem.statement, given
+        asked = (work for work in works if not (told.is_paper and work.again))
+        parts = tuple(each for work in asked for each in (work, *work.cases))
+        texts = problem.title, source, problem.statement, shown
         return Document(*texts, parts, told, name, wording.messages, problem.images, exact)
 
     def load(self, part: Part) -> None:
@@ -74,7 +78,8 @@ class Writer:
         part = self.parts[result.id]
         display = self._display(part, {**earlier, part.id: result})
         try:
-            return self._worded(result, part, display, earlier)
+            work = self._worded(result, part, display, earlier)
+            return self._with_cases(work, result, part, earlier)
         except WordingError as error:
             fault = str(error)
         left = lost(result, Phrase("its solution cannot be worded: {fault}", fault=plain(fault)))
@@ -86,47 +91,80 @@ class Writer:
 
     def _worded(self, result: PartResult, part: Part, display: Display, earlier: Earlier | None = None) -> Work:
         """Return a result in words; what it displays is judged with the earlier results. Raises WordingError."""
-        told, show = self.presentation, part.show
+        told, labels = self.presentation, self.labels
         task = catalogue()[result.task]
-        method = task.method_named(result.method, part.options)
         wording = self._wording(display)
-        steps, answers, checks = _shown(result, part, told)
-        worded = wording.words(steps)
+        asking = part, task, result.method, told, wording.say
+        paper, key = told.is_paper, told.detail == "key"
         # The status of the engine says what the mathematics is worth; the one that is told, what the page displays too.
         # A key is judged with the steps that it leaves out: they say what its names stand for.
-        read = wording.words(result.steps) if told.detail == "key" else worded
+        worded = () if paper else wording.words(result.steps)
         with suppress(Unsolved):  # where nothing was found that it could go on with, there is no step either
-            result = judged(result, resolved(part, earlier or {}), read, wording)
-        checks = result.checks if checks else ()
-        asked = [task.answers[name] for name in part.asked]
+            result = judged(result, resolved(part, earlier or {}), worded, wording)
+        checks = () if paper or key else tuple(worded_check(check, wording.say) for check in result.checks)
+        answers = {} if paper else result.answers
+        derived: Mapping[str, str] = {}
+        if key:
+            answers = {name: answers[name] for name in asked_of(part, task) if name in answers}
+            earning = key_of(worded, answers, task.answers, wording)
+            worded, derived = earning.steps, earning.derived
+        shown = tuple(self._step(each, wording.say, result.steps) for each in worded)
         return Work(
             id=result.id,
             task=result.task,
             method=result.method,
-            title=wording.say(task.title),
-            method_title=_method_title(task, part, method, told, wording.say),
-            source=wording.say(method.source) if told.sources and (show.source or not told.is_paper) else "",
+            title=title_of(part, task, wording.say),
+            method_title=method_title(*asking),
+            source=source_of(*asking),
             marks="" if part.marks is None else NumberFormat("decimal").text(part.marks),
-            question=wording.question(part, loops=_loops(task, part), asked=asked),
-            given=self._given_by(part, wording) if show.system else "",
+            question=question_of(part, task, wording, labels),
+            given=given_with(part, self.problem, wording, labels) if part.show.system else "",
             again=result.method != part.methods[0],
-            steps=tuple(map(self._step, worded)),
-            answers=tuple(_answers(result, part, answers, wording, data=told.data)),
-            rows=tuple(check_rows(result, wording.say)) if checks else (),
+            steps=shown,
+            answers=tuple(_answers(result, part, answers, derived, wording, data=told.data)),
+            equations=tuple(
+                each for each in _equations(result, part, answers, derived, wording) if each.instead or not key
+            ),
+            rows=tuple(check_rows(checks, shown, wording.say)),
             status=result.status,
-            reason=wording.reason(result.reason),
+            reason=wording.reason(reason_in_print(result.reason, labels)),
             unchecked=unchecked(checks, wording.say),
             out_of=_number(part.marks) if part.marks is not None else int(not self.any_marks),
-            checks=tuple(worded_check(check, wording.say) for check in checks),
+            checks=checks,
             system=texts_of(part.system) if told.data else {},
             symbols=tuple(symbols_of(result, worded)) if told.data else (),
+            label=labels[result.id] if labels[result.id] != result.id else "",
         )
 
-    def _given_by(self, part: Part, wording: Wording) -> str:
-        """Return what a part gives: its own system and assumptions, and the conditions that it adds."""
-        told = {chain.place for chain in self.problem.conditions}
-        own = [chain for chain in part.conditions if chain.place not in told]
-        return _given(wording, part, part.system if part.own_system else None, own)
+    def _with_cases(self, work: Work, result: PartResult, part: Part, earlier: Earlier) -> Work:
+        """Return the work with the special values of parameters for which the question is to be solved anew."""
+        if self.presentation.detail not in {"full", "tutor"} or work.again:
+            return work
+        cases = special_cases(part, result, earlier)
+        if not cases:
+            return work
+        wording = self._wording(self._display(part, {part.id: result}))
+        holds = WorkStep("special_values", wording.special("heading"), wording.special("holds", cases))
+        told = replace(work, steps=(*work.steps, holds), cases=tuple(self._case(work, case) for case in cases))
+        failed = [case for case in told.cases if case.status is Status.FAILED]
+        return replace(told, status=Status.FAILED, reason=failed[0].reason) if failed else told
+
+    def _case(self, general: Work, case: SpecialCase) -> Work:
+        """Return a special case in words."""
+        display = self._display(case.part, {case.part.id: case.result})
+        wording = self._wording(display)
+        title = f"{general.title}: {inline_as_text(wording.special('title', case))}"
+        return replace(
+            self._worded(case.result, case.part, display),
+            title=title,
+            method_title=title,
+            source="",
+            marks="",
+            out_of=0.0,
+            question=wording.special("question", case),
+            given=wording.given(case.part.system),
+            case=f"{case.parameter} = {sympy_text(case.value)}",
+        )
 
     def _wording(self, display: Display) -> Wording:
         told = self.presentation
@@ -140,29 +178,25 @@ class Writer:
         decimals = part.decimals_typed or any(_holds_decimals(value) for values in found for value in values)
         return replace(self.problem.display, decimals_typed=decimals)
 
-    def _step(self, worded: WordedStep) -> WorkStep:
+    def _step(self, worded: WordedStep, say: Say, all_steps: Sequence[Step] = ()) -> WorkStep:
         values = values_of(worded.step) if self.presentation.data else {}
+        place = all_steps.index(worded.step) + 1 if worded.step in all_steps else 0
         return WorkStep(
             worded.step.kind,
             worded.title,
             worded.markdown,
-            tuple(map(self._step, worded.steps)),
-            tuple(map(_drawing, worded.figures)),
+            tuple(self._step(each, say) for each in worded.steps),
+            tuple(_drawing(each, say) for each in worded.figures),
             {name: sympy_text(value) for name, value in values.items()},
+            covers=(place,) if place else (),
         )
 
 
-def _given(wording: Wording, of: Problem | Part, system: System | None, conditions: Sequence[Chain]) -> str:
-    """Return what is given about a system, if there is one, and about the parameters."""
-    told = [wording.given(system) if system is not None else "", wording.conditions(of.assumed, conditions)]
-    return "\n\n".join(filter(None, told))
+def _drawing(figure: Figure, say: Say) -> Drawing:
+    """Return a figure without expressions, and what is seen in it in words."""
+    from solver.figures.drawing import drawing_of  # noqa: PLC0415 - numpy comes with it; most steps have no figure
 
-
-def _drawing(figure: Figure) -> Drawing:
-    """Return a figure without expressions."""
-    from solver.figures.sampling import drawing_of  # noqa: PLC0415 - numpy comes with it; most steps have no figure
-
-    return drawing_of(figure)
+    return drawing_of(figure, say)
 
 
 def lost(result: PartResult, reason: str) -> PartResult:
@@ -171,54 +205,18 @@ def lost(result: PartResult, reason: str) -> PartResult:
     return PartResult(result.id, result.task, result.method, Status.UNSOLVED, reason=ended, seconds=result.seconds)
 
 
-def _loops(task: Task[Any, Any], part: Part) -> list[str]:
-    """Return the lemmas that close a loop around the system, for the options that are given."""
-    given = (option.loop for name, option in task.options.items() if part.options.get(name) is not None)
-    return list(dict.fromkeys(loop for loop in given if loop))
-
-
-def _method_title(task: Task[Any, Any], part: Part, method: Method, told: Presentation, say: Say) -> str:
-    """Return the title of the method; on a paper those of all that are asked for, if they may be said."""
-    if not told.is_paper:
-        return say(method.title)
-    titles = dict.fromkeys(say(task.method_named(name, part.options).title) for name in part.methods)
-    return ", ".join(titles) if part.show.method else ""
-
-
-def _shown(
-    result: PartResult, part: Part, told: Presentation
-) -> tuple[tuple[Step, ...], Mapping[str, Any], tuple[Check, ...]]:
-    """Return the steps, the answers and the checks that are told at the level of detail.
-
-    A question is asked and no more. A key has the answers that are asked, and the steps in which they are found.
-    """
-    if told.is_paper:
-        return (), {}, ()
-    if told.detail != "key":
-        return result.steps, result.answers, result.checks
-    asked = asked_of(part, catalogue()[part.task])
-    answers = {name: value for name, value in result.answers.items() if name in asked}
-    found = [step for step in result.steps if any(_finds(step, value) for value in answers.values())]
-    return tuple(map(_alone, found or result.steps[-1:])), answers, ()
-
-
-def _finds(step: Step, value: Any) -> bool:
-    """Whether a step shows a value as something that was found."""
-    return any(each.right is value or each.right == value for each in step.claims.values())
-
-
-def _alone(step: Step) -> Step:
-    """Return a step without those below it."""
-    alone = Step(step.kind, claims=step.claims, unclaimed=step.unclaimed, **step.values)
-    alone.wording = step.wording
-    return alone
-
-
 def _answers(
-    result: PartResult, part: Part, answers: Mapping[str, Any], wording: Wording, *, data: bool
+    result: PartResult,
+    part: Part,
+    answers: Mapping[str, Any],
+    derived: Mapping[str, str],
+    wording: Wording,
+    *,
+    data: bool,
 ) -> Iterator[WorkAnswer]:
     declared = catalogue()[result.task].answers
     marks = marks_of(part, catalogue()[result.task])
+    asked = asked_of(part, catalogue()[result.task])
     for name, value in answers.items():
         symbol = wording.symbol(declared[name])
         yield WorkAnswer(
@@ -231,8 +229,27 @@ def _answers(
             wording.equation(symbol, value, narrow=True),
             marks=NumberFormat("decimal", 3).text(marks[name]) if name in marks else "",
             numeric=numbers_of(value) if data else None,
+            asked=name in asked,
             given=name not in part.asked and name in part.options and bool(part.options[name] == value),
+            derived=derived.get(name, ""),
         )
+
+
+def _equations(
+    result: PartResult, part: Part, answers: Mapping[str, Any], derived: Mapping[str, str], wording: Wording
+) -> Iterator[WorkAnswer]:
+    """Yield the answers that are told as equations: where all of them are told, and none has a line of its own."""
+    task = catalogue()[result.task]
+    marks = marks_of(part, task)
+    for each in task.equations:
+        found = {name: result.answers[name] for name in each.answers if name in result.answers}
+        if not found or not found.keys() <= answers.keys() - derived.keys():
+            continue
+        tex = wording.equations(each, found, discrete=part.system.discrete)
+        earned = sum(marks.get(name, 0) for name in each.instead if name in found)
+        told = NumberFormat("decimal", 3).text(earned) if earned else ""
+        if tex:
+            yield WorkAnswer("", "", tex, wording.say(each.doc), "", tex, tex, marks=told, instead=each.instead)
 
 
 def _number(marks: Any) -> float:

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from solver.derivation.figures import Drawing, DrawnPlot
+from solver.derivation.figures import Chains, Diagram, Drawing, DrawnPanels, Parts
 
 
 def svg(drawing: Drawing) -> str:
     """Return a figure as an SVG document, the same bytes for the same data."""
     from solver.figures import diagrams, plot_svg  # noqa: PLC0415 - with them comes matplotlib
 
-    return plot_svg.drawn(drawing) if isinstance(drawing, DrawnPlot) else diagrams.svg(drawing)
+    if isinstance(drawing, Diagram | Chains | Parts):
+        return diagrams.svg(drawing)
+    return plot_svg.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_svg.drawn(drawing)
 
 
 def tikz(drawing: Drawing) -> str:
     r"""Return a figure as a tikzpicture (packages tikz and pgfplots)."""
     from solver.figures import diagrams, plot_tikz  # noqa: PLC0415 - as above
 
-    return plot_tikz.drawn(drawing) if isinstance(drawing, DrawnPlot) else diagrams.tikz(drawing)
+    if isinstance(drawing, Diagram | Chains | Parts):
+        return diagrams.tikz(drawing)
+    return plot_tikz.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_tikz.drawn(drawing)
 
 
 __all__ = ["svg", "tikz"]

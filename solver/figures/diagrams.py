@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-import io
 from typing import Any
 
 import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 from matplotlib.patches import Circle, Rectangle
 
-from solver.derivation.figures import Diagram
+from solver.derivation.figures import Chains, Diagram, Parts
+from solver.figures.laid_out import layout_of
 from solver.figures.layout import RADIUS, Block, Dot, Item, Label, Sum, Wire
-from solver.figures.layouts import LAYOUTS
-from solver.figures.plot_svg import SETTINGS, trimmed
+from solver.figures.matrices import LINE, entries_of, widths_of
+from solver.figures.palette import FILL, INK, PAPER
+from solver.figures.plot_svg import SETTINGS, svg_of
 
 CM = 1 / 2.54
 SCALE = 1.15
-INK: dict[str, Any] = {"edgecolor": "#222222", "linewidth": 1.1}
+EDGE: dict[str, Any] = {"edgecolor": INK, "linewidth": 1.1}
 
 
-def svg(diagram: Diagram) -> str:
+def svg(diagram: Diagram | Chains | Parts) -> str:
     """Return the diagram as an SVG document, the same bytes for the same labels."""
-    layout = LAYOUTS[diagram.name](diagram.labels)
+    layout = layout_of(diagram)
     x_min, x_max, y_min, y_max = layout.bounds
     with mpl.rc_context({**SETTINGS, "axes.grid": False}):
         canvas = Canvas(figsize=((x_max - x_min) * CM * SCALE, (y_max - y_min) * CM * SCALE))
@@ -31,9 +32,7 @@ def svg(diagram: Diagram) -> str:
         axes.axis("off")
         for item in layout.items:
             _draw(axes, item)
-        content = io.StringIO()
-        canvas.savefig(content, format="svg", metadata={"Date": None, "Creator": None})
-    return trimmed(content.getvalue())
+        return svg_of(canvas)
 
 
 SHIFT = {
@@ -54,23 +53,41 @@ def _draw(axes: Any, item: Item) -> None:
         case Block():
             corner = (item.x - item.width / 2, item.y - item.height / 2)
             style = "--" if item.dashed else "-"
-            fill = "none" if item.dashed else "#eef3f9"
-            axes.add_patch(Rectangle(corner, item.width, item.height, facecolor=fill, linestyle=style, zorder=2, **INK))
-            if item.text:
+            fill = "none" if item.dashed else FILL
+            axes.add_patch(
+                Rectangle(corner, item.width, item.height, facecolor=fill, linestyle=style, zorder=2, **EDGE)
+            )
+            if entries := entries_of(item.text):
+                _matrix(axes, item, entries)
+            elif item.text:
                 axes.text(item.x, item.y, f"${item.text}$", ha="center", va="center", zorder=3)
         case Sum():
-            axes.add_patch(Circle((item.x, item.y), RADIUS, facecolor="white", zorder=2, **INK))
+            axes.add_patch(Circle((item.x, item.y), RADIUS, facecolor=PAPER, zorder=2, **EDGE))
         case Dot():
-            axes.add_patch(Circle((item.x, item.y), 0.06, color="#222222", zorder=2))
+            axes.add_patch(Circle((item.x, item.y), 0.06, color=INK, zorder=2))
         case Label() if item.text:
             dx, dy, ha, va = SHIFT[item.anchor]
             axes.text(item.x + dx, item.y + dy, f"${item.text}$", ha=ha, va=va, zorder=3)
         case Wire():
             xs, ys = zip(*item.points, strict=True)
-            axes.plot(xs, ys, color="#222222", linewidth=1.1, zorder=1, solid_capstyle="butt", solid_joinstyle="miter")
+            axes.plot(xs, ys, color=INK, linewidth=1.1, zorder=1, solid_capstyle="butt", solid_joinstyle="miter")
             if item.arrow:
-                arrow = {"arrowstyle": "-|>", "color": "#222222", "mutation_scale": 10, "shrinkA": 0, "shrinkB": 0}
+                arrow = {"arrowstyle": "-|>", "color": INK, "mutation_scale": 10, "shrinkA": 0, "shrinkB": 0}
                 axes.annotate("", xy=item.points[-1], xytext=_before(item.points), arrowprops=arrow)
+
+
+def _matrix(axes: Any, block: Block, entries: list[list[str]]) -> None:
+    """Write a matrix into a box, between brackets."""
+    widths = widths_of(entries)
+    left, top = block.x - sum(widths) / 2, block.y + LINE * len(entries) / 2
+    for i, row in enumerate(entries):
+        for j, entry in enumerate(row):
+            x = left + sum(widths[:j]) + widths[j] / 2
+            axes.text(x, top - LINE * (i + 0.5), f"${entry}$", ha="center", va="center", zorder=3)
+    for side in (1, -1):
+        x, foot = block.x + side * sum(widths) / 2, block.y - LINE * len(entries) / 2
+        xs, ys = (x - 0.08 * side, x, x, x - 0.08 * side), (top, top, foot, foot)
+        axes.plot(xs, ys, color=INK, linewidth=0.9, zorder=3)
 
 
 def _before(points: tuple[tuple[float, float], ...]) -> tuple[float, float]:
@@ -81,9 +98,9 @@ def _before(points: tuple[tuple[float, float], ...]) -> tuple[float, float]:
     return (x1 - (x1 - x0) * near, y1 - (y1 - y0) * near)
 
 
-def tikz(diagram: Diagram) -> str:
+def tikz(diagram: Diagram | Chains | Parts) -> str:
     """Return the diagram as a tikzpicture."""
-    lines = [_line(item) for item in LAYOUTS[diagram.name](diagram.labels).items]
+    lines = [_line(item) for item in layout_of(diagram).items]
     return "\n".join([r"\begin{tikzpicture}[>=latex, line width=0.6pt]", *lines, r"\end{tikzpicture}"])
 
 

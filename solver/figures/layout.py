@@ -73,8 +73,8 @@ class Layout:
         self.items.extend(items)
 
     def wire(self, *points: Point, arrow: bool = True) -> None:
-        """Draw a wire through points."""
-        self.add(Wire(points, arrow))
+        """Draw a wire through points; one that comes twice is one."""
+        self.add(Wire(tuple(dict.fromkeys(points)), arrow))
 
     def sign(self, x: float, y: float, text: str, anchor: str = "above left") -> None:
         """Write a sign at a summing point."""

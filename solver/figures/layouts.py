@@ -121,11 +121,26 @@ def _new_input(layout: Layout, labels: Labels) -> None:
 
 def _observer(labels: Labels, *, feedback: bool) -> Layout:
     layout = Layout()
-    y0, hat = -3.4, labels.get("xhat", r"\hat{x}")
+    y0 = -3.4
     _plant_above(layout, labels)
-    layout.add(Block(1.2 + 0.9, y0, labels.get("B", "B"), 1.0), Sum(3.4, y0))
-    layout.wire((1.2, 0), (1.2, y0), (1.6, y0))
-    layout.wire((2.6, y0), (3.2, y0))
+    _estimator(layout, labels, driven=True)
+    if feedback:
+        _new_input(layout, labels)
+        layout.add(Block(2.2, y0 - 2.5, labels.get("K", "K_f"), 1.3))
+        layout.wire((5.8, y0 - 1.3), (5.8, y0 - 2.5), (2.85, y0 - 2.5))
+        layout.add(Dot(5.8, y0 - 1.3))
+        layout.wire((1.55, y0 - 2.5), (-0.2, y0 - 2.5), (-0.2, -RADIUS))
+    return layout
+
+
+def _estimator(layout: Layout, labels: Labels, *, driven: bool) -> None:
+    """The model of the plant below it, corrected by y − ŷ; the output is tapped at x = 8.6, the input at x = 1.2."""
+    y0, hat = -3.4, labels.get("xhat", r"\hat{x}")
+    layout.add(Sum(3.4, y0))
+    if driven:
+        layout.add(Block(1.2 + 0.9, y0, labels.get("B", "B"), 1.0))
+        layout.wire((1.2, 0), (1.2, y0), (1.6, y0))
+        layout.wire((2.6, y0), (3.2, y0))
     layout.add(Block(4.7, y0, labels.get("integrator", r"\int"), 0.9))
     layout.wire((3.6, y0), (4.25, y0))
     layout.wire((5.15, y0), (6.35, y0))
@@ -141,12 +156,36 @@ def _observer(labels: Labels, *, feedback: bool) -> Layout:
     layout.add(Block(6.0, y0 + 1.6, labels.get("L", "L_c"), 1.3))
     layout.wire((8.8, y0), (9.3, y0), (9.3, y0 + 1.6), (6.65, y0 + 1.6))
     layout.wire((5.35, y0 + 1.6), (3.4, y0 + 1.6), (3.4, y0 + RADIUS))
-    if feedback:
-        _new_input(layout, labels)
-        layout.add(Block(2.2, y0 - 2.5, labels.get("K", "K_f"), 1.3))
-        layout.wire((5.8, y0 - 1.3), (5.8, y0 - 2.5), (2.85, y0 - 2.5))
-        layout.add(Dot(5.8, y0 - 1.3))
-        layout.wire((1.55, y0 - 2.5), (-0.2, y0 - 2.5), (-0.2, -RADIUS))
+
+
+def kalman_filter(labels: Labels) -> Layout:
+    """The filter x̂' = A x̂ + L (y − C x̂) beside a plant with noise at its states and at its output, without input."""
+    return _filter(labels, driven=False)
+
+
+def driven_kalman_filter(labels: Labels) -> Layout:
+    """The filter with the input that its plant has."""
+    return _filter(labels, driven=True)
+
+
+def _filter(labels: Labels, *, driven: bool) -> Layout:
+    layout = Layout()
+    plant = r"\dot{x}=Ax+Bu+w" if driven else r"\dot{x}=Ax+w"
+    layout.add(Block(3.6, 0, labels.get("plant", plant), 3.4), Block(6.9, 0, labels.get("C", "C"), 1.1))
+    layout.wire((3.6, 1.3), (3.6, 0.45))
+    layout.add(Label(3.6, 1.1, labels.get("w", "w"), "right"))
+    layout.wire((5.3, 0), (6.35, 0))
+    layout.add(
+        Label(5.8, 0, labels.get("x", "x"), "above"), Sum(8.0, 0), Label(8.0, 1.1, labels.get("v", "v"), "right")
+    )
+    layout.wire((7.45, 0), (7.8, 0))
+    layout.wire((8.0, 1.3), (8.0, RADIUS))
+    layout.wire((8.2, 0), (9.8, 0))
+    layout.add(Label(9.4, 0, labels.get("y", "y"), "above"), Dot(8.6, 0))
+    if driven:
+        layout.wire((0.0, 0), (1.9, 0))
+        layout.add(Label(0.4, 0, labels.get("u", "u"), "above"), Dot(1.2, 0))
+    _estimator(layout, labels, driven=driven)
     return layout
 
 
@@ -211,6 +250,8 @@ LAYOUTS: Mapping[str, Callable[[Labels], Layout]] = {
     "servo": servo,
     "observer": observer,
     "observer_feedback": observer_feedback,
+    "kalman_filter": kalman_filter,
+    "driven_kalman_filter": driven_kalman_filter,
     "reduced_observer": reduced_observer,
     "reduced_observer_feedback": reduced_observer_feedback,
     "model_matching": model_matching,

@@ -3,29 +3,35 @@
 from __future__ import annotations
 
 import io
+from itertools import pairwise
 from typing import Any
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure as Canvas
 
-from solver.derivation.figures import DrawnCurve, DrawnPlot
-
-COLOURS = ("#1f5fa8", "#c2410c", "#15803d", "#7e22ce", "#a16207", "#0e7490", "#be123c", "#4d4d4d")
-"""Dark enough on white to be told apart; each curve also has its label at its end."""
+from solver.derivation.figures import DrawnCurve, DrawnPanels, DrawnPlot, Mark
+from solver.figures.palette import AREA, COLOURS, GRID, INK, PAPER, SIGNS, SOFT, dark_style
 
 DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)))
-WIDTH, HEIGHT, SQUARE = 6.4, 3.6, 5.0
+WIDTH, HEIGHT, SQUARE, LOW = 6.4, 3.6, 4.6, 2.3
 SETTINGS: Any = {
     "svg.hashsalt": "solve",
     "svg.fonttype": "path",
     "font.size": 10.5,
     "mathtext.fontset": "stix",
     "font.family": "STIXGeneral",
+    "text.color": INK,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "figure.facecolor": PAPER,
+    "axes.facecolor": PAPER,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
-    "grid.color": "#e3e3e3",
+    "grid.color": GRID,
     "grid.linewidth": 0.7,
     "axes.axisbelow": True,
 }
@@ -35,46 +41,99 @@ def drawn(plot: DrawnPlot) -> str:
     """Return the plot as an SVG document."""
     with mpl.rc_context(SETTINGS):
         canvas = Canvas(figsize=(SQUARE, SQUARE) if plot.equal else (WIDTH, HEIGHT), layout="constrained")
-        axes = canvas.add_subplot()
-        x_min, x_max, y_min, y_max = plot.window
-        named = _draw_curves(axes, plot.curves)
-        for mark in plot.marks:
-            axes.plot([mark.x], [mark.y], "o", color="#111111", markersize=4.5, zorder=4)
-            if mark.label:
-                axes.annotate(_math(mark.label), (mark.x, mark.y), textcoords="offset points", xytext=(6, 6))
-        axes.set_xlim(x_min, x_max)
-        axes.set_ylim(y_min, y_max)
-        if plot.equal:
-            axes.set_aspect("equal", adjustable="box")
-        if y_min < 0 < y_max:
-            axes.axhline(0, color="#777777", linewidth=0.8, zorder=1)
-        if x_min < 0 < x_max:
-            axes.axvline(0, color="#777777", linewidth=0.8, zorder=1)
-        axes.set_xlabel(_math(plot.x_label))
-        axes.set_ylabel(_math(plot.y_label))
-        if named:
-            axes.legend(frameon=False, loc="best")
-        return _svg(canvas)
+        _draw(canvas.add_subplot(), plot)
+        return svg_of(canvas)
 
 
-def _draw_curves(axes: Any, curves: tuple[DrawnCurve, ...]) -> bool:
-    """Draw the curves, each named one in a colour and dash of its own; return whether any has a name."""
-    names = list(dict.fromkeys(each.label for each in curves if each.label))
-    for each in curves:
-        place = names.index(each.label) if each.label else 0
-        colour = COLOURS[place % len(COLOURS)] if each.label else "#5b7083"
-        dash = DASHES[place % len(DASHES)] if each.label else "-"
-        first = each.label and each is next(c for c in curves if c.label == each.label)
-        label = _math(each.label) if first else None
-        if each.style == "samples":
-            axes.vlines(each.x, 0, each.y, color=colour, linewidth=0.9)
-            axes.plot(each.x, each.y, "osD^"[place % 4], color=colour, markersize=4.5, label=label)
-            continue
-        line = (0, (4, 3)) if each.style == "dashed" else dash
+def drawn_panels(panels: DrawnPanels) -> str:
+    """Return plots below each other as an SVG document; their abscissas are one above the other."""
+    with mpl.rc_context(SETTINGS):
+        canvas = Canvas(figsize=(WIDTH, LOW * len(panels.plots)), layout="constrained")
+        every = canvas.subplots(len(panels.plots), 1, sharex=True, squeeze=False)
+        for axes, plot in zip(every[:, 0], panels.plots, strict=True):
+            _draw(axes, plot)
+        for upper, _ in pairwise(every[:, 0]):
+            upper.set_xlabel("")
+        return svg_of(canvas)
+
+
+def _draw(axes: Any, plot: DrawnPlot) -> None:
+    x_min, x_max, y_min, y_max = plot.window
+    if y_min < 0 < y_max:
+        axes.axhline(0, color=SOFT, linewidth=0.8, zorder=1)
+    if x_min < 0 < x_max:
+        axes.axvline(0, color=SOFT, linewidth=0.8, zorder=1)
+    named = _draw_curves(axes, plot)
+    for mark in plot.marks:
+        if mark.sign == "dot":
+            axes.plot([mark.x], [mark.y], "o", color=INK, markersize=4.5, zorder=4)
+        _name(axes, mark, plot.window)
+    axes.set_xlim(x_min, x_max)
+    axes.set_ylim(y_min, y_max)
+    if plot.equal:
+        axes.set_aspect("equal", adjustable="box")
+    axes.set_xlabel(math(plot.x_label))
+    axes.set_ylabel(math(plot.y_label))
+    if named and any(each.style in SIGNS for each in plot.curves):
+        axes.legend(frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=min(2, named))
+    elif named > 1 or (named and names_of(plot.curves) != [plot.y_label]):
+        axes.legend(frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+
+
+def _name(axes: Any, mark: Mark, window: tuple[float, float, float, float]) -> None:
+    """Write the name of a point beside it, on the side where there is room."""
+    if mark.label:
+        right, up = side_of(mark.x, mark.y, window)
+        axes.annotate(
+            math(mark.label), (mark.x, mark.y), textcoords="offset points", xytext=(6 * right, 6 * up),
+            ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top", zorder=5,
+        )  # fmt: skip
+
+
+def side_of(x: float, y: float, window: tuple[float, float, float, float]) -> tuple[int, int]:
+    """Return on which side of a point its name has room: 1 or −1 for right or left, above or below."""
+    x_min, x_max, y_min, y_max = window
+    return (-1 if x - x_min > 0.8 * (x_max - x_min) else 1), (-1 if y - y_min > 0.9 * (y_max - y_min) else 1)
+
+
+def names_of(curves: tuple[DrawnCurve, ...]) -> list[str]:
+    """Return the names in the legend, in order."""
+    return list(dict.fromkeys(each.label for each in curves if each.label and each.style not in ("guide", "area")))
+
+
+def _draw_curves(axes: Any, plot: DrawnPlot) -> int:
+    """Draw the curves, each named one in a colour and dash of its own; return how many have a name."""
+    names = names_of(plot.curves)
+    for each in plot.curves:
+        if each.style == "area":
+            axes.fill(each.x, each.y, facecolor=AREA, edgecolor="none", zorder=0.5)
+        elif each.style == "guide":
+            axes.plot(each.x, each.y, linestyle=(0, (4, 3)), color=SOFT, linewidth=0.9, zorder=1.5)
+            _name(axes, Mark(each.x[-1], each.y[-1], each.label), plot.window)
+        else:
+            _draw_curve(axes, each, names, first=each is next(c for c in plot.curves if c.label == each.label))
+    return len(names)
+
+
+def _draw_curve(axes: Any, each: DrawnCurve, names: list[str], *, first: bool) -> None:
+    place = names.index(each.label) if each.label else 0
+    colour = COLOURS[place % len(COLOURS)] if each.label else SOFT
+    label = math(each.label) if first and each.label else None
+    if each.style in SIGNS:
+        hollow = {
+            "markerfacecolor": "none",
+            "markeredgewidth": 1.8,
+            "markersize": 8.5 if each.style != "square" else 10,
+        }
+        axes.plot(each.x, each.y, SIGNS[each.style], color=colour, label=label, zorder=3, **hollow)
+    elif each.style == "samples":
+        axes.vlines(each.x, 0, each.y, color=colour, linewidth=0.9)
+        axes.plot(each.x, each.y, "osD^"[place % 4], color=colour, markersize=4.5, label=label)
+    else:
+        line = (0, (4, 3)) if each.style == "dashed" else DASHES[place % len(DASHES)] if each.label else "-"
         axes.plot(each.x, each.y, linestyle=line, color=colour, linewidth=1.6, label=label)
         if each.style == "arrow" and len(each.x) > 1:
             _arrowhead(axes, each, colour)
-    return bool(names)
 
 
 def _arrowhead(axes: Any, each: DrawnCurve, colour: str) -> None:
@@ -95,16 +154,16 @@ def middle(curve: DrawnCurve) -> int:
     return max(int(np.searchsorted(way, way[-1] / 2)), 1)
 
 
-def _math(latex: str) -> str:
+def math(latex: str) -> str:
+    """Return a label as matplotlib reads it."""
     return f"${latex}$" if latex else ""
 
 
-def _svg(canvas: Canvas) -> str:
+def svg_of(canvas: Canvas) -> str:
+    """Return a canvas as an SVG element, with its colours for the dark and without what stands before it."""
     content = io.StringIO()
     canvas.savefig(content, format="svg", metadata={"Date": None, "Creator": None})
-    return trimmed(content.getvalue())
-
-
-def trimmed(document: str) -> str:
-    """Return an SVG document without what stands before its element, and without empty descriptions."""
-    return document[document.index("<svg") :]
+    document = content.getvalue()
+    begin = document.index("<svg")
+    end = document.find(">", begin) + 1
+    return document[begin:end] + dark_style() + document[end:] if end else document[begin:]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from solver.derivation.figures import DrawnCurve, DrawnPlot
-from solver.figures.plot_svg import COLOURS, middle
+from solver.derivation.figures import DrawnCurve, DrawnPanels, DrawnPlot, Mark
+from solver.figures.palette import COLOURS, SIGNS
+from solver.figures.plot_svg import middle, names_of, side_of
 
 DASHES = (
     "solid",
@@ -12,46 +13,104 @@ DASHES = (
     "dash pattern=on 6pt off 2pt on 1pt off 2pt",
 )
 MARKS = ("*", "square*", "diamond*", "triangle*")
-EVERY = 2
-"""Paper needs fewer points than a screen that zooms."""
+ROOTS = {"cross": "x", "ring": "o", "square": "square", "diamond": "diamond"}
+SIZE = {True: "width=8cm, height=8cm, axis equal image", False: "width=11cm, height=6.4cm"}
+LOW = 4.4
+"""The height of a panel, in centimetres."""
 
 
 def drawn(plot: DrawnPlot) -> str:
     """Return the plot as a tikzpicture."""
-    curves = plot.curves
+    return _picture(_axis(plot, [SIZE[plot.equal]]))
+
+
+def drawn_panels(panels: DrawnPanels) -> str:
+    """Return plots below each other as one tikzpicture."""
+    size = f"width=11cm, height={LOW}cm"
+    last = len(panels.plots) - 1
+    axes = [
+        _axis(plot, [size, f"at={{(0cm,{-i * (LOW - 0.7):g}cm)}}"], named=i == last)
+        for i, plot in enumerate(panels.plots)
+    ]
+    return _picture("\n".join(axes))
+
+
+def _picture(body: str) -> str:
+    colours = "\n".join(rf"\definecolor{{curve{i}}}{{HTML}}{{{c[1:].upper()}}}" for i, c in enumerate(COLOURS))
+    return f"\\begin{{tikzpicture}}\n{colours}\n{body}\n\\end{{tikzpicture}}"
+
+
+def _axis(plot: DrawnPlot, place: list[str], *, named: bool = True) -> str:
     x_min, x_max, y_min, y_max = plot.window
+    signs = any(each.style in SIGNS for each in plot.curves)
     options = [
         f"xmin={x_min:.6g}, xmax={x_max:.6g}, ymin={y_min:.6g}, ymax={y_max:.6g}",
-        f"xlabel={{${plot.x_label}$}}, ylabel={{${plot.y_label}$}}",
-        "width=8cm, height=8cm, axis equal image" if plot.equal else "width=11cm, height=6.4cm",
+        f"xlabel={{{f'${plot.x_label}$' if named else ''}}}, ylabel={{{f'${plot.y_label}$' if plot.y_label else ''}}}",
+        *place,
         "axis lines=left, grid=major, grid style={black!12}",
-        "legend pos=outer north east, legend style={draw=none, fill=none}",
+        "legend style={draw=none, fill=none, at={(0.5,-0.17)}, anchor=north}" if signs
+        else "legend pos=outer north east, legend style={draw=none, fill=none}",
         "scaled ticks=false, tick label style={/pgf/number format/fixed}",
-    ]
-    names = list(dict.fromkeys(each.label for each in curves if each.label))
-    seen: set[str] = set()
-    lines = [line for each in curves for line in _curve(each, names, seen)]
-    lines += [
-        rf"\addplot[only marks, mark size=2pt, forget plot] coordinates {{{_point(m.x, m.y)}}}"
-        + (rf" node[above right] {{${m.label}$}};" if m.label else ";")
-        for m in plot.marks
-    ]
+        "clip=false" if _all_inside(plot) else "clip mode=individual",
+    ]  # fmt: skip
+    names = names_of(plot.curves)
+    seen = {""} if names != [plot.y_label] else {"", plot.y_label}
+    lines = [*_zero_lines(plot.window), *(line for each in plot.curves for line in _curve(each, names, seen, plot))]
+    lines += [_mark(mark, plot.window) for mark in plot.marks]
     body = "\n".join(lines)
-    colours = "\n".join(rf"\definecolor{{curve{i}}}{{HTML}}{{{c[1:].upper()}}}" for i, c in enumerate(COLOURS))
-    axis = f"\\begin{{axis}}[{', '.join(options)}]\n{body}\n\\end{{axis}}"
-    return f"\\begin{{tikzpicture}}\n{colours}\n{axis}\n\\end{{tikzpicture}}"
+    return f"\\begin{{axis}}[{', '.join(options)}]\n{body}\n\\end{{axis}}"
+
+
+def _all_inside(plot: DrawnPlot) -> bool:
+    """Whether nothing has to be cut off, so that names may stand at the edge."""
+    x_min, x_max, y_min, y_max = plot.window
+    return all(
+        x_min <= x <= x_max and y_min <= y <= y_max for each in plot.curves for x, y in zip(each.x, each.y, strict=True)
+    )
+
+
+def _zero_lines(window: tuple[float, float, float, float]) -> list[str]:
+    """The axes through the origin, where it is inside."""
+    x_min, x_max, y_min, y_max = window
+    ends = []
+    if y_min < 0 < y_max:
+        ends.append(f"{_point(x_min, 0)} {_point(x_max, 0)}")
+    if x_min < 0 < x_max:
+        ends.append(f"{_point(0, y_min)} {_point(0, y_max)}")
+    return [rf"\addplot[black!40, thin, forget plot] coordinates {{{each}}};" for each in ends]
+
+
+def _mark(mark: Mark, window: tuple[float, float, float, float]) -> str:
+    dots = "only marks, mark size=2pt" if mark.sign == "dot" else "draw=none"
+    name = rf" node[{_side(mark.x, mark.y, window)}] {{${mark.label}$}};" if mark.label else ";"
+    return rf"\addplot[{dots}, forget plot] coordinates {{{_point(mark.x, mark.y)}}}{name}"
+
+
+def _side(x: float, y: float, window: tuple[float, float, float, float]) -> str:
+    right, up = side_of(x, y, window)
+    return f"{'above' if up > 0 else 'below'} {'right' if right > 0 else 'left'}"
 
 
 def _point(x: float, y: float) -> str:
     return f"({x:.5g},{y:.5g})"
 
 
-def _curve(each: DrawnCurve, names: list[str], seen: set[str]) -> list[str]:
+def _curve(each: DrawnCurve, names: list[str], seen: set[str], plot: DrawnPlot) -> list[str]:
     """Return the lines of one curve; the first of those with the same name enters the legend."""
     label = each.label
+    coordinates = " ".join(_point(x, y) for x, y in zip(each.x, each.y, strict=True))
+    if each.style == "area":
+        return [rf"\addplot[draw=none, fill=black!8, forget plot] coordinates {{{coordinates}}} \closedcycle;"]
+    if each.style == "guide":
+        name = rf" node[{_side(each.x[-1], each.y[-1], plot.window)}] {{${label}$}};" if label else ";"
+        return [rf"\addplot[black!55, thin, densely dashed, forget plot] coordinates {{{coordinates}}}{name}"]
     place = names.index(label) if label else 0
     colour = f"curve{place % len(COLOURS)}" if label else "black!60"
-    if each.style == "samples":
+    arrow = []
+    if each.style in ROOTS:
+        outline = "mark size=3.5pt, mark options={line width=1.2pt, fill=none}"
+        style = f"{colour}, only marks, mark={ROOTS[each.style]}, {outline}"
+    elif each.style == "samples":
         style = f"{colour}, ycomb, mark={MARKS[place % 4]}, mark size=1.6pt"
     else:
         style = f"{colour}, thick, {'dashed' if each.style == 'dashed' else DASHES[place % 4] if label else 'solid'}"
@@ -59,11 +118,7 @@ def _curve(each: DrawnCurve, names: list[str], seen: set[str]) -> list[str]:
         at = middle(each)
         head = f"{_point(each.x[at - 1], each.y[at - 1])} {_point(each.x[at], each.y[at])}"
         arrow = [rf"\addplot[{colour}, thick, -latex, forget plot] coordinates {{{head}}};"]
-    else:
-        arrow = []
-    points = range(0, len(each.x), 1 if each.style == "samples" else EVERY)
-    coordinates = " ".join(_point(each.x[i], each.y[i]) for i in points)
-    entry = rf"\addlegendentry{{${label}$}}" if label and label not in seen else ""
+    entry = rf"\addlegendentry{{${label}$}}" if label not in seen else ""
     kept = "" if entry else ", forget plot"
     seen.add(label)
     return [rf"\addplot[{style}{kept}] coordinates {{{coordinates}}};{entry}", *arrow]

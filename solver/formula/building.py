@@ -133,15 +133,13 @@ def joined(factors: Sequence[Row]) -> Row:
     be taken for an exponent.
     """
     items: list[Node] = []
-    before = None
     for factor in factors:
         if not factor.items:
             continue
         first = factor.items[0]
-        twice, before = factor == before and is_atom(factor), factor
+        twice = items[-1:] == [first] and is_atom(factor)
         indexed = isinstance(first, Root) and first.index is not None
-        meet = _first_base(first, Number) or (isinstance(first, Fraction) and items and _ends_in_number(items[-1]))
-        if items and (meet or indexed or twice):
+        if items and (_numbers_meet(items[-1], first) or indexed or twice):
             items.append(TIMES)
         elif items and _words_meet(items[-1], first):
             items.append(THIN_SPACE)
@@ -155,6 +153,16 @@ def _first_base(node: Node, kind: type[Node]) -> bool:
 
 def _ends_in_number(node: Node) -> bool:
     return isinstance(node, Number) or (isinstance(node, Scripts) and node.above is not None)
+
+
+def _numbers_meet(left: Node, right: Node) -> bool:
+    if not isinstance(right, Fraction):
+        return _first_base(right, Number)
+    return _ends_in_number(left) or (_is_number_over_number(left) and _is_number_over_number(right))
+
+
+def _is_number_over_number(node: Node) -> bool:
+    return isinstance(node, Fraction) and all(isinstance(each, Row | Number) for each in (*walk(node),)[1:])
 
 
 def _words_meet(left: Node, right: Node) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from solver.formula.nodes import Function, Node, Operator, Scripts, Space
+from solver.formula.nodes import Function, Node, Operator, Scripts, Space, Text
 from solver.formula.vocabulary import CLOSING
 
 SIGNS = frozenset(("+", "-", r"\pm", r"\mp"))
@@ -29,4 +29,6 @@ def _ends_operand(node: Node) -> bool:
     base = node.base if isinstance(node, Scripts) else node
     if isinstance(base, Operator):
         return base.sign in _ENDS_OPERAND
+    if isinstance(base, Text):
+        return not base.words.endswith(":")
     return not isinstance(base, Function)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
@@ -142,3 +143,46 @@ def of_is_stable_polynomial(found: bool | None, coefficients: Sequence[Any], *, 
     says = "all roots inside" if found else "a root that is not inside"
     near = bool(np.any(abs(sizes) < 1e-6))
     yield Check.that(says, "numpy.roots", near or bool(np.all(sizes < 0)) == bool(found))
+
+
+def of_edges(found: Sequence[tuple[Any, Any]], condition: Any) -> Iterator[Check]:
+    """Each is a parameter and the number or formula on the other side of a strict inequality."""
+    strict = condition.atoms(sp.StrictLessThan, sp.StrictGreaterThan)
+    sides = {pair for each in strict for pair in (each.args, each.args[::-1])}
+    yield Check.that("ends of a range", "compared", set(found) <= sides)
+
+
+WHOLE = (3, 1, 7, 2, 5, 4)
+"""Numbers that parameters take, in turns."""
+NEAR = 1e-6
+
+
+def of_boundary_roots(found: Sequence[Any], coefficients: Sequence[Any], *, discrete: bool) -> Iterator[Check]:
+    """They are those simple roots on the boundary, of a pair the upper one, that numpy finds for some parameters.
+
+    Where ω² is negative for these, a root lies elsewhere and is not compared.
+    """
+    listed: list[sp.Expr] = [sp.Integer(0) + c for c in coefficients]
+    symbols = sorted(set().union(*(c.free_symbols for c in listed)), key=str)
+    for turn in range(len(WHOLE) if symbols else 1):
+        point = {x: sp.Integer(WHOLE[(turn + i) % len(WHOLE)]) for i, x in enumerate(symbols)}
+        roots = [complex(z) for z in np.roots([complex(c.xreplace(point)) for c in listed])]
+        seen = [z for z in roots if _is_told(z, roots, discrete=discrete)]
+        named = [complex(root.xreplace(point)) for root in found]
+        compared = [z for z in named if abs(abs(z) - 1 if discrete else z.real) < NEAR]
+        holds = all(_is_among(z, seen) for z in compared) and all(_is_among(z, named) for z in seen)
+        yield Check.that("roots on the boundary", "numpy.roots", holds)
+
+
+def _is_among(z: complex, others: Sequence[complex]) -> bool:
+    return any(abs(z - each) < NEAR for each in others)
+
+
+def _is_told(z: complex, roots: Sequence[complex], *, discrete: bool) -> bool:
+    """Whether a root is simple, on the boundary, not below the real axis, and has a square root as formula."""
+    simple = sum(abs(z - each) < 100 * NEAR for each in roots) == 1
+    if discrete:
+        return simple and abs(abs(z) - 1) < NEAR and (abs(z.imag) < NEAR or (len(roots) == 2 and z.imag > 0))
+    square = abs(z) ** 2
+    rational = abs(square - float(Fraction(square).limit_denominator(100))) < NEAR / 1000
+    return simple and abs(z.real) < NEAR and z.imag > -NEAR and rational

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from solver.problem.labels import labels_of
 from solver.symbols import COURSE
 from solver.systems import EarlierPart
 from solver.words import ENGLISH
@@ -87,7 +88,7 @@ class Part:
     `asked` are the answers that the file asks for, none where it does not say; a decimal must have `digits` significant
     ones to be judged, and may have a comma where `decimal_comma` says so. `partial` says what wrong answers can earn,
     where anything is said of them. `show` is what a paper shows of it. `conventions` has the other usual
-    values of options that the file does not give, by option and as typed.
+    values of options that the file does not give, by option and as typed; `written` are the keys that it does give.
     `symbols` and `parameters` are those of a part that has its own, `assumed` what its own `assume` says of symbols,
     `conditions` all that hold in it. `decimals_typed` tells that its question holds decimals. `places` tells where its
     task, its options and the conditions stand in the file.
@@ -102,6 +103,7 @@ class Part:
     marks: sp.Rational | None = None
     own_system: bool = False
     answer_marks: Mapping[str, sp.Rational] = field(default_factory=dict)
+    written: frozenset[str] = frozenset()
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
     parameters: Mapping[str, Any] = field(default_factory=dict)
     assumed: Mapping[str, tuple[sp.Symbol, ...]] = field(default_factory=dict)
@@ -114,6 +116,11 @@ class Part:
     conventions: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     decimals_typed: bool = False
     places: Mapping[str, Place] = field(default_factory=dict, compare=False)
+
+    @property
+    def names_methods(self) -> bool:
+        """Whether a paper may name its methods: the file asks for them, and shows them."""
+        return "method" in self.written and self.show.method
 
     @property
     def sources(self) -> tuple[str, ...]:
@@ -145,3 +152,8 @@ class Problem:
     show: Show = Show()
     images: Mapping[str, Image] = field(default_factory=dict, repr=False)
     file: Source | None = field(default=None, compare=False)
+
+    @property
+    def labels(self) -> Mapping[str, str]:
+        """The names of the parts as they are printed."""
+        return labels_of([part.id for part in self.parts])

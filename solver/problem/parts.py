@@ -12,7 +12,7 @@ from solver.problem.asked import answer_named, given_by, read_asked, read_comma,
 from solver.problem.context import Context
 from solver.problem.lexicon import Lexicon, exact_number
 from solver.problem.model import Part, Partial, Show
-from solver.problem.nodes import Entry, MappingNode, Node, Place, ScalarNode, SequenceNode, scalar
+from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode, scalar
 from solver.problem.part_options import OptionsReader
 from solver.problem.partial import Said, read_partial, settled, slips_of
 from solver.problem.source import Fault, Report, did_you_mean
@@ -111,7 +111,7 @@ class PartReader:
             show=read_show(mapping, self.usual.show),
             conventions=reader.conventions(),
             conditions=lexicon.chains,
-            places=_places(mapping, lexicon),
+            **_in_the_file(mapping, lexicon),
             **({} if lexicon is self.lexicon else lexicon.declared),
         )
 
@@ -143,10 +143,11 @@ def read_show(holder: MappingNode, default: Show) -> Show:
     return replace(default, **truths)
 
 
-def _places(part: MappingNode, lexicon: Lexicon) -> dict[str, Place]:
-    """Return where the keys of a part and its conditions stand."""
+def _in_the_file(part: MappingNode, lexicon: Lexicon) -> dict[str, Any]:
+    """Return which keys a part has, and where they and its conditions stand."""
+    keys = {entry.key.text: entry.value.place for entry in part}
     conditions = {f"conditions {i}": chain.place for i, chain in enumerate(lexicon.chains)}
-    return {entry.key.text: entry.value.place for entry in part} | conditions
+    return {"written": frozenset(keys), "places": keys | conditions}
 
 
 def _renames(part: MappingNode) -> bool:

@@ -28,13 +28,15 @@ def as_data(document: Document) -> Data:
         "title": document.title,
         "status": str(document.status),
         "symbols": sorted({name for part in document.parts for name in part.symbols}),
-        "parts": [_part(part) for part in document.parts],
+        "parts": [_part(part) for part in document.parts if not part.case],
     }
 
 
 def _part(part: Work) -> Data:
-    """Return one part by one method; `marks`, `reason` and `unchecked` stand only where there are any."""
+    """Return one part by one method; `marks`, `reason`, `unchecked` and `cases` stand only where there are any."""
     data: Data = {"id": part.id, "task": part.task, "method": part.method, "status": str(part.status)}
+    if part.label:
+        data["label"] = part.label
     if part.marks:
         data["marks"] = part.out_of
     data["out_of"] = part.out_of
@@ -46,6 +48,8 @@ def _part(part: Work) -> Data:
     data["answers"] = {answer.name: _answer(answer) for answer in part.answers}
     data["checks"] = [_check(check) for check in part.checks]
     data["steps"] = [_step(step) for step in part.steps]
+    if part.cases:
+        data["cases"] = [{"case": case.case, **_part(case)} for case in part.cases]
     return data
 
 

@@ -9,15 +9,16 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Claim
-from solver.derivation.displayed import STANDS, Displayed
+from solver.derivation.displayed import FIRST_MARK, STANDS, Displayed, Written
 from solver.formula import latex, read
 from solver.formula.building import row
 from solver.formula.nodes import Operator, Row, Text
 from solver.formula.width import LINE, width
 from solver.matrices import entry_alone
 from solver.render.displays import EQUALS, NOTHING, READABLE, aligned, chain, display, entries
-from solver.render.recording import Recorder
+from solver.render.recording import MARK, Recorder
 from solver.render.row_operations import row_operation
+from solver.stated import Stated
 
 _STATES = re.compile(r"[=<>]|\\(le|ge|ne|approx)\b")
 """What a note must have in it to state something."""
@@ -59,7 +60,7 @@ class Displaying:
     def _side(self, side: Any, show: Callable[[Any], Row]) -> Row:
         """Return a side of a display: a text is LaTeX with marks for values, a matrix of one entry is a number."""
         if not isinstance(side, str):
-            return show(entry_alone(side))
+            return show(as_numbers(side) if is_of_numbers(side) else entry_alone(side))
         text = self.recorder.expanded(side)
         return read(text) if text.strip() else NOTHING
 
@@ -70,6 +71,17 @@ class Displaying:
             last = shown[-1] if isinstance(shown[-1], str) else self.recorder.value(shown[-1], "")
             shown[-1] = f"{last} {note}"
         return self._displayed([(shown, relation)], self.laid_out(sides, self.show, relation, note))
+
+    def again(self, displayed: Displayed) -> Row:
+        """Return a display a = b = ... as it was laid out."""
+        self.recorder.begin()
+        return self.laid_out([self._text(side) for side in displayed.sides], self.show, displayed.relation)
+
+    def _text(self, side: Any) -> Any:
+        """Return LaTeX with marks for its values; what is a value stays one."""
+        if not isinstance(side, Written):
+            return side
+        return MARK.sub(lambda mark: self.tex(side.values[ord(mark[0]) - FIRST_MARK]), side.latex)
 
     def claim(self, claim: Claim, prefix: str = "", note: str = "") -> str:
         """Display both sides of a claim."""
@@ -121,6 +133,25 @@ class Displaying:
     def operation(self, operation: Any) -> str:
         """Return a row operation as LaTeX."""
         return latex(row_operation(operation, self.show))
+
+
+ARITHMETIC = frozenset({"product", "total", "difference", "quotient", "power"})
+
+
+def is_of_numbers(value: Any) -> bool:
+    """Whether a formula is arithmetic with matrices of one entry each: [2] − [3][1] is 2 − 3·1."""
+    if not isinstance(value, Stated) or value.operation not in ARITHMETIC:
+        return False
+    inner = [each for each in value.operands if isinstance(each, Stated)]
+    matrices = [each for each in value.operands if isinstance(each, sp.MatrixBase)]
+    return bool(matrices or inner) and all(M.shape == (1, 1) for M in matrices) and all(map(is_of_numbers, inner))
+
+
+def as_numbers(value: Any) -> Any:
+    """Return a formula with the entries in place of matrices of one entry."""
+    if isinstance(value, Stated):
+        return Stated(value.operation, tuple(map(as_numbers, value.operands)))
+    return entry_alone(value)
 
 
 def word_of(symbol: str) -> str:

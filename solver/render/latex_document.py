@@ -6,7 +6,7 @@ the filters `text` (plain), `line` (one line of Markdown) and `prose` (Markdown)
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +18,7 @@ from solver import __version__, resources
 from solver.compiled import kept
 from solver.derivation.figures import Drawing
 from solver.problem.images import Image
+from solver.render import pointing
 from solver.render.prose import inline_latex, to_latex
 from solver.render.prose_latex import display_latex, picture_name
 from solver.render.tex_text import escaped
@@ -60,6 +61,10 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
         prose=to_latex,
         breakable=_breakable,
         boxed=_boxed,
+        referring=_pointed(pointing.referring),
+        picturing=_pointed(pointing.picturing),
+        agreeing=_pointed(pointing.agreeing),
+        noting=_pointed(pointing.noting),
     )
     return environment
 
@@ -84,6 +89,11 @@ def _figure(data: Drawing) -> str:
     from solver import figures  # noqa: PLC0415 - only a document that has a figure needs them
 
     return f"\\drawing{{%\n{figures.tikz(data)}}}{{{inline_latex(data.caption)}}}"
+
+
+def _pointed(says: Callable[..., str]) -> Callable[..., str]:
+    """Return what says where something stands, in LaTeX with links."""
+    return lambda what, say: inline_latex(says(what, say, pointing.linked))
 
 
 def _boxed(equation: str) -> str:

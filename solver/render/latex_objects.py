@@ -91,6 +91,19 @@ class ObjectPrinter:
     def _print_Heaviside(self, expr: Any) -> Row:
         return row(FUNCTIONS["Heaviside"], parenthesized(self._print(expr.args[0])))
 
+    def _print_Piecewise(self, expr: Any) -> Row:
+        pieces = (tuple(each.args) for each in expr.args)
+        return row(Table("cases", tuple((self._print(value), self._span(when)) for value, when in pieces)))
+
+    def _span(self, condition: Any) -> Row:
+        """The condition a ≤ x < b in one."""
+        if not isinstance(condition, sp.And) or len(condition.args) != 2:
+            return row(self._print(condition))
+        bounds: tuple[Any, ...] = condition.args
+        low, high = sorted(bounds, key=lambda each: isinstance(each, sp.StrictLessThan))
+        cells = (low.rhs, r"\le", low.lhs, "<", high.rhs)
+        return row(*(each if isinstance(each, str) else self._print(each) for each in cells))
+
     def _print_KroneckerDelta(self, expr: Any) -> Row:
         shift = expr.args[0] - expr.args[1]
         rising = next((shift.coeff(symbol) > 0 for symbol in shift.free_symbols if symbol.name == "k"), True)
@@ -143,10 +156,14 @@ class ObjectPrinter:
 
     def _print_And(self, expr: Any) -> Row:
         parts = sorted(expr.args, key=sp.default_sort_key)
-        chain = _chain(parts)
-        if chain is not None:
-            return row(*(part if isinstance(part, Operator) else self._print(part) for part in chain))
-        return separated(map(self._print, parts), Text(" and "))
+        shown = []
+        while parts:
+            first, *parts = parts
+            second = next((each for each in parts if _chain([first, each])), None)
+            chain = [first] if second is None else _chain([first, second])
+            parts = [each for each in parts if each is not second]
+            shown.append(row(*(part if isinstance(part, Operator) else self._print(part) for part in chain or ())))
+        return separated(shown, Text(" and "))
 
     def _print_Or(self, expr: Any) -> Row:
         return separated(map(self._print, sorted(expr.args, key=sp.default_sort_key)), Text(" or "))

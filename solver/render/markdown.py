@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from solver.derivation import Status
+from solver.render.pointing import agreeing, noting, picturing, referring
 from solver.render.prose import plain
 
 if TYPE_CHECKING:
@@ -19,8 +20,10 @@ _TAG = re.compile(r"<(?=[A-Za-z/!?])")
 def markdown_of(document: Document) -> str:
     """Return the whole solution. Raw HTML in a user's text is made harmless."""
     lines = [f"# {plain(document.title)}", plain(document.source), _harmless(document.statement), document.given]
-    for part in document.parts:
+    parts = document.shown
+    for part in parts:
         lines += _part(document, part)
+    lines += _appendix(document, parts)
     return "\n\n".join(line.strip() for line in lines if line.strip()) + "\n"
 
 
@@ -33,7 +36,7 @@ def _part(document: Document, part: Work) -> Iterator[str]:
     paper, checks = document.presentation.is_paper, document.checks_of(part)
     say = document.messages.say
     marks = f" ({plain(part.marks)} {say('mark' if part.marks == '1' else 'marks')})" if part.marks else ""
-    yield f"## ({plain(part.id)}) {plain(part.title)}{marks}"
+    yield f"## ({plain(part.letter)}) {plain(part.title)}{marks}"
     if not part.again:
         yield _harmless(part.question)
         yield part.given
@@ -45,26 +48,44 @@ def _part(document: Document, part: Work) -> Iterator[str]:
     yield from _steps(part.steps, "###", say)
     if part.status is Status.UNSOLVED and not paper:
         yield f"> **{say('Unsolved.')}** {part.reason}"
-    if part.found:
+    if part.boxed or part.same:
         yield f"### {say('Answer')}"
-        for answer in part.found:
-            yield f"$$\n{answer.equation}\n$$"
+        for answer in part.boxed:
+            yield f"$$\n{answer.shown}\n$$"
             if answer.marks and document.presentation.detail == "key":
                 yield f"({plain(answer.marks)} {say('mark' if answer.marks == '1' else 'marks')})"
-    if checks == "table":
-        yield _table(part.rows, say)
-    if checks == "summary":
+    if part.same:
+        yield agreeing(part.same, say)
+    if part.noted:
+        yield noting(part, say)
+    if checks != "none":
         yield f"{document.tally_of(part)}."
     if checks != "none" and part.unchecked:
         yield part.unchecked
 
 
+def _appendix(document: Document, parts: Iterable[Work]) -> Iterator[str]:
+    """Yield the tables of checks, behind all parts."""
+    say, tables = document.messages.say, [part for part in parts if document.checks_of(part) == "table"]
+    if tables:
+        yield f"## {say('Checks')}"
+    for part in tables:
+        yield f"### {plain(document.heading_of(part))}"
+        yield _table(part.rows, say)
+
+
 def _steps(steps: Iterable[WorkStep], level: str, say: Say) -> Iterator[str]:
     for number, step in enumerate(steps, 1):
         yield f"{level} {f'{number}. ' if level == '###' else ''}{step.title}"
+        if step.refers:
+            yield referring(step, say)
         yield step.markdown
+        for each in step.pictured:
+            yield picturing(each, say)
         for figure in step.figures:
-            yield f"*{say('Figure (drawn on the HTML page and in the PDF):')}* {_harmless(figure.caption)}"
+            yield f"*{say('Figure:')}* {_harmless(figure.caption)}"
+            if figure.alt:
+                yield plain(figure.alt)
         yield from _steps(step.steps, level + "#" if len(level) < 6 else level, say)
 
 

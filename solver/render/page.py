@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import base64
+import re
+from collections.abc import Callable
 from functools import lru_cache
 from html import escape
 from pathlib import Path
@@ -17,7 +19,9 @@ from solver.compiled import kept
 from solver.derivation.figures import Drawing
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
+from solver.formula.terminal import flat
 from solver.messages import Messages
+from solver.render import pointing
 from solver.render.prose import inline_html, to_html
 from solver.words import Phrase
 
@@ -32,6 +36,7 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src
 NARROW = 14.0
 """Width in em that fits on a phone; a wider formula gets a box that scrolls and can be reached by keyboard."""
 
+IN_TEXT = re.compile(r"\$([^$]*)\$")
 FORMULA = 'aria-label="Formula"'
 """What a screen reader says of a formula in its box, before the page is put into its language."""
 
@@ -104,12 +109,22 @@ def short(latex: str) -> Markup:
     return Markup(drawn(latex, False))  # noqa: S704 - escaped by `drawn`
 
 
+def pointed(says: Callable[..., str]) -> Callable[..., Markup]:
+    """Return what says where something stands, in HTML with links."""
+
+    def html(what: object, say: Callable[[str], str]) -> Markup:
+        return inline(says(what, say, pointing.linked))
+
+    return html
+
+
 def figure(data: Drawing) -> Markup:
     """Return a figure with its caption; the drawing is an image, so its names can't meet those of the page."""
     from solver import figures  # noqa: PLC0415 - only a page that has a figure needs matplotlib
 
     image = base64.b64encode(figures.svg(data).encode("utf-8")).decode("ascii")
-    words = escape(" ".join(data.caption.replace("$", "").split()))
+    caption = IN_TEXT.sub(lambda found: flat(found[1]), data.caption)
+    words = escape(" ".join(f"{caption.rstrip('.')}. {data.alt}".split()))
     picture = f'<img alt="{words}" src="data:image/svg+xml;base64,{image}">'
     caption = inline_html(data.caption, drawn)
     return Markup(f"<figure>{picture}<figcaption>{caption}</figcaption></figure>")  # noqa: S704 - escaped above
@@ -133,6 +148,10 @@ def _environment(templates: Path | None) -> Environment:
         "displayed": displayed,
         "short": short,
         "figure": figure,
+        "referring": pointed(pointing.referring),
+        "picturing": pointed(pointing.picturing),
+        "agreeing": pointed(pointing.agreeing),
+        "noting": pointed(pointing.noting),
     }
     environment.filters.update(filters)
     return environment

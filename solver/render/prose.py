@@ -20,6 +20,7 @@ from markdown_it.token import Token
 from solver.formula import find_problem
 from solver.markup import MATH_TOKENS, address_of, parser, tokens
 from solver.problem.images import Image
+from solver.render.glued import glued
 from solver.render.prose_latex import latex_of
 from solver.render.prose_text import inline_text, text_of
 
@@ -109,5 +110,5 @@ def _shown_image(_renderer: Any, found: Sequence[Token], index: int, _options: A
 
 def _html(found: list[Token], math: Math, images: Mapping[str, Image] = MappingProxyType({})) -> str:
     writer = _parser()
-    rendered: str = writer.renderer.render(found, writer.options, {"math": math, "images": images})
+    rendered: str = writer.renderer.render(glued(found), writer.options, {"math": math, "images": images})
     return rendered

@@ -5,6 +5,7 @@ The document defines `\display{..}` (a displayed formula, shrunk when it is wide
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 
 from markdown_it.token import Token
@@ -42,6 +43,9 @@ _FIXED = {
     "tr_open": "",
     "table_close": "\\bottomrule\n\\end{tabular}\\end{center}\n\n",
 }
+
+_WITHIN = re.compile(r"#[\w-]+", re.ASCII)
+"""The address of a place in the document."""
 
 DEEPEST = 5
 """TeX nests lists six deep, itemize four; deeper ones lose their layout."""
@@ -130,6 +134,8 @@ def _ordered_list(token: Token, _tokens: Sequence[Token], _index: int) -> str:
 
 def _link(token: Token, _tokens: Sequence[Token], _index: int) -> str:
     address = str(token.attrGet("href") or "")
+    if _WITHIN.fullmatch(address):
+        return rf"\hyperlink{{{address[1:]}}}{{"
     return rf"\href{{{_address(address)}}}{{"
 
 

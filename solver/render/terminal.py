@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from solver.derivation import CheckStatus, Status
 from solver.formula.terminal import flat
 from solver.render.displaying import word_of
+from solver.render.pointing import agreeing, noting, picturing, referring
 from solver.render.prose import inline_as_text, to_text
 from solver.render.prose_text import INDENT, display_lines, fits, indented, wrapped
 from solver.words import Phrase
@@ -35,7 +36,7 @@ COLOURS: dict[Status | CheckStatus, str] = {
 def print_summary(document: Document, console: Console, *, verbose: bool = False) -> None:
     """Print each part's answers and how they were checked; the table of checks if verbose or if one failed."""
     console.rule(_plain(document.title), align="left", style="dim")
-    for part in document.parts:
+    for part in document.shown:
         console.print()
         _print_part(part, console, document.messages.say)
         if part.rows and (verbose or part.status is Status.FAILED):
@@ -96,6 +97,7 @@ def verdict_of(part: Work, say: Say) -> str:
 def answer_lines(answer: WorkAnswer, width: int = WIDTH) -> list[str]:
     """Return an answer as `symbol = value`, drawn in two dimensions where it fits, a wide matrix entry by entry."""
     line = f"{answer.symbol} = {answer.tex}" if answer.symbol and not word_of(answer.symbol) else answer.equation
+    line = answer.derived or line
     equation = line if fits(line, width - len(INDENT)) else answer.narrow
     return [line.removeprefix(INDENT) for line in display_lines(equation, width - len(INDENT))]
 
@@ -105,36 +107,52 @@ def text_document(document: Document, width: int = WIDTH) -> str:
     title = _plain(document.title)
     blocks = [f"{title}\n{'=' * len(title)}", _plain(document.source), to_text(document.statement, width)]
     blocks.append(to_text(document.given, width))
-    blocks += [block for part in document.parts for block in _blocks(document, part, width)]
+    parts = document.shown
+    blocks += [block for part in parts for block in _blocks(document, part, width)]
+    blocks += _appendix(document, parts)
     return "\n\n".join(block.rstrip() for block in blocks if block.strip()) + "\n"
 
 
 def _blocks(document: Document, part: Work, width: int) -> Iterator[str]:
     say = document.messages.say
-    head = f"({part.id}) {heading(part, say)}"
+    head = f"({part.letter}) {heading(part, say)}"
     yield f"{head}\n{'-' * len(head)}"
     if not part.again:
         yield to_text(part.question, width)
         yield to_text(part.given, width)
     if part.source:
         yield f"[{part.source}]"
-    yield from _step_blocks(part.steps, "", width)
-    for answer in part.found:
+    yield from _step_blocks(part.steps, "", width, say)
+    for answer in part.boxed:
         marks = f" [{answer.marks}]" if answer.marks and document.presentation.detail == "key" else ""
         head = f"{say('Answer')}: {inline_as_text(answer.doc)}{marks}"
         yield f"{head}\n\n" + "\n".join(indented(answer_lines(answer, width)))
+    if part.same:
+        yield f"{say('Answer')}: {inline_as_text(agreeing(part.same, say))}"
+    if part.noted:
+        yield to_text(noting(part, say), width)
     if not document.presentation.is_paper:
         yield "\n".join(wrapped(verdict_of(part, say), width))
-    if document.checks_of(part) == "table":
+
+
+def _appendix(document: Document, parts: Iterable[Work]) -> Iterator[str]:
+    """Yield the tables of checks, behind all parts."""
+    say, tables = document.messages.say, [part for part in parts if document.checks_of(part) == "table"]
+    if tables:
+        yield f"{say('Checks')}\n{'-' * len(say('Checks'))}"
+    for part in tables:
+        yield document.heading_of(part)
         yield "\n".join(_check_lines(part.rows, say))
 
 
-def _step_blocks(steps: Sequence[WorkStep], number: str, width: int) -> Iterator[str]:
+def _step_blocks(steps: Sequence[WorkStep], number: str, width: int, say: Say) -> Iterator[str]:
     for index, step in enumerate(steps, start=1):
         place = f"{number}{index}."
+        pointed = [referring(step, say)] if step.refers else []
+        body = "\n\n".join([*pointed, step.markdown, *(picturing(each, say) for each in step.pictured)])
         yield f"{place} {inline_as_text(step.title)}"
-        yield "\n".join(indented(to_text(step.markdown, width - len(INDENT)).split("\n")))
-        yield from _step_blocks(step.steps, place, width)
+        yield "\n".join(indented(to_text(body, width - len(INDENT)).split("\n")))
+        yield from _step_blocks(step.steps, place, width, say)
 
 
 def _check_lines(rows: Iterable[CheckRow], say: Say) -> Iterator[str]:

@@ -19,14 +19,14 @@ A macro is called with the step's values `v` and claims `c`; its first line, `##
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from jinja2 import TemplateError, TemplateNotFound, TemplateSyntaxError
 
-from solver.derivation import AnswerName, Step
+from solver.derivation import AnswerEquations, AnswerName, Step
 from solver.derivation.displayed import Displayed
 from solver.derivation.figures import Figure, worded_figure
 from solver.formula import MathProblem, latex
@@ -37,6 +37,7 @@ from solver.messages import Messages
 from solver.notation import answer_symbol
 from solver.problem.model import Chain, Display, Part
 from solver.render.displaying import Displaying, word_of
+from solver.render.equations import formula_of
 from solver.render.latex import DEFAULT, answer_formula, formula
 from solver.render.macros import Macros, environment_of, macros_of
 from solver.render.numbers import NumberFormat
@@ -117,7 +118,7 @@ class Wording:
         """
         if part.prompt:
             return part.prompt.strip()
-        options = {**part.options, "methods": part.methods if part.show.method else ()}
+        options = {**part.options, "methods": part.methods if part.names_methods else ()}
         words = self._macro(f"{part.task}/question", "question", part.system, options)
         said = "".join(self._macro(f"lemmas/{loop}", "loop_of", part.system, options) for loop in loops)
         named = [(self._symbol_in_words(answer), self.say(answer.doc)) for answer in asked]
@@ -139,6 +140,10 @@ class Wording:
         `assumed` has symbols by the word for what is assumed of them, `chains` are the conditions.
         """
         return _tidy(self._macro("lemmas/conditions", "conditions", assumed, chains)) if assumed or chains else ""
+
+    def special(self, macro: str, *arguments: Any) -> str:
+        """Return what is said of special values of parameters: a macro of `lemmas/special_cases`."""
+        return _tidy(self._macro("lemmas/special_cases", macro, *arguments))
 
     def tex(self, value: Any) -> str:
         """Return a value as LaTeX."""
@@ -235,6 +240,10 @@ class Wording:
             **{"pieces": shown.pieces, "fraction": quotient, "stands": shown.stands, "supposed": shown.supposed},
         }
 
+    def chain(self, displayed: Displayed) -> str:
+        """Return a display a = b = ... that was worded, as LaTeX."""
+        return latex(self._displaying.again(displayed))
+
     def equation(self, symbol: str, value: Any, *, narrow: bool = False) -> str:
         """Return an answer as `symbol = value`, or `word: value`, laid out for a page; a matrix by entry if narrow."""
         word = word_of(symbol)
@@ -242,6 +251,12 @@ class Wording:
             return latex(row(Text(f"{word}:"), r"\quad", self._answer(value)))
         shown = self.answer(value) if isinstance(value, str) else value  # words, not LaTeX
         return latex(self._displaying.laid_out([symbol, shown], self._answer, narrow=narrow))
+
+    def equations(self, equations: AnswerEquations, values: Mapping[str, Any], *, discrete: bool) -> str:
+        """Return answers as equations; empty where they are too wide to be read so."""
+        spelt = replace(equations, lines=tuple(each.spelled(self.notation) for each in equations.lines))
+        found = formula_of(spelt, values, self.formula, discrete=discrete)
+        return latex(found) if found is not None else ""
 
 
 def _place(wording: str, macro: str) -> str:

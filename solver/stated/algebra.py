@@ -56,7 +56,7 @@ def exponential(exponent: Any) -> Stated:
 
 @operation(product)
 def _product(show: Show, *factors: Any) -> Row:
-    shown = [show(factor) for factor in factors if not _is_number(factor, 1)]
+    shown = [each for factor in factors if (each := show(factor)) != row("1")]
     if not shown:
         return row("1")
     first, *others = shown
@@ -96,6 +96,8 @@ def _quotient(show: Show, numerator: Any, denominator: Any) -> Row:
         return above
     if is_negative(above) and not is_sum(without_sign(above)):
         return row("-", _quotient(lambda part: part, without_sign(above), below))
+    if is_negative(below) and not is_sum(without_sign(below)):
+        return row("-", as_factor(_quotient(lambda part: part, above, without_sign(below))))
     if any(isinstance(node, Table) for node in walk(above)):  # too high for a numerator
         return row(over(row("1"), below), as_factor(above))
     return over(above, below)

@@ -55,6 +55,11 @@ def cofactor(matrix: Any, row: int, column: int) -> Stated:
     return Stated("cofactor", (matrix, row, column))
 
 
+def matrix_of(rows: Sequence[Sequence[Any]]) -> Stated:
+    """The matrix with these entries, which may be formulas; rows of one length."""
+    return Stated("matrix_of", (len(rows[0]), *(entry for line in rows for entry in line)))
+
+
 def kronecker(left: Any, right: Any) -> Stated:
     """A ⊗ B: the blocks aᵢⱼ B."""
     return Stated("kronecker", (left, right))
@@ -118,6 +123,12 @@ def _minor(show: Show, matrix: Any, i: int, j: int) -> Row:
 @operation(cofactor)
 def _cofactor(show: Show, matrix: Any, i: int, j: int) -> Row:
     return row(rf"\operatorname{{cof}}_{{{i}{j}}}", _argument(show(matrix)))
+
+
+@operation(matrix_of)
+def _matrix_of(show: Show, columns: int, *entries: Any) -> Row:
+    cells = [show(entry) for entry in entries]
+    return row(Table("bmatrix", tuple(tuple(cells[i : i + columns]) for i in range(0, len(cells), columns))))
 
 
 @operation(kronecker)

@@ -28,7 +28,7 @@ class LateInput(Surrounded):
     @property
     def provides(self) -> frozenset[str]:
         """How it moves can be asked; questions about A alone would forget the delay."""
-        return frozenset({"motion"})
+        return frozenset({"motion", "states"})
 
     @property
     def described(self) -> str:

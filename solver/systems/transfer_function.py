@@ -50,8 +50,8 @@ class TransferFunction:
 
     @property
     def provides(self) -> frozenset[str]:
-        """A task can ask for the transfer function."""
-        return frozenset({"transfer_function"})
+        """A task can ask for the transfer function, and how the output moves from rest."""
+        return frozenset({"transfer_function", "motion"})
 
     @property
     def described(self) -> str:
@@ -110,8 +110,8 @@ class DeadTime:
 
     @property
     def provides(self) -> frozenset[str]:
-        """A task can ask for the two factors."""
-        return frozenset({"dead_time"})
+        """A task can ask for the two factors, and how the output moves from rest."""
+        return frozenset({"dead_time", "motion"})
 
     @property
     def described(self) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Attempt
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
-from solver.tasks.told import short, shortened, spectrum, told
+from solver.tasks.told import alike, short, shortened, spectrum, told
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -30,6 +30,13 @@ def poles_given(loop: ImmutableMatrix, asked: Sequence[Expr], whose: str = "K") 
     return Reason("meanings/poles", {"found": found, "wanted": wanted, "whose": whose})
 
 
+def sum_of_poles(part: ImmutableMatrix, asked: Sequence[Expr]) -> Reason | None:
+    """Return the trace of the block of a loop in which its poles add up, beside the sum of those asked for."""
+    own, wanted = short(part.trace()), short(sp.Add(*asked))
+    told_apart = own.is_number and wanted.is_number and own != wanted
+    return Reason("meanings/sum_of_poles", {"own": own, "wanted": wanted}) if told_apart else None
+
+
 def unstable(loop: ImmutableMatrix, *, discrete: bool) -> Reason | None:
     """Return the poles of a loop that is not asymptotically stable, None for one that is."""
     found = spectrum(loop)
@@ -43,8 +50,13 @@ def roots_given(polynomial: Expr, x: Any, asked: Sequence[Expr]) -> Reason | Non
     """Return the roots of a polynomial beside those asked for."""
     if polynomial.free_symbols - {x} or not polynomial.is_polynomial(x):
         return None
-    found, wanted = told(sp.Poly(polynomial, x).nroots(n=30, maxsteps=200)), told(asked)
+    found, wanted = told(_roots(sp.Poly(polynomial, x))), told(asked)
     return None if found == wanted else Reason("meanings/roots", {"found": found, "wanted": wanted})
+
+
+def _roots(p: Any) -> list[Any]:
+    """The roots of a polynomial, each as often as it occurs: multiple ones converge slowly, if at all."""
+    return [root for part, times in p.sqf_list()[1] for root in part.nroots(n=30, maxsteps=500) * times]
 
 
 def no_eigenvalue(wrong: Attempt[Any, Any]) -> Reason | None:
@@ -129,7 +141,7 @@ def difference_of(left: Any, right: Any) -> dict[str, Any] | None:
             continue
         if a.shape != b.shape:
             return None
-        for i, j in ((i, j) for i in range(a.rows) for j in range(a.cols) if a[i, j] != b[i, j]):
+        for i, j in ((i, j) for i in range(a.rows) for j in range(a.cols) if not alike(a[i, j], b[i, j])):
             at = {"x": symbols[0] if symbols else None, "point": sp.Integer(point)}
             return {**at, "single": a.shape == (1, 1), "i": i + 1, "j": j + 1, "left": a[i, j], "right": b[i, j]}
     return None
@@ -155,15 +167,20 @@ def finite_at(values: Sequence[Expr], formula: Any, x: Any, *, zeros: bool) -> R
     return None
 
 
+def _all_alike(M: Any, N: Any) -> bool:
+    """Whether two matrices of numbers are told alike, entry by entry."""
+    return all(alike(a, b) for a, b in zip(M.flat(), N.flat(), strict=True))
+
+
 def begins(Phi: ImmutableMatrix, A: ImmutableMatrix, *, discrete: bool) -> Reason | None:
     """Return how a transition matrix begins where that is not with I and A."""
     x = sp.Symbol("k" if discrete else "t")
     if Phi.shape != A.shape or (Phi.free_symbols | A.free_symbols) - {x}:
         return None
     start = shortened(Phi.xreplace({x: sp.Integer(0)}))
-    if start != sp.eye(A.rows):
+    if not _all_alike(start, sp.eye(A.rows)):
         return Reason("meanings/start", {"x": x, "value": start})
     second = Phi.xreplace({x: sp.Integer(1)}) if discrete else Phi.diff(x).xreplace({x: sp.Integer(0)})
-    if shortened(second) != shortened(A):
+    if not _all_alike(second, A):
         return Reason("meanings/second", {"discrete": discrete, "value": shortened(second)})
     return None

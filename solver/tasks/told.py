@@ -50,6 +50,12 @@ def _decimal(x: float) -> Any:
     return sp.Integer(near) if abs(x - near) < NEAR and abs(x) < LONG else sp.Float(f"{x:.{DIGITS}g}", 15)
 
 
+def alike(one: Any, other: Any) -> bool:
+    """Whether two numbers are told alike: to four digits."""
+    a, b = complex(one), complex(other)
+    return all(f"{x + 0:.{DIGITS}g}" == f"{y + 0:.{DIGITS}g}" for x, y in ((a.real, b.real), (a.imag, b.imag)))
+
+
 def shortened(value: Any) -> Any:
     """Return an expression or a matrix with its numbers as they are told, entry by entry."""
     return sp.ImmutableMatrix(value.applyfunc(short)) if isinstance(value, sp.MatrixBase) else short(value)

@@ -77,3 +77,15 @@ def test_a_matrix_of_the_wrong_shape_is_wrong_and_not_a_fault():
     found = marked(PLANT, "answers: {b: {controllability_matrix: [[0, 1, 2], [1, -3, 4]]}}")
     answer = found["b"].answers["controllability_matrix"]
     assert (answer.verdict, answer.reason) == ("wrong", "it must be 2×2; this one is 2×3")
+
+
+@pytest.mark.parametrize("rank", ["|2|", "%2", "{{2}}/1", "[2]*[1]", "`2`", "2 'of 2"])
+def test_a_value_that_keeps_the_file_from_being_yaml_costs_nothing_but_itself(rank):
+    found = marked(PLANT, f"answers:\n  b:\n    rank: {rank}\n    controllable: yes\n")["b"].answers
+    assert found["controllable"].verdict == "correct"
+    assert found["rank"].verdict in ("correct", "not judged")
+
+
+def test_lists_over_several_lines_are_left_as_they_are():
+    text = "answers:\n  b:\n    controllability_matrix: [[0, 1],\n      [1, -3]]\n    rank: %2\n"
+    assert marked(PLANT, text)["b"].answers["controllability_matrix"].verdict == "correct"

@@ -59,7 +59,8 @@ def marked_in(language, submitted):
 
 def words(text):
     """The words of a text that is read, without formulas, code, styles and names of answers and functions."""
-    visible = re.sub(r"(?s)<(style|math|code)\b.*?</\1>|<[^>]*>|\$\$.*?\$\$|\$[^$]*\$|\\[A-Za-z]+", " ", text)
+    drawn = re.sub(r"\\addplot\+?\[[^\]]*\]", " ", text)  # `only marks` is an option of a plot
+    visible = re.sub(r"(?s)<(style|math|code)\b.*?</\1>|<[^>]*>|\$\$.*?\$\$|\$[^$]*\$|\\[A-Za-z]+", " ", drawn)
     return {word.lower() for word in re.findall(r"[^\W\d_]{3,}", re.sub(r"\w*[_.]\w[\w.]*", " ", visible))}
 
 

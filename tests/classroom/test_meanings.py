@@ -33,6 +33,12 @@ find:
   lyapunov: {{task: stability, method: lyapunov}}
   reduced: {{task: reduced_observer, poles: [-4]}}
   tracking: {{task: reference_tracking, poles: [-1, -2]}}
+  costly: {{task: lqr, Q: [[1, 0], [0, 1]], R: 1, initial_state: [0, 1], cost_factor: 1}}
+  routh: {{task: stability, method: routh, system: {{A: [[0, 1, 0], [0, 0, 1], [-4, -3, -2]]}}}}
+  tabled: {{task: routh_hurwitz, system: {{polynomial: "s^3 + 3s^2 + 2s + K"}}, parameter: K}}
+  chained: {{task: eigenstructure, system: {{A: [[3, 1, 0], [0, 3, 0], [0, 0, 2]]}}}}
+  cubed: {{task: matrix_function, function: "A^3"}}
+  feedback: {{task: observer_feedback, poles: [-4, -5], observer_poles: [-8, -9]}}
   hidden: {{task: stabilizability, system: {{A: [[-1, 0], [0, -2]], B: [1, 0]}}}}
 """
 
@@ -49,6 +55,26 @@ TOLD = [
     ("reduced", "J", "[[-3]]", r"with your $J$ the poles are $-3$; asked were $-4$"),
     ("tracking", "K", "[1, 1]", r"with your $K_f$ the poles are $-3,\ -1$; asked were $-2,\ -1$"),
     ("lqr", "K", "[-3, 0]", r"with your $K_f$ the poles are $-3.303,\ 0.3028$: that is not asymptotically stable"),
+    ("costly", "K", "[1, 1]",
+     r"with your $K_f$ the loop is stable, with the poles $-3,\ -1$, but from $x(0) = \begin{bmatrix}0\\1\end{bmatrix}$"
+     r" the cost is $J = \frac{1}{3}$; the least is $J^{*} = 0.2361$"),
+    ("servo", "K", "[10, 4]", r"with your $K_f$ the poles add up to $-7$, whatever the gain of the integrator is;"
+     " those asked for add up to $-6$"),
+    ("routh", "array", "[[1, 3], [2, 5], [1, 0], [4, 0]]",
+     "the entry in row 2, column 2, $5$, is the first that does not follow from the coefficients"),
+    ("routh", "array", "[[1, 3], [2, 4], [3, 0], [4, 0]]",
+     "the entry in row 3, column 1, $3$, is the first that does not follow from the two rows above it"),
+    ("tabled", "array", "[[1, 2], [3, K], [6 + K, 0], [K, 0]]",
+     "the entry in row 3, column 1, $K + 6$, is the first that does not follow from the two rows above it"),
+    ("chained", "jordan_form", "[[3, 0, 0], [0, 3, 0], [0, 0, 2]]",
+     r"for $\lambda = 3$ its rank $\operatorname{rank}(J - \lambda I)$ is $1$;"
+     r" $\operatorname{rank}(A - \lambda I)$ is $2$"),
+    ("chained", "jordan_form", "[[3, 1, 1], [0, 3, 0], [0, 0, 2]]", "a Jordan form has zeros off the diagonal and the"
+     " entries above it; in row 1, column 3 stands $1$"),
+    ("cubed", "F", "[[6, 7], [-14, -14]]",
+     "a function of $A$ commutes with $A$; with yours, $AF$ and $FA$ have $-14$ and $-15$ in row 1, column 2"),
+    ("feedback", "closed_loop_A", "[[0, 1, 0, 0], [-20, -9, 18, 6], [0, 0, -14, 1], [0, 0, -30, -4]]",
+     r"with your $A_{\text{closed}}$ the poles are $-9 \pm 2.236j,\ -5,\ -4$; asked were $-9,\ -8,\ -5,\ -4$"),
     ("eigen", "eigenvalues", "[-1, 3]", r"$3$ is no eigenvalue: there $\det(\lambda I - A) = 20$, not $0$"),
     ("eigen", "eigenvalues", "[-1, -1]", r"their sum is $-2$; that of the eigenvalues is the trace, $-3$"),
     ("eigen", "eigenvalues", "[-1]", "$A$ has $2$ eigenvalues, each as often as its multiplicity; these are $1$"),
@@ -58,7 +84,7 @@ TOLD = [
     ("eigen", "left_eigenvectors", "[[1, 3], [1, 1]]",
      r"row 1 is $m = \begin{bmatrix}1 & 3\end{bmatrix}$, and $mA = \begin{bmatrix}-6 & -8\end{bmatrix}$ is no multiple"
      " of it"),
-    ("polynomial", "polynomial", "lambda^2 + 3lambda", r"at $\lambda = 1$ it is $4$, not $6$"),
+    ("polynomial", "polynomial", "lambda^2 + 3lambda + 1", r"at $\lambda = 1$ it is $5$, not $6$"),
     ("Phi", "Phi", "[[1, t], [0, 2]]", r"at $t = 0$ it is $\begin{bmatrix}1 & 0\\0 & 2\end{bmatrix}$, not $I$"),
     ("Phi", "Phi", "[[1, t], [0, 1]]",
      r"its derivative at $t = 0$ is $\begin{bmatrix}0 & 1\\0 & 0\end{bmatrix}$, not $A$"),
@@ -159,3 +185,31 @@ def test_the_eigenvalues_of_a_matrix_of_any_size_are_told(rows, found):
 def test_pairs_are_told_as_one_in_rising_order():
     roots = [sp.Integer(1), -3 - 2 * sp.I, sp.Integer(-5), -3 + 2 * sp.I, sp.I]
     assert told(roots) == [Told(-5), Told(-3, 2), Told(sp.I), Told(1)]
+
+
+def test_matrices_of_another_transfer_function_are_told_by_its_value():
+    text = "system: {transfer_function: '(s+3)/(s^2+3s+2)'}\nfind: {a: {task: realization, form: controllable}}"
+    answers = "answers: {a: {A: [[0, 1], [-2, -3]], B: [0, 1], C: [3, 2]}}"
+    found = marked(text, answers)["a"].answers
+    assert "wrong" in [str(each.verdict) for each in found.values()]
+    told = [each.reason for each in found.values()] + [each.note for each in found.values()]
+    assert any(r"with your $A$, $B$, $C$, at $s = 1$ the transfer function is $\frac{5}{6}$" in each for each in told)
+
+
+@pytest.mark.parametrize("value", ["1.00001 exp(-t)", "[[1.00002, 0], [0, 1]]"])
+def test_what_is_told_alike_is_not_told_apart(value):
+    part, name = ("Phi", "Phi") if value.startswith("[") else ("response", "y")
+    assert "it is $1.0$" not in verdict(part, name, value).reason
+
+
+def test_a_term_that_is_left_out_is_no_intermediate_result():
+    found = marked(PLANT.format(language="en"), "answers: {polynomial: {polynomial: lambda^2 + 2}}")["polynomial"]
+    assert (found.answers["polynomial"].mistake, found.answers["polynomial"].reason) == ("term", "a term is missing")
+
+
+def test_roots_of_any_multiplicity_are_told():
+    """Roots of multiplicity three did not converge in 30 digits."""
+    system = "{A: [[0, 1, 0], [0, 0, 1], [1, -1, -2]], B: [0, 1, 0]}"
+    problem = f"title: Triple\nsystem: {system}\nfind: {{a: {{task: pole_placement, poles: [-1, -1, -1]}}}}"
+    found = marked(problem, "answers: {a: {polynomial: (s - 2)^3}}")["a"].answers["polynomial"]
+    assert found.reason == r"its roots are $2,\ 2,\ 2$; asked were $-1,\ -1,\ -1$"

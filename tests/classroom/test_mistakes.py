@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from solver.classroom.mistakes import changed
 from solver.engine import found_by
-from tests.helpers.marked import solved, verdict
+from tests.helpers.marked import marked, solved, verdict
 from tests.helpers.students import written
 
 pytestmark = pytest.mark.xdist_group("mistakes")  # its problem is solved once
@@ -215,3 +215,14 @@ def gain_of(poles):
     for p in poles:
         coefficients = [a - p * b for a, b in zip([*coefficients, 0], [0, *coefficients], strict=True)]
     return coefficients[:0:-1]
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("right_eigenvectors", "'[2 1; 3 2]'"), ("left_eigenvectors", "'[-2 1; -3 2]'")]
+)
+def test_vectors_in_another_order_than_the_eigenvalues_have_no_other_mistake(name, value):
+    """With the sign reversed they are as right by themselves as they were."""
+    text = "title: Order\nsystem: {matrix: [[-6, 2], [-6, 1]]}\nfind: {a: eigenstructure}"
+    found = marked(text, f"answers: {{a: {{eigenvalues: '-2, -3', {name}: {value}}}}}")["a"].answers[name]
+    assert "in the order of the eigenvalues" in found.reason
+    assert found.mistake == ""

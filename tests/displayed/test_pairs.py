@@ -29,10 +29,15 @@ def test_a_pair_has_no_order(roots):
         eq("r_{1,2}", FORMULA, [ROOTS[0], ROOTS[0]]),
         text(r"-1 \mp \sqrt{3} = " + MARK, ROOTS),
         eq(r"\pm 2", r"\pm 3"),
+        eq(r"s^{2}", FORMULA, r"-1 \pm \sqrt{3}"),
     ],
 )
 def test_a_wrong_pair_is_seen(displayed):
     assert CheckStatus.FAILED in states(displayed)
+
+
+def test_a_power_of_a_name_is_either_value_of_a_pair():
+    assert set(states(eq(r"s^{2}", FORMULA, ROOTS))) == {CheckStatus.PASSED}
 
 
 def test_a_name_of_a_pair_is_free_afterwards():

@@ -66,7 +66,7 @@ def test_a_bound_of_degree_three_is_a_decimal():
         ([k + a, k * a + b], [], (k + a > 0) & (k * a + b > 0)),
         ([k + p, k * p + 1], [k], (k > -p) & (k > -1 / p)),
         ([a, k, a * k + 1], [], (a > 0) & (k > 0)),
-        ([a, (a * b - k) / a, k], [], (a > 0) & (a * b - k > 0) & (k > 0)),
+        ([a, (a * b - k) / a, k], [], (a > 0) & (k < a * b) & (k > 0)),
         ([a, -a * b], [], (a > 0) & (b < 0)),
         ([2 * a + 2 * b], [], a + b > 0),
         ([a, -p * a], [], sp.false),

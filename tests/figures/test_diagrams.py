@@ -9,7 +9,7 @@ from solver.figures.layout import RADIUS, Block, Dot, Label, Sum, Wire
 from solver.figures.layouts import LAYOUTS
 
 NEAR = 1e-6
-SHORT = {r"\dot{x}=Ax+Bu": "P", r"K_f\,[S_1\;\;S_2]": "K"}
+SHORT = {r"\dot{x}=Ax+Bu": "P", r"\dot{x}=Ax+Bu+w": "P", r"\dot{x}=Ax+w": "P", r"K_f\,[S_1\;\;S_2]": "K"}
 
 
 def same(p, q):
@@ -24,8 +24,10 @@ def lies_on(point, stretch):
 class Diagram:
     """A layout read as a person reads it: boxes, and wires that run from one to another."""
 
-    def __init__(self, name):
-        items = LAYOUTS[name]({}).items
+    SUM = "{}"
+
+    def __init__(self, layout):
+        items = layout.items
         self.wires = [item for item in items if isinstance(item, Wire)]
         self.labels = [item for item in items if isinstance(item, Label) and item.text]
         self.dots = [(item.x, item.y) for item in items if isinstance(item, Dot)]
@@ -38,7 +40,7 @@ class Diagram:
                 self.boxes[name] = (item.x, item.y, item.width / 2, item.height / 2)
             elif isinstance(item, Sum):
                 sums += 1
-                self.boxes[str(sums)] = (item.x, item.y, RADIUS, RADIUS)
+                self.boxes[self.SUM.format(sums)] = (item.x, item.y, RADIUS, RADIUS)
 
     def box_at(self, point, beside):
         """The box that a wire touches in the middle of a side, coming from or going to a point outside it."""
@@ -83,6 +85,7 @@ INTEGRATED = r"B>{0} {0}>\int \int>A A>{0}"
 """The integrator behind a sum, with B and A before it."""
 MODEL = INTEGRATED.format(1) + r" \int>C' C>+2 C'>-2 2>L_c L_c>1 in>P P>C C>out"
 REDUCED = r"M>1 N>1 J>1 1>\int \int>J \int>2 L_c>2 C>L_c C>N 2>out in>P P>C C>out"
+FILTER = r"P>C C>1 in>1 1>out 2>\int \int>A A>2 \int>C' 1>+3 C'>-3 3>L_c L_c>2"
 LOOP = r"in>+3 3>P"
 SAYS = {
     "state_feedback": r"in>+1 K_f>-1 1>B \int>K_f \int>C C>out " + INTEGRATED.format(2),
@@ -90,6 +93,8 @@ SAYS = {
     "servo": r"in>+1 C>-1 1>\int \int>k_I k_I>+2 K_f>-2 2>B \int'>K_f \int'>C C>out B>3 3>\int' \int'>A A>3",
     "observer": MODEL + " in>B",
     "observer_feedback": MODEL.replace("in>P", LOOP) + r" 3>B \int>K_f K_f>-3",
+    "kalman_filter": FILTER + " in>P",
+    "driven_kalman_filter": FILTER + r" in>P in>B B>2",
     "reduced_observer": REDUCED + " in>M",
     "reduced_observer_feedback": REDUCED.replace("in>P", LOOP) + " 3>M 2>K C>K K>-3",
     "model_matching": "in>H(s) H(s)>G(s) G(s)>out",
@@ -97,6 +102,7 @@ SAYS = {
 """Who drives whom, with the sign at the sum; sums are numbered, the second block of a name has a dash."""
 STATE = {"v": "in", "u": "1", r"\dot{x}": "2", "x": r"\int", "y": "C"}
 ESTIMATE = {"x": "P", "y": "C", "u": "in", r"\hat{x}": r"\int", r"\hat{y}": "C'"}
+NOISY = {"w": "in", "v": "in", "x": "P", "y": "1", r"\hat{x}": r"\int", r"\hat{y}": "C'"}
 PARTIAL = {"x": "P", "y": "C", "u": "in", r"\omega": r"\int", r"\hat{\eta}_2": "2"}
 NAMED = {
     "state_feedback": STATE,
@@ -106,6 +112,8 @@ NAMED = {
     },
     "observer": ESTIMATE,
     "observer_feedback": {**ESTIMATE, "u": "3", "v": "in"},
+    "kalman_filter": NOISY,
+    "driven_kalman_filter": {**NOISY, "u": "in"},
     "reduced_observer": PARTIAL,
     "reduced_observer_feedback": {**PARTIAL, "u": "3", "v": "in"},
     "model_matching": {"r": "in", "u": "H(s)", "y": "G(s)"},
@@ -115,12 +123,12 @@ NAMED = {
 
 @pytest.fixture(params=LAYOUTS)
 def diagram(request):
-    return Diagram(request.param)
+    return Diagram(LAYOUTS[request.param]({}))
 
 
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_a_diagram_says_its_equations(name):
-    diagram = Diagram(name)
+    diagram = Diagram(LAYOUTS[name]({}))
     assert diagram.edges == set(SAYS[name].split())
     assert diagram.named == {label: {source} for label, source in NAMED[name].items()}
 

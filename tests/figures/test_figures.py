@@ -3,6 +3,7 @@
 import re
 import subprocess
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -10,13 +11,29 @@ import sympy as sp
 
 from solver import figures
 from solver.derivation import Step
-from solver.derivation.figures import Curve, Diagram, Mark, Plot
+from solver.derivation.figures import (
+    Chains,
+    Curve,
+    Diagram,
+    Mark,
+    Motion,
+    Panels,
+    Parts,
+    Plane,
+    Plot,
+    Region,
+    Roots,
+    Signals,
+)
+from solver.derivation.figures import Part as Box
 from solver.document.works import document_of
 from solver.engine import solve_problem
+from solver.figures import drawing as worded
 from solver.figures.layout import Block, Dot, Label, Layout
 from solver.figures.layouts import LAYOUTS
 from solver.figures.plot_svg import middle
-from solver.figures.sampling import drawing_of, sampled
+from solver.figures.sampling import sampled
+from solver.messages import Messages
 from solver.problem.model import Part, Problem
 from solver.render import pdf
 from solver.render.latex_document import latex_document
@@ -24,6 +41,7 @@ from solver.render.markdown import markdown_of
 from solver.render.page import render_page
 from solver.systems import StateSpace
 
+drawing_of = partial(worded.drawing_of, say=Messages().say)
 t, k = sp.symbols("t k")
 DECAY = Plot("A decay.", "t", "x(t)", t, 0, 4, (Curve(sp.exp(-t), "x_1"), Curve(1 - sp.exp(-2 * t), r"\dot{x}_2")))
 SPIRAL = Plot(
@@ -31,7 +49,26 @@ SPIRAL = Plot(
     (Curve(sp.exp(-t) * sp.sin(t), x=sp.exp(-t) * sp.cos(t), style="arrow"),), (Mark(0, 0, "0"),), equal=True,
 )  # fmt: skip
 SAMPLES = Plot("Samples.", "k", "x(k)", k, 0, 6, (Curve(sp.Rational(1, 2) ** k, "x", style="samples"),))
-ALL = [DECAY, SPIRAL, SAMPLES, *(Diagram("A diagram.", name) for name in LAYOUTS)]
+PULSE = Plot("A pulse.", "t", "u", t, 0, 4, (Curve(sp.Heaviside(t - 1) - sp.Heaviside(t - 2), "u"),), settles=1)
+PANELS = Panels("Two panels.", (DECAY, PULSE))
+MOTION = Motion(
+    "A motion.", sp.Matrix([[0, 1], [-2, -2]]), sp.Matrix([1, 0]), drive=sp.Matrix([0, 2]),
+    panels=(
+        Signals("y", ("y",), sp.Matrix([[1, 0]]), level=("r", sp.Integer(1))),
+        Signals("x", ("x_1", "x_2"), sp.eye(2)),
+    ),
+)  # fmt: skip
+PLANE = Plane("Poles.", (Roots("poles", (-1 + sp.I, -1 - sp.I, -2, -2)), Roots("zeros", (3,), "ring")), stable=True)
+REGION = Plane("Region.", (Roots("poles", (-1 + sp.I,), "square"),), region=Region(sp.Rational(1, 2), 1, 2, 1))
+CIRCLE = Plane("Circle.", (Roots("poles", (sp.Rational(1, 2),), "diamond"),), discrete=True, stable=True)
+CHAIN = Chains("Chain.", ((1, 0),), (("", "1"), ("-2", "-3")), ("", "1"), ("1", "4"), r"\frac{1}{2}")
+PARTS = Parts("Parts.", (Box("seen", ("-1",), (0, 0), True, True, (1,)), Box("hidden", ("2",), (0, 1), True, False)))
+NUMBERS = Diagram("Numbers.", "observer", {"A": r"\begin{bmatrix}0 & 1\\-2 & -3\end{bmatrix}"})
+NEW = {
+    "pulse": PULSE, "panels": PANELS, "motion": MOTION, "plane": PLANE, "region": REGION, "circle": CIRCLE,
+    "chain": CHAIN, "parts": PARTS, "numbers": NUMBERS,
+}  # fmt: skip
+ALL = [DECAY, SPIRAL, SAMPLES, *(Diagram("A diagram.", name) for name in LAYOUTS), *NEW.values()]
 
 
 def test_curves_are_sampled_where_they_are():
@@ -140,7 +177,8 @@ def test_a_solution_shows_the_figures_of_its_steps(plain):
     document = document_of(replace(plain, parts=tuple(illustrated(part) for part in plain.parts)))
     html, latex, markdown = render_page(document), latex_document(document), markdown_of(document)
     assert html.count("<figure><img") == 2
-    assert 'alt="A decay."' in html
+    assert 'alt="A decay. x₁ from 1 at t = 0 to 0.01832 at t = 4. ẋ₂ from 0 at t = 0 to 0.9997 at t = 4."' in html
+    assert 'alt="Loop with u. Boxes: ∫, k_I, B, ∫, A, C, K_f. Signals: r, ' in html
     assert latex.count(r"\begin{tikzpicture}") == 2
     assert r"\usepackage{pgfplots}" in latex
     assert r"\usepackage{tikz}" not in latex_document(document_of(plain))

@@ -50,6 +50,8 @@ def written(*formulas):
         (("2", "3^{2}"), r"2 \cdot 3^{2}"),
         (("2", r"\frac{1}{3}"), r"2 \cdot \frac{1}{3}"),
         (("x", r"\frac{1}{3}"), r"x\frac{1}{3}"),
+        ((r"\frac{1}{2}", r"\frac{1}{3}"), r"\frac{1}{2} \cdot \frac{1}{3}"),
+        ((r"\frac{1}{2}", r"\frac{x}{3}"), r"\frac{1}{2}\frac{x}{3}"),
         (("x^{2}", r"\frac{1}{3}"), r"x^{2} \cdot \frac{1}{3}"),
         (("x", r"\sqrt[3]{2}"), r"x \cdot \sqrt[3]{2}"),
         (("x", r"\sqrt{2}"), r"x\sqrt{2}"),

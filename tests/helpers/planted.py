@@ -36,6 +36,10 @@ PROBLEMS = {
         "system": {"A": A, "B": [0, 1], "C": [1, 0]},
         "find": {"a": {"task": "similarity_transformation", "T": [[1, 1], [1, 2]]}},
     },
+    "three_states": {
+        "system": {"A": [[0, 1, 0], [0, 0, 1], [-6, -11, -6]]},
+        "find": {"a": {"task": "similarity_transformation", "T": [[1, 1, 1], [-1, -2, -3], [1, 4, 9]]}},
+    },
     "transfer": {
         "system": {"A": A, "B": [0, 1], "C": [1, 0]},
         "find": {"a": {"task": "transfer_function", "method": "faddeev_leverrier"}},
@@ -86,7 +90,10 @@ PLANTED = {
     "the value of a macro": ("polynomial", "lemmas/determinant", "v.pencil) }}", "2 * v.pencil) }}"),
     "the prefix of a claim": ("polynomial", "lemmas/determinant", '{{ claim(c.stated, "', '{{ claim(c.stated, "2'),
     "the prefix of another claim": ("closed", "lemmas/closed_loop", 'claim(c.loop, "A - B"', 'claim(c.loop, "A + B"'),
-    "a line further down": ("polynomial", "lemmas/determinant", "c.minors.right) }}", "2 * c.value.right) }}"),
+    "a line further down": (
+        *("polynomial", "lemmas/arithmetic/determinants", 'else "", c.value.right) }}'),
+        'else "", 2 * c.value.right) }}',
+    ),
     "a factor before a determinant": (
         *("polynomial", "lemmas/determinant", '{{ eq("\\\\det(" ~ v.x|tex ~ " I - A)", c.value.right) }}\n{% endif %}'),
         '{{ eq("2\\\\det(" ~ v.x|tex ~ " I - A)", c.value.right) }}\n{% endif %}',
@@ -100,12 +107,12 @@ PLANTED = {
         '"\\\\operatorname{tr} T"',
     ),
     "an inverse left out": (
-        *("coordinates", "similarity_transformation/similarity_transformation", '"T^{-1}", v.adj'),
-        '"T", v.adj',
+        *("coordinates", "lemmas/arithmetic/inverses", 'eq(v.name ~ "^{-1}", c.stated'),
+        "eq(v.name, c.stated",
     ),
     "an adjugate": (
-        *("coordinates", "similarity_transformation/similarity_transformation", '"\\\\operatorname{adj}T"'),
-        '"\\\\operatorname{adj}(2T)"',
+        *("three_states", "lemmas/arithmetic/inverses", '\\\\operatorname{adj}" ~ v.name'),
+        '\\\\operatorname{adj}2" ~ v.name',
     ),
     "the order of a product": (
         *("coordinates", "similarity_transformation/similarity_transformation", '{{ claim(c.AT, "AT") }}'),
@@ -235,8 +242,8 @@ PLANTED = {
     "a row of names": (
         "reached",
         "lemmas/rank_test",
-        "{{ claim(each, v.names[loop.index]) }}",
-        '{{ claim(each, "A" ~ v.names[loop.index]) }}',
+        "{{ eq(v.names[loop.index], each.left",
+        '{{ eq("A" ~ v.names[loop.index], each.left',
     ),
     "a zero in a line of text": (
         "hidden",
@@ -305,7 +312,12 @@ PLANTED = {
         '("(\\\\hat{a} - a)^{T}" ~ product)',
         '("(\\\\hat{a} + a)^{T}" ~ product)',
     ),
-    "the loop with unknowns": ("placement", "lemmas/placement_methods", 'A(v) ~ " + " ~ (gain', 'A(v) ~ " - " ~ (gain'),
+    "the loop with unknowns": (
+        "placement",
+        "lemmas/coefficient_matching",
+        'A(v) ~ " + " ~ (gain',
+        'A(v) ~ " - " ~ (gain',
+    ),
     "the sign of a control law": ("regulator", "lemmas/regulator", '"-" ~ sym.K ~ "x"', 'sym.K ~ "x"'),
     "the state at the start": ("start", "lemmas/regulator", '"x(0)^{T}Px(0)")', '"x(0)^{T}x(0)")'),
     "the first matrix of a recursion": ("transfer", "lemmas/faddeev_leverrier", 'eq("AN_{"', 'eq("2AN_{"'),
@@ -319,12 +331,12 @@ PLANTED = {
     "exponentials of a diagonal": (
         "transition",
         "state_transition_matrix/modal",
-        '"e^{" ~ form(v)',
-        '"e^{2" ~ form(v)',
+        'else "e^{Jt}"',
+        'else "e^{2Jt}"',
     ),
     "the final value theorem": ("final", "lemmas/response", "s\\\\,Y(s)", "Y(s)"),
     "an integrand": ("convolved", "lemmas/response_convolution", "\\\\Phi(t-\\\\tau)\\\\,B", "\\\\Phi(t)\\\\,B"),
-    "the quadratic formula": ("roots", "lemmas/eigenvalues", "{b^{2}}{4} - c", "{b^{2}}{4} + c"),
+    "the quadratic formula": ("roots", "lemmas/arithmetic/quadratics", "{b^{2}}{4} - c", "{b^{2}}{4} + c"),
     "both signs of a pair": ("specified", "lemmas/second_order", "\\\\pm j\\\\omega", "\\\\pm 2j\\\\omega"),
     "the matrix of the compensator": ("separated", "lemmas/output_feedback", '" I - F)"', '" I + F)"'),
 }

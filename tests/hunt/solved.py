@@ -55,7 +55,7 @@ def solved(path: Path) -> tuple[Solved, ...]:
     solution = solve_problem(read_problem(Source(path.name, text), catalogue()))
     works = document_of(solution, Presentation("full", data=True)).parts
     asked = {question.id: question for question in questions_in(path)}
-    return tuple(Solved(asked[work.id], work) for work in works)
+    return tuple(Solved(asked[work.id], work) for work in works if not work.case)
 
 
 def faults(one: Solved) -> Iterator[str]:

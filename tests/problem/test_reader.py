@@ -45,7 +45,7 @@ find:
         assumed={"positive": (a,)},
         system=system,
         parts=(
-            Part("a", "stability", ("stability",), system, decimals_typed=True),
+            Part("a", "stability", ("stability",), system, decimals_typed=True, written=frozenset({"task"})),
             Part(
                 "(b)",
                 "placement",
@@ -55,6 +55,7 @@ find:
                 "Find $K$.",
                 sp.Rational(7, 2),
                 decimals_typed=True,
+                written=frozenset({"task", "method", "poles", "prompt", "marks"}),
             ),
         ),
     )

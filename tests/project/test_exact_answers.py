@@ -39,6 +39,7 @@ NOT_SEEN_IN = dict.fromkeys(
     [
         *((stem, name) for stem in ("dead-time", "delayed-inputs") for name in ("y_peak", "t_peak", "y_final")),
         ("response-discrete", "y_final"),
+        *(("responses-by-name", name) for name in ("y_peak", "t_peak")),
     ],
     LATE,
 )

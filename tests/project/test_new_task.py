@@ -13,7 +13,7 @@ from tests.helpers.copies import (
 )
 from tests.helpers.copies import run as run_in
 
-MADE_ANEW = {"docs/user-guide.md", "docs/tasks.md"}
+MADE_ANEW = {"docs/user-guide.md", "docs/tasks.md", "docs/methods.md"}
 """What is made from the declarations."""
 
 pytestmark = pytest.mark.slow

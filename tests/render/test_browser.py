@@ -156,6 +156,21 @@ def test_nothing_is_wider_than_the_page(visit: Visit) -> None:
     assert visit.page.evaluate(TOO_HIGH) == []
 
 
+def test_a_wide_formula_is_told_by_a_shadow_at_its_edge(visit: Visit) -> None:
+    shades = visit.page.evaluate(
+        "() => [...document.querySelectorAll('.formula.display')].map(box => getComputedStyle(box).backgroundImage)"
+    )
+    assert all(shade.count("linear-gradient") == 4 for shade in shades)
+
+
+def test_punctuation_begins_no_line(visit: Visit) -> None:
+    tops = visit.page.evaluate("""() => [...document.querySelectorAll('.glued')].map(span => {
+        const boxes = [...span.getClientRects()].map(box => box.top);
+        return Math.max(...boxes) - Math.min(...boxes);
+    })""")
+    assert all(apart < 2 for apart in tops)
+
+
 def test_no_request_leaves_the_page_and_nothing_is_complained_of(visit: Visit, file: Path) -> None:
     assert [url for url in visit.requests if not url.startswith("data:")] == [file.as_uri()]
     assert visit.complaints == []

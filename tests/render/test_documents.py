@@ -8,9 +8,9 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from solver.derivation import Answers, Check, CheckStatus, Claim, PartResult, Status, Step
+from solver.derivation import Answers, Check, CheckStatus, PartResult, Status
 from solver.document.checks import check_rows
-from solver.document.model import Presentation
+from solver.document.model import Presentation, WorkStep
 from solver.document.works import document_of
 from solver.engine import Solution, solve_problem
 from solver.problem.model import Display, Part, Problem
@@ -255,8 +255,7 @@ def test_the_same_solution_gives_the_same_document_in_every_number_format(soluti
 
 
 def test_claims_are_one_row_a_step_and_failures_are_rows_of_their_own():
-    claim = Claim(sp.Integer(1), sp.Integer(1), "one")
-    steps = (Step("x", claims={"a": claim, "b": claim}), Step("y", claims={"c": claim}))
+    steps = [WorkStep("x", "First", "", covers=(1,)), WorkStep("z", "Third, which refers", "", covers=(3, 4))]
     good = replace(Check.within("one", "random points", 1e-16, 1e-9), step=1)
     worse = replace(Check.within("one", "random points", 1e-12, 1e-9), step=1)
     bad = replace(Check.within("one", "random points", 1.0, 1e-9), step=1)
@@ -264,14 +263,15 @@ def test_claims_are_one_row_a_step_and_failures_are_rows_of_their_own():
     final = Check.that("property", "scipy", True)
 
     def rows(*checks):
-        result = PartResult("a", "t", "m", Status.VERIFIED, checks=checks, steps=steps)
-        return [(row.claim, row.residual, row.status.value) for row in check_rows(result, str)]
+        return [(row.claim, row.residual, row.status.value) for row in check_rows(checks, steps, str)]
 
-    assert rows(good, worse, second, final) == [
+    assert rows(good, worse, second, replace(good, step=3), final) == [
         ("2 equalities of step 1", "10^{-12}", "passed"),
         ("one (step 2)", "10^{-16}", "passed"),
+        ("equalities of steps that are not shown at this level: 1", "10^{-16}", "passed"),
         ("property", "", "passed"),
     ]
+    assert ("2 equalities of step 2", "10^{-16}", "passed") in rows(replace(good, step=4), replace(good, step=3))
     assert ("one", "1", "failed") in rows(good, bad, second, final)
-    assert check_rows(PartResult("a", "t", "m", Status.UNSOLVED, steps=()), str) == []
+    assert check_rows((), (), str) == []
     assert CheckStatus.PASSED.value == "passed"

@@ -33,11 +33,19 @@ PAGES = {
             "a": {"task": "characteristic_polynomial", "method": ["determinant", "faddeev_leverrier"], "marks": 2}
         },
     },
+    "four": {
+        "system": {"matrix": [[0, 1, 0, 0], [-2, 0, 1, 0], [0, 0, 0, 1], [1, 0, -2, 0]]},
+        "find": {"a": {"task": "characteristic_polynomial", "method": "determinant"}},
+    },
     "triangular": {"system": {"A": [[1, 2], [0, 3]]}, "find": {"a": "characteristic_polynomial"}},
     "one": {"system": {"A": [[4]]}, "find": {"a": {"task": "characteristic_polynomial", "marks": 1}}},
     "methods": {
         "system": PLANT,
         "find": {"a": {"task": "pole_placement", "method": METHODS, "poles": [-1, "-1 ± 2j"]}},
+    },
+    "two_states": {
+        "system": {"A": [[1, 2], [3, 4]], "B": [1, 1]},
+        "find": {"a": {"task": "pole_placement", "method": METHODS[1:], "poles": [-1, -2]}},
     },
     "specified": {
         "system": {"A": [[0, -1], [-3, -2]], "B": [0, 1]},
@@ -130,7 +138,7 @@ PAGES = {
 NAMES = set(
     "ackermann bass gura cayley hamilton leverrier kailath linear systems gantmacher numpy linalg det scipy mpmath "
     "expm lstsq eig inv svd solve html pdf problem yaml tan cos sin arccos band basis die matrix minus pole polynom "
-    "system transformation von was moore ieee trans automatic control dimension norm real".split()
+    "system transformation von was moore ieee trans automatic control dimension norm real pivot inverse".split()
 )
 """Words of both languages, and names: a title of a book, functions, authors."""
 
@@ -215,7 +223,7 @@ def displays(path):
 def test_a_language_displays_what_english_displays(language):
     folder = root("templates") / "wording"
     told = 0
-    for path in sorted((folder / language / "lemmas").glob("*.md.jinja")):
+    for path in sorted((folder / language / "lemmas").rglob("*.md.jinja")):
         english = dict(displays(folder / path.relative_to(folder / language)))
         for macro, shown in displays(path):
             assert shown == english[macro], (path.name, macro)

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from solver.markup import math_problems
 from solver.render import tex_text
-from solver.render.prose import inline_html, inline_latex, plain, to_html, to_latex
+from solver.render.prose import inline_html, inline_latex, plain, to_html, to_latex, to_text
 from solver.render.tex_text import escaped
 
 
@@ -29,7 +29,7 @@ def test_markdown_becomes_html():
     )
     for part in (
         "<h3>Plant</h3>",
-        "<em>matrix</em> <math>inline:1</math>",
+        '<em>matrix</em> <span class="glued"><math>inline:1</math>:</span>',
         "<math>block:5</math>",
         "<ol>",
         "<code>two",
@@ -162,3 +162,22 @@ def test_names_keep_their_accents_and_other_scripts_are_named():
     assert escaped("Ångström, Łukasz, Gökçe e\u0301") == "Ångström, Łukasz, Gökçe é"
     assert escaped("λ ≤ 5 %") == r"\ensuremath{\lambda} \ensuremath{\le} 5 \%"
     assert escaped("\u4e2d") == "[cjk unified ideograph-4e2d]"
+
+
+@pytest.mark.parametrize(
+    ("markdown", "html"),
+    [
+        ("If $x$, then", '<p>If <span class="glued"><M>x</M>,</span> then</p>'),
+        ("so ($y$).", '<p>so <span class="glued">(<M>y</M>).</span></p>'),
+        ("$a$ ($b$) $c$", '<p><M>a</M> <span class="glued">(<M>b</M>)</span> <M>c</M></p>'),
+        ("$a$, ($b$", '<p><span class="glued"><M>a</M>,</span> <span class="glued">(<M>b</M></span></p>'),
+        ("- $z$; see", '<ul>\n<li><span class="glued"><M>z</M>;</span> see</li>\n</ul>'),
+        ("no formula, here.", "<p>no formula, here.</p>"),
+        ("$a$ , apart", "<p><M>a</M> , apart</p>"),
+    ],
+)  # fmt: skip
+def test_punctuation_stays_on_the_line_of_its_formula(markdown, html):
+    for _ in range(2):  # the tokens are kept for other formats
+        assert to_html(markdown, lambda formula, _: f"<M>{formula}</M>").strip() == html
+    assert "glued" not in to_latex(markdown)
+    assert to_text(markdown, 80).count(",") == markdown.count(",")

@@ -10,10 +10,13 @@ from solver.derivation.displayed import FIRST_MARK, Displayed, Written
 from solver.formula import latex, read
 from solver.formula.width import LINE, broken, width
 from solver.problem.model import Part
+from solver.render.displaying import Displaying
 from solver.render.displays import chain, entries, entry_name
-from solver.render.latex import tex
+from solver.render.latex import formula, tex
 from solver.render.numbers import NumberFormat
+from solver.render.recording import Recorder
 from solver.render.wording import Wording, WordingError
+from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant
 from solver.symbols import NOTATIONS
 from solver.systems import StateSpace, TransferFunction
@@ -228,3 +231,12 @@ def test_what_a_macro_displays_is_known_as_values(templates):
     assert claimed == Displayed((Written(r"\det A"), determinant(A), sp.Integer(2)))
     assert approximate == Displayed((Written("x"), lamda), r"\approx")
     assert (first, second) == (Displayed((Written("a"), lamda)), Displayed((Written("b"), Written("c"))))
+
+
+def test_arithmetic_with_matrices_of_one_entry_is_that_of_numbers():
+    M = [sp.ImmutableMatrix([[each]]) for each in (-2, 3, 5)]
+    shown = Displaying(Recorder(), formula)
+    text = shown.laid_out(["J", difference(M[0], product(M[1], M[2]))], formula)
+    assert latex(text) == r"J = -2 - 3 \cdot 5"
+    kept = difference(M[0], product(sp.ImmutableMatrix([[1, 2]]), sp.ImmutableMatrix([1, 2])))
+    assert "bmatrix" in latex(shown.laid_out(["J", kept], formula))

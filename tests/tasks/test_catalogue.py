@@ -11,6 +11,7 @@ from pkgutil import walk_packages
 import pytest
 from jinja2 import Environment, nodes
 
+import solver.arithmetic
 import solver.conversions
 import solver.tasks
 from solver.resources import root
@@ -21,7 +22,7 @@ from solver.words import languages
 WORDING = root("templates") / "wording"
 MODULES = [
     import_module(info.name)
-    for room in (solver.tasks, solver.conversions)
+    for room in (solver.tasks, solver.conversions, solver.arithmetic)
     for info in walk_packages(room.__path__, f"{room.__name__}.")
 ]
 
@@ -70,7 +71,14 @@ def test_every_wording_file_belongs_to_a_method_or_lemma():
     used = set().union(*(wordings_of(module) for module in MODULES)) | {f"{name}/question" for name in catalogue()}
     used |= {f"systems/{kind.name}" for kind in kinds().values()}
     files = {path.relative_to(WORDING).as_posix().removesuffix(".md.jinja") for path in WORDING.rglob("*.md.jinja")}
-    others = ("reasons/", "lemmas/asked", "lemmas/conditions", *(f"{language}/" for language in languages()))
+    others = (
+        "reasons/",
+        "lemmas/asked",
+        "lemmas/conditions",
+        "lemmas/given",
+        "lemmas/special_cases",
+        *(f"{language}/" for language in languages()),
+    )
     assert {file for file in files if not file.startswith(others)} <= used
 
 

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from solver.derivation import CheckStatus, Claim, Status
 from solver.numeric import check_claim
+from solver.stated import Stated
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.marked import verdict
@@ -142,6 +143,8 @@ def test_claims_hold_and_corrupted_ones_do_not(asked):
     assert len(claims) > 15
     for claim in claims:
         assert check_claim(claim, "").status is CheckStatus.PASSED
+        if isinstance(claim.right, Stated):  # a line on the way, which the next claim goes on from
+            continue
         shift = sp.ones(*claim.right.shape) if isinstance(claim.right, sp.MatrixBase) else 1
         wrong = claim.right + shift * sp.Rational(1, 1000)
         wrong = sp.ImmutableMatrix(wrong) if isinstance(wrong, sp.MatrixBase) else wrong

@@ -65,7 +65,7 @@ def test_the_option_comes_before_the_system():
 def test_row_operations_lead_to_the_echelon_form():
     step = ask("fundamental_subspaces", bare([[2, 4], [1, 3]])).steps[0]
     assert step.values["reduced"] == sp.eye(2)
-    assert step.steps[0].values["stages"][-1][1] == sp.eye(2)
+    assert step.steps[0].values["stages"][-1].after == sp.eye(2)
 
 
 def test_parameters_are_general_and_exceptions_said():

@@ -397,3 +397,13 @@ def test_a_double_root_among_the_cases_is_no_error():
     result = ask("lqr", plant, Q=sp.eye(2).as_immutable(), R=sp.eye(1).as_immutable())
     assert result.status is Status.VERIFIED
     assert result.answers["P"] == sp.Matrix([[2, 1], [1, 1]])
+
+
+def test_singular_solutions_are_judged_by_eigenvalues_that_are_shown():
+    result = ask("lqr", system([[-1, 0], [0, -2]], B=[0, 1], C=[[1, 1]]), Q=I2 * 0 + sp.diag(1, 0), R=ONE)
+    assert result.status is Status.VERIFIED
+    (judged,) = (step for step in result.steps if step.kind == "definiteness")
+    assert not judged.values["minors"]
+    for P, values in zip(result.answers["solutions"], judged.values["eigenvalues"], strict=True):
+        found = np.linalg.eigvalsh(np.array(P, dtype=float))
+        assert np.allclose(sorted(float(value) for value in values), found)

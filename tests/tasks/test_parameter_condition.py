@@ -1,5 +1,6 @@
 """Parameters that cost controllability or observability: one input, several, none, all; corruptions; refusals."""
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -19,9 +20,20 @@ def values(plant, **options):
 
 def test_zeros_of_the_determinant():
     result = ask("parameter_condition", NOTE, property="uncontrollable", parameter=("alpha",))
-    assert [step.kind for step in result.steps] == ["matrix", "determinant", "roots"]
+    assert [step.kind for step in result.steps] == ["matrix", "determinant", "roots", "lost"]
     assert sp.expand(result.steps[1].claims["factored"].right - a**2 * (1 - a)) == 0
     assert result.answers["values"] == [0, 1]
+
+
+def test_the_mode_that_is_lost_is_named_for_each_value():
+    """With A = diag(-1, a) and B = (1, a + 2) the input loses a mode where the two are equal, and where b₂ is zero."""
+    plant = system([[-1, 0], [0, a]], B=[1, a + 2], C=[[1, 0]])
+    result = ask("parameter_condition", plant, property="uncontrollable")
+    (lost,) = (step for step in result.steps if step.kind == "lost")
+    assert set(lost.values["found"]) == {(-1, -1), (-2, -2)}
+    for (value, mode), claim in zip(lost.values["found"], lost.claims.values(), strict=True):
+        A, B = (np.array(M.subs(a, value).tolist(), dtype=float) for M in (plant.A, plant.B))
+        assert np.linalg.matrix_rank(np.hstack([float(mode) * np.eye(2) - A, B])) == claim.right == 1
 
 
 def test_common_zeros_of_the_minors_of_several_inputs():

@@ -7,6 +7,7 @@ import sympy as sp
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+import solver
 from solver.derivation import CheckStatus, Claim, Status
 from solver.exact import reachable_order
 from solver.numeric import check_claim
@@ -297,3 +298,12 @@ def test_claims_hold_and_corrupted_ones_do_not(plant, poles, options, method):
         if isinstance(claim.right, sp.MatrixBase):
             wrong = Claim(claim.left, sp.ImmutableMatrix(claim.right + sp.ones(*claim.right.shape) / 1000))
             assert check_claim(wrong, "").status is CheckStatus.FAILED
+
+
+@pytest.mark.parametrize(("assumed", "says"), [("positive", "completely controllable"), ("real", "general parameters")])
+def test_a_determinant_that_cannot_vanish_is_not_doubted(assumed, says):
+    text = f"title: t\nassume: {{b: {assumed}}}\nsystem: {{A: [[0, 1], [0, -a]], B: [0, b]}}\n"
+    page = solver.solve(text + "find: {a: {task: pole_placement, poles: [-1, -2]}}\n").markdown(detail="tutor")
+    assert says in page
+    assert ("where it vanishes" in page) == (assumed == "real")
+    assert page.count(r"\begin{bmatrix}b \\ -ab\end{bmatrix} = ") == 0

@@ -54,8 +54,8 @@ def test_the_unmeasured_states_keep_their_order():
 def test_the_steps_lead_from_the_measurement_to_the_combined_model():
     kinds = [step.kind for step in ask("reduced_observer", measuring(0), poles=POLES).steps]
     assert kinds == [
-        *("measured", "blocks", "pair", "desired", "unknown", "compare", "gain"),
-        *("error_equation", "matrices", "estimate", "error", "combined"),
+        *("measured", "blocks", "error_equation", "pair", "desired", "unknown", "compare", "gain"),
+        *("matrices", "estimate", "error", "combined"),
     ]
 
 

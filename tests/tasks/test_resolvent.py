@@ -113,7 +113,24 @@ def test_any_form_of_the_matrix_is_right_and_usual_mistakes_are_named():
 
 def test_of_one_state_no_adjugate_is_taken():
     result = ask("resolvent", system([[-2]]), "adjugate")
-    assert [step.kind for step in result.steps] == ["pencil", "expansion", "inverse"]
+    assert [step.kind for step in result.steps] == ["pencil", "diagonal"]
     page = solve("title: t\nsystem: {A: [[-2]], B: [3], C: [5]}\nfind: {a: {task: transfer_function}}\n").markdown()
     assert r"\operatorname{adj}" not in page
-    assert r"CB = \begin{bmatrix}5\end{bmatrix}\begin{bmatrix}3\end{bmatrix} = 15" in page
+    assert r"CB = 5 \cdot 3 = 15" in page
+
+
+def test_a_diagonal_matrix_is_inverted_entry_by_entry():
+    result = ask("resolvent", system([[-1, 0], [0, -2]]), "adjugate")
+    assert [step.kind for step in result.steps] == ["pencil", "diagonal", "polynomial"]
+    assert result.answers["resolvent"] == sp.diag(1 / (s + 1), 1 / (s + 2))
+
+
+def test_a_factored_determinant_is_not_multiplied_out_on_the_way_to_the_inverse():
+    result = ask("resolvent", system([[-1, 1], [0, -2]]), "adjugate")
+    assert [step.kind for step in result.steps] == ["pencil", "expansion", "adjugate", "inverse", "polynomial"]
+    assert "value" not in result.steps[1].claims
+    page = solve(
+        "title: t\nsystem: {A: [[-1, 1], [0, -2]], B: [0, 1], C: [1, 0]}\nfind: {a: {task: transfer_function}}\n"
+    )
+    assert r"G(s) = \frac{1}{(s + 1)(s + 2)}" in page.markdown()
+    assert "s^{2} + 3s + 2" not in page.markdown()

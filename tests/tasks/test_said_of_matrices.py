@@ -18,6 +18,7 @@ DETERMINANTS = {
     "middle_row": system([[1, 2, 1], [3, 0, 0], [2, 1, 1]]),
     "last_row": system([[1, 2, 1], [2, 1, 1], [3, 0, 0]]),
     "irreducible": system([[0, 1, 0], [0, 0, 1], [-1, -1, 0]]),
+    "four": system([[0, 1, 0, 0], [-2, 0, 1, 0], [0, 0, 0, 1], [1, 0, -3, 0]]),
 }
 EIGENVECTORS = {
     "simple": system([[1, 2], [3, 0]]),
@@ -85,11 +86,13 @@ RANGES = {
 SAID_OF_DETERMINANTS = {
     "matrix is its entry": "scalar",
     "matrix is triangular": "lower upper",
-    "less the product of the other diagonal": "two",
-    "Expand along row 1": "three irreducible",
+    r"determinant of a $2 \times 2$ matrix is the product of its main diagonal less": "two",
+    "Expand along row 1": "three irreducible four",
     "Expand along row 2": "middle_row",
     "Expand along row 3": "last_row",
-    "Multiply out each minor": "three middle_row last_row irreducible",
+    "Each is the product of its main diagonal less": "three middle_row last_row irreducible",
+    "A minor $$": "four",
+    "Multiplied out $$": "three middle_row last_row four",
     "Factor the polynomial": "two last_row",
 }
 SAID_OF_EIGENVECTORS = {
@@ -113,9 +116,17 @@ SAID_OF_EIGENVECTORS = {
     "Eigenvectors and generalized": "defective chains complex_chains",
     "algebraic multiplicity 2, but there is only 1 independent eigenvector.": "defective complex_chains",
     "algebraic multiplicity 3, but there are only 2 independent eigenvectors.": "chains",
-    "The unknowns": "identity chains complex_pair",
-    r"The unknown $\nu_{2}$ is free": "all but identity defective biquadratic cubic chains complex_pair",
-    r"The unknown $\nu_{1}$ is free": "defective parameter rows",
+    "the rows that are left say": "all but identity defective biquadratic cubic chains complex_chains",
+    "The free unknown may be chosen. With $x_2 = 1$": (
+        "all but identity defective biquadratic cubic chains complex_chains complex_pair"
+    ),
+    "The free unknown may be chosen. With $x_1 = 1$": "parameter rows",
+    "The free unknowns may be chosen": "identity complex_pair",
+    "and the other free unknown zero": "identity complex_pair",
+    "which makes them shorter": "complex_pair",
+    "As $d_{1} = 1$, there is one chain": "defective complex_chains",
+    "There are $d_{1} = 2$ chains": "chains",
+    "Its only vector is an eigenvector": "chains",
     r"\nu_{1,1}": "identity complex_pair",
     r"\nu_{1,(2)}": "defective complex_chains",
     r"\nu_{1,1,(2)}": "chains",

@@ -98,7 +98,8 @@ SAID_OF_EIGENVALUES = {
     r"{1}| &= 1 \\": "d_circle",
     "&= 0 ": "apart chain oscillator three_apart two_of_three undamped resonance",
     "&= 1 > ": "bibo not_bibo only_B only_C no_pole two_cancel k_bibo",
-    "= p": "damped undamped driven resonance",
+    "$c = p$": "damped driven",
+    r"\pm\sqrt{-p} = j": "undamped resonance",
     "have negative real parts, whether": "damped",
     "Not both roots of": "driven",
     "lies on the imaginary axis, so": "apart chain oscillator three_apart two_of_three undamped resonance",
@@ -170,11 +171,10 @@ SAID_OF_LYAPUNOV = {
         "all but d_ones d_outside oscillator chain k_never d_dual_out scalar saddle three"
     ),
     "These 6 linear": "three",
-    "no two eigenvalues (or one squared)": "d_inside d_dual d_semi",
-    "no two eigenvalues (or one doubled)": (
-        "all but d_inside d_ones d_outside oscillator chain k_never d_dual d_dual_out d_semi scalar saddle"
+    "linear equations have one solution.": "k_range damped three",
+    "find a pivot for each unknown": (
+        "all but d_ones d_outside oscillator chain k_range damped k_never d_dual_out scalar saddle three"
     ),
-    "reduced below": "all but d_ones d_outside oscillator chain k_range damped k_never d_dual_out scalar saddle three",
     "Row operations": "all but d_ones oscillator chain k_range damped k_never saddle three",
     "infinitely many solutions": "saddle",
     "contradict each other": "d_ones oscillator chain k_never",
@@ -194,13 +194,16 @@ SAID_OF_LYAPUNOV = {
     r"\dot{V} = -x^{T}Qx$ n": "nodes damped dual semi semi_dual scalar three",
     "never positive; it stays": "semi semi_dual d_semi",
     "negative, so": "d_inside nodes oscillator damped dual d_dual scalar three",
-    r"P = \sum": "d_outside d_dual_out",
-    r"P = \int": "unstable dual_unstable semi_unstable lower",
+    r"the sum $\sum": "d_outside d_dual_out",
+    r"the integral $\int": "unstable dual_unstable semi_unstable lower",
     "A^{k}Q(A^{T})^{k}": "d_dual_out",
     "(A^{T})^{k}QA^{k}": "d_outside",
     "e^{At}Qe^{A^{T}t}": "dual_unstable",
     "e^{A^{T}t}Qe^{At}": "unstable semi_unstable lower",
     "An eigenvalue on the unit circle": "d_outside d_dual_out",
+    r"the left side is $|\lambda|^{2} - 1$ times": "d_outside d_dual_out",
+    r"the left side is $2\operatorname{Re}\lambda$ times": "unstable dual_unstable semi_unstable lower",
+    "an eigenvector of $A^{T}$ for it": "dual_unstable d_dual_out",
     "An eigenvalue on the imaginary": "unstable dual_unstable semi_unstable lower",
     "there is an eigenvalue outside the unit": "d_outside d_dual_out",
     "there is an eigenvalue in the right": "unstable dual_unstable semi_unstable lower",

@@ -222,3 +222,8 @@ def test_a_wrong_right_side_is_refused_in_the_file(Q, words):
     with pytest.raises(InputError) as fault:
         solver.solve(f"title: t\nsystem: {{matrix: [[0, 1], [-1, -1]]}}\nfind:\n  a: {part}\n")
     assert words in fault.value.render()
+
+
+def test_routh_counts_before_it_factors():
+    kinds = [step.kind for step in ask("stability", system([[0, 1], [-2, -3]]), "routh").steps]
+    assert kinds.index("verdict") < kinds.index("factors") < kinds.index("confirmation")

@@ -40,7 +40,7 @@ def companion(*coefficients):
         ([[0, 1], [p - 2, -1]], {}, False, p < 2),
         ([[0, 1], [-a, half]], {}, True, (a > -half) & (a < 1)),
         ([[k]], {}, True, (k > -1) & (k < 1)),
-        ([[0, 1], [-b, -a]], {}, True, (b < 1) & (a + b + 1 > 0) & (b - a + 1 > 0)),
+        ([[0, 1], [-b, -a]], {}, True, (b < 1) & (a > -b - 1) & (a < b + 1)),
         ([[k, 0], [0, 2]], {}, True, sp.false),
         ([[k, 0], [0, 1]], {}, True, sp.false),
     ],
@@ -59,7 +59,7 @@ def test_both_methods_find_the_condition(rows, options, discrete, expected, meth
         (companion(4, 6, 4, k), (k > 0) & (k < 5)),
         (companion(a, b, k), (a > 0) & (k > 0) & (a * b - k > 0)),
         (companion(0, k, 1), sp.false),
-        (companion(p, 1, k), (k > 0) & (p - k > 0)),
+        (companion(p, 1, k), (k > 0) & (k < p)),
     ],
 )
 def test_higher_orders(rows, expected, method):
@@ -205,3 +205,22 @@ def test_random_pencils_are_verified_and_agree(constant, slope, discrete):
     for result in results:
         assert result.status is Status.VERIFIED, result.reason
     assert results[0].answers["condition"] == results[1].answers["condition"]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_pages_say_what_happens_at_the_ends_of_the_range(method):
+    """Course example: s³ + as² + bs + K oscillates with ω = √b at K = ab."""
+    x = sp.Symbol("x", positive=True)
+    result = ask("stability_range", system(companion(x, 1, k)), method)
+    assert result.answers["condition"] == (k > 0) & (k < x)
+    ends = {step.values["bound"]: step.values["roots"] for step in result.steps if step.kind == "edge"}
+    assert ends == {0: (0,), x: (sp.I,)}
+
+
+def test_in_discrete_time_the_ends_are_on_the_unit_circle():
+    result = ask("stability_range", system([[0, 1], [-k, 1]], discrete=True), "routh")
+    assert result.answers["condition"] == (k > 0) & (k < 1)
+    ends = {step.values["bound"]: step.values["roots"] for step in result.steps if step.kind == "edge"}
+    assert ends[0] == (1,)
+    assert abs(complex(ends[1][0])) == pytest.approx(1)
+    assert complex(ends[1][0]) == pytest.approx(np.roots([1, -1, 1])[0])

@@ -68,7 +68,7 @@ CONDITIONS = [
     ([[a - sp.sqrt(2), 0], [0, 1]], False, a < sp.sqrt(2)),
     ([[a, b, 0], [-b, a, 0], [0, 0, 1]], False, a < 0),
     (PAIR, False, (c > 0) & (d > 0)),
-    (PAIR, True, (c < 1) & (c - d + 1 > 0) & (c + d + 1 > 0)),
+    (PAIR, True, (c < 1) & (d > -c - 1) & (d < c + 1)),
 ]
 
 

@@ -22,6 +22,7 @@ def judged_by_readings(
     """Return the verdict of every value; of one with several readings that of the only right one.
 
     A reading is judged beside the values that have one reading. Where all are right, what was meant does not matter.
+    A value that none of them makes right is not judged; the reason says so.
     """
     chosen = {name: each for name, each in submitted.items() if not each.others}
     unclear: dict[str, AnswerVerdict] = {}
@@ -31,6 +32,9 @@ def judged_by_readings(
         right = [read for read, verdict in zip(readings, verdicts, strict=True) if verdict is Verdict.CORRECT]
         if len(right) == 1 or (right and len(right) == len(readings)):
             chosen[name] = right[0]
+        elif readings and all(verdict is Verdict.WRONG for verdict in verdicts):
+            neither = Reason("marking/no_reading_right", {"readings": [_as_told(read.value) for read in readings]})
+            unclear[name] = AnswerVerdict(name, Verdict.NOT_JUDGED, reason=neither)
         elif readings:
             reason = Reason("marking/several_readings", {"readings": [_as_told(read.value) for read in readings]})
             unclear[name] = AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason)

@@ -46,6 +46,8 @@ def _found(case: Case, submitted: Submitted) -> Iterator[Slip]:
     """Yield the mistakes that lead to the value: the task's own values, what can be undone, then those of any task."""
     yield from _leading_to(case, submitted, _values_of(case))
     for slip, each in undone(case.question, case.name, submitted):
+        if _is_right(case.question, case.name, submitted):
+            return  # it is wrong beside the other values only, as the order of vectors is
         if _is_right(case.question, case.name, each):
             yield slip
     yield from _leading_to(case, submitted, ((slip, partial(values, case)) for slip, values in TRANSFORMED))

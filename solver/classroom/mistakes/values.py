@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import islice, permutations
+from itertools import islice, permutations, product
 from typing import Any
 
 import sympy as sp
@@ -18,6 +18,7 @@ from solver.derivation import usual_mistakes as usual
 from solver.problem.model import Part
 
 MOST_PERMUTATIONS = 24
+MOST_TERMS = 8
 
 
 @dataclass(frozen=True)
@@ -118,6 +119,27 @@ def _in_degrees(angle: Callable[[Any], Any], z: Any) -> Any:
     return angle(z) * 180 / sp.pi
 
 
+def _without_a_term(case: Case) -> Values:
+    """One term of a sum left out: of an expression, or of one entry of a matrix."""
+    if not isinstance(case.ours, sp.MatrixBase):
+        yield from _shorter(case.ours)
+        return
+    M = case.ours
+    for i, j in product(range(M.rows), range(M.cols)):
+        for entry in _shorter(M[i, j]):
+            changed = sp.Matrix(M)
+            changed[i, j] = entry
+            yield sp.ImmutableMatrix(changed)
+
+
+def _shorter(expression: Any) -> Values:
+    """The sums of all terms of a sum but one, as it stands and multiplied out."""
+    for each in dict.fromkeys((expression, sp.expand(expression))) if is_scalar(expression) else ():
+        terms = sp.Add.make_args(each)
+        if 1 < len(terms) <= MOST_TERMS and not each.is_number:
+            yield from (each - term for term in terms)
+
+
 def _intermediate(case: Case) -> Values:
     """A result of one of the steps, of the answer's shape."""
     for result in case.results:
@@ -148,5 +170,6 @@ TRANSFORMED: tuple[tuple[Slip, Callable[[Case], Iterable[Any]]], ...] = (
     (usual.EXPONENTS, _exponent_reversed),
     (usual.DEGREES, _degrees),
     (usual.ROWS_IN_ORDER, _reordered),
+    (usual.WITHOUT_A_TERM, _without_a_term),
     (usual.INTERMEDIATE, _intermediate),
 )

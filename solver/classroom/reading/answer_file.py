@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
+from solver.classroom.reading.quoting import quoted
 from solver.problem.model import Problem
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode
 from solver.problem.source import Diagnostic, InputError, Report, Source, did_you_mean
@@ -62,10 +63,24 @@ def read_submission(source: Source, problem: Problem) -> Submission:
 
 
 def _root(source: Source) -> MappingNode:
-    root = parse_yaml(source, colonless=True)
+    root = _tree(source)
     if not isinstance(root, MappingNode):
         raise InputError(source, [root.diagnostic("an answer file is a mapping with the key 'answers'")])
     return root
+
+
+def _tree(source: Source) -> Node:
+    """The tree of a file; a value that alone keeps it from being YAML is read as a text. Raises InputError."""
+    try:
+        return parse_yaml(source, colonless=True)
+    except InputError:
+        mended = quoted(source)
+        if mended is None:
+            raise
+    try:
+        return parse_yaml(mended, colonless=True)
+    except InputError:
+        return parse_yaml(source, colonless=True)  # told as it is
 
 
 def _student(root: MappingNode) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading.brackets import matching, split
+from solver.classroom.reading.condition_words import in_relations
 from solver.classroom.reading.words import NO, YES
 from solver.problem.expressions import ExpressionError
 
@@ -16,11 +17,11 @@ MAX_NESTING = 12
 RELATIONS = (("<=", sp.Le), (">=", sp.Ge), ("≤", sp.Le), ("≥", sp.Ge), ("!=", sp.Ne), ("≠", sp.Ne), ("<", sp.Lt),
              (">", sp.Gt), ("=", sp.Eq))  # fmt: skip
 _RELATION = re.compile(r"<=|>=|!=|[≤≥≠<>]|==?")
-_AND = re.compile(r"\s+(?:and|und)\s+|\s*(?:&&?|∧|;|,)\s*", re.IGNORECASE)
-_OR = re.compile(r"\s+(?:or|oder)\s+|\s*(?:\|\|?|∨)\s*", re.IGNORECASE)
+_AND = re.compile(r"\s+(?:and|und|et)\s+|\s*(?:&&?|∧|;|,)\s*", re.IGNORECASE)
+_OR = re.compile(r"\s+(?:or|oder|ou)\s+|\s*(?:\|\|?|∨)\s*", re.IGNORECASE)
 _SEVERAL = re.compile(r"^((?:[^\W\d]\w*\s*,\s*)+[^\W\d]\w*)\s*([<>≤≥].*)$", re.DOTALL)
 _EQUATION = re.compile(r"^(Eq|Ne|And|Or)\s*\((.*)\)$", re.DOTALL)
-_INTERVAL = re.compile(r"^(.+?)\s*(?:∈|\bin\b)\s*([\[\](])([^,;]+)[,;]([^,;]+)([\])\[])$", re.DOTALL)
+_INTERVAL = re.compile(r"^([^()\[\]]+?)\s*(?:∈|\bin\b)\s*([\[\](])([^,;<>=]+)[,;]([^,;<>=]+)([\])\[])$", re.DOTALL)
 
 
 class ConditionReader:
@@ -32,15 +33,16 @@ class ConditionReader:
 
     def read(self, text: str) -> Any:
         """Return the condition, True for "always", False for "never". Raises ExpressionError."""
-        if found := _SEVERAL.match(text.strip()):  # a, b > 0
+        text = in_relations(text)
+        if found := _SEVERAL.match(text):  # a, b > 0
             text = " and ".join(f"{name} {found[2]}" for name in found[1].split(","))
-        if self.name and text.strip()[:1] in tuple("()[]") and _INTERVAL.match(f"{self.name} in {text.strip()}"):
-            text = f"{self.name} in {text.strip()}"
         return self._any_of(text, 0)
 
     def _any_of(self, text: str, depth: int) -> Any:
         """Conditions joined by "or", each of them of conditions joined by "and", with brackets."""
         text = text.strip()
+        if self.name and text[:1] in tuple("()[]") and _INTERVAL.match(f"{self.name} in {text}"):
+            text = f"{self.name} in {text}"
         if text.lower() in YES | NO:
             return sp.true if text.lower() in YES else sp.false
         if depth > MAX_NESTING:

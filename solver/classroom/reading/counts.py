@@ -16,6 +16,7 @@ _FILLING = {"there", "is", "are", "it", "has", "the", "lie", "lies", "es", "gibt
 _PLACES = {
     "right_half_plane_roots": re.compile(
         r"(?:in |on )?(?:open |offenen )?(?:right half ?plane|rhp|rechten halbebene)|rechts|unstable|instabile"
+        r"|(?:sign changes?|changes? of sign|vorzeichenwechsel)(?: in (?:the )?first column)?"
     ),
     "imaginary_axis_roots": re.compile(r"(?:on |auf )(?:imaginary axis|imaginären achse)"),
 }

@@ -14,7 +14,8 @@ from solver.derivation import AnswerName, Given
 class Expected:
     """The answer that a value is submitted for; by default nothing is known of it.
 
-    Of an answer that is a `count`, a full one is `most`, where that can be told.
+    Of an answer that is a `count`, a full one is `most`, where that can be told; a matrix may be made of `vectors`,
+    "columns" or "rows".
     """
 
     name: str = ""
@@ -23,6 +24,7 @@ class Expected:
     unit: str = ""
     count: bool = False
     most: int | None = None
+    vectors: str = ""
 
     @classmethod
     def of(cls, name: str, answers: Mapping[str, AnswerName], given: Given[Any, Any] | None = None) -> Expected:
@@ -30,4 +32,4 @@ class Expected:
         answer = answers[name]
         others = [other for other in answers.values() if other.name != name]
         most = answer.most(given) if answer.most and given else None
-        return cls(name, Labels(answer, others), answer.words, answer.unit, answer.count, most)
+        return cls(name, Labels(answer, others), answer.words, answer.unit, answer.count, most, answer.vectors)

@@ -5,42 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from solver.classroom.reading.brackets import matching
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 SPECIAL = re.compile(r"(?:[A-Za-z_]\w*\.)?(diag|eye|zeros|ones|identity)\s*\((.*)\)", re.DOTALL)
 """diag(1, 2), eye(2), zeros(1, 2), ones(2)."""
-NEAR = 40
-"""Characters before a sign that are looked at."""
+MOST_PRODUCTS = 200
 SIZES = tuple(map(str, range(1, 13)))
-
-
-def scaled(text: str) -> tuple[str, str, str] | None:
-    """Return the factors before and after the one matrix of a text, 1/2 [1 2] or [1 2]/2; None where there are none."""
-    start = next((at for at in _outside(text) if text[at] == "["), -1)
-    if start < 0:
-        return None
-    end = matching(text, start)
-    before, after = text[:start].strip().rstrip("*·×").strip(), text[end + 1 :].strip()
-    bare = not any(sign in before + after for sign in "[]{},;=")
-    called = text[:start][-1:].isalpha()  # Sin[t] of Mathematica
-    if not bare or called or not (before or after) or end == len(text) or before[-1:] in ("/", "^"):
-        return None
-    if (after and after[0] not in "*/") or _is_sum(before) or _is_sum(after):
-        return None  # of 2 + 4 [3 1] only 4 is a factor
-    return before, text[start : end + 1], after
-
-
-def _is_sum(text: str) -> bool:
-    """Whether a text has a sign between two terms: 2 + 4, but not -4, e^-t, 2*-3, 1e-3."""
-    return any(text[at] in "+-−±" and _joins_terms(text, at) for at in _outside(text))
-
-
-def _joins_terms(text: str, at: int) -> bool:
-    """Whether a sign stands between two terms; not at the beginning, after an operator, or in 1e-3."""
-    before = text[max(0, at - NEAR) : at].rstrip()
-    exponent = before[-1:] in ("e", "E") and before[-2:-1].isdigit()
-    return bool(before) and before[-1] not in "*/^·×(,=" and not exponent
 
 
 def summed(nodes: Sequence[Node], signs: Sequence[str]) -> Node | None:
@@ -58,34 +28,6 @@ def summed(nodes: Sequence[Node], signs: Sequence[str]) -> Node | None:
     return None if None in items else SequenceNode(first.place, tuple(item for item in items if item is not None))
 
 
-def terms_of(text: str) -> tuple[list[str], list[str]]:
-    """Return the terms of a sum in each of which a matrix stands, and their signs; nothing of anything else."""
-    terms, signs, start = [], [], 0
-    depth = 0
-    for at, sign in enumerate(text):
-        depth += (sign in "([{") - (sign in ")]}")
-        if depth == 0 and sign in "+-−" and _joins_terms(text, at):
-            terms.append(text[start:at])
-            start = at
-    terms = [term.strip() for term in [*terms, text[start:]]]
-    signs = ["-" if term[:1] in "-−" else "" for term in terms]
-    bare = [term.lstrip("+-−").strip() for term in terms]
-    matrices = all(term.endswith("]") or "[" in term for term in bare)
-    return (bare, signs) if len(bare) > 1 and matrices else ([], [])
-
-
-def _outside(text: str) -> list[int]:
-    """The places of a text that stand in no round bracket."""
-    places, at = [], 0
-    while at < len(text):
-        if text[at] == "(":
-            at = matching(text, at)
-        else:
-            places.append(at)
-        at += 1
-    return places
-
-
 def times(node: Node, before: str, after: str) -> Node:
     """Return the matrix with a factor before and after every entry."""
     if isinstance(node, SequenceNode):
@@ -94,6 +36,13 @@ def times(node: Node, before: str, after: str) -> Node:
         return node
     factor = before if before in ("", "+", "-", "−") else f"({before})*"
     return ScalarNode(node.place, f"{factor}({node.text}){after}")
+
+
+def each_called(name: str, node: Node) -> Node:
+    """Return the matrix with a function of every entry."""
+    if isinstance(node, SequenceNode):
+        return SequenceNode(node.place, tuple(each_called(name, item) for item in node.items))
+    return ScalarNode(node.place, f"{name}({node.text})") if isinstance(node, ScalarNode) else node
 
 
 def transposed(node: SequenceNode) -> SequenceNode:
@@ -136,6 +85,42 @@ def special_matrix(name: str, arguments: SequenceNode) -> Node | None:
             return None
         lines = [[ScalarNode(place, _entry(name, i, j)) for j in range(sizes[-1])] for i in range(sizes[0])]
     return SequenceNode(place, tuple(SequenceNode(place, tuple(line)) for line in lines))
+
+
+def diagonal_of(node: SequenceNode) -> tuple[Node, ...]:
+    """Return what stands on the diagonal of a diagonal matrix of at least two rows; nothing of anything else."""
+    lines = [item.items if isinstance(item, SequenceNode) else () for item in node.items]
+    if len(lines) < 2 or any(len(line) != len(lines) for line in lines):
+        return ()
+    beside = [entry for i, line in enumerate(lines) for j, entry in enumerate(line) if i != j]
+    zeros = all(isinstance(entry, ScalarNode) and entry.text.strip() == "0" for entry in beside)
+    return tuple(line[i] for i, line in enumerate(lines)) if zeros else ()
+
+
+def multiplied(first: Node, second: Node) -> Node | None:
+    """Return the product of two matrices, None where they have none."""
+    left, right = _rows(first), _rows(second)
+    if not left or not right or len(left[0]) != len(right) or len(left) * len(right) * len(right[0]) > MOST_PRODUCTS:
+        return None
+    columns = list(zip(*right, strict=True))
+    lines = [[_dot(first, row, column) for column in columns] for row in left]
+    return SequenceNode(first.place, tuple(SequenceNode(first.place, tuple(line)) for line in lines))
+
+
+def _rows(node: Node) -> list[tuple[ScalarNode, ...]]:
+    """The rows of a matrix of texts, a flat list as one row; nothing of anything else."""
+    items = node.items if isinstance(node, SequenceNode) else ()
+    lines = [item.items if isinstance(item, SequenceNode) else () for item in items]
+    if items and not any(lines):
+        lines = [items]
+    found = [tuple(entry for entry in line if isinstance(entry, ScalarNode)) for line in lines]
+    whole = all(len(texts) == len(line) == len(lines[0]) for texts, line in zip(found, lines, strict=True))
+    return found if found and whole and found[0] else []
+
+
+def _dot(node: Node, row: tuple[ScalarNode, ...], column: tuple[ScalarNode, ...]) -> ScalarNode:
+    terms = (f"({one.text})*({other.text})" for one, other in zip(row, column, strict=True))
+    return ScalarNode(node.place, " + ".join(terms))
 
 
 def _entry(name: str, i: int, j: int) -> str:

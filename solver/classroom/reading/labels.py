@@ -15,7 +15,8 @@ from solver.symbols import NOTATIONS
 
 _LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[k\]){1,80}?)\s*(?::=|==|=|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
 _NAME = re.compile(
-    r"\\?[^\W\d][\w\s\\{},*'′]*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[k\]|\w+\(\w\)\s*/\s*\w+\(\w\)", re.DOTALL
+    r"\\?[^\W\d](?:[\w\s\\{},*'′](?<![²³⁴⁵⁶⁷⁸⁹]))*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[k\]|[A-Z]\w*(?:\(\w\))?\s*/\s*[A-Z]\w*(?:\(\w\))?",
+    re.DOTALL,
 )
 _RANGE = re.compile(
     r"\s*[,;]?\s*\(?(?:\\quad\s*|\\text\{[^{}]*\}\s*|for|für|if|where|when|with|wenn)?\s*"
@@ -26,10 +27,20 @@ _MULTIPLE = re.compile(
     r"|(?:with )?mult(?:iplicity|\.)?\s*(\d{1,2}))|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
     re.IGNORECASE,
 )
+_OPERAND = r"\s*([-+−±\d./√() ]*[ij]?[\d./√() ]*?)\s*"
+_TIMES = re.compile(rf"{_OPERAND}[x×]{_OPERAND}")
+_TIMES_IN_BRACKETS = re.compile(r"\(\s*([x×]\s*\d+|\d+\s*[x×])\s*\)")
+_INVERTED = re.compile(r"\s*[UR]\w*(?:\(\w\))?\s*/\s*[YXE]")
+MOST_SIGNS = 60
 MOST_TIMES = 24
+_NUMBERED = re.compile(r"((?:(?![₀-₉])[^\W\d_])+)_?(\d|[₀-₉])")
+_BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_COUNTS = tuple(map(str, range(1, 10)))
 _INDEX = re.compile(r"(\d+)\D*$")
 _SHARED = re.compile(
-    r"([^\W\d][^\W\d_]*)_?\{?(\d),\s*(\d)\}?\s*=\s*([^=]*?)(?=[,;]\s*[^\W\d]\w*(?:,\s*\d)?\}?\s*=|\s*$)"
+    r"([^\W\d](?:(?![₀-₉])[^\W\d_])*)_?\{?([\d₀-₉](?:,\s*[\d₀-₉])+)\}?\s*=\s*([^=]*?)"
+    r"(?=[,;]\s*[^\W\d]\w*(?:,\s*[\d₀-₉])*\}?\s*=|\s*$)"
 )
 _TWO = re.compile(r"±|∓|\\pm|\\mp|\+\s*/?\s*[-−]")
 _COLUMNS = re.compile(r"^\s*\[[^\[\]=]*\]\s*=\s*(?=\[)")
@@ -64,8 +75,14 @@ class Labels:
         if found is None or "=" in found[2].strip("= "):
             return text, False
         label = _normal(found[1])
+        if found[1].startswith("lambda "):  # a function of Python
+            return text, False
         if label in self.own:
             return found[2].strip(), False
+        if _INVERTED.match(found[1]):
+            raise ForeignLabelError(
+                f"it is labelled {found[1].strip()}, and {self.name or 'the output over the input'} is asked for"
+            )
         quantity = _is_quantity(label) and not _ARGUMENT.search(found[1])  # C(s) is a function, and no matrix C
         foreign = label in self.others or (quantity and _letter(label) not in map(_letter, self.own))
         if self.name and foreign:
@@ -88,7 +105,12 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
     found = [match if match and _NAME.fullmatch(match[1].strip()) else None for match in matches]
     if not any(found):
         return items, len(items) > len(written)
-    values = [match[2].strip() if match else item for match, item in zip(found, items, strict=True)]
+    values = _without_own_names(
+        [
+            (match[1].strip(), match[2].strip()) if match else ("", item)
+            for match, item in zip(found, items, strict=True)
+        ]
+    )
     indices = [_INDEX.search(match[1]) if match else None for match in found]
     numbers = [int(index[1]) for index in indices if index]
     if len(numbers) == len(items) == len(set(numbers)):
@@ -96,12 +118,31 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
     return values, True
 
 
+def _without_own_names(named: Sequence[tuple[str, str]]) -> list[str]:
+    """Return values with those before them in place of their names: k2 = 2 k1 behind k1 = 3 is 2 (3)."""
+    values = list[str]()
+    known: list[tuple[re.Pattern[str], str]] = []
+    for name, written in named:
+        value = written
+        for pattern, before in known:
+            value = f"({before})".join(pattern.split(value))
+        values.append(value)
+        if found := _NUMBERED.fullmatch(name):
+            letter, index = found[1], found[2].translate(SUBSCRIPTS)
+            below = f"(?:{index}|{index.translate(_BELOW)})"
+            known.append((re.compile(rf"(?<![^\W\d]){letter}_?{below}(?!\w)"), value))
+    return values
+
+
 def with_own_labels(text: str) -> str:
     """Return a list without "b ∈" before it, and with λ_{1,2} = 3 as λ_1 = λ_2 = 3; where ± says two values, as one."""
 
     def each(found: re.Match[str]) -> str:
-        name, first, second, value = found.groups()
-        return f"{name}{first} = {value}" if _TWO.search(value) else f"{name}{first} = {name}{second} = {value}"
+        name, shared, value = found.groups()
+        indices = re.findall(r"\d", shared.translate(SUBSCRIPTS))
+        if _TWO.search(value):
+            return f"{name}{indices[0]} = {value}" if len(indices) == 2 else found[0]
+        return f"{' = '.join(name + index for index in indices)} = {value}"
 
     return _SHARED.sub(each, _MEMBER.sub("", text, count=1) if _MEMBER.match(text) else text)
 
@@ -136,6 +177,16 @@ def _repeated(item: str) -> list[str]:
         times = int(found[2] or found[3] or (3 if found[0].rstrip(" )").endswith(("triple", "dreifach")) else 2))
         return [found[1]] * min(times, MOST_TIMES)
     return [item]
+
+
+def times_over(item: str) -> tuple[list[str], ...]:
+    """Return what 3 x 2 may be in a list: 3 twice, 2 three times, or the product; nothing of any other item."""
+    found = _TIMES.fullmatch(_TIMES_IN_BRACKETS.sub(r" \1", item)) if len(item) <= MOST_SIGNS else None
+    if found is None or not all(found.groups()):
+        return ()
+    first, second = (each.strip() for each in found.groups())
+    many = [[value] * int(count) for value, count in ((first, second), (second, first)) if count in _COUNTS]
+    return (*many, [item]) if many else ()
 
 
 def _spellings(answer: AnswerName) -> set[str]:

@@ -15,15 +15,32 @@ from solver.problem.expressions.notation import FUNCTIONS, GREEK_NAMES
 MAX_NESTING = 30
 _TOKEN = re.compile(r"\\begin\{[a-zA-Z]+\*?\}|\\end\{[a-zA-Z]+\*?\}|\\[a-zA-Z]+|\\.|[{}^_&]|[^\\{}^_&]", re.DOTALL)
 _FACTOR = re.compile(r"(?<![A-Za-z\\])([a-z])(\d+\^)")  # k3^{k-1}
+_OVER = re.compile(r"\{([^{}]*)\\over(?![a-z])([^{}]*)\}")
+_WHOLE_OVER = re.compile(r"^\{?([^{}=]*)\\over(?![a-z])([^{}=]*?)\}?$")
 _MATRICES = {"matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "smallmatrix", "array"}
 _LINES = {"aligned", "align", "equation", "gather", "gathered", "split", "cases"}
 _SIGNS = {
     **{"cdot": "*", "times": "*", "ast": "*", "div": "/", "pm": "±", "mp": "±", "infty": " inf ", "imath": " i "},
-    **{"jmath": " j ", "leq": "<=", "le": "<=", "geq": ">=", "ge": ">=", "lt": "<", "gt": ">", "neq": "!=", "ne": "!="},
+    **{
+        "jmath": " j ",
+        "Re": " Re ",
+        "Im": " Im ",
+        "angle": "∠",
+        "cup": " ∪ ",
+        "leq": "<=",
+        "le": "<=",
+        "geq": ">=",
+        "ge": ">=",
+        "lt": "<",
+        "gt": ">",
+        "neq": "!=",
+        "ne": "!=",
+    },
     **{"land": " and ", "wedge": " and ", "lor": " or ", "vee": " or ", "lbrack": "[", "rbrack": "]", "lbrace": "{"},
     **{"rbrace": "}", "prime": "'", "in": " ∈ ", "mid": "|", "vert": "|", "lvert": "|", "rvert": "|", "colon": ":"},
     **{"approx": "≈", "coloneqq": "=", "emptyset": "∅", "varnothing": "∅", "top": "T", "intercal": "T"},
     **{"backslash": " ", "degree": "°", "to": " to ", "e": " e ", "varepsilon": " epsilon ", "vartheta": " theta "},
+    **{"Re": " Re ", "Im": " Im ", "angle": "∠", "cup": " ∪ "},
     **{"varphi": " phi ", "lambda": " lamda "},
 }
 _NOTHING = {"left", "right", "bigl", "bigr", "Bigl", "Bigr", "big", "Big", "bigg", "Bigg", "biggl", "biggr",
@@ -52,6 +69,7 @@ def is_latex(text: str) -> bool:
 
 def translated(text: str) -> str:
     """Return LaTeX in plain notation: matrices as [a, b; c, d], fractions in brackets. Raises NotReadableError."""
+    text = _WHOLE_OVER.sub(r"\\frac{\1}{\2}", _OVER.sub(r"\\frac{\1}{\2}", text))
     text = _FACTOR.sub(r"\1 \2", text).replace("{,}", ",")
     tokens = _TOKEN.findall(text.replace("$", " ").replace("~", " "))
     return re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()

@@ -12,31 +12,24 @@ from dataclasses import dataclass
 
 from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, rows, split
 from solver.classroom.reading.choices import Choices
-from solver.classroom.reading.grids import (
-    SPECIAL,
-    scaled,
-    side_by_side,
-    special_matrix,
-    summed,
-    terms_of,
-    times,
-    transposed,
-)
+from solver.classroom.reading.grids import side_by_side, transposed
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
+from solver.classroom.reading.operations import combined, transposition
+from solver.classroom.reading.programs import in_our_brackets, inside_idle_call
 from solver.classroom.reading.spelling import typed
+from solver.classroom.reading.vectors import beside, pieces_of
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, SequenceNode
 
 MAX_DEPTH = 4
 _MAKER = re.compile(
     r"(?:[A-Za-z_]\w*\.)*(?:Immutable)?(?:Sparse|Dense)?"
-    r"(?:[Mm]atrix|poly1d|n?d?array|asarray|Array|mat|list|tuple|set|frozenset|[Vv]ector|MatrixForm)\s*[(\[]"
+    r"(?:[Mm]atrix|poly1d|n?d?array|asarray|Array|mat|list|tuple|set|frozenset|[Vv]ector(?:\[(?:row|column)\])?|MatrixForm|FiniteSet)\s*[(\[]"
 )
 _KEYWORD = re.compile(r"\s*[A-Za-z_]\w*\s*=")
-_TRANSPOSE = re.compile(r"(?:\.?['’′]|\^\(?\s*T\s*\)?|ᵀ|\.T|\^⊤|\^\\top)\s*$")
 _PAIR = re.compile(r"\s*(?::=|[:=])\s*")
 _VECTOR = re.compile(r"(^|[,;]\s*)[^\W\d]\w*\s*=\s*(?=[\[(].*[,;]\s*[^\W\d]\w*\s*=|[\[(][^=]*$)", re.DOTALL)
 _SPAN = re.compile(r"\s*(?:span|Span|lin|LH)\s*(?=[({\[])")
-_JOINED = re.compile(r"\s+(?:and|und|or|oder)\s+", re.IGNORECASE)
+_JOINED = re.compile(r"\s+(?:and|und|or|oder|et|ou)\s+", re.IGNORECASE)
 _SETS = {"∅": "[]", "{ }": "[]"}
 _DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.]|,\d)")
 
@@ -45,12 +38,14 @@ _DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.]|,\d)")
 class Unfolding:
     """How texts are taken apart: `grid` where a matrix or a list of expressions is expected, so that separators count.
 
-    With `comma` a comma between digits may be a decimal comma.
+    With `comma` a comma between digits may be a decimal comma; `vectors` tells what the answer is made of, "columns" or
+    "rows".
     """
 
     choices: Choices
     grid: bool = False
     comma: bool = False
+    vectors: str = ""
 
     def node(self, node: Node) -> Node:
         """Return the lists or the mapping that a node holds as a text; other nodes as they are."""
@@ -59,7 +54,7 @@ class Unfolding:
             return node if node.is_null else self.text(node, self._with_points(_plain(node, text)), 0)
         if not isinstance(node, SequenceNode) or not node.items:
             return node
-        if _holds_rows(node) or (self.comma and self.grid and _holds_commas(node)):
+        if _holds_rows(node) or _is_torn(node) or (self.comma and self.grid and _holds_commas(node)):
             return self.text(node, self._with_points(typed(node)), 0)
         return self._sequence(node)
 
@@ -80,6 +75,13 @@ class Unfolding:
         found = SequenceNode(node.place, tuple(items), node.braces)
         return side_by_side(found) if self.grid else found
 
+    def with_points(self, node: Node) -> Node:
+        """Return a text with points for decimal commas; other nodes as they are."""
+        if not isinstance(node, ScalarNode):
+            return node
+        decimal = self.choices.choose("comma", (True, False))
+        return ScalarNode(node.place, _DECIMAL_COMMA.sub(r"\1.\2", node.text), "quoted") if decimal else node
+
     def _with_points(self, text: str) -> str:
         """A text with decimal commas as points; in a list the commas between digits may separate, all or none."""
         if not self.comma or not _DECIMAL_COMMA.search(text):
@@ -93,42 +95,54 @@ class Unfolding:
         if depth > MAX_DEPTH:
             return _leaf(node, text)
         if self.grid and depth == 0:
-            text = _VECTOR.sub(r"\1", _JOINED.sub(", ", text))
+            text = _JOINED.sub(", ", in_our_brackets(text))
+            if (vectors := self._vectors(node, text)) is not None:
+                return vectors
+            text = _VECTOR.sub(r"\1", text)
             if _SPAN.match(text):
                 inside = _SPAN.sub("", text, count=1)
                 called = enclosed(inside, "()") and inside[1:-1].lstrip().startswith("[")
                 vectors = self.text(node, f"{{{inside[1:-1]}}}" if called else inside, 1)
                 return vectors if ";" in text else _columns(vectors)
-        tuple_ = enclosed(text, "()") and (len(split(text[1:-1], ",")) > 1 or len(rows(text[1:-1])) > 1)
+        tuple_ = enclosed(text, "()") and self._is_tuple(text[1:-1])
         if enclosed(text, "{}") and (mapped := _mapped(node, text[1:-1])):
             return mapped
         if enclosed(text, "[]") or enclosed(text, "{}") or tuple_:
             return self._bracketed(node, text[1:-1], depth, braces=text.startswith("{"))
         return self._called(node, text, depth) or _leaf(node, text)
 
+    def _vectors(self, node: Node, text: str) -> Node | None:
+        """The matrix of vectors that are listed one by one; None of anything else."""
+        listed = pieces_of(text) if self.vectors else None
+        if listed is None:
+            return None
+        pieces, clear = listed
+        own = self.vectors == "rows"
+        in_rows = own if clear else self.choices.choose("vectors", (own, not own))
+        return beside([self.text(node, piece, 1) for piece in pieces], in_rows=in_rows)
+
     def _called(self, node: Node, text: str, depth: int) -> Node | None:
         """What stands in no brackets of its own: a call, a product, entries with separators; None for one value."""
-        if found := _TRANSPOSE.search(text):
-            inside = self.text(node, text[: found.start()], depth + 1)
-            return transposed(inside) if isinstance(inside, SequenceNode) else _leaf(node, text)
+
+        def read(piece: str) -> Node:
+            return self.text(node, piece, depth + 1)
+
+        if (kept := inside_idle_call(text)) and _holds_list(kept):
+            return read(kept)
+        if (turned := transposition(text, read)) is not None:
+            return turned
         if (found := _MAKER.match(text)) and matching(text, found.end() - 1) == len(text) - 1:
             return self._made(node, text[found.end() : -1], depth)
-        if self.grid and (found := SPECIAL.fullmatch(text)):
-            listed = self.text(node, f"[{found[2]}]", depth + 1)
-            return special_matrix(found[1], listed) if isinstance(listed, SequenceNode) else None
-        if self.grid and (whole := self._combined(node, text, depth)):
+        if self.grid and (whole := combined(node, text, read)) is not None:
             return whole
-        if self.grid and depth == 0 and self._separated(text):
-            return self._bracketed(node, text, depth, braces=False)
-        return None
+        separated = self.grid and depth == 0 and self._separated(text)
+        return self._bracketed(node, text, depth, braces=False) if separated else None
 
-    def _combined(self, node: Node, text: str, depth: int) -> Node | None:
-        """A sum of matrices, or a matrix with factors; None for anything else."""
-        terms, signs = terms_of(text)
-        if terms:
-            return summed([self.text(node, term, depth + 1) for term in terms], signs)
-        factors = scaled(text)
-        return times(self.text(node, factors[1], depth + 1), factors[0], factors[2]) if factors else None
+    def _is_tuple(self, text: str) -> bool:
+        """Whether what stands in round brackets is a list: 1, 2; 1; 2; or numbers with spaces between."""
+        pieces = by_spaces(text)
+        numbers = self.grid and len(pieces) > 1 and are_numbers(pieces)
+        return numbers or len(split(text, ",")) > 1 or len(rows(text)) > 1
 
     def _separated(self, text: str) -> bool:
         """Whether a text without brackets holds several entries: -1, -2; -1; -2; or numbers with spaces between."""
@@ -145,6 +159,8 @@ class Unfolding:
                 lines = [flat.items[at : at + width] for at in range(0, len(flat.items), width)]
                 return SequenceNode(node.place, tuple(SequenceNode(node.place, line) for line in lines))
         inside = _unquoted(", ".join(arguments))
+        if len(arguments) > 1 and all(enclosed(each) for each in arguments):  # matrix([1, 2], [3, 4]) of Maxima
+            inside = f"[{inside}]"
         return self.text(node, inside if inside[:1] in "[{(" else f"[{inside}]", depth + 1)
 
     def _bracketed(self, node: Node, text: str, depth: int, *, braces: bool) -> Node:
@@ -175,6 +191,11 @@ class Unfolding:
         return [self.text(node, piece, depth + 1) for piece in (pieces if several else [text])]
 
 
+def has_decimal_comma(node: Node) -> bool:
+    """Whether a comma stands between digits as a decimal comma does."""
+    return bool(_DECIMAL_COMMA.search(typed(node)))
+
+
 def _columns(node: Node) -> Node:
     """The matrix of the vectors of a list, (1, 2) and (3, 4); anything else as it is."""
     lines = node.items if isinstance(node, SequenceNode) else ()
@@ -196,7 +217,13 @@ def _plain(node: ScalarNode, text: str) -> str:
 def _holds_rows(node: SequenceNode) -> bool:
     """Whether YAML took a matrix of MATLAB apart: [1, 2; 3, 4] has the items 1, "2; 3" and 4."""
     texts = [item for item in node.items if isinstance(item, ScalarNode) and item.style == "plain"]
-    return len(texts) == len(node.items) and any(";" in item.text for item in texts)
+    return len(texts) == len(node.items) and any(sign in item.text for item in texts for sign in ";|&")
+
+
+def _is_torn(node: SequenceNode) -> bool:
+    """Whether YAML took round brackets apart: [(1, 2), (3, 4)] has the item "(1"."""
+    texts = [item.text for item in node.items if isinstance(item, ScalarNode) and item.style == "plain"]
+    return any(text.count("(") != text.count(")") for text in texts)
 
 
 def _holds_commas(node: Node) -> bool:

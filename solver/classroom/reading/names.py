@@ -14,7 +14,7 @@ from solver.symbols import MEANINGS, SAMPLES
 def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours: Any, discrete: bool) -> Names:
     """Return what names mean in an answer: symbols of the problem and of our answers, and the usual variables."""
     usual = (*MEANINGS, *(name for name in SAMPLES if discrete or name not in symbols))
-    own = {str(symbol): symbol for symbol in _symbols_of(ours)}
+    own = {str(symbol): symbol for symbol in symbols_of(ours)}
     known = {**symbols, **own}
     variables: dict[str, Any] = {name: sp.Symbol(name) for name in usual if name not in own}
     units = {"i": sp.I, "I": sp.I, "E": sp.E}
@@ -23,9 +23,10 @@ def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours:
     return Names(known, variables, kept, open=True)
 
 
-def _symbols_of(value: Any) -> set[sp.Symbol]:
+def symbols_of(value: Any) -> set[sp.Symbol]:
+    """Return the symbols in a value, in whatever it is made of."""
     if isinstance(value, Mapping):
-        return set().union(*(_symbols_of(each) for pair in value.items() for each in pair))
+        return set().union(*(symbols_of(each) for pair in value.items() for each in pair))
     if isinstance(value, list | tuple):
-        return set().union(*map(_symbols_of, value))
+        return set().union(*map(symbols_of, value))
     return set(getattr(value, "free_symbols", ()))

@@ -7,6 +7,7 @@ Only text is changed; what it means is left to our parser.
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable
 
 import sympy as sp
@@ -14,6 +15,7 @@ import sympy as sp
 from solver.classroom.reading.brackets import matching
 from solver.classroom.reading.choices import Choices
 from solver.classroom.reading.latex import is_latex, translated
+from solver.classroom.reading.real_parts import with_real_parts
 from solver.classroom.reading.spelling import respelled
 from solver.problem.expressions import ExpressionError, Names
 from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS
@@ -21,6 +23,9 @@ from solver.problem.expressions.tokens import Kind, tokenize
 from solver.problem.expressions.vocabulary import as_product
 
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_FRACTIONS = {"½": "1/2", "¼": "1/4", "¾": "3/4", "⅓": "1/3", "⅔": "2/3", "⅕": "1/5", "⅙": "1/6", "⅛": "1/8"}
+_RAISED = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹⁽⁾ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻᵅᵝᵟ"
+_LOWERED = str.maketrans(_RAISED + "·⋅˙", "+-0123456789()abcdefghijklmnoprstuvwxyzαβδ...")
 _FUNCTION = "|".join(
     sorted((each for each in FUNCTIONS if each not in ("step", "delta", "inv")), key=len, reverse=True)
 )
@@ -35,13 +40,25 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
     (re.compile(pattern), change)
     for pattern, change in (
         (r"^\s*[=≈]\s*", ""),
+        (r"[ℯℊⅆⅇⅈⅉ\U0001d400-\U0001d7ff\uff01-\uff5e]", lambda found: unicodedata.normalize("NFKC", found[0])),
+        (
+            rf"\^?(?=[{_RAISED}·]*[{_RAISED[14:]}])[{_RAISED}](?:[{_RAISED}]|[·⋅˙](?=[{_RAISED}]))*",
+            lambda found: f"^({found[0].lstrip('^').translate(_LOWERED)})",
+        ),  # e⁻²ᵗ
+        (r"%(?=(?:e|pi|i|phi)(?![A-Za-z0-9_]))", ""),  # %e of Maxima
+        (r"\\?\[(?:ExponentialE|ImaginaryI|ImaginaryJ)\]", lambda found: "e" if "E" in found[0][4:] else "j"),
         (r"\+\s*/\s*[-−]|[-−]\s*/\s*\+|∓", "±"),  # +/- for ±
         (r"[—–‒]", "-"),
         (r"[•∙˙]", "*"),
         (r"⁄", "/"),
+        (r"√\s*(\d+(?:\.\d+)?)(?=\s+\w)", r" sqrt(\1)"),  # √3 t: the space ends the root
         (r"√", " sqrt "),
         (r"\b(?:np|numpy|math|cmath|sp|sympy)\.(?=[A-Za-z])", ""),  # np.exp(-t)
+        (r"∠\s*(±?)\s*([-+]?[\d.]+\s*°?|\([^()]*\)|[-+]?atan\([^()]*\))", r"*e^(\1j*\2)"),  # 2∠30°
+        (r"\b(?:Rational|Fraction)\s*\(\s*([-+]?\d+)\s*,\s*(\d+)\s*\)", r"(\1/\2)"),
+        (r"\b(?:S|Integer)\s*\(\s*([-+]?\d+)\s*\)", r"(\1)"),
         (r"(\d+(?:\.\d+)?)\s*°", r"(\1*pi/180)"),
+        (r"(?<![\w.])(\d{1,9})\s?(?=[½¼¾⅓⅔⅕⅙⅛])([½¼¾⅓⅔⅕⅙⅛])", lambda found: f"({found[1]}+{_FRACTIONS[found[2]]})"),
         (r"½", "(1/2)"),
         (r"¼", "(1/4)"),
         (r"¾", "(3/4)"),
@@ -57,7 +74,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\.(?=[*/^])", ""),  # MATLAB's 2.*t
         (r"(?<=\d)\.(?![\d.])", ""),  # numpy's 1.
         (r"\bexp\s*\^", "e^"),
-        (r"\b([a-z])\s+(\d+\^)", r"\1*\2"),  # k 3^(k-1)
+        (r"((?<![A-Za-z_])[a-z]|\))\s+(\d+(?:\.\d+)?\^)", r"\1*\2"),  # k 3^(k-1), (1 + k) 0.5^k
         (rf"(?<![A-Za-z_])({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
         (rf"(?<![A-Za-z_])(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
         (r"\{", "("),
@@ -78,6 +95,7 @@ def plain(text: str, names: Names, choices: Choices) -> str:
     for pattern, change in TABLE:
         text = pattern.sub(change, text)
     text = _with_units(_with_steps(_with_polar(_with_signs(text, choices)), names), names)
+    text = with_real_parts(text, names, lambda inside: _with_names(inside, names))
     return _with_names(_with_derivatives(text, names), names)
 
 
@@ -164,7 +182,9 @@ def _with_names(text: str, names: Names) -> str:
 
 def _meant(name: str, names: Names) -> str:
     """The declared name that an undeclared one stands for, or the product of declared ones."""
-    bare = {known.replace("_", ""): known for known in (*names.symbols, *names.values)}
+    declared = (*names.symbols, *names.values)
+    bare = {known.replace("_", "").replace("omega", "w"): known for known in declared}  # wn for omega_n
+    bare |= {known.replace("_", ""): known for known in declared}
     squeezed = name.replace("_", "")
     if squeezed in bare:
         return bare[squeezed]

@@ -11,15 +11,23 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading.brackets import are_numbers, by_spaces, matching, split
+from solver.classroom.reading.brackets import are_numbers, by_spaces, enclosed, matching, split
 from solver.symbols import POLYNOMIAL
 
 _FRACTION = re.compile(r"(?:\b\w+\.)*\b(tf|TransferFunction)\s*\(")
+_MODEL = re.compile(r"(?:\b\w+\.)*\bTransferFunctionModel\s*[\[(]")
+_COEFFICIENTS = re.compile(r"(?:\b\w+\.)*\b(?:poly2sym|polyval|poly1d)\s*\(")
 _ZPK = re.compile(r"(?:\b\w+\.)*\bzpk\s*\(")
+_NUM_AND_DEN = re.compile(r"^\s*num\w*\s*[=:]\s*([^=]*?)\s*[,;]\s*den\w*\s*[=:]\s*([^=]*)$", re.IGNORECASE)
+_ROOTS = re.compile(r"(?:\b\w+\.)*\bpoly\s*\((?=\s*\[)")
+_CONVOLVED = re.compile(r"\s*(?:\w+\.)*(?:conv|convolve|polymul)\s*\((.*)\)\s*", re.DOTALL)
 _POLYNOMIAL = re.compile(r"^\s*(?:\w+\.)*(?:Pure)?Poly\s*\(([^,]*)(?:,.*)?\)\s*$", re.DOTALL)
 _LIST = re.compile(r"\[|(?:\w+\.)*(?:poly1d|array|Matrix)\(|\\begin")
 _ZERO = re.compile(r"^\s*\+?0(?:\.0*)?\s*$")
 MAX_DEGREE = 40
+MAX_CONVOLVED = 400
+USUAL_LETTERS = frozenset({"p", "lamda", "x", "q"})
+"""Letters in which transfer functions are written where the problem has another one."""
 
 
 def variable_of(ours: Any) -> sp.Symbol | None:
@@ -62,11 +70,24 @@ def in_variable(read: tuple[Any, Any], variable: sp.Symbol, known: set[sp.Symbol
     return value.xreplace(renamed), read[1].xreplace(renamed)
 
 
+def in_usual_letter(read: tuple[Any, Any], ours: Any, known: set[sp.Symbol]) -> tuple[Any, Any]:
+    """Return a transfer function and its form in our variable, where they are written in p, or another usual letter."""
+    variables = [each for each in ours.free_symbols if each.name in POLYNOMIAL]
+    own = [each for each in read[0].free_symbols - known if each.name in USUAL_LETTERS]
+    if len(variables) != 1 or len(own) != 1 or variables[0] in read[0].free_symbols:
+        return read
+    renamed = {own[0]: variables[0]}
+    return read[0].xreplace(renamed), read[1].xreplace(renamed)
+
+
 def with_quotients(text: str, variable: str) -> str:
     """Return a text with tf([1], [1 3 2]), zpk([], [-1 -2], 1) as quotients, Poly(p, s) as p; other calls stay."""
     if found := _POLYNOMIAL.match(text):
         return found[1]
-    text = _with_roots(text, variable)
+    if found := _NUM_AND_DEN.match(text):
+        text = f"tf({found[1]}, {found[2]})"
+    text = _with_roots_only(text, variable)
+    text = _with_coefficients(_with_models(_with_roots(text, variable)), variable)
     while found := _FRACTION.search(text):
         end = matching(text, found.end() - 1)
         arguments = split(text[found.end() : end], ",")
@@ -76,6 +97,38 @@ def with_quotients(text: str, variable: str) -> str:
         if not above or not below:
             return text
         text = f"{text[: found.start()]}(({above})/({below})){text[end + 1 :]}"
+    return text
+
+
+def _with_models(text: str) -> str:
+    """A text with TransferFunctionModel[{{{1}}, s + 1}, s] as the quotient."""
+    while found := _MODEL.search(text):
+        end = matching(text, found.end() - 1)
+        first = (split(text[found.end() : end], ",") or [""])[0].strip()
+        inside = first[1:-1] if enclosed(first, "{}") else first
+        pieces = [f"({_without_braces(each)})" for each in split(inside, ",")]
+        if len(pieces) not in (1, 2):
+            return text
+        text = f"{text[: found.start()]}({'/'.join(pieces)}){text[end + 1 :]}"
+    return text
+
+
+def _without_braces(text: str) -> str:
+    text = text.strip()
+    while enclosed(text, "{}"):
+        text = text[1:-1].strip()
+    return text
+
+
+def _with_coefficients(text: str, variable: str) -> str:
+    """A text with poly2sym([1 3 2]) as the polynomial."""
+    while found := _COEFFICIENTS.search(text):
+        end = matching(text, found.end() - 1)
+        first = (split(text[found.end() : end], ",") or [""])[0].strip()
+        polynomial = _polynomial(first, variable) if first.startswith("[") else ""
+        if not polynomial:
+            return text
+        text = f"{text[: found.start()]}({polynomial}){text[end + 1 :]}"
     return text
 
 
@@ -94,6 +147,17 @@ def _with_roots(text: str, variable: str) -> str:
     return text
 
 
+def _with_roots_only(text: str, variable: str) -> str:
+    """A text with poly([-1 -2]) as the product of factors."""
+    while found := _ROOTS.search(text):
+        end = matching(text, found.end() - 1)
+        factors = _factors(text[found.end() : end], variable)
+        if not factors or len(factors) > MAX_DEGREE:
+            return text
+        text = f"{text[: found.start()]}({'*'.join(factors)}){text[end + 1 :]}"
+    return text
+
+
 def _factors(text: str, variable: str) -> list[str]:
     """The factors of the roots in brackets, or of one root."""
     inside = text.strip().removeprefix("[").removesuffix("]").strip()
@@ -104,6 +168,9 @@ def _factors(text: str, variable: str) -> list[str]:
 def _polynomial(text: str, variable: str) -> str:
     """A polynomial of its coefficients in brackets; nothing where there are too many of them."""
     text = text.strip()
+    if (found := _CONVOLVED.fullmatch(text)) and len(text) <= MAX_CONVOLVED:
+        factors = [_polynomial(each, variable) for each in split(found[1], ",")]
+        return "*".join(f"({each})" for each in factors) if all(factors) else ""
     if not text.startswith("["):
         return text
     inside = text[1:-1]

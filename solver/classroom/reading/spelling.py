@@ -12,15 +12,19 @@ from solver.classroom.reading.brackets import matching, split
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 FUNCTIONS = {"Heaviside": "step", "DiracDelta": "delta", "Abs": "abs", "KroneckerDelta": "delta", "arccos": "acos",
-             "arcsin": "asin", "arctan": "atan", "heaviside": "step", "dirac": "delta"}  # fmt: skip
-_FUNCTION = re.compile(r"\b(" + "|".join(FUNCTIONS) + r")\s*\(")
+             "arcsin": "asin", "arctan": "atan", "heaviside": "step", "dirac": "delta",
+             "UnitStep": "step", "HeavisideTheta": "step"}  # fmt: skip
+_FUNCTION = re.compile(r"\b(" + "|".join(FUNCTIONS) + r")\s*[(\[]")
+_ROOT = re.compile(r"(?<=\w)√\(")
+"""A root behind a name, a√(2), which is none of a longer name."""
+
 _INFINITY = re.compile(r"\boo\b|∞")
 
 
 def respelled(text: str) -> str:
     """Return the text of an expression with functions named as our notation names them."""
     text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(_steps(text)))
-    return _INFINITY.sub("inf", text).replace("√(", "sqrt(").replace("–", "-")
+    return _ROOT.sub(" sqrt(", _INFINITY.sub("inf", text)).replace("√(", "sqrt(").replace("–", "-")
 
 
 def _steps(text: str) -> str:

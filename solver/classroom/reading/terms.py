@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 IGNORED = {"a", "an", "the", "is", "it", "system", "equilibrium", "point", "matrix", "this", "plant", "ein", "eine",
-           "das", "der", "die", "ist", "origin", "loop", "closed", "only", "nur", "globally", "global"}  # fmt: skip
+           "das", "der", "die", "ist", "origin", "loop", "closed", "only", "nur", "globally", "global",
+           "circuit", "schaltung", "regelkreis", "strecke"}  # fmt: skip
 SYNONYMS = {
-    **dict.fromkeys(("spiral", "spirale", "strudel", "strudelpunkt", "fokus", "brennpunkt"), "focus"),
+    **dict.fromkeys(("spiral", "spirale", "foyer", "strudel", "strudelpunkt", "fokus", "brennpunkt"), "focus"),
     **dict.fromkeys(("centre", "vortex", "wirbel", "wirbelpunkt", "zentrum"), "center"),
-    **dict.fromkeys(("nodal", "knoten", "knotenpunkt"), "node"),
-    **dict.fromkeys(("sattel", "sattelpunkt"), "saddle"),
+    **dict.fromkeys(("nodal", "knoten", "knotenpunkt", "noeud", "nœud"), "node"),
+    **dict.fromkeys(("sattel", "sattelpunkt", "selle", "col"), "saddle"),
     **dict.fromkeys(("stern", "sternknoten"), "star"),
     **dict.fromkeys(("improper", "entarteter", "ausgearteter"), "degenerate"),
     **dict.fromkeys(("scherung", "scherströmung"), "shear"),
@@ -17,6 +18,7 @@ SYNONYMS = {
     **dict.fromkeys(("source", "quelle", "repelling", "repulsive", "instable"), "unstable"),
     **dict.fromkeys(("instabil", "instabile", "instabiler", "instabiles"), "unstable"),
     **dict.fromkeys(("asymptotic", "asymptotisch", "asymp", "exponentially", "exponentiell"), "asymptotically"),
+    "asymptotiquement": "asymptotically",
     **dict.fromkeys(("asymptotischer", "asymptotisches", "exponential"), "asymptotically"),
     **dict.fromkeys(("marginal", "critically", "neutrally"), "marginally"),
     **dict.fromkeys(("grenzstabil", "grenzstabiler"), "marginally stable"),
@@ -30,13 +32,15 @@ PHRASES = {
     "stable not asymptotically": "marginally stable",
     "lyapunov stable but not asymptotically stable": "marginally stable",
     "not stable": "unstable",
+    **dict.fromkeys(("line of fixed points", "line of equilibrium points"), "line of equilibria"),
+    **dict.fromkeys(("every", "all points are fixed points"), "all points are equilibria"),
     "unstable saddle": "saddle",
 }
 """What is said in several words, where it is all that is said."""
 PARTS = {"proper node": "star", "star node": "star", "asymptotically stable": "stable"}
 """Words beside others, where the list of the answer does not have them."""
 ADJECTIVES = {
-    "controllable": ("steuerbar",),
+    "controllable": ("steuerbar", "commandable", "contrôlable"),
     "observable": ("beobachtbar",),
     "stabilizable": ("stabilisierbar",),
     "detectable": ("detektierbar", "entdeckbar"),

@@ -9,17 +9,20 @@ import sympy as sp
 
 from solver.classroom.reading import polynomials
 from solver.classroom.reading.choices import Choices
+from solver.classroom.reading.condition_words import in_relations
 from solver.classroom.reading.conditions import ConditionReader
 from solver.classroom.reading.decimals import decimals_of
 from solver.classroom.reading.latex import is_latex, translated
 from solver.classroom.reading.nodes import At, only, text_of
 from solver.classroom.reading.notations import has_bare_call, plain
-from solver.classroom.reading.spelling import respelled
+from solver.classroom.reading.programs import inside_idle_call
+from solver.classroom.reading.spelling import respelled, typed
 from solver.classroom.reading.units import without_unit
+from solver.classroom.reading.words import mixed_number
 from solver.classroom.submitted import Decimal
 from solver.problem.expressions import Doubt, ExpressionError, Names, parse_written
 from solver.problem.expressions.notation import MAX_CHARACTERS
-from solver.problem.nodes import Node
+from solver.problem.nodes import Node, ScalarNode
 
 Pair = tuple[Any, Any]
 """A value, and its form with a symbol for each decimal."""
@@ -46,6 +49,8 @@ class TextReader:
     def alternatives(self, node: Node) -> list[Pair]:
         """Return the value, or the two of an expression with ±, each with its form; raises Fault."""
         written = text_of(node)
+        if mixed := mixed_number(written):
+            written = self.choices.choose(("mixed", written), mixed)
         with At(node):
             text = self._plain(written)
         with At(node, inside=text == written):
@@ -60,11 +65,12 @@ class TextReader:
 
         The interval (0, 6) alone is a condition on the parameter of this name.
         """
-        text = text_of(node)
+        text = text_of(node) if isinstance(node, ScalarNode) else typed(node)
         if len(text) > MAX_CHARACTERS:
             raise node.fault(f"a condition is longer than {MAX_CHARACTERS} characters")
         with At(node):
             text = translated(text) if is_latex(text) else text
+            self.respelt = self.respelt or in_relations(text) != text.strip()
             return ConditionReader(self._side, name).read(text)
 
     def _side(self, text: str) -> Any:
@@ -89,6 +95,10 @@ class TextReader:
         """A text in our notation, without its unit; one that is too long stays as it is, and is refused."""
         if len(text) > MAX_CHARACTERS:
             return text
+        while (kept := inside_idle_call(text.strip())) and not self.names.declares(
+            text.split("(", maxsplit=1)[0].strip()
+        ):
+            text = kept
         bare = without_unit(text, self.unit)
         found = polynomials.with_quotients(bare, "z" if self.discrete else "s")
         found = plain(found, self.names, self.choices)

@@ -20,7 +20,7 @@ class ForeignUnitError(Exception):
 
 def without_unit(text: str, unit: str) -> str:
     """Return a number without the unit of its answer ("": it has none). Raises ForeignUnitError."""
-    found = _UNIT.match(text)
+    found = _UNIT.match(text) if "∠" not in text else None  # the angle of 2∠30°
     if found is None:
         return text
     number, written = found[1].strip(), " ".join(found[2].split())

@@ -7,14 +7,15 @@ from collections.abc import Sequence
 
 from solver.classroom.reading.terms import ADJECTIVES, IGNORED, NEGATIONS, NOUNS, PARTS, PHRASES, SYNONYMS
 
-YES = {"yes", "true", "always", "y", "ja", "wahr", "correct", "holds", "✓"}
-NO = {"no", "false", "never", "n", "nein", "falsch", "not", "✗"}
+YES = {"yes", "true", "always", "y", "ja", "oui", "wahr", "correct", "holds", "✓"}
+NO = {"no", "false", "never", "n", "nein", "non", "falsch", "not", "✗"}
 ALL = ("reals", "all", "any", "every", "always", "all reals")
 NONE = ("none", "never", "no", "[]", "empty", "trivial", "only the zero vector", "the zero vector", "zero vector",
         "nullvektor", "the trivial space", "trivial space", "keine", "empty set", "the empty set",
-        "leere menge")  # fmt: skip
+        "leere menge", "aucun", "aucune")  # fmt: skip
 _REASONED = re.compile(r"\w+\s*[,;:.(–-]")
 _REASON = re.compile(r"\s*[,;(–]|\s+(?:since|because|as|da|weil|denn)\s")
+_HENCE = re.compile(r"(.+?)(?:\s*[,;.:]|\s)\s*(?:so|hence|therefore|thus|also|daher|folglich|⇒)\s*(?:it is |is )?(.+)")
 _WHOLLY = {"completely", "fully", "vollständig", "is", "ist", "it", "es", "system", "the", "das", "matrix"}
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
 _FINITE = {"finite", "endlichen", "such", "transmission", "invariant"}
@@ -37,6 +38,8 @@ def truth(text: str, name: str = "") -> bool | None:
         return True
     if any(words == f"{negation}{each}" for each in adjectives for negation in NEGATIONS):
         return False
+    if (found := _HENCE.match(text)) and own and truth(found[1], name) is None:
+        return truth(found[2], name)
     claim, *reason = _REASON.split(text, maxsplit=1)
     return truth(claim, name) if reason and own and not _DENIED & set(_words(reason[0])) else None
 
@@ -51,6 +54,9 @@ def fitting(text: str, known: Sequence[str]) -> list[str]:
         spoken = spoken if words in known else spoken.replace(words, part)
     parts = set(spoken.split())
     same = [each for each in known if parts == set(each.split())]
+    claim, *reason = _REASON.split(text, maxsplit=1)
+    if not same and reason and claim.strip() and not _DENIED & set(_words(reason[0])):
+        return fitting(claim, known)
     return same or [each for each in known if parts and parts <= set(each.split())]
 
 

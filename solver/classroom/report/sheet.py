@@ -97,7 +97,7 @@ class _Sections:
         """Return a part with its lines, in the order of the catalogue."""
         declared = catalogue()[part.task].answers
         lines = tuple(self._with_key(part.id, line, declared[line.name]) for line in self._lines(part, declared))
-        return Section(part, self.exact.say(catalogue()[part.task].title), work, lines)
+        return Section(part, work.title, work, lines)
 
     def _lines(self, part: PartVerdict, declared: Mapping[str, AnswerName]) -> Iterator[Line]:
         for name in declared:

@@ -14,6 +14,7 @@ from solver.exact.design.observers import Partition, chosen_error_matrix, left_i
 from solver.exact.design.placement import (
     combine,
     companion_rows,
+    conjugate_pairs,
     divided,
     fixed_factor,
     loop_coefficients,
@@ -46,6 +47,7 @@ __all__ = [
     "chosen_error_matrix",
     "combine",
     "companion_rows",
+    "conjugate_pairs",
     "conjugated",
     "descending_form",
     "direction",

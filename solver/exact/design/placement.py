@@ -33,6 +33,27 @@ def monic(roots: Iterable[sp.Expr]) -> Coefficients:
     return tuple(_real_part_of_decimals(c) for c in coefficients)
 
 
+def conjugate_pairs(roots: Sequence[sp.Expr]) -> tuple[list[tuple[sp.Expr, sp.Expr]], list[sp.Expr]]:
+    """Return (σ, ω) of the pairs σ ± jω among roots, and the other roots."""
+    pairs: list[tuple[sp.Expr, sp.Expr]] = []
+    others: list[sp.Expr] = []
+    left = list(roots)
+    while left:
+        root = left.pop(0)
+        partner = next((each for each in left if root.has(sp.I) and _are_conjugate(root, each)), None)
+        if partner is None:
+            others.append(root)
+            continue
+        left.remove(partner)
+        sigma, omega = sp.expand((root + partner) / 2), sp.expand((root - partner) / (2 * sp.I))
+        pairs.append((sigma, -omega if omega.could_extract_minus_sign() else omega))
+    return pairs, others
+
+
+def _are_conjugate(root: sp.Expr, other: sp.Expr) -> bool:
+    return not any(sp.expand(each).has(sp.I) for each in (root + other, root * other))
+
+
 def _real_part_of_decimals(value: sp.Expr) -> sp.Expr:
     """Drop the imaginary rounding that conjugate decimals leave behind."""
     return sp.re(value) if value.has(sp.Float) and not value.free_symbols else value

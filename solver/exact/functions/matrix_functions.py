@@ -15,8 +15,8 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.functions.closed_forms import exponential, interpolation_coefficients, power
+from solver.exact.functions.fractions import highest_power, residue_at
 from solver.exact.functions.interpolation import Condition, interpolation
-from solver.exact.functions.rational import highest_power, residue_at
 from solver.exact.functions.remainders import LOW, reduced
 from solver.exact.functions.residues import FactorResidues, interpolation_residues, residues_at, resolvent_residues
 from solver.exact.functions.scalar_functions import ScalarFunction, at_root, multiplied_out

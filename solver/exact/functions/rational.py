@@ -6,7 +6,7 @@ of χ; those that cancel show as residues that are zero.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import dropwhile
@@ -16,32 +16,13 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.functions.closed_forms import MatrixFunction, closed_form
-from solver.exact.functions.residues import (
-    FactorResidues,
-    MatrixPolynomial,
-    Residue,
-    divided_by,
-    multiply_by,
-    reduce_modulo,
-    residues_at,
-)
+from solver.exact.functions.fractions import fractions_of, highest_power
+from solver.exact.functions.residues import FactorResidues, MatrixPolynomial, residues_at
 from solver.exact.linear_algebra.assembly import product_of_powers
-from solver.exact.linear_algebra.biquadratic import tidied
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
-from solver.exact.linear_algebra.fields import (
-    Algebraic,
-    Modulus,
-    common_factors_below,
-    domain_matrix,
-    expressions,
-    in_powers,
-    matrix_of,
-)
-from solver.exact.linear_algebra.instances import value_at
-from solver.exact.linear_algebra.radicals import complex_parts
-from solver.exact.linear_algebra.spectrum import Factor, Root, is_lower, spectrum
+from solver.exact.linear_algebra.fields import Modulus, domain_matrix, in_powers
+from solver.exact.linear_algebra.spectrum import Factor, spectrum
 from solver.stated import Stated
-from solver.stated.algebra import product, quotient
 
 
 @dataclass(frozen=True)
@@ -76,41 +57,17 @@ class RationalMatrix:
         return sp.ImmutableMatrix(*self.shape, [in_lowest_terms(list(entry), factors, x) for entry in flat])
 
     def partial_fractions(self, x: sp.Symbol) -> list[Stated]:
-        """The terms of Σ (1/p(x)ʲ) R_j(x), R_j a matrix polynomial of lower degree than p.
+        """The terms of Σ (1/p(x)ʲ) R_j(x), R_j a matrix polynomial of lower degree than p, see `fractions_of`."""
+        return [each.stated for each in fractions_of(self, x)]
 
-        Factors with real roots are split into (x − λ)ʲ; a conjugate pair (or one whose nature is undecided) keeps its
-        quadratic denominator.
-        """
-        terms: list[Stated] = []
-        for each in self.residues:
-            if keeps_quadratic(each.factor):
-                terms += self._quadratic_terms(each.factor, x)
-            else:
-                terms += _linear_terms(each, self.shape, x)
-        return [term for term in terms if any(term.operands[1])]
 
-    def _quadratic_terms(self, factor: Factor, x: sp.Symbol) -> Iterator[Stated]:
-        """The p-adic digits of N·(χ/pᵐ)⁻¹ mod pᵐ, the highest power of p first."""
-        p = factor.polynomial(x)
-        for k, (constant, linear) in enumerate(self._digits(factor)):
-            numerator = matrix_of(linear) * x + matrix_of(constant)
-            yield product(quotient(sp.Integer(1), p ** (factor.multiplicity - k)), sp.ImmutableMatrix(numerator))
-
-    def _digits(self, factor: Factor) -> list[Residue]:
-        """R_m, …, R_1 of one factor, as coefficients of 1, x, …."""
-        p, m = factor.modulus, factor.multiplicity
-        K = p.domain
-        X = sp.Dummy("x")
-        whole = sp.Poly([K.one, *reversed(p.low)], X, domain=K) ** m
-        P = Modulus(tuple(reversed(whole.rep.to_list()[1:])), K)
-        others = sp.Poly(list(reversed(self.chi)), X, domain=K).quo(whole)
-        inverse = Algebraic(P.reduce([*reversed(others.rep.to_list())]), P).inverse()
-        rest = multiply_by(reduce_modulo(list(self.numerator), P), inverse)
-        digits = []
-        for _ in range(m):
-            rest, digit = divided_by(rest, p)
-            digits.append(digit)
-        return digits
+def fraction_of_term(term: Stated) -> sp.Expr:
+    """A term of the partial fractions of one entry as one fraction; its numerator has none, and no minus in front."""
+    below, numerator = term.operands
+    above, common = sp.fraction(sp.together(numerator[0]))
+    above = sp.expand(above)
+    sign = -1 if above.is_Add and above.could_extract_minus_sign() else 1
+    return sp.Mul(sp.Rational(sign), 1 / common, sp.expand(sign * above), 1 / below.operands[1])
 
 
 @lru_cache(maxsize=64)
@@ -188,53 +145,3 @@ def _exact_quotient(numerator: Sequence[Any], low: Sequence[Any]) -> list[Any] |
 def _written(p: Modulus, x: sp.Symbol, power: int) -> sp.Expr:
     """A power of the polynomial of a modulus as an expression."""
     return in_powers([p.domain.one, *reversed(p.low)], p.domain, x) ** power
-
-
-def keeps_quadratic(factor: Factor) -> bool:
-    """Whether the partial fractions keep the factor as a quadratic: a conjugate pair, or one that may be."""
-    return factor.degree == 2 and factor.roots[0].kind != "surd"
-
-
-def highest_power(each: FactorResidues) -> int:
-    """The highest power of the factor with a residue that is not zero; 0 if the factor cancels."""
-    occurring = [j for j, Z in enumerate(each.residues, 1) if any(any(M.to_list_flat()) for M in Z)]
-    return max(occurring, default=0)
-
-
-def _linear_terms(each: FactorResidues, shape: tuple[int, int], x: sp.Symbol) -> Iterator[Stated]:
-    """Z_j/(x − λ)ʲ for each root; a simple pair is put over its real quadratic."""
-    for root in each.factor.roots:
-        for j, Z in enumerate(each.residues, 1):
-            matrix = residue_at(Z, root, shape)
-            if not is_simple_pair(root):
-                yield product(quotient(sp.Integer(1), (x - root.value) ** j), matrix)
-            elif not is_lower(root):
-                parts = [complex_parts(entry) for entry in matrix.flat()]
-                numerator = [2 * X * x - 2 * (root.sigma * X + root.shift * Y) for X, Y in parts]
-                if root.kind == "complex":
-                    numerator = [linear_in(x, entry) for entry in numerator]
-                yield product(quotient(sp.Integer(1), real_quadratic(root, x)), sp.ImmutableMatrix(*shape, numerator))
-
-
-def linear_in(x: sp.Symbol, entry: sp.Expr) -> sp.Expr:
-    """The expression a x + b with a and b in the form shown."""
-    expanded = sp.expand(entry)
-    return tidied(expanded.coeff(x, 1)) * x + tidied(expanded.coeff(x, 0))
-
-
-def residue_at(Z: Residue, root: Root, shape: tuple[int, int]) -> sp.ImmutableMatrix:
-    """A matrix over L at one root of its factor."""
-    parts = [expressions(M) for M in Z]
-    entries = parts[0] if len(parts) == 1 else [value_at(list(c), root) for c in zip(*parts, strict=True)]
-    return sp.ImmutableMatrix(*shape, [common_factors_below(entry) for entry in entries])
-
-
-def is_simple_pair(root: Root) -> bool:
-    """Whether the root, of a factor that is no such quadratic itself, is one of a simple conjugate pair."""
-    return root.kind in ("complex", "decimal") and root.shift != 0 and root.multiplicity == 1
-
-
-def real_quadratic(root: Root, x: sp.Symbol) -> sp.Expr:
-    """The real quadratic of a pair."""
-    constant = root.sigma**2 + root.shift**2
-    return x**2 - 2 * root.sigma * x + (constant if root.kind == "decimal" else tidied(constant))

@@ -11,18 +11,19 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.functions.closed_forms import closed_form, polar
-from solver.exact.functions.rational import (
-    RationalMatrix,
-    cancelled,
-    in_lowest_terms,
+from solver.exact.functions.fractions import (
+    Fraction,
+    fractions_of,
     is_simple_pair,
     keeps_quadratic,
     real_quadratic,
-    resolvent_matrix,
+    upper_root,
 )
+from solver.exact.functions.rational import RationalMatrix, cancelled, in_lowest_terms, resolvent_matrix
 from solver.exact.functions.residues import residues_at
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import Modulus, collected
+from solver.exact.linear_algebra.radicals import over_root
 from solver.exact.linear_algebra.spectrum import Factor, Root, irreducible_factors, is_lower
 from solver.stated import Stated
 
@@ -111,12 +112,53 @@ def pairs_for(image: RationalMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete:
     return pairs
 
 
+@dataclass(frozen=True)
+class Transformed:
+    """A partial fraction and the functions of time that it gives, each with its matrix of coefficients.
+
+    Of a numerator βx + γ over a quadratic they are β and (γ + σβ)/`scale`.
+    """
+
+    fraction: Fraction
+    functions: tuple[tuple[sp.Expr, sp.ImmutableMatrix], ...]
+    scale: sp.Expr = sp.S.One
+
+
+def transformed_fractions(image: RationalMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> list[Transformed]:
+    """The partial fractions transformed back one by one; in discrete time the images carry the factor z."""
+    found = []
+    for each in fractions_of(image, x):
+        if each.slope is None:
+            _, function = _of_root(each.root, each.power, x, time, discrete=discrete)
+            found.append(Transformed(each, ((function, each.constant),)))
+        else:
+            found.append(_split(each, each.slope, x, time, discrete=discrete))
+    return found
+
+
+def _split(each: Fraction, beta: sp.ImmutableMatrix, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> Transformed:
+    if keeps_quadratic(each.factor):
+        (_, cosine), (_, sine) = _quadratic_pairs(each.factor, each.power, x, time, discrete=discrete)
+    else:
+        (_, cosine), (_, sine) = _of_pair(each.root, x, time, discrete=discrete)
+    scale = each.root.shift if each.power == 1 else sp.Integer(1)
+    rest = (each.constant + each.root.sigma * beta).applyfunc(lambda entry: _over(entry, scale))
+    return Transformed(each, ((cosine, beta), (sine, sp.ImmutableMatrix(rest))), scale)
+
+
+def _over(entry: sp.Expr, scale: sp.Expr) -> sp.Expr:
+    """entry/scale, where the scale may be a root of what holds parameters."""
+    if not scale.free_symbols:
+        return collected(sp.expand(entry) / scale)
+    return over_root(sp.factor(entry / sp.expand(scale**2)) * scale)
+
+
 def _quadratic_pairs(
     factor: Factor, j: int, x: sp.Symbol, time: sp.Symbol, *, discrete: bool
 ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
     """The pairs of (x − σ)/pʲ and of ω/p or 1/pʲ."""
     K, low = factor.modulus.domain, factor.modulus.low
-    p, root = factor.polynomial(x), factor.roots[-1 if factor.roots[0].kind == "symbolic" else 0]
+    p, root = factor.polynomial(x), upper_root(factor)
     carried = x if discrete else sp.Integer(1)
     scale = root.shift if j == 1 else sp.Integer(1)
     yield carried * (x - root.sigma) / p**j, _scalar(factor, j, [low[1] / 2, K.one], time, discrete=discrete)
@@ -129,17 +171,20 @@ def _linear_pairs(
 ) -> Iterator[tuple[sp.Expr, sp.Expr]]:
     """The pairs of 1/(x − λ)ʲ; of a simple pair, those of its real quadratic."""
     for root in factor.roots:
-        if is_simple_pair(root):
-            if not is_lower(root):
-                yield from _of_pair(root, x, time, discrete=discrete)
-        elif discrete and root.value == 0:
-            yield x ** (1 - j), sp.KroneckerDelta(time, j - 1)
-        elif discrete:
-            binomial = sp.expand(sp.ff(time, j - 1)) / sp.factorial(j - 1)
-            yield x / (x - root.value) ** j, binomial * root.value ** (time - j + 1)
-        else:
-            mode = sp.exp(root.value * time)
-            yield 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * mode if j > 1 else mode
+        if not is_simple_pair(root):
+            yield _of_root(root, j, x, time, discrete=discrete)
+        elif not is_lower(root):
+            yield from _of_pair(root, x, time, discrete=discrete)
+
+
+def _of_root(root: Root, j: int, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> tuple[sp.Expr, sp.Expr]:
+    if discrete and root.value == 0:
+        return x ** (1 - j), sp.KroneckerDelta(time, j - 1)
+    if discrete:
+        binomial = sp.expand(sp.ff(time, j - 1)) / sp.factorial(j - 1)
+        return x / (x - root.value) ** j, binomial * root.value ** (time - j + 1)
+    mode = sp.exp(root.value * time)
+    return 1 / (x - root.value) ** j, time ** (j - 1) / sp.factorial(j - 1) * mode if j > 1 else mode
 
 
 def _of_pair(root: Root, x: sp.Symbol, time: sp.Symbol, *, discrete: bool) -> Iterator[tuple[sp.Expr, sp.Expr]]:

@@ -1,7 +1,8 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-from solver.exact.linear_algebra.affine import Solution, affine, solve_affine, tidy
+from solver.exact.linear_algebra.affine import Solution, affine, multiplied_out, solve_affine, tidy
 from solver.exact.linear_algebra.eigen import Eigenspace, Eigenstructure, eigenstructure
+from solver.exact.linear_algebra.elimination import LinearEquation, Substitution, elimination, independent_equations
 from solver.exact.linear_algebra.faddeev import FaddeevLeVerrier, faddeev_leverrier
 from solver.exact.linear_algebra.fields import NotExact, vanishing_factors
 from solver.exact.linear_algebra.instances import squares_of_roots
@@ -18,6 +19,7 @@ from solver.exact.linear_algebra.matrices import (
 from solver.exact.linear_algebra.radicals import complex_parts, without_bars
 from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.linear_algebra.signs import always_holds, contradict
+from solver.exact.linear_algebra.special_values import divisors, special_values
 from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, characteristic_factors, factored, spectrum
 
 __all__ = [
@@ -25,11 +27,13 @@ __all__ = [
     "Eigenstructure",
     "Factor",
     "FaddeevLeVerrier",
+    "LinearEquation",
     "NotExact",
     "Root",
     "RowReduction",
     "Solution",
     "Spectrum",
+    "Substitution",
     "affine",
     "always_holds",
     "characteristic_factors",
@@ -37,16 +41,21 @@ __all__ = [
     "contradict",
     "determinant",
     "determinant_and_adjugate",
+    "divisors",
     "eigenstructure",
+    "elimination",
     "factored",
     "faddeev_leverrier",
+    "independent_equations",
     "inverse",
+    "multiplied_out",
     "multiply",
     "null_space",
     "pencil",
     "powers",
     "row_reduce",
     "solve_affine",
+    "special_values",
     "spectrum",
     "squares_of_roots",
     "taylor",

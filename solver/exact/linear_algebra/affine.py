@@ -12,8 +12,22 @@ from solver.exact.linear_algebra.row_reduction import row_reduce
 
 
 def tidy(value: sp.Expr) -> sp.Expr:
-    """Return an expression multiplied out, or factored where it holds symbols (and no decimals)."""
-    return sp.expand(value) if value.has(sp.Float) else _minus_taken_in(collected(value))
+    """Return an expression multiplied out, or factored where it holds symbols (and no decimals or exponentials)."""
+    return sp.expand(value) if value.has(sp.Float) or _grows(value) else _minus_taken_in(collected(value))
+
+
+def _grows(value: sp.Expr) -> bool:
+    """Whether a symbol stands in an exponent; e^{−t} + e^{−2t} is not to be factored."""
+    return any(each.args[-1].free_symbols for each in value.atoms(sp.exp, sp.Pow))
+
+
+def multiplied_out(value: sp.Expr, x: sp.Symbol | None = None) -> sp.Expr:
+    """The value without brackets, with x in powers of x; factored where parameters stand below a fraction line."""
+    expanded = sp.expand(value)
+    if x is not None and x in expanded.free_symbols:
+        return sp.Add(*(multiplied_out(c) * x**k for (k,), c in sp.Poly(expanded, x).terms()))
+    below = any(each.exp.could_extract_minus_sign() and each.base.free_symbols for each in expanded.atoms(sp.Pow))
+    return tidy(value) if below else expanded
 
 
 def _minus_taken_in(value: sp.Expr) -> sp.Expr:
@@ -59,11 +73,12 @@ def solve_affine(M: sp.ImmutableMatrix, right: Sequence[sp.Expr], unknowns: Sequ
         conditions.append(tidy(sp.Add(unknowns[pivot], *others, -value)))
         values[pivot] = tidy(sp.Add(value, *(-each for each in others)))
     pivots = {j for j in reduction.pivots if j < width}
-    left = tuple(r for r in residue if not _vanishes(r))
+    left = tuple(r for r in residue if not vanishes(r))
     return Solution(tuple(values), tuple(j for j in range(width) if j not in pivots), left, tuple(conditions))
 
 
-def _vanishes(value: sp.Expr) -> bool:
+def vanishes(value: sp.Expr) -> bool:
+    """Whether a value is zero, in decimals nearly so."""
     if not value.has(sp.Float):
         return bool(value == 0)
     return not value.free_symbols and abs(value) < sp.Float("1e-18")

@@ -67,10 +67,13 @@ def _number(c: sp.Expr) -> Any:
 
 
 def squares_of_roots(factor: Factor) -> list[sp.Expr]:
-    """The two values of x² at the roots of x⁴ + bx² + c that are not in decimals."""
+    """The two values of x² at the roots of x⁴ + bx² + c that are not in decimals, the larger or upper one first."""
     squares = []
     for root in factor.roots:
         real = root.kind == "surd"
         sigma, omega = (root.value, sp.S.Zero) if real else (root.sigma, root.shift)
         squares.append(tidied(sigma**2 - omega**2) + sp.I * tidied(2 * sigma * omega))
-    return list(dict.fromkeys(squares))
+    first, second = dict.fromkeys(squares)
+    distance = first - second
+    lower = sp.re(distance).is_negative or (sp.re(distance).is_zero and sp.im(distance).is_negative)
+    return [second, first] if lower else [first, second]

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import groupby
 from typing import Any
 
 Rows = tuple[tuple[Any, ...], ...]
@@ -41,6 +42,24 @@ Operation = Swap | Scale | Add
 
 
 @dataclass(frozen=True)
+class PivotStage:
+    """What is done for one pivot: the operations in their order, and the rows (or the matrix) before and after them."""
+
+    row: int
+    column: int
+    operations: tuple[Operation, ...]
+    before: Rows
+    after: Any
+
+    @property
+    def exchange(self) -> str:
+        """Why rows are exchanged: the entry is "zero", or another makes no "fractions"; else nothing."""
+        if not isinstance(self.operations[0], Swap):
+            return ""
+        return "fractions" if self.before[self.row][self.column] else "zero"
+
+
+@dataclass(frozen=True)
 class RowReduction:
     """The reduced row echelon form, its pivot columns and its history: `stages[k]` stands before `operations[k]`."""
 
@@ -48,6 +67,15 @@ class RowReduction:
     pivots: tuple[int, ...]
     operations: tuple[Operation, ...]
     stages: tuple[Rows, ...]
+
+    def by_pivot(self) -> list[PivotStage]:
+        """The operations, those for one pivot together."""
+        found, k = [], 0
+        for r, group in groupby(self.operations, key=_pivot_row):
+            operations = tuple(group)
+            before, after = self.stages[k], self.stages[k := k + len(operations)]
+            found.append(PivotStage(r, self.pivots[r], operations, before, after))
+        return found
 
     def mapped(self, convert: Callable[[Any], Any]) -> RowReduction:
         """The same reduction with every element converted, to expressions say."""
@@ -93,6 +121,10 @@ def row_reduce(rows: Rows) -> RowReduction:
         if len(pivots) == len(M):
             break
     return RowReduction(_frozen(M), tuple(pivots), tuple(operations), tuple(stages))
+
+
+def _pivot_row(operation: Operation) -> int:
+    return operation.j if isinstance(operation, Add) else operation.i
 
 
 def _is_unit(a: Any) -> bool:

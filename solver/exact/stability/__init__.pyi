@@ -1,5 +1,6 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.stability.boundary import boundary_roots, edges
 from solver.exact.stability.conditions import all_positive
 from solver.exact.stability.definiteness import definiteness_of_numbers, negative_by_rounding
 from solver.exact.stability.inequalities import sign_of
@@ -28,8 +29,10 @@ __all__ = [
     "Unknowns",
     "all_positive",
     "bilinear",
+    "boundary_roots",
     "definiteness",
     "definiteness_of_numbers",
+    "edges",
     "hurwitz_matrix",
     "invariants",
     "is_stable_polynomial",

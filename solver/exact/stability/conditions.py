@@ -23,7 +23,8 @@ from solver.exact.stability.inequalities import (
 def all_positive(conditions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol] = ()) -> Condition:
     """When all conditions are positive: intervals of one parameter, or a conjunction without what others imply.
 
-    `wanted` are the parameters asked for: a condition linear in one of them alone is solved for it.
+    `wanted` are the parameters asked for: a condition linear in one of them alone is solved for it. Where none are,
+    a parameter that conditions bound from both sides is taken.
     """
     if any(x.has(sp.I) for x in conditions):
         raise NotExact("stability/not_real")
@@ -37,7 +38,7 @@ def all_positive(conditions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol] = ()
     if decided is None:
         return sp.false
     positive, nonzero = _without_implied((decided, [x for x in kept[1] if x not in decided and -x not in decided]))
-    return sp.And(*_relations(positive, wanted), *(sp.Ne(x, 0) for x in nonzero))
+    return sp.And(*_relations(positive, wanted or _enclosed(positive)), *(sp.Ne(x, 0) for x in nonzero))
 
 
 MOST_FACTORS = 6
@@ -115,6 +116,17 @@ def _relations(positive: list[sp.Expr], wanted: Sequence[sp.Symbol]) -> Iterator
             yield relational(positive_intervals(each, generator), generator)
         else:
             yield from (_solved(x, wanted) for x in each)
+
+
+def _enclosed(positive: list[sp.Expr]) -> list[sp.Symbol]:
+    """A parameter that is bounded from below and from above, by other parameters at least once: 0 < K < ab."""
+    symbols: set[Any] = set().union(*(each.free_symbols for each in positive))
+    for x in sorted(symbols, key=str):
+        solved = [_solved(each, [x]) for each in positive if x in each.free_symbols]
+        bounds = [each for each in solved if each.lhs == x]
+        if len({type(each) for each in bounds}) == 2 == len(solved) and any(each.rhs.free_symbols for each in bounds):
+            return [x]
+    return []
 
 
 def _by_symbol(positive: list[sp.Expr]) -> dict[Any, list[sp.Expr]]:

@@ -15,6 +15,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.fields import domain_matrix, expression, in_sines
 from solver.exact.linear_algebra.signs import is_not_zero
+from solver.exact.linear_algebra.special_values import special_values
 from solver.exact.structure.minors import diagonal_product, minors_of, polynomials_of, without_constants
 
 
@@ -41,7 +42,9 @@ def rank_conditions(M: sp.ImmutableMatrix) -> tuple[sp.Basic, ...]:
         minors = [minor for minor in minors_of(rows, r) if minor]
         divisor = reduce(lambda f, g: f.gcd(g), minors)
         rest = [minor.exquo(divisor) for minor in minors]
-    found += [_vanishes(f, D.domain) for f, _ in divisor.factor_list()[1] if _can_vanish(f, D.domain)]
+    for f, _ in divisor.factor_list()[1]:
+        if _can_vanish(f, D.domain):
+            found += _where_it_vanishes(f, D.domain)
     if rest and not any(minor.is_ground for minor in rest):
         found += [sp.And(*(_vanishes(f, D.domain) for f in case)) for case in _cases(rest, D.domain)]
     undefined = _undefined(D)
@@ -79,6 +82,13 @@ def _vanishes(f: Any, K: Any) -> sp.Eq:
         if p.degree() == 1:
             return sp.Eq(x, -p.nth(0) / p.nth(1), evaluate=False)
     return sp.Eq(shown, 0, evaluate=False)
+
+
+def _where_it_vanishes(f: Any, K: Any) -> list[sp.Basic]:
+    """The equations that say so: one for each root of a quadratic polynomial in one parameter, a = √2 and a = −√2."""
+    equation = _vanishes(f, K)
+    roots = special_values(equation.lhs) if equation.rhs == 0 and len(equation.free_symbols) == 1 else ()
+    return [sp.Eq(x, value, evaluate=False) for x, value in roots] or [equation]
 
 
 def _can_vanish(f: Any, K: Any) -> bool:

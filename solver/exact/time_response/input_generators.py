@@ -112,7 +112,17 @@ def _samples(signals: Sequence[Signal], start: sp.Expr, end: sp.Expr, k: sp.Symb
 def _begun(signal: Signal, delay: sp.Expr, x: sp.Symbol, *, discrete: bool) -> Signal:
     """The terms that begin at a delay, in the time since."""
     here = [c * written(term, x, discrete=discrete) for (begin, term), c in signal.terms.items() if begin == delay]
-    return read_signal(sp.Add(*here).subs(x, x + delay), x, discrete=discrete)
+    begun = read_signal(sp.Add(*here).subs(x, x + delay), x, discrete=discrete)
+    if not delay.free_symbols:
+        return begun
+    terms = {term: _one_square(c) for term, c in begun.terms.items()}
+    return Signal({term: c for term, c in terms.items() if c != 0}, begun.impulses)
+
+
+def _one_square(c: sp.Expr) -> sp.Expr:
+    """An expression in which sin² is 1 − cos²: what a shift brings in and another takes away is gone."""
+    squares = [each for each in c.atoms(sp.Pow) if each.base.func is sp.sin and each.exp == 2]
+    return sp.expand(c.xreplace({each: 1 - sp.cos(*each.base.args) ** 2 for each in squares}))
 
 
 def _expression(signal: Signal, x: sp.Symbol, *, discrete: bool) -> sp.Expr:

@@ -8,7 +8,8 @@ from collections.abc import Sequence
 import mpmath
 import sympy as sp
 
-from solver.exact.functions.rational import RationalMatrix, residue_at
+from solver.exact.functions.fractions import residue_at
+from solver.exact.functions.rational import RationalMatrix
 from solver.exact.linear_algebra.fields import expression
 from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.linear_algebra.spectrum import Factor

@@ -13,12 +13,15 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from solver.exact.functions.rational import RationalMatrix, highest_power, residue_at
+from solver.exact.functions.fractions import highest_power, residue_at
+from solver.exact.functions.rational import RationalMatrix
 from solver.exact.functions.residues import FactorResidues
 from solver.exact.linear_algebra.radicals import multiple_angles
 from solver.exact.linear_algebra.signs import is_positive
-from solver.exact.linear_algebra.spectrum import DIGITS, Root
+from solver.exact.linear_algebra.spectrum import DIGITS
 from solver.exact.time_response.long_run import constant_root, limit, slowest
+from solver.exact.time_response.signals import read_signal, written
+from solver.exact.time_response.stationary import Stationary, stationary
 
 SAMPLES = 1500
 LATEST = 40.0
@@ -30,10 +33,17 @@ SEEN = 1e-7
 
 @dataclass(frozen=True)
 class Peak:
-    """The value of largest size that a function attains after its start, and when first."""
+    """The value of largest size that a function attains after its start, and when first.
+
+    `stationary` is how the times without a slope were found (None in discrete time), `number` which of them it is,
+    counted from 0. It counts time from `delay`.
+    """
 
     time: sp.Expr
     value: sp.Expr
+    stationary: Stationary | None = None
+    number: int = 0
+    delay: sp.Expr = sp.S.Zero
 
 
 def peak(image: RationalMatrix, y: sp.Expr, time: sp.Symbol, *, discrete: bool) -> Peak | None:
@@ -53,10 +63,10 @@ def peak(image: RationalMatrix, y: sp.Expr, time: sp.Symbol, *, discrete: bool) 
     bound = float(abs(final[0])) if final is not None else 0.0
     if discrete:
         return _largest_sample(image, y, time, bound) if final is not None else None
-    candidates = _stationary(y, moving, time)
-    if candidates is None:
-        candidates = _searched(image)
-    return _best(y, time, candidates, bound)
+    found = stationary(y, [(root, order) for each, order in moving for root in each.factor.roots], time)
+    if found is None:
+        found = Stationary("searched", _term_by_term(sp.diff(y, time), time), None, _searched(image))
+    return _best(y, time, found, bound)
 
 
 def _steady(image: RationalMatrix, moving: Sequence[tuple[FactorResidues, int]], *, discrete: bool) -> bool:
@@ -83,62 +93,28 @@ def _of_step(image: RationalMatrix, y: sp.Expr, t: sp.Symbol) -> Peak | None:
         or any(sp.cancel(sp.diff(y, t, i).subs(t, 0)) != 0 for i in (0, 1))
     ):
         return None
-    return Peak(sp.pi / root.shift, final[0] * (1 + sp.exp(sp.pi * root.sigma / root.shift)))
+    speed = sp.cancel(final[0] * (root.sigma**2 + root.shift**2) / root.shift)
+    first, slope = sp.pi / root.shift, speed * sp.exp(root.sigma * t) * sp.sin(root.shift * t)
+    found = Stationary("pair", slope, (sp.sin(root.shift * t), sp.S.Zero), [first])
+    return Peak(first, final[0] * (1 + sp.exp(sp.pi * root.sigma / root.shift)), found)
 
 
-def _stationary(y: sp.Expr, moving: Sequence[tuple[FactorResidues, int]], t: sp.Symbol) -> list[sp.Expr] | None:
-    """The first times at which the slope is zero, exactly: for one pair, or two real modes; None for others."""
-    modes = [(root, order) for each, order in moving for root in each.factor.roots]
-    slope = [sp.expand(sp.diff(y, t, i).subs(t, 0)) for i in (1, 2)]
-    if len(modes) > 2:  # as all factors with decimal roots have
-        return None
-    if len(modes) == 2 and all(order == 1 for _, order in modes):
-        (first, _), (second, _) = modes
-        if first.kind == "complex":
-            return _of_pair(first if is_positive(first.shift) else second, slope)
-        return _of_two(first.value, second.value, slope)
-    if len(modes) == 1 and modes[0][1] == 2:
-        return _of_double(modes[0][0].value, slope)
-    return [] if len(modes) == 1 and modes[0][1] == 1 else None
+def _term_by_term(slope: sp.Expr, t: sp.Symbol) -> sp.Expr:
+    """A slope with one term for each mode and power of time."""
+    terms = read_signal(slope, t, discrete=False).terms.items()
+    return sp.Add(*(c * written(term, t, discrete=False) for (_, term), c in terms))
 
 
-def _of_pair(root: Root, slope: list[sp.Expr]) -> list[sp.Expr]:
-    """Zeros of e^{σt}(a cos ωt + b sin ωt): tan ωt = −a/b."""
-    a, omega = slope[0], root.shift
-    b = sp.radsimp(sp.expand((slope[1] - root.sigma * a) / omega))
-    angle = sp.pi if a == 0 else sp.pi / 2 if b == 0 else sp.atan(sp.radsimp(-a / b))
-    first = angle if angle.is_positive else angle + sp.pi
-    return [sp.radsimp(first / omega), sp.radsimp((first + sp.pi) / omega)]
-
-
-def _of_two(p: sp.Expr, q: sp.Expr, slope: list[sp.Expr]) -> list[sp.Expr]:
-    """Zeros of c e^{pt} + d e^{qt}."""
-    d = (slope[1] - p * slope[0]) / (q - p)
-    c = slope[0] - d
-    ratio = sp.radsimp(sp.expand(-d / c)) if sp.expand(c) != 0 else sp.S.Zero
-    if not ratio.is_positive:
-        return []
-    if (1 - ratio).is_positive:
-        ratio, p, q = sp.radsimp(1 / ratio), q, p
-    return [sp.radsimp(sp.log(ratio) / (p - q))]
-
-
-def _of_double(p: sp.Expr, slope: list[sp.Expr]) -> list[sp.Expr]:
-    """Zeros of (c + d t) e^{pt}."""
-    d = sp.expand(slope[1] - p * slope[0])
-    return [sp.radsimp(-slope[0] / d)] if d != 0 else []
-
-
-def _best(y: sp.Expr, t: sp.Symbol, candidates: Sequence[sp.Expr], bound: float) -> Peak | None:
-    """The candidate with the largest size, if it is larger than at the start and in the limit."""
+def _best(y: sp.Expr, t: sp.Symbol, flat: Stationary, bound: float) -> Peak | None:
+    """The stationary point with the largest size, if it is larger than at the start and in the limit."""
     found: Peak | None = None
     largest = max(bound, abs(float(y.subs(t, 0).evalf(DIGITS)))) * (1 + SEEN) + 1e-300
-    for time in candidates:
+    for number, time in enumerate(flat.times):
         size = abs(float(y.subs(t, time).evalf(DIGITS))) if float(time.evalf(DIGITS)) > 0 else 0.0
         if size > largest * (1 + 1e-13):
             value = y.subs(t, time)
             value = value.evalf(DIGITS) if time.has(sp.Float) else sp.expand(value, power_exp=False, log=False)
-            found, largest = Peak(time, value), size
+            found, largest = Peak(time, value, flat, number), size
     return found
 
 

@@ -8,7 +8,7 @@ starts a piece of its own, which is shifted in time.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import sympy as sp
@@ -60,6 +60,12 @@ def piece_response(system: StateSpace, x0: sp.MatrixBase | None, piece: Piece | 
     return Response(x, between(sp.ImmutableMatrix(out), A, right) if out is not None else None)
 
 
+def weighting(system: StateSpace) -> RationalMatrix:
+    """The transform C (sI − A)⁻¹ B of the response to impulses from rest (p×m), without D."""
+    C, A, B = (sp.ImmutableMatrix(M) for M in (system.C, system.A, system.B))
+    return between(C, A, B)
+
+
 @dataclass(frozen=True)
 class ClosedForm:
     """A response: x (n×1) and y (p×1, or None) as functions of time, t ≥ 0 or k = 0, 1, …; and its pieces in order."""
@@ -102,7 +108,7 @@ class ClosedForm:
         if first.y is None or self.y is None or len(self.y) > 1 or len(self.pieces) > 1 or self.impulse is not None:
             return None
         found = peak(first.y, first.y.function(self.time, discrete=discrete).matrix[0], self.time, discrete=discrete)
-        return found and Peak(found.time + delay, found.value)
+        return found and replace(found, time=found.time + delay, delay=delay)
 
     def _put_together(self, images: Sequence[tuple[sp.Expr, RationalMatrix]]) -> sp.ImmutableMatrix:
         total = sp.zeros(*images[0][1].shape)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import reduce
+from itertools import permutations
 from typing import Any, TypeVar
 
 import sympy as sp
@@ -239,6 +240,15 @@ def _merged(left: Mapping[Key, sp.Expr], right: Mapping[Key, sp.Expr]) -> dict[K
 
 
 def delayed(signals: Iterable[Signal]) -> list[sp.Expr]:
-    """All times at which something begins in some signals, zero first."""
+    """All times at which something begins in some signals, zero first, the others in order where it is known."""
     found = dict.fromkeys([sp.S.Zero, *(delay for signal in signals for delay in signal.delays)])
-    return list(found)
+    return in_order(found) or list(found)
+
+
+def in_order(times: Iterable[sp.Expr]) -> list[sp.Expr] | None:
+    """Times, the earliest first; None where parameters decide which that is."""
+    found = list(times)
+    signs = {(a, b): possible_signs(sp.expand(a - b)) for a, b in permutations(found, 2)}
+    if any(len(each) > 1 for each in signs.values()):
+        return None
+    return sorted(found, key=lambda time: sum(1 in signs[time, other] for other in found if other != time))

@@ -74,7 +74,7 @@ def _argument(parser: Parser, function: str, decide: Decide) -> Node:
         factors = _under_root(parser, decide)
     else:
         factors = [("*", _factor(parser, decide))]
-        while _goes_on(parser) and (not cursor.sees("(") or decide(Doubt.ARGUMENT)):
+        while _has_root(parser) or (_goes_on(parser) and (not cursor.sees("(") or decide(Doubt.ARGUMENT))):
             factors.append(("*", _factor(parser, decide)))
         while cursor.sees("/", "*") and decide(Doubt.ARGUMENT):
             factors.append((cursor.take().text, _factor(parser, decide)))
@@ -103,3 +103,9 @@ def _goes_on(parser: Parser) -> bool:
     natural = token.text == "e" and names.is_constant("e")
     function = token.text in FUNCTIONS and not names.declares(token.text)
     return token.kind is Kind.NAME and not natural and not function
+
+
+def _has_root(parser: Parser) -> bool:
+    """Whether a root follows a number, as in cos 5√3 t: nobody multiplies the cosine of a number by a root."""
+    token, last = parser.cursor.token, parser.cursor.last
+    return token.text == "sqrt" and not parser.names.declares("sqrt") and last.kind is Kind.NUMBER

@@ -6,19 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import (
-    AnswerName,
-    Answers,
-    Attempt,
-    Check,
-    Claim,
-    Derivation,
-    Given,
-    Refusal,
-    Step,
-    Task,
-    option,
-)
+from solver.arithmetic.determinants import leading_minors
+from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Refusal, Step, Task, option
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import stability as judges
@@ -26,6 +15,7 @@ from solver.options.names import Names
 from solver.stated.algebra import product
 from solver.stated.matrices import determinant
 from solver.tasks import consequences
+from solver.tasks.form_meanings import routh_entry
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.counterexamples import counterexample
 from solver.tasks.stability.routh_array import rows_of
@@ -53,22 +43,34 @@ routh_hurwitz: Task[Polynomial, RouthHurwitzOptions] = Task(
     needs=("polynomial",),
     options=RouthHurwitzOptions,
     answers=[
-        AnswerName("array", r"\text{array}", "the Routh array, its shorter rows filled up with zeros", ("array",)),
+        AnswerName(
+            "array",
+            r"\text{array}",
+            "the Routh array, shorter rows filled up with zeros",
+            ("array",),
+            earned=("array",),
+        ),
         AnswerName(
             "determinants",
             r"\Delta_k",
-            "Hurwitz's determinants, the leading minors of the Hurwitz matrix",
+            "Hurwitz's determinants",
             ("hurwitz_determinants",),
             ordered=True,
+            earned=("minors",),
         ),
         AnswerName(
-            "right_half_plane_roots", r"n_{+}", "the number of roots with positive real part", optional=True, count=True
+            "right_half_plane_roots",
+            r"n_{+}",
+            "the number of roots with positive real part",
+            optional=True,
+            count=True,
+            earned=("array", "sign_changes", "ratios"),
         ),
         AnswerName(
             "imaginary_axis_roots", r"n_{0}", "the number of roots on the imaginary axis", optional=True, count=True
         ),
         AnswerName("stable", r"\text{stable}", "whether all roots lie in the open left half plane", optional=True),
-        AnswerName("condition", r"\text{condition}", "where they do", optional=True),
+        AnswerName("condition", r"\text{condition}", "where they do", optional=True, earned=("condition",)),
     ],
 )
 
@@ -127,7 +129,7 @@ def by_determinants(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation
         f"minor{k}": Claim(determinant(M), value, f"$\\Delta_{k}$")
         for k, (M, value) in enumerate(zip(minors, values, strict=True), 1)
     }
-    yield Step("minors", claims=claims)
+    yield Step("minors", claims=claims, steps=leading_minors(minors, values))
     answers = Answers(determinants=values)
     signs = [exact.sign_of(value) for value in (coefficients[0], *values)]
     counts = None if None in signs else exact.root_counts(coefficients)
@@ -274,6 +276,12 @@ routh_hurwitz.consequence("right_half_plane_roots", of=("array",), symbolic=Fals
 def none_outside(_given: Given[Polynomial, RouthHurwitzOptions], found: Mapping[str, Any]) -> Any:
     """No root in the right half plane or on the axis."""
     return bool(found["right_half_plane_roots"] == found["imaginary_axis_roots"] == 0)
+
+
+@routh_hurwitz.meaning("array")
+def first_wrong_entry(wrong: Attempt[Polynomial, RouthHurwitzOptions]) -> Reason | None:
+    """The first entry that does not follow from the coefficients, or from the rows above it."""
+    return routh_entry(wrong.given.system.coefficients, wrong.value)
 
 
 @routh_hurwitz.meaning("condition")

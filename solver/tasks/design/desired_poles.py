@@ -21,12 +21,14 @@ from solver.derivation import (
     lemma,
     option,
 )
+from solver.derivation.figures import Region
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.choice import Choice
 from solver.options.number import Number
 from solver.tasks.design.frames import linear_factors
+from solver.tasks.figures import plane, roots
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.told import short
 from solver.words import Phrase, Reason
@@ -61,7 +63,7 @@ desired_poles: Task[System, StepSpecifications] = Task(
     answers=[
         AnswerName("damping_ratio", r"\sym{damping_ratio}", "the damping ratio"),
         AnswerName("natural_frequency", r"\omega_n", "the natural frequency", unit="rad/s"),
-        AnswerName("poles", "s_{1,2}", "the poles", principal=True),
+        AnswerName("poles", "s_{1,2}", "the poles", principal=True, earned=("damping_and_frequency", "poles")),
         AnswerName("polynomial", r"\hat{p}(s)", "the characteristic polynomial with these roots"),
     ],
     example={"overshoot": "14%", "settling_time": "2"},
@@ -128,8 +130,23 @@ def second_order_of(options: StepSpecifications) -> Derivation[exact.SecondOrder
         sigma=found.sigma,
         omega_d=None if found.overdamped else found.omega_d,
         poles=found.poles,
+        figures=plane(
+            "The poles, and where the specifications are met", roots("poles", found.poles), region=_region(given, found)
+        ),
     )
     return found
+
+
+def _region(given: Mapping[str, Any], found: exact.SecondOrder) -> Region | None:
+    """Where poles meet the specifications, taken as bounds; None where symbols are left, or nothing can be shaded."""
+    if found.zeta.free_symbols or found.omega_n.free_symbols:
+        return None
+    return Region(
+        damping=found.zeta if {"overshoot", "damping_ratio"} & set(given) else None,
+        decay=found.sigma if "settling_time" in given else None,
+        radius=found.omega_n if "natural_frequency" in given else None,
+        frequency=found.omega_d if "peak_time" in given and not found.overdamped else None,
+    )
 
 
 @desired_poles.refusal

@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Unsolved
+from solver.arithmetic.determinants import expanded, first_line
+from solver.derivation import Claim, Step, Unsolved
 from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -36,7 +38,11 @@ class Frame:
 
     def times(self, *factors: Any) -> Stated:
         """State the product of factors that are `shown` already; the dual turns their order round."""
-        return product(*(reversed(factors) if self.dual else factors))
+        return product(*self.ordered(*factors))
+
+    def ordered(self, *factors: Any) -> tuple[Any, ...]:
+        """Return factors in the order in which they are written."""
+        return factors[::-1] if self.dual else factors
 
     def part(self) -> Frame:
         """Return the frame for the controllable (observable) part."""
@@ -85,9 +91,14 @@ class Pair:
 
 def unknown_gains(plant: Sequence[Any], poles: Sequence[Any], *, dual: bool = False) -> tuple[Symbol, ...]:
     """Return k1 … kn (l1 … ln in the dual); other letters where the plant or the poles use these."""
-    taken = {str(symbol) for each in (*plant, *poles) for symbol in each.free_symbols}
-    for letter in ("l", "h", "g") if dual else ("k", "kappa", "h"):
-        names = [f"{letter}{i}" for i in range(1, plant[0].rows + 1)]
+    return free_symbols((*plant, *poles), plant[0].rows, ("l", "h", "g") if dual else ("k", "kappa", "h"))
+
+
+def free_symbols(used: Sequence[Any], count: int, letters: Sequence[str]) -> tuple[Symbol, ...]:
+    """Return symbols of a letter with numbers from 1: the first of the letters of which none is used already."""
+    taken = {str(symbol) for each in used for symbol in each.free_symbols}
+    for letter in letters:
+        names = [f"{letter}{i}" for i in range(1, count + 1)]
         if not taken & set(names):
             break
     return tuple(sp.Symbol(name) for name in names)
@@ -114,6 +125,13 @@ class Placement:
 def characteristic(A: Any, x: Symbol, n: int = 0) -> Stated:
     """det(xI − A) as stated; n is the size of an A that is stated itself."""
     return determinant(difference(product(x, sp.ImmutableMatrix(sp.eye(n or A.rows))), A))
+
+
+def expansion_of(A: ImmutableMatrix, x: Symbol, polynomial: Expr) -> tuple[dict[str, Claim], tuple[Step, ...]]:
+    """The first line of the expansion of det(xI − A), as a claim, and what is between it and the polynomial."""
+    pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
+    claim = Claim(determinant(pencil), first_line(pencil), Phrase("the determinant expanded"))
+    return {"stated": claim}, expanded(pencil, polynomial, x)
 
 
 def linear_factors(x: Symbol, roots: Sequence[Expr]) -> Stated:

@@ -15,6 +15,7 @@ from solver.stated.matrices import determinant, transpose
 from solver.tasks.design.frames import Placement, characteristic
 from solver.tasks.design.observer_gain import number_fault, require_decay
 from solver.tasks.design.placement import place
+from solver.tasks.figures import error_of_estimate
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -76,7 +77,10 @@ def observer_equation_of(system: StateSpace, found: Placement) -> Derivation[Non
     yield Step(
         "equation",
         claims=claims,
-        figures=_diagram(system, through=forward is not B),
+        figures=(
+            *_diagram(system, through=forward is not B),
+            *error_of_estimate(found.loop, discrete=system.discrete),
+        ),
         forward=forward,
         L=L,
         fixed=found.fixed,

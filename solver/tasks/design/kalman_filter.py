@@ -20,14 +20,16 @@ from solver.derivation import (
     lemma,
     option,
 )
+from solver.derivation.figures import Diagram
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
-from solver.tasks import consequences, meanings, mistakes
-from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
+from solver.tasks import consequences, figures, meanings, mistakes
+from solver.tasks.design.regulator import REGULATING, Regulator, faulty_weights, given_or_identity
+from solver.tasks.design.regulator_products import products_of_the_gain
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
     equations_check,
@@ -44,7 +46,7 @@ from solver.tasks.design.riccati_solutions import (
     solutions_by_equations,
 )
 from solver.tasks.plant_options import PlantOptions
-from solver.words import Reason
+from solver.words import Reason, formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -75,7 +77,13 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
         AnswerName(
             "P", "P", "the covariance of the estimation error: the stabilizing solution of the Riccati equation"
         ),
-        AnswerName("L", r"\sym{L}", "the gain of the filter", principal=True),
+        AnswerName(
+            "L",
+            r"\sym{L}",
+            "the gain of the filter",
+            principal=True,
+            earned=REGULATING,
+        ),
         AnswerName("error_A", r"A - \sym{L}C", "the matrix of the estimation error"),
         AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues"),
         *LISTED,
@@ -97,6 +105,10 @@ def _intensities(given: Given[WithOutput, KalmanFilterOptions]) -> tuple[Immutab
     return given_or_identity(given.options.Q, given.system.order), given_or_identity(
         given.options.R, given.system.C.rows
     )
+
+
+LARGEST = 3
+"""Matrices with more rows are not written into boxes."""
 
 
 @lemma("kalman_gain")
@@ -124,7 +136,7 @@ def by_the_riccati_equation(given: Given[WithOutput, KalmanFilterOptions]) -> De
     """Solve AP + PAᵀ − P Cᵀ R⁻¹ C P + Q = 0 entry by entry and choose the stabilizing solution."""
     problem = yield from _duality(given)
     equation, listed = yield from solutions_by_equations(problem)
-    answers = yield from _filter(problem, equation)
+    answers = yield from _filter(given.system, problem, equation)
     answers |= listed_answers(problem, listed)
     return answers
 
@@ -139,24 +151,44 @@ def by_the_hamiltonian_matrix(given: Given[WithOutput, KalmanFilterOptions]) -> 
     """Take the stable half of the spectrum of the Hamiltonian matrix of (Aᵀ, Cᵀ); its invariant subspace gives P."""
     problem = yield from _duality(given)
     equation = yield from solution_by_hamiltonian(problem)
-    return (yield from _filter(problem, equation))
+    return (yield from _filter(given.system, problem, equation))
 
 
 @lemma("kalman_gain")
-def _filter(problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
+def _filter(plant: WithOutput, problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
     """Find L = P Cᵀ R⁻¹ and the matrix of the error."""
     P, C = equation.stabilizing.P, sp.ImmutableMatrix(problem.B.T)
     L = sp.ImmutableMatrix(equation.gain(problem.B, problem.R).T)
-    yield Step("gain", claims={"L": Claim(product(P, problem.B, inverse(problem.R)), L, "the gain of the filter")}, L=L)
+    claims = {"L": Claim(product(P, problem.B, inverse(problem.R)), L, "the gain of the filter")}
+    yield Step("gain", claims=claims, L=L, steps=products_of_the_gain(problem, P))
     A = sp.ImmutableMatrix(problem.A.T)
     error = sp.ImmutableMatrix((A - L * C).expand())
     yield Step(
         "error",
         claims={"error": Claim(difference(A, product(L, C)), error, "matrix of the error $A - LC$")},
         eigenvalues=equation.eigenvalues,
+        figures=(
+            *_loop(plant, problem.restored(L)),
+            *figures.plane(
+                "Poles of the error, without correction and with it",
+                figures.eigenvalues_of("without correction", A),
+                figures.roots("with correction", equation.eigenvalues, "square"),
+            ),
+            *figures.error_of_estimate(error, "e", discrete=False),
+        ),
     )
     answers = Answers(P=P, L=L, error_A=error, eigenvalues=equation.eigenvalues)
     return Answers(**{name: problem.restored(value) for name, value in answers.items()})
+
+
+def _loop(plant: WithOutput, L: ImmutableMatrix) -> tuple[Diagram, ...]:
+    """The filter beside its plant, with its numbers; none for a plant too large to be written into boxes."""
+    if max(plant.A.rows, plant.C.rows) > LARGEST:
+        return ()
+    matrices = {"A": plant.A, "C": plant.C, "L": L} | ({} if plant.B is None else {"B": plant.B})
+    labels = {name: formula(M[0, 0] if M.shape == (1, 1) else M) for name, M in matrices.items()}
+    caption = "The Kalman filter beside its plant, which the noises $w$ and $v$ disturb"
+    return (Diagram(caption, "kalman_filter" if plant.B is None else "driven_kalman_filter", labels),)
 
 
 def _problem(given: Given[WithOutput, KalmanFilterOptions]) -> Weights:

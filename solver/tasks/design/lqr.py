@@ -15,21 +15,19 @@ from solver.derivation import (
     Derivation,
     Given,
     Refusal,
-    Step,
     Task,
-    lemma,
     option,
 )
-from solver.lazy import exact, numeric
+from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
-from solver.stated.algebra import difference, product, total
-from solver.stated.matrices import inverse
 from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design import regulator_formulas as formulas
+from solver.tasks.design.dearer import dearer
 from solver.tasks.design.minimal_solution import MINIMAL, minimal_checks, minimal_solution_of
-from solver.tasks.design.regulator import Regulator, faulty_weights
+from solver.tasks.design.optimal_control import control_of
+from solver.tasks.design.regulator import REGULATING, faulty_weights
 from solver.tasks.design.regulator_formulas import initial_state_of, states_of
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
@@ -83,7 +81,7 @@ lqr: Task[WithInput, LqrOptions] = Task(
     options=LqrOptions,
     answers=[
         AnswerName("P", "P", "the stabilizing solution of the Riccati equation"),
-        AnswerName("K", r"\sym{K}", "the gain of the feedback", principal=True),
+        AnswerName("K", r"\sym{K}", "the gain of the feedback", principal=True, earned=REGULATING),
         AnswerName("u", "u", "the control law"),
         AnswerName("Q", "Q", "the weight of the state"),
         AnswerName("R", "R", "the weight of the input"),
@@ -114,7 +112,7 @@ def by_the_riccati_equation(given: Given[WithInput, LqrOptions]) -> Derivation[A
     asked, problem = yield from regulator_of(given)
     equation, listed = yield from solutions_by_equations(problem)
     minimal = yield from minimal_solution_of(problem, listed.solutions)
-    answers = yield from _control(given, asked, equation)
+    answers = yield from control_of(given, asked, equation)
     answers |= listed_answers(problem, listed)
     if minimal is not None:
         answers["minimal_solution"] = minimal
@@ -131,39 +129,7 @@ def by_the_hamiltonian_matrix(given: Given[WithInput, LqrOptions]) -> Derivation
     """Take the stable half of the spectrum of the Hamiltonian matrix; its invariant subspace gives P."""
     asked, problem = yield from regulator_of(given)
     equation = yield from solution_by_hamiltonian(problem)
-    return (yield from _control(given, asked, equation))
-
-
-@lemma("regulator")
-def _control(given: Given[WithInput, LqrOptions], problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
-    """Find K = R⁻¹(BᵀP + Nᵀ), u = −K x, the closed loop and the cost."""
-    P, n, N = equation.stabilizing.P, problem.A.rows, problem.N
-    K = equation.gain(problem.B, problem.R, N)
-    Bt = sp.ImmutableMatrix(problem.B.T)
-    stated = product(inverse(problem.R), Bt, P)
-    if N is not None:
-        stated = product(inverse(problem.R), total(product(Bt, P), sp.ImmutableMatrix(N.T)))
-    yield Step("gain", claims={"K": Claim(stated, K, "the gain")}, K=K, cross=N is not None)
-    states = states_of(given)
-    control = sp.ImmutableMatrix(-K * sp.Matrix(states))
-    u = control[0, 0] if control.rows == 1 else control
-    yield Step("law", claims={"u": Claim(product(-1, K, sp.ImmutableMatrix(states)), control, "the control law")}, u=u)
-    loop = sp.ImmutableMatrix((problem.A - problem.B * K).expand())
-    yield Step(
-        "closed_loop",
-        claims={"loop": Claim(difference(problem.A, product(problem.B, K)), loop, "closed loop $A - BK$")},
-        eigenvalues=equation.eigenvalues,
-        n=n,
-    )
-    answers = Answers(P=P, K=K, u=u, Q=problem.Q, R=problem.R, closed_loop_A=loop, eigenvalues=equation.eigenvalues)
-    x0 = initial_state_of(given)
-    if x0 is not None:
-        start = x0.xreplace({plain: positive for positive, plain in problem.plain.items()})
-        stated = product(cost_factor(given.options), sp.ImmutableMatrix(start.T), P, start)
-        cost = sp.expand((start.T * P * start)[0, 0] * cost_factor(given.options))
-        yield Step("cost", claims={"J": Claim(stated, cost, "the least cost")}, factor=cost_factor(given.options))
-        answers["cost"] = cost
-    return Answers(**{name: problem.restored(value) for name, value in answers.items()})
+    return (yield from control_of(given, asked, equation))
 
 
 def _problem(given: Given[WithInput, LqrOptions]) -> Weights:
@@ -288,7 +254,10 @@ def without_cross_weight(system: System, options: LqrOptions) -> tuple[System, L
 
 @lqr.meaning("K", "closed_loop_A")
 def instability(wrong: Attempt[WithInput, LqrOptions]) -> Reason | None:
-    """The poles, where they are not asymptotically stable."""
-    plant = wrong.given.system
+    """The poles, where they are not asymptotically stable; else what the gain costs."""
+    plant, options = wrong.given.system, wrong.given.options
     loop = wrong.value if wrong.name == "closed_loop_A" else plant.A - plant.B * wrong.value
-    return meanings.unstable(loop, discrete=plant.discrete)
+    told = meanings.unstable(loop, discrete=plant.discrete)
+    if told is not None or wrong.name != "K":
+        return told
+    return dearer(_problem(wrong.given), wrong.value, options.initial_state, cost_factor(options))

@@ -60,7 +60,16 @@ model_matching: Task[InputOutput, ModelMatchingOptions] = Task(
         AnswerName("A", "A", "system matrix of the realization used", (), True, free=True),
         AnswerName("B", "B", "its input matrix", (), True, free=True),
         AnswerName("C", "C", "its output matrix", (), True, free=True),
-        AnswerName("K", r"\sym{K}", "the gain for this realization", (), True, free=True, principal=True),
+        AnswerName(
+            "K",
+            r"\sym{K}",
+            "the gain for this realization",
+            (),
+            True,
+            free=True,
+            principal=True,
+            earned=("compensator", "conditions", "gain_polynomial", "equations"),
+        ),
     ],
 )
 

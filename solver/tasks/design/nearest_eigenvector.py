@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.row_operations import row_operations
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.complex_numbers import conjugate, norm
 from solver.stated.matrices import inverse, transpose
-from solver.tasks.structure.row_operations import row_operations
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix

@@ -15,6 +15,7 @@ from solver.stated.algebra import difference, product
 from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
+from solver.tasks.design.pole_options import PLACING
 from solver.tasks.freedom import observer_gain_is_free
 from solver.tasks.plant_options import PlantOptions
 from solver.words import Reason
@@ -42,7 +43,14 @@ observer: Task[WithOutput, ObserverOptions] = Task(
     needs=("A", "C"),
     options=ObserverOptions,
     answers=[
-        AnswerName("L", r"\sym{L}", "the gain of the observer", free=observer_gain_is_free, principal=True),
+        AnswerName(
+            "L",
+            r"\sym{L}",
+            "the gain of the observer",
+            free=observer_gain_is_free,
+            principal=True,
+            earned=PLACING,
+        ),
         AnswerName("error_A", r"A - \sym{L} C", "the matrix of the estimation error", free=observer_gain_is_free),
         AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the estimation error"),
         AnswerName(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Derivation,
     Given,
     Refusal,
@@ -22,7 +23,7 @@ from solver.lazy import sympy as sp
 from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.options.poles import Poles
-from solver.tasks import consequences, mistakes
+from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design import observer_feedback_checks as checks
 from solver.tasks.design.full_order import observer_gain_of, observer_pole_faults
 from solver.tasks.design.output_feedback import (
@@ -38,6 +39,7 @@ from solver.tasks.design.output_feedback import (
 )
 from solver.tasks.design.plants import Plant, measuring
 from solver.tasks.design.reduced_order import (
+    error_equation_of,
     measurement_fault,
     observer_matrices_of,
     partition_of,
@@ -83,14 +85,18 @@ observer_feedback: Task[WithBoth, ObserverFeedbackOptions] = Task(
             r"the closed loop, in $(x, x - \hat{x})$; reduced: in $(\eta_{1}, \eta_{2}, \eta_{2} - \hat{\eta}_{2})$",
             free=one_of_the_gains_is_free,
             principal=True,
+            earned=("separation",),
         ),
-        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop", optional=True),
+        AnswerName(
+            "eigenvalues", r"\lambda_i", "the eigenvalues of the closed loop", optional=True, earned=("separation",)
+        ),
         AnswerName(
             "compensator",
             "G_c",
             "the compensator: the transfer function from $y$ to $u$",
             free=one_of_the_gains_is_free,
             principal=True,
+            earned=("compensator_equations",),
         ),
         AnswerName(
             "S1",
@@ -170,6 +176,7 @@ def _with_reduced_observer(
 ) -> Derivation[Answers]:
     """The same with the measured states in place of their estimates."""
     parts = yield from partition_of(plant)
+    yield from error_equation_of(discrete=plant.discrete)
     blocks, poles = parts.blocks, given.options.observer_poles or ()
     if given.options.observer_gain is None:
         design = yield from reduced_gain_of(parts, poles, discrete=plant.discrete)
@@ -205,6 +212,15 @@ observer_feedback.verification("S1", "S2")(checks.split_the_state)
 observer_feedback.consequence("eigenvalues", of=("closed_loop_A",), symbolic=False)(
     consequences.eigenvalues_of("closed_loop_A")
 )
+
+
+@observer_feedback.meaning("closed_loop_A")
+def poles_of_the_whole(wrong: Attempt[WithBoth, ObserverFeedbackOptions]) -> Reason | None:
+    """The poles that the whole has, where those of both are asked for."""
+    options = wrong.given.options
+    if options.poles is None or options.observer_poles is None:
+        return None
+    return meanings.poles_given(wrong.value, [*options.poles, *options.observer_poles])
 
 
 observer_feedback.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)

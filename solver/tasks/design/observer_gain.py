@@ -6,13 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.equations import eliminated
+from solver.arithmetic.factors import factors_multiplied
+from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import determinant
 from solver.tasks.design.comparison import compared
-from solver.tasks.design.frames import unknown_gains
+from solver.tasks.design.frames import expansion_of, unknown_gains
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -67,7 +70,8 @@ def gain_of(pair: Pair, poles: Sequence[Expr]) -> Derivation[Gain]:
         L = yield from _by_choice(pair, poles)
     else:
         L = yield from _by_one_combination(pair, desired, hidden)
-    error = sp.ImmutableMatrix(pair.A - exact.multiply(L, pair.C))
+    seen = exact.multiply(L, pair.C)
+    error = sp.ImmutableMatrix(pair.A - seen)
     x = pair.variable
     yield Step(
         "gain",
@@ -77,6 +81,7 @@ def gain_of(pair: Pair, poles: Sequence[Expr]) -> Derivation[Gain]:
         },
         pair=pair,
         L=L,
+        steps=multiplied(L, pair.C, seen) if pair.n > 1 else (),
     )
     return Gain(L, desired, tuple(hidden))
 
@@ -166,7 +171,8 @@ def _desired(pair: Pair, poles: Sequence[Expr], hidden: Sequence[Expr]) -> Deriv
     polynomial: Expr = exact.polynomial_in(x, exact.monic(roots))
     factors = (power(x - root, roots.count(root)) for root in dict.fromkeys(roots))
     claim = Claim(product(*factors), polynomial, "desired characteristic polynomial")
-    yield Step("desired", claims={"polynomial": claim}, pair=pair, poles=list(poles), added=added)
+    lines = factors_multiplied(x, roots)
+    yield Step("desired", claims={"polynomial": claim}, pair=pair, poles=list(poles), added=added, steps=lines)
     return polynomial
 
 
@@ -184,15 +190,18 @@ def _by_coefficients(
     error = sp.ImmutableMatrix(A - l * c)
     powers = [(entry, x ** (n - 1 - k)) for k, entry in enumerate(unknown)]
     shown = total(x**n, *(product(entry, power_) for entry, power_ in powers if entry != 0))
+    claims, lines = expansion_of(error, x, sp.Add(x**n, *(entry * power_ for entry, power_ in powers)))
     yield Step(
         "unknown",
         claims={
+            **claims,
             "error": Claim(difference(A, product(l, c)), error, "error matrix with unknown gain"),
             "polynomial": Claim(determinant(_pencil(error, x)), shown, "its characteristic polynomial"),
         },
         pair=pair,
         combined=combined,
         unknowns=unknowns,
+        steps=lines,
     )
     found = compared(unknown, sp.Poly(desired, x).all_coeffs()[1:], unknowns)
     if found.solution.residue:
@@ -205,6 +214,7 @@ def _by_coefficients(
         solution=list(zip(unknowns, values, strict=True)),
         free=found.free,
         pair=pair,
+        steps=eliminated(found.equations, unknowns, found.solution.values),
     )
     return sp.ImmutableMatrix(values)
 

@@ -17,6 +17,7 @@ from solver.derivation import (
     Refusal,
     Step,
     Task,
+    control_law,
     option,
 )
 from solver.derivation.figures import Diagram
@@ -27,7 +28,8 @@ from solver.options.matrix import MatrixOf
 from solver.stated.algebra import product
 from solver.stated.matrices import inverse
 from solver.tasks import consequences, meanings
-from solver.tasks.design.regulator import Regulator, faulty_weights, given_or_identity
+from solver.tasks.design.regulator import REGULATING, Regulator, faulty_weights, given_or_identity
+from solver.tasks.design.regulator_products import products_of_the_gain
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import FLOATS, gain_check
 from solver.tasks.design.set_point import equations_of_rest, reference_gain, set_point_checks, set_point_of
@@ -61,13 +63,27 @@ optimal_tracking: Task[WithBoth, OptimalTrackingOptions] = Task(
     needs=("A", "B", "C"),
     options=OptimalTrackingOptions,
     answers=[
-        AnswerName("K", r"\sym{K}", "the gain of the feedback", principal=True),
+        AnswerName(
+            "K",
+            r"\sym{K}",
+            "the gain of the feedback",
+            principal=True,
+            earned=REGULATING,
+        ),
         AnswerName("F", "F", "the state of the set point, $x_{d} = Fr$", free=more_inputs_than_outputs),
         AnswerName("N", "N", "the input of the set point, $u_{d} = Nr$", free=more_inputs_than_outputs),
-        AnswerName("K_o", "K_o", "the gain of the reference", free=more_inputs_than_outputs, principal=True),
+        AnswerName(
+            "K_o",
+            "K_o",
+            "the gain of the reference",
+            free=more_inputs_than_outputs,
+            principal=True,
+            earned=("set_point",),
+        ),
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},
 )
+optimal_tracking.together(control_law(("-K", "x"), ("K_o", "r")))
 
 
 @optimal_tracking.refusal
@@ -105,7 +121,7 @@ def around_a_set_point(given: Given[WithBoth, OptimalTrackingOptions]) -> Deriva
         given=given.options.gain is not None,
         discrete=plant.discrete,
     )
-    K_o = yield from reference_gain(K, found)
+    K_o = yield from reference_gain(K, found, plant)
     return Answers(K=K, F=found.F, N=found.N, K_o=K_o)
 
 
@@ -125,7 +141,7 @@ def _optimal_gain(given: Given[WithBoth, OptimalTrackingOptions]) -> Derivation[
     P = equation.stabilizing.P
     K = equation.gain(problem.B, problem.R)
     stated = product(inverse(problem.R), sp.ImmutableMatrix(problem.B.T), P)
-    yield Step("gain", claims={"K": Claim(stated, K, "the gain")})
+    yield Step("gain", claims={"K": Claim(stated, K, "the gain")}, steps=products_of_the_gain(problem, P))
     restored: ImmutableMatrix = problem.restored(K)
     return restored
 

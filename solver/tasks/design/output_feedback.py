@@ -13,12 +13,15 @@ from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, partitioned
+from solver.tasks import figures
 from solver.tasks.design.frames import characteristic
 from solver.tasks.design.placement import place
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
+    from solver.derivation.figures import Motion
     from solver.tasks.design.plants import Plant
 
 
@@ -111,11 +114,24 @@ def full_loop_of(plant: Plant, control: Design, observer: Design) -> Derivation[
             "coupling": Claim(product(B, K), coupling, "$B K$"),
             "error": Claim(difference(A, product(L, C)), error, "$A - L C$"),
         },
-        figures=_diagram(plant, "observer_feedback", "State feedback of the estimate of an observer."),
+        figures=(
+            *_diagram(plant, "observer_feedback", "State feedback of the estimate of an observer."),
+            *_motion(whole, plant, K),
+        ),
         whole=partitioned(whole, (n,), (n,)),
         discrete=plant.discrete,
     )
     return whole
+
+
+def _motion(whole: ImmutableMatrix, plant: Plant, K: ImmutableMatrix) -> tuple[Motion, ...]:
+    """x, the error and u while the estimate begins at zero."""
+    n, x0 = plant.n, figures.start_of(None, plant.n)
+    caption = Phrase(r"From $x(0) = {x0}$, the estimate from $\hat{{x}}(0) = 0$", x0=figures.column(x0))
+    control = figures.inputs(sp.ImmutableMatrix(sp.Matrix.hstack(-K, K)))
+    panels = (figures.states(n, 2 * n), figures.errors(n, 2 * n), control)
+    start = sp.ImmutableMatrix(sp.Matrix.vstack(x0, x0))
+    return figures.motion(caption, whole, start, *panels, discrete=plant.discrete)
 
 
 def _diagram(plant: Plant, name: str, caption: str) -> tuple[Diagram, ...]:

@@ -10,17 +10,33 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import expanded, first_line
+from solver.arithmetic.factors import factors_multiplied
+from solver.arithmetic.products import is_worked_out, multiplied, rows_times_columns
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.stated.algebra import difference, power, total
+from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse
-from solver.tasks.design.frames import Frame, Pair, Placement, Wanted, characteristic, linear_factors, movable_poles
-from solver.tasks.design.placement_methods import METHODS, matched
+from solver.tasks.design.coefficient_matching import matched
+from solver.tasks.design.frames import (
+    Frame,
+    Pair,
+    Placement,
+    Wanted,
+    characteristic,
+    expansion_of,
+    linear_factors,
+    movable_poles,
+)
+from solver.tasks.design.placement_methods import METHODS
+from solver.tasks.figures import eigenvalues_of, plane
 from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
+
+    from solver.derivation.figures import Plane
 
 __all__ = ["Placement", "closed_loop_of", "desired_polynomial_of", "place"]
 
@@ -39,7 +55,7 @@ def desired_polynomial_of(
         poles=list(poles),
         dual=dual,
         partial=partial,
-        complex=any(pole.has(sp.I) for pole in poles),
+        steps=factors_multiplied(x, poles),
     )
     return coefficients
 
@@ -81,7 +97,9 @@ def place(
     else:
         found = yield from _part_placed(pair, poles, method)
     K = yield from _all_inputs(pair.frame, reduction, found.K)
-    yield from closed_loop_of(frame, plant, inputs, K, found.polynomial, x)
+    yield from closed_loop_of(
+        frame, plant, inputs, K, found.polynomial, x, by_comparison=method == "coefficient_matching"
+    )
     gain_polynomial = None if frame.several else found.gain_polynomial
     loop = frame.shown(sp.ImmutableMatrix((plant - inputs * K).applyfunc(exact.tidy)))
     return replace(found, K=frame.shown(K), loop=loop, gain_polynomial=gain_polynomial)
@@ -117,16 +135,21 @@ def _controllability(pair: Pair) -> Derivation[int]:
     frame, A, b, n = pair.frame, pair.A, pair.b, pair.A.rows
     C_o = exact.controllability_matrix(A, b)
     line = "row {i} of the observability matrix" if frame.dual else "column {i} of the controllability matrix"
-    claims = {
-        f"column{i + 1}": Claim(
-            frame.times(power(frame.shown(A), i), frame.shown(b)), frame.shown(C_o[:, i]), Phrase(line, i=i + 1)
-        )
-        for i in range(1, n)
-    }
+    claims = {}
+    for i in range(1, n):
+        factors, says = frame.ordered(frame.shown(A), frame.shown(C_o[:, i - 1])), Phrase(line, i=i + 1)
+        claims[f"column{i + 1}"] = Claim(product(*factors), frame.shown(C_o[:, i]), says)
+        if is_worked_out(*factors):
+            claims[f"entries{i + 1}"] = Claim(product(*factors), rows_times_columns(*factors), says)
     det = exact.determinant(C_o)
-    claims["determinant"] = Claim(determinant(frame.shown(C_o)), det, "its determinant")
+    shown = frame.shown(C_o)
+    claims["determinant"] = Claim(determinant(shown), det, "its determinant")
+    claims["stated"] = Claim(determinant(shown), first_line(shown), Phrase("the determinant expanded"))
     order = exact.reachable_order(A, b)
-    yield Step("controllability", claims=claims, C_o=frame.shown(C_o), det=det, order=order, n=n, **pair.flags)
+    lines = expanded(shown, exact.multiplied_out(det))
+    sure = not det.free_symbols or bool(det.is_nonzero)
+    values = {"C_o": shown, "det": det, "order": order, "n": n, "sure": sure}
+    yield Step("controllability", claims=claims, steps=lines, **values, **pair.flags)
     if order == 0:
         raise Unsolved("placement/nothing_reached", dual=frame.dual)
     return order
@@ -199,21 +222,43 @@ def _all_inputs(frame: Frame, reduction: exact.Direction, k: ImmutableMatrix) ->
 
 @lemma("placement")
 def closed_loop_of(
-    frame: Frame, A: ImmutableMatrix, B: ImmutableMatrix, K: ImmutableMatrix, polynomial: Expr, x: Symbol
+    frame: Frame,
+    A: ImmutableMatrix,
+    B: ImmutableMatrix,
+    K: ImmutableMatrix,
+    polynomial: Expr,
+    x: Symbol,
+    *,
+    by_comparison: bool = False,
 ) -> Derivation[None]:
-    """A − BK and its characteristic polynomial, which is the one asked for."""
+    """A − BK and its characteristic polynomial, which is the one asked for; found `by_comparison` it is known."""
     loop = frame.shown(sp.ImmutableMatrix((A - B * K).applyfunc(exact.tidy)))
-    stated = difference(frame.shown(A), frame.times(frame.shown(B), frame.shown(K)))
+    left, right = frame.ordered(frame.shown(B), frame.shown(K))
+    fed_back = frame.shown(sp.ImmutableMatrix((B * K).applyfunc(exact.tidy)))
+    claims, lines = ({}, ()) if by_comparison else expansion_of(loop, x, polynomial)
     yield Step(
         "closed_loop",
         claims={
-            "loop": Claim(stated, loop, "closed loop"),
+            **claims,
+            "loop": Claim(difference(frame.shown(A), product(left, right)), loop, "closed loop"),
             "polynomial": Claim(characteristic(loop, x), polynomial, "characteristic polynomial of the closed loop"),
         },
+        figures=_moved(frame.shown(A), loop, dual=frame.dual, discrete=x.name == "z"),
         K=frame.shown(K),
         x=x,
+        steps=multiplied(left, right, fed_back) + lines,
         **_named(frame),
     )
+
+
+def _moved(before: ImmutableMatrix, after: ImmutableMatrix, *, dual: bool, discrete: bool) -> tuple[Plane, ...]:
+    """The poles before and after."""
+    caption = (
+        "Poles of the error, without correction and with it" if dual else "Poles of the open and of the closed loop"
+    )
+    names = ("without correction", "with correction") if dual else ("open loop", "closed loop")
+    moved = eigenvalues_of(names[1], after, "square")
+    return plane(caption, eigenvalues_of(names[0], before), moved, discrete=discrete) if moved else ()
 
 
 def _named(frame: Frame) -> dict[str, Any]:

@@ -1,21 +1,26 @@
-"""The four ways of finding the gain of one input. Each works on a `Pair` and writes itself down in the pair's frame."""
+"""Three ways of finding the gain of one input of a controllable pair.
+
+Each works on a `Pair` and writes itself down in the pair's frame.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.arithmetic.equations import system_solved
+from solver.arithmetic.inverses import inverted
+from solver.arithmetic.products import multiplied, polynomial_of
+from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import inverse
-from solver.tasks.design.comparison import compared
-from solver.tasks.design.frames import Pair, Placement, characteristic, movable_poles
+from solver.tasks.design.frames import Pair, characteristic, expansion_of, free_symbols
 from solver.words import Phrase
 
 if TYPE_CHECKING:
-    from sympy import Expr, ImmutableMatrix, Symbol
+    from sympy import Expr, ImmutableMatrix
 
 
 @lemma("placement_methods")
@@ -23,8 +28,10 @@ def _open_loop(pair: Pair) -> Derivation[tuple[Expr, ...]]:
     """The characteristic polynomial of A; returns its coefficients."""
     chi: tuple[Expr, ...] = exact.faddeev_leverrier(pair.A).coefficients
     shown = pair.frame.shown(pair.A)
-    claim = Claim(characteristic(shown, pair.x), exact.polynomial_in(pair.x, chi), "open-loop polynomial")
-    yield Step("open_loop", claims={"polynomial": claim}, **pair.flags)
+    polynomial = exact.polynomial_in(pair.x, chi)
+    claims, lines = expansion_of(shown, pair.x, polynomial)
+    claims["polynomial"] = Claim(characteristic(shown, pair.x), polynomial, "open-loop polynomial")
+    yield Step("open_loop", claims=claims, steps=lines, **pair.flags)
     return chi
 
 
@@ -36,7 +43,8 @@ def by_ackermann(pair: Pair) -> Derivation[ImmutableMatrix]:
     last = sp.ImmutableMatrix([[int(j == n - 1) for j in range(n)]])
     q = sp.ImmutableMatrix(exact.companion_rows(A, b)[:1, :])
     stated = frame.times(frame.shown(last), inverse(frame.shown(C_o)))
-    yield Step("ackermann_row", claims={"row": Claim(stated, frame.shown(q), "last row of the inverse")}, **pair.flags)
+    claims = {"row": Claim(stated, frame.shown(q), "last row of the inverse")}
+    yield Step("ackermann_row", claims=claims, steps=_last_row(C_o, q), **pair.flags)
     value = exact.polynomial_of_matrix(A, pair.desired)
     shown = frame.shown(A)
     terms = [product(c, power(shown, n - i)) for i, c in enumerate(pair.desired[:-1]) if c != 0]
@@ -46,12 +54,29 @@ def by_ackermann(pair: Pair) -> Derivation[ImmutableMatrix]:
         "ackermann_polynomial",
         claims={"value": Claim(total(*terms), frame.shown(value), r"$\hat{p}(A)$")},
         formula=exact.polynomial_in(sp.Symbol("A"), pair.desired[:-1]) * sp.Symbol("A"),
+        steps=polynomial_of(shown, pair.desired, frame.shown(value)),
         **pair.flags,
     )
     k: ImmutableMatrix = exact.ackermann(A, b, pair.desired)
     stated = frame.times(frame.shown(q), frame.shown(value))
-    yield Step("ackermann_gain", claims={"gain": Claim(stated, frame.shown(k), "Ackermann's formula")}, **pair.flags)
+    claims = {"gain": Claim(stated, frame.shown(k), "Ackermann's formula")}
+    yield Step("ackermann_gain", claims=claims, steps=_multiplied(pair, q, value, k), **pair.flags)
     return k
+
+
+def _last_row(C_o: ImmutableMatrix, q: ImmutableMatrix) -> tuple[Step, ...]:
+    """q 𝒞 = (0, …, 0, 1), column by column, solved for the entries of q."""
+    n = C_o.rows
+    unknowns = free_symbols((C_o,), n, "qvw")
+    left = (sp.Matrix([unknowns]) * C_o).flat()
+    return system_solved(list(zip(left, sp.eye(n).row(n - 1), strict=True)), unknowns, q.flat())
+
+
+def _multiplied(pair: Pair, left: ImmutableMatrix, right: ImmutableMatrix, value: ImmutableMatrix) -> tuple[Step, ...]:
+    """The product of two matrices as the frame writes it."""
+    shown = pair.frame.shown
+    first, second = pair.frame.ordered(shown(left), shown(right))
+    return multiplied(first, second, shown(value))
 
 
 @lemma("placement_methods")
@@ -78,19 +103,21 @@ def by_bass_gura(pair: Pair) -> Derivation[ImmutableMatrix]:
         W=frame.shown(W),
         C_o=frame.shown(C_o),
         n=A.rows,
+        steps=_multiplied(pair, C_o, W, CW),
         **pair.flags,
     )
     delta = [exact.tidy(d - a) for d, a in zip(pair.desired[1:], chi[1:], strict=True)]
-    inverted = exact.inverse(CW)
-    k: ImmutableMatrix = exact.combine(delta, inverted)
+    inverse_of = exact.inverse(CW)
+    k: ImmutableMatrix = exact.combine(delta, inverse_of)
     row = sp.ImmutableMatrix([delta])
     stated = frame.times(frame.shown(row), inverse(frame.shown(CW)))
     yield Step(
         "bass_gura_gain",
         claims={
-            "inverse": Claim(inverse(frame.shown(CW)), frame.shown(inverted), "inverse"),
+            "inverse": Claim(inverse(frame.shown(CW)), frame.shown(inverse_of), "inverse"),
             "gain": Claim(stated, frame.shown(k), "formula of Bass and Gura"),
         },
+        steps=inverted("S", frame.shown(CW), frame.shown(inverse_of)) + _multiplied(pair, row, inverse_of, k),
         **pair.flags,
     )
     return k
@@ -110,9 +137,12 @@ def by_canonical_form(pair: Pair) -> Derivation[ImmutableMatrix]:
     for i in range(1, n):
         stated = frame.times(shown(P[i - 1 : i, :]), shown(A))
         claims[f"row{i + 1}"] = Claim(stated, shown(P[i : i + 1, :]), Phrase("row {i}", i=i + 1))
-    yield Step("canonical_rows", claims=claims, P=shown(P), **pair.flags)
+    steps = _last_row(C_o, sp.ImmutableMatrix(P[:1, :]))
+    steps += _multiplied(pair, sp.ImmutableMatrix(P[:-1, :]), A, sp.ImmutableMatrix(P[1:, :])) if n > 1 else ()
+    yield Step("canonical_rows", claims=claims, P=shown(P), steps=steps, **pair.flags)
     back = exact.inverse(P)
-    A_c, b_c = exact.multiply(exact.multiply(P, A), back), exact.multiply(P, b)
+    PA = exact.multiply(P, A)
+    A_c, b_c = exact.multiply(PA, back), exact.multiply(P, b)
     yield Step(
         "canonical_pair",
         claims={
@@ -120,6 +150,9 @@ def by_canonical_form(pair: Pair) -> Derivation[ImmutableMatrix]:
             "A": Claim(frame.times(shown(P), shown(A), inverse(shown(P))), shown(A_c), "canonical form of $A$"),
             "b": Claim(frame.times(shown(P), shown(b)), shown(b_c), "canonical form of the input"),
         },
+        steps=inverted("P", shown(P), shown(back))
+        + _multiplied(pair, P[-1:, :], A, PA[-1:, :])
+        + _multiplied(pair, PA[-1:, :], back, A_c[-1:, :]),
         **pair.flags,
     )
     delta = sp.ImmutableMatrix(
@@ -133,6 +166,7 @@ def by_canonical_form(pair: Pair) -> Derivation[ImmutableMatrix]:
             "gain": Claim(frame.times(shown(delta), shown(P)), shown(k), "original coordinates"),
         },
         delta=shown(delta),
+        steps=_multiplied(pair, delta, P, k),
         **pair.flags,
     )
     return k
@@ -146,111 +180,6 @@ def _difference(pair: Pair, chi: Sequence[Expr], *, reverse: bool = False) -> Cl
     gap = sp.ImmutableMatrix((desired - own).applyfunc(exact.tidy))
     shown = pair.frame.shown
     return Claim(difference(shown(desired), shown(own)), shown(gap), r"$\hat{a} - a$")
-
-
-@lemma("placement_methods")
-def matched(pair: Pair, shape: ImmutableMatrix | None = None, unknowns: Sequence[Symbol] = ()) -> Derivation[Placement]:
-    """Equate the coefficients of det(xI − A + bk) and of the desired polynomial and solve for the unknowns in k.
-
-    `shape` is the row k with unknowns in it (affine), by default all entries unknown. A factor of the determinant
-    that holds no unknown is fixed: its roots stay where they are.
-    """
-    frame, A, b, x = pair.frame, pair.A, pair.b, pair.x
-    unknowns = unknowns or pair.unknowns
-    row = shape if shape is not None else sp.ImmutableMatrix([unknowns])
-    loop = sp.ImmutableMatrix(A - b * row)
-    yield Step(
-        "unknown_gain",
-        claims={
-            "loop": Claim(
-                difference(frame.shown(A), frame.times(frame.shown(b), frame.shown(row))),
-                frame.shown(loop),
-                "closed loop with the unknown gain",
-            )
-        },
-        row=frame.shown(row),
-        structured=shape is not None,
-        **pair.flags,
-    )
-    coefficients = exact.loop_coefficients(A, b, row, unknowns)
-    gain_polynomial = exact.polynomial_in(x, coefficients)
-    yield Step(
-        "gain_polynomial",
-        claims={"polynomial": Claim(characteristic(frame.shown(loop), x), gain_polynomial, "closed-loop polynomial")},
-        row=frame.shown(row),
-        **pair.flags,
-    )
-    fixed, movable, rest = yield from _fixed_part(pair, coefficients, row, unknowns, structured=shape is not None)
-    desired = list(exact.monic(movable)) if fixed else list(pair.desired)
-    full = list(exact.monic([*movable, *fixed])) if fixed else desired
-    solution, k = yield from _equated(pair, rest, desired, row, unknowns)
-    values = dict(zip(unknowns, solution.values, strict=True))
-    free = tuple(unknowns[j] for j in solution.free)
-    conditions = tuple(sp.Eq(unknown, value) for unknown, value in values.items() if unknown not in free)
-    return Placement(k, A, exact.polynomial_in(x, full), gain_polynomial, fixed, free, conditions)
-
-
-@lemma("placement_methods")
-def _fixed_part(
-    pair: Pair, coefficients: Sequence[Expr], row: ImmutableMatrix, unknowns: Sequence[Symbol], *, structured: bool
-) -> Derivation[tuple[list[Expr], list[Expr], Sequence[Expr]]]:
-    """Split off the factor without unknowns; returns its roots, the poles to be placed, and the other factor."""
-    divisor = exact.fixed_factor(pair.A, pair.b, row, unknowns)
-    fixed = exact.roots_of(divisor)
-    if not fixed:
-        return [], list(pair.poles), coefficients
-    x, n = pair.x, pair.A.rows
-    rest = exact.divided(coefficients, divisor)
-    movable = movable_poles(pair.poles, fixed, n, dual=pair.frame.dual)
-    split = product(exact.polynomial_in(x, divisor), exact.polynomial_in(x, rest))
-    desired = exact.polynomial_in(x, exact.monic(movable))
-    yield Step(
-        "fixed_factor",
-        claims={
-            "split": Claim(exact.polynomial_in(x, coefficients), split, "the factor without unknowns"),
-            "movable": Claim(
-                product(*(difference(x, pole) for pole in movable)), desired, "polynomial of the movable poles"
-            ),
-        },
-        fixed=fixed,
-        movable=movable,
-        all_given=len(pair.poles) == n,
-        structured=structured,
-        **pair.flags,
-    )
-    return fixed, movable, rest
-
-
-@lemma("placement_methods")
-def _equated(
-    pair: Pair,
-    coefficients: Sequence[Expr],
-    desired: Sequence[Expr],
-    row: ImmutableMatrix,
-    unknowns: Sequence[Symbol],
-) -> Derivation[tuple[exact.Solution, ImmutableMatrix]]:
-    """Coefficient by coefficient: linear equations for the unknowns, their solution, and the row k with it."""
-    found = compared(coefficients[1:], desired[1:], unknowns)
-    solution = found.solution
-    yield Step(
-        "equations",
-        unclaimed="the equations define the gain; they are checked when it is found",
-        equations=found.equations,
-        **pair.flags,
-    )
-    if solution.residue:
-        raise Unsolved("placement/contradiction")
-    values = dict(zip(unknowns, solution.values, strict=True))
-    k = sp.ImmutableMatrix(row.applyfunc(lambda entry: exact.tidy(entry.subs(values, simultaneous=True))))
-    yield Step(
-        "solution",
-        claims={"equations": found.claim(solution.values)},
-        found=[(u, value) for u, value in zip(unknowns, solution.values, strict=True) if u != value],
-        free=found.free,
-        gain=pair.frame.shown(k),
-        **pair.flags,
-    )
-    return solution, k
 
 
 METHODS: dict[str, Callable[[Pair], Derivation[ImmutableMatrix]]] = {

@@ -17,6 +17,18 @@ from solver.words import Reason
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
+PLACING = (
+    "desired",
+    "gain_polynomial",
+    "equations",
+    "coefficients",
+    "ackermann_row",
+    "ackermann_polynomial",
+    "canonical_rows",
+    "all_inputs",
+)
+"""Steps that earn the marks of a gain, by any method of placing poles."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class PoleOptions(StepSpecifications):

@@ -6,7 +6,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Refusal, Task, Way, option
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Check,
+    Derivation,
+    Given,
+    Refusal,
+    Task,
+    Way,
+    control_law,
+    option,
+)
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
@@ -18,7 +30,7 @@ from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
 from solver.tasks.design.placement import place
-from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.design.pole_options import PLACING, PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.wanted_eigenvectors import eigenvector_faults, judge_eigenvectors
 from solver.tasks.freedom import loop_is_free, placed_gain_is_free
 from solver.words import Reason
@@ -61,6 +73,7 @@ pole_placement: Task[WithInput, PolePlacementOptions] = Task(
             "the gain of the feedback (entries that may have any value stay letters)",
             free=placed_gain_is_free,
             principal=True,
+            earned=PLACING,
         ),
         AnswerName("closed_loop_A", r"A - B\sym{K}", "the matrix of the closed loop", free=loop_is_free),
         AnswerName("polynomial", r"\hat{p}", "the characteristic polynomial of the closed loop"),
@@ -86,6 +99,7 @@ pole_placement: Task[WithInput, PolePlacementOptions] = Task(
     ],
     example={"poles": '["-3 ± 2j"]'},
 )
+pole_placement.together(control_law(("-K", "x")))
 
 
 def shape_of(given: Given[WithInput, PolePlacementOptions]) -> tuple[ImmutableMatrix | None, list[Symbol]]:
@@ -127,7 +141,7 @@ def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Deriv
     row, unknowns = shape_of(given)
     found = yield from place(plant.A, plant.B, poles, method, x=x, wanted=Wanted(row, unknowns))
     if not found.free:
-        yield from zero_input_response(found.loop, plant)
+        yield from zero_input_response(found.loop, plant, found.K)
     return _answers(found, structured=row is not None)
 
 
@@ -136,7 +150,7 @@ def _with_eigenvectors(given: Given[WithInput, PolePlacementOptions], wanted: Im
     plant = given.system
     question = Question(plant, given.options.poles or (), wanted)
     found, V = yield from assign_eigenvectors(question, variable(plant))
-    yield from zero_input_response(found.loop, plant)
+    yield from zero_input_response(found.loop, plant, found.K)
     answers = _answers(found, structured=False)
     answers["eigenvectors"] = V
     return answers

@@ -8,11 +8,13 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from solver.derivation import (
+    AnswerEquations,
     AnswerName,
     Answers,
     Attempt,
     Claim,
     Derivation,
+    Equation,
     Given,
     Refusal,
     Step,
@@ -31,6 +33,7 @@ from solver.tasks.design import reduced_observer_checks as checks
 from solver.tasks.design import reduced_observer_formulas as formulas
 from solver.tasks.design.plants import measuring
 from solver.tasks.design.reduced_order import (
+    error_equation_of,
     estimate_of,
     measurement_fault,
     observer_matrices_of,
@@ -59,6 +62,15 @@ class ReducedObserverOptions(PlantOptions):
     measured: tuple[str, ...] | None = option(Names(), "the measured states (names or numbers), where C does not say")
 
 
+OBSERVER = AnswerEquations(
+    "the observer",
+    (
+        Equation(r"\omega", (("J", r"\omega"), ("N", "y"), ("M", "u")), motion=True),
+        Equation(r"\hat{\eta}_{2}", (("", r"\omega"), ("L", "y"))),
+    ),
+    ("J", "N", "M"),
+)
+
 reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
     "reduced_observer",
     title="Observer of reduced order",
@@ -72,6 +84,7 @@ reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
             r"the gain of the observer, $\hat{\eta}_{2} = \omega + \sym{L}y$",
             free=reduced_gain_is_free,
             principal=True,
+            earned=("desired", "unknown", "compare", "choice"),
         ),
         AnswerName(
             "J", "J", r"the matrix of the error, $A_{22} - \sym{L}A_{12}$", free=reduced_gain_is_free, principal=True
@@ -111,6 +124,7 @@ reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
     ],
     example={"C": "[1, 0]", "poles": "[-6]"},
 )
+reduced_observer.together(OBSERVER)
 
 
 @reduced_observer.refusal
@@ -139,6 +153,7 @@ def by_partition(given: Given[WithInput, ReducedObserverOptions]) -> Derivation[
     for fault in filter(None, faults):
         raise Unsolved("engine/refused", fault=fault)
     parts = yield from partition_of(plant)
+    yield from error_equation_of(discrete=plant.discrete)
     design = yield from reduced_gain_of(parts, given.options.poles, discrete=plant.discrete)
     J, N, M = yield from observer_matrices_of(parts, design.L, plant)
     n, q, C = plant.n, J.rows, plant.C

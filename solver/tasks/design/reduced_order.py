@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Refusal, Step, lemma
 from solver.derivation.figures import Diagram
 from solver.lazy import exact
@@ -14,6 +15,7 @@ from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, partitioned
 from solver.tasks.design.observer_gain import Gain, Pair, gain_of, number_fault
 from solver.tasks.design.plants import Plant
+from solver.tasks.figures import error_of_estimate
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -77,6 +79,12 @@ def partition_of(plant: Plant) -> Derivation[exact.Partition]:
     return parts
 
 
+@lemma("reduced_matrices")
+def error_equation_of(*, discrete: bool) -> Derivation[None]:
+    """What the observer is, and what J, N and M must be for its error to be driven by nothing."""
+    yield Step("error_equation", unclaimed="the conditions define J, N and M", detail="full", discrete=discrete)
+
+
 def reduced_gain_of(parts: exact.Partition, poles: Sequence[Expr], *, discrete: bool) -> Derivation[Gain]:
     """The gain L for the pair (A22, A12), which is observable as far as (A, C) is."""
     blocks = parts.blocks
@@ -90,7 +98,6 @@ def observer_matrices_of(
 ) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]]:
     """J = A22 − L A12, N = A21 − L A11 + J L, M = B2 − L B1 (less N D): the error is then driven by nothing."""
     A11, A12, A21, A22, B1, B2 = parts.blocks.values()
-    yield Step("error_equation", unclaimed="the conditions define J, N and M", detail="full", discrete=plant.discrete)
     J = sp.ImmutableMatrix((A22 - exact.multiply(L, A12)).applyfunc(exact.tidy))
     N = sp.ImmutableMatrix((A21 - exact.multiply(L, A11) + exact.multiply(J, L)).applyfunc(exact.tidy))
     forward = sp.ImmutableMatrix((B2 - exact.multiply(L, B1)).applyfunc(exact.tidy))
@@ -107,8 +114,15 @@ def observer_matrices_of(
             "M": Claim(stated, M, "$M$"),
         },
         plain=plant.plain,
+        steps=_worked_out(((L, A12), (L, A11), (J, L), (L, B1))),
     )
     return J, N, M
+
+
+def _worked_out(pairs: Iterable[tuple[ImmutableMatrix, ImmutableMatrix]]) -> tuple[Step, ...]:
+    """The products of pairs of matrices, without those of two numbers."""
+    matrices = [(left, right) for left, right in pairs if left.shape != (1, 1) or right.shape != (1, 1)]
+    return tuple(step for left, right in matrices for step in multiplied(left, right, exact.multiply(left, right)))
 
 
 @lemma("reduced_matrices")
@@ -135,6 +149,7 @@ def estimate_of(parts: exact.Partition, design: Gain, J: ImmutableMatrix, plant:
     yield Step(
         "error",
         claims={"polynomial": Claim(determinant(exact.pencil(J, x)), design.polynomial, "polynomial of the error")},
+        figures=error_of_estimate(J, r"\tilde{\eta}", parts.p + 1, discrete=plant.discrete),
         x=x,
         discrete=plant.discrete,
         fixed=design.fixed,

@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.inverses import inverted as inverted_by_cofactors
+from solver.arithmetic.products import multiplied
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -18,6 +20,7 @@ from solver.derivation import (
     Step,
     Task,
     Unsolved,
+    control_law,
     option,
 )
 from solver.lazy import exact, numeric
@@ -25,12 +28,18 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import difference, product, total
-from solver.stated.matrices import determinant, inverse, rank
+from solver.stated.matrices import inverse, rank
 from solver.tasks import consequences, meanings
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
-from solver.tasks.design.set_point import feedthrough, least_solution
+from solver.tasks.design.set_point import (
+    after_a_step,
+    determinant_of_rest,
+    feedthrough,
+    least_solution,
+    rest_by_elimination,
+)
 from solver.tasks.freedom import gain_is_free, more_inputs_than_outputs, reference_gain_is_free
 from solver.words import Phrase, Reason
 
@@ -58,11 +67,19 @@ reference_tracking: Task[WithBoth, ReferenceTrackingOptions] = Task(
     answers=[
         AnswerName("F", "F", "the desired state for the reference, $x_{d} = Fr$", free=more_inputs_than_outputs),
         AnswerName("N", "N", "the desired input for the reference, $u_{d} = Nr$", free=more_inputs_than_outputs),
-        AnswerName("K_o", "K_o", "the gain of the reference", free=reference_gain_is_free, principal=True),
+        AnswerName(
+            "K_o",
+            "K_o",
+            "the gain of the reference",
+            free=reference_gain_is_free,
+            principal=True,
+            earned=("input", "solution", "state", "closed_loop"),
+        ),
         AnswerName("K", r"\sym{K}", "the gain of the feedback", (), True, free=gain_is_free),
     ],
     example={"poles": '["-3 ± 2j"]'},
 )
+reference_tracking.together(control_law(("-K", "x"), ("K_o", "r")))
 
 
 @reference_tracking.refusal
@@ -102,10 +119,9 @@ def steady_state_of(
     M = exact.equations_of_rest(A, B, C, D, discrete=discrete)
     order = exact.rank(M)
     claims = {"rank": Claim(rank(M), sp.Integer(order), "rank of the matrix of the steady state")}
-    if M.is_square:
-        det = exact.determinant(M)
-        claims["determinant"] = Claim(determinant(M), det, "determinant of the matrix of the steady state")
-    yield Step("steady_state", claims=claims, M=M, discrete=discrete, inputs=m, outputs=p, states=n, order=order)
+    more, lines = determinant_of_rest(M, exact.determinant(M)) if M.is_square else ({}, ())
+    shape = {"inputs": m, "outputs": p, "states": n}
+    yield Step("steady_state", claims=claims | more, M=M, discrete=discrete, order=order, steps=lines, **shape)
     if order < n + p:
         raise Unsolved("tracking/no_steady_state", m=m, p=p, discrete=discrete)
     steady = exact.set_point(A, B, C, D, discrete=discrete)
@@ -122,6 +138,7 @@ def steady_state_of(
         F=steady.F,
         N=steady.N,
         unique=steady.unique,
+        steps=rest_by_elimination(steady) if steady.unique else (),
     )
     return steady.F, steady.N
 
@@ -139,6 +156,9 @@ def _through_the_inverse(
     A0 = exact.at_rest(A, discrete=discrete)
     inverted = exact.inverse(A0)
     dc = exact.added(D, -C * inverted * B)
+    through = exact.added(inverted * B)
+    lines = inverted_by_cofactors("(A - I)" if discrete else "A", A0, inverted)
+    lines += multiplied(inverted, B, through) + multiplied(exact.added(-C), through, exact.added(-C * through))
     terms = [product(-1, C, inverse(A0), B)] if D.is_zero_matrix else [D, product(-1, C, inverse(A0), B)]
     yield Step(
         "input",
@@ -150,6 +170,7 @@ def _through_the_inverse(
         discrete=discrete,
         direct=not D.is_zero_matrix,
         scalar=dc.shape == (1, 1),
+        steps=lines,
     )
     yield Step("state", claims={"F": Claim(product(-1, inverted, B, steady.N), steady.F, "$F$")}, discrete=discrete)
 
@@ -160,7 +181,8 @@ def _feedforward(
     """K_o = N + K F, and the steady-state gain of the closed loop, which is the identity."""
     plant = given.system
     K_o: ImmutableMatrix = exact.added(N, K * F)
-    yield Step("feedforward", claims={"K_o": Claim(total(N, product(K, F)), K_o, "$K_o = N + K F$")}, K=K)
+    claims = {"K_o": Claim(total(N, product(K, F)), K_o, "$K_o = N + K F$")}
+    yield Step("feedforward", claims=claims, K=K, steps=multiplied(K, F, exact.added(K * F)))
     A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
     loop = exact.added(A, -B * K)
     rest = exact.at_rest(loop, discrete=plant.discrete)
@@ -176,6 +198,7 @@ def _feedforward(
         loop=loop,
         discrete=plant.discrete,
         direct=not D.is_zero_matrix,
+        figures=after_a_step(plant, K, K_o),
     )
     return K_o
 

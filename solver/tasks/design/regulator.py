@@ -17,6 +17,9 @@ from solver.words import Reason
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
+REGULATING = ("equations", "choice", "stable_half", "solve", "decimal_solution")
+"""Steps that earn the marks of an optimal gain, by any method of solving the Riccati equation."""
+
 
 @dataclass(frozen=True)
 class Regulator:
@@ -71,6 +74,12 @@ class Regulator:
             return {"A": "A^{T}", "At": "A", "B": "C^{T}", "Bt": "C", "Q_name": "Q", "dual": True}
         A, Q = (rf"\bar{{{name}}}" if self.completed else name for name in "AQ")
         return {"A": A, "At": f"{A}^{{T}}", "B": "B", "Bt": "B^{T}", "Q_name": Q, "dual": False}
+
+
+def unknown_matrix(n: int) -> ImmutableMatrix:
+    """The symmetric matrix of p11, p12, … (with an underscore between the indices from n = 10 on)."""
+    between = "" if n < 10 else "_"
+    return sp.ImmutableMatrix(n, n, lambda i, j: sp.Symbol(f"p{min(i, j) + 1}{between}{max(i, j) + 1}"))
 
 
 def own_weights(*matrices: Any) -> set[Symbol]:

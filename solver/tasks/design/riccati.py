@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.equations import system_solved
+from solver.arithmetic.products import polynomial_of as polynomial_of_matrix
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import determinant, inverse
-from solver.tasks.design.regulator import Regulator
+from solver.tasks.design.regulator import Regulator, unknown_matrix
+from solver.tasks.figures import plane, roots
+
+LARGEST = 2
+"""Polynomials of larger Hamiltonian matrices fill the page."""
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -67,6 +73,19 @@ def loop_polynomial_claim(problem: Regulator, solution: exact.RiccatiSolution) -
     return Claim(determinant(loop), polynomial_of(solution), "characteristic polynomial of the closed loop")
 
 
+def _solved(M: ImmutableMatrix, right: ImmutableMatrix, P: ImmutableMatrix) -> tuple[Step, ...]:
+    """M P = `right`, as many independent equations as P has entries on and above the diagonal."""
+    unknown, n = unknown_matrix(P.rows), P.rows
+    pairs = [(i, j) for i in range(n) for j in range(i, n)]
+    unknowns = [unknown[i, j] for i, j in pairs]
+    equations = [each for each in zip((M * unknown).flat(), right.flat(), strict=True) if each[0] != 0]
+    try:
+        independent = exact.independent_equations(equations, unknowns)
+    except exact.NotExact:  # roots of parameters: not for a pen
+        return ()
+    return system_solved(independent, unknowns, [P[i, j] for i, j in pairs])
+
+
 @lemma("hamiltonian")
 def solution_by_hamiltonian(problem: Regulator) -> Derivation[exact.Riccati]:
     """The stable half p(s) of det(sI − H), and P from p(H) [I; P] = 0."""
@@ -84,6 +103,12 @@ def solution_by_hamiltonian(problem: Regulator) -> Derivation[exact.Riccati]:
         roots=equation.eigenvalues,
         n=n,
         exact=not p.has(sp.Float),
+        figures=plane(
+            "The spectrum of the Hamiltonian matrix",
+            roots("the stable half", equation.eigenvalues, "square"),
+            roots("the other half", [-each for each in equation.eigenvalues]),
+            stable=True,
+        ),
     )
     stable = equation.polynomial_of_hamiltonian(solution) if solution.exact else None
     if stable is not None:
@@ -91,8 +116,14 @@ def solution_by_hamiltonian(problem: Regulator) -> Derivation[exact.Riccati]:
         value = Claim(total(*terms), stable, "the stable half, at the Hamiltonian matrix")
         left, right = (sp.ImmutableMatrix(M) for M in (-stable[:, :n], stable[:, n:]))
         solve = Claim(product(right, solution.P), left, "the linear equations for $P$")
-        yield Step("annihilator", claims={"value": value}, n=n, p=p, left=left, right=right)
-        yield Step("solve", claims={"linear": solve, "residual": residual_claim(problem, solution.P)}, P=solution.P)
+        at_H = polynomial_of_matrix(equation.H, solution.polynomial, stable) if n <= LARGEST else ()
+        yield Step("annihilator", claims={"value": value}, n=n, p=p, left=left, right=right, steps=at_H)
+        yield Step(
+            "solve",
+            claims={"linear": solve, "residual": residual_claim(problem, solution.P)},
+            P=solution.P,
+            steps=_solved(right, left, solution.P) if n <= LARGEST else (),
+        )
     else:
         yield Step(
             "decimal_solution",

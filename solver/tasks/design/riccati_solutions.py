@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import AnswerName, Answers, Attempt, Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.stated.algebra import difference
+from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant
-from solver.tasks.design.regulator import Regulator
+from solver.tasks.design.frames import characteristic
+from solver.tasks.design.regulator import Regulator, unknown_matrix
+from solver.tasks.design.regulator_products import products_of_the_equation
 from solver.tasks.design.riccati import (
     hamiltonian_step,
     loop_polynomial_claim,
@@ -74,14 +76,12 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
     P = unknown_matrix(n)
     left = entries_of_equation(problem, P)
     stated = difference(problem.linear_part(P), problem.quadratic_part(P))
-    yield Step("unknown", claims={"entries": Claim(stated, left, "the Riccati equation entry by entry")}, P=P, **names)
+    claim = Claim(stated, left, "the Riccati equation entry by entry")
+    yield Step("unknown", claims={"entries": claim}, P=P, steps=products_of_the_equation(problem, P), **names)
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
-    equations = [left[i, j] for i, j in pairs]
-    yield Step(
-        "equations",
-        unclaimed="the entries on and above the diagonal, as found before",
-        rows=[(i + 1, j + 1, equation) for (i, j), equation in zip(pairs, equations, strict=True)],
-    )
+    rows = [(i + 1, j + 1, left[i, j]) for i, j in pairs]
+    equations = [each for *_, each in rows]
+    yield Step("equations", unclaimed="the entries on and above the diagonal, as found before", rows=rows)
     equation = riccati_of(problem)
     if not equation.listable:
         yield from _splitting(problem, equation, solved=False)
@@ -89,22 +89,16 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
         return equation, Listed(P, equations, None, None)
     always = [each for each in equation.solutions if each.radicand is None]
     conditional = [each for each in equation.solutions if each.radicand is not None]
-    solved = yield from cases_of(P, equations, [*always, *conditional])
+    solved = yield from cases_of(P, rows, [*always, *conditional])
     yield from _splitting(problem, equation, solved=solved)
     for number, each in enumerate(always, 1):
-        yield _solution(problem, each, number, len(always))
+        yield _solution(problem, each, number, len(always), solved=solved)
     if conditional:
         yield _conditional(problem, conditional)
     words = [definiteness_of(equation, each) for each in always]
     yield _definiteness(always, words)
     yield _choice(problem, always, words)
     return equation, Listed(P, equations, [each.P for each in always], words)
-
-
-def unknown_matrix(n: int) -> ImmutableMatrix:
-    """The symmetric matrix of p11, p12, … (with an underscore between the indices from n = 10 on)."""
-    between = "" if n < 10 else "_"
-    return sp.ImmutableMatrix(n, n, lambda i, j: sp.Symbol(f"p{min(i, j) + 1}{between}{max(i, j) + 1}"))
 
 
 def entries_of_equation(problem: Regulator, P: ImmutableMatrix) -> ImmutableMatrix:
@@ -121,7 +115,8 @@ def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> 
     )
 
 
-def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, count: int) -> Step:
+def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, count: int, *, solved: bool) -> Step:
+    """Return the test of a solution; one that was `solved` for, case by case, has been shown there."""
     claims = {"residual": residual_claim(problem, solution.P), "polynomial": loop_polynomial_claim(problem, solution)}
     return Step(
         "solution",
@@ -131,6 +126,7 @@ def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, 
         number=number,
         count=count,
         exact=solution.exact,
+        solved=solved,
         **problem.names,
     )
 
@@ -151,7 +147,7 @@ def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) ->
 
 
 def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
-    """The leading minors of every solution, where none of the solutions is singular; else the words alone."""
+    """The leading minors of every solution, where none of the solutions is singular; else the eigenvalues of each."""
     minors: list[list[tuple[Expr, int]]] = []
     claims = {}
     if all(each.exact and not each.P.free_symbols for each in solutions):
@@ -165,9 +161,30 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
                     determinant(block), minor, Phrase("leading minor {k} of $P_{{{number}}}$", k=k, number=number)
                 )
     if not minors or any(each[-1][1] == 0 for each in minors):
-        reason = "definiteness is a matter of signs, not an equality; the verification judges it"
-        return Step("definiteness", unclaimed=reason, words=words, minors=[])
+        return _by_eigenvalues(solutions, words)
     return Step("definiteness", claims=claims, words=words, minors=minors)
+
+
+def _by_eigenvalues(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
+    """The eigenvalues of every solution; the words alone where one has parameters or eigenvalues of no usable form."""
+    x = sp.Symbol("lamda")
+    try:
+        usable = all(each.exact and not each.P.free_symbols for each in solutions)
+        found = [exact.spectrum(each.P).eigenvalues for each in solutions] if usable else []
+    except exact.NotExact:
+        found = []
+    if not found:
+        reason = "definiteness is a matter of signs, not an equality; the verification judges it"
+        return Step("definiteness", unclaimed=reason, words=words, minors=[], eigenvalues=[])
+    claims = {
+        f"eigenvalues_{number}": Claim(
+            characteristic(each.P, x),
+            product(*(x - value for value in values)),
+            Phrase("eigenvalues of $P_{{{number}}}$", number=number),
+        )
+        for number, (each, values) in enumerate(zip(solutions, found, strict=True), 1)
+    }
+    return Step("definiteness", claims=claims, words=words, minors=[], eigenvalues=found)
 
 
 def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:

@@ -17,19 +17,21 @@ from solver.derivation import (
     Step,
     Task,
     Unsolved,
+    control_law,
     lemma,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.stated.algebra import difference, product
-from solver.stated.matrices import determinant, inverse, rank
+from solver.stated.matrices import inverse, rank
 from solver.tasks import meanings
 from solver.tasks.design.gain_checks import Asked, judge_gain
 from solver.tasks.design.loop_figures import block_diagram
 from solver.tasks.design.placement import place
-from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
-from solver.tasks.design.set_point import feedthrough
+from solver.tasks.design.pole_options import PLACING, PoleOptions, asked_poles, numeric_poles, pole_faults, variable
+from solver.tasks.design.set_point import determinant_of_rest, feedthrough
+from solver.tasks.figures import step_of_the_reference
 from solver.tasks.freedom import several_inputs
 from solver.words import Phrase, Reason
 
@@ -46,8 +48,17 @@ servo: Task[WithBoth, PoleOptions] = Task(
     needs=("A", "B", "C"),
     options=PoleOptions,
     answers=[
-        AnswerName("K", r"\sym{K}", "the gain of the states", free=several_inputs, principal=True),
-        AnswerName("k_I", "k_I", "the gain of the integrated error", free=several_inputs, principal=True),
+        AnswerName(
+            "K",
+            r"\sym{K}",
+            "the gain of the states",
+            free=several_inputs,
+            principal=True,
+            earned=("augmented", *PLACING),
+        ),
+        AnswerName(
+            "k_I", "k_I", "the gain of the integrated error", free=several_inputs, principal=True, earned=("parts",)
+        ),
         AnswerName(
             "closed_loop_A",
             r"\bar{A} - \bar{B}\bar{K}",
@@ -57,6 +68,7 @@ servo: Task[WithBoth, PoleOptions] = Task(
     ],
     example={"poles": '["-3 ± 2j", -4]'},
 )
+servo.together(control_law(("-K", "x"), ("k_I", r"\sym{integrator}")))
 
 
 def augmented(plant: Any) -> tuple[ImmutableMatrix, ImmutableMatrix]:
@@ -110,9 +122,10 @@ def _integrators_reached(plant: Any, D: ImmutableMatrix) -> Derivation[None]:
     order = exact.rank(M)
     claims = {"rank": Claim(rank(M), sp.Integer(order), "rank of the matrix of the steady state")}
     if m == p:
-        det = exact.determinant(M)
-        claims["determinant"] = Claim(determinant(M), det, "determinant of the matrix of the steady state")
-    yield Step("condition", claims=claims, M=M, order=order, needed=n + p, discrete=plant.discrete, square=m == p)
+        more, lines = determinant_of_rest(M, exact.determinant(M))
+        claims |= more
+    values = {"order": order, "needed": n + p, "discrete": plant.discrete, "square": m == p}
+    yield Step("condition", claims=claims, M=M, steps=lines if m == p else (), **values)
     if order == n + p:
         return
     if m < p:
@@ -137,6 +150,13 @@ def _steady_state(plant: Any, loop: ImmutableMatrix, K: ImmutableMatrix, k_I: Im
         discrete=plant.discrete,
         seen=seen,
         outputs=p,
+        figures=step_of_the_reference(
+            loop,
+            reference,
+            (seen, sp.ImmutableMatrix(sp.zeros(p, p))),
+            (sp.ImmutableMatrix(sp.Matrix.hstack(-K, k_I)), sp.ImmutableMatrix(sp.zeros(k_I.rows, p))),
+            discrete=plant.discrete,
+        ),
     )
 
 
@@ -223,10 +243,12 @@ def loop_of_the_gains(given: Given[WithBoth, PoleOptions], found: Mapping[str, A
 
 @servo.meaning("K", "k_I", "closed_loop_A")
 def poles_of_the_loop(wrong: Attempt[WithBoth, PoleOptions]) -> Reason | None:
-    """The poles that the loop has; of the gains both must be known."""
+    """The poles that the loop has; of K alone their sum, in which k_I is not."""
     asked, own = numeric_poles(wrong.given.options), wrong.submitted
     if wrong.name == "closed_loop_A":
         return meanings.poles_given(wrong.value, asked)
-    if "K" not in own or "k_I" not in own:
+    if "K" in own and "k_I" not in own:
+        return meanings.sum_of_poles(wrong.given.system.A - wrong.given.system.B * own["K"], asked)
+    if "K" not in own:
         return None
     return meanings.poles_given(loop_of_the_gains(wrong.given, own), asked)

@@ -6,6 +6,9 @@ from collections.abc import Iterable
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import expanded, first_line
+from solver.arithmetic.equations import system_solved
+from solver.arithmetic.products import multiplied
 from solver.derivation import Answers, Check, Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
@@ -13,10 +16,15 @@ from solver.numeric.judges import design as judges
 from solver.stated import Stated
 from solver.stated.algebra import product, total
 from solver.stated.matrices import determinant, inverse, transpose
+from solver.tasks.design.frames import free_symbols
+from solver.tasks.figures import step_of_the_reference
 from solver.words import Phrase
 
 if TYPE_CHECKING:
-    from sympy import ImmutableMatrix
+    from sympy import Expr, ImmutableMatrix
+
+    from solver.derivation.figures import Motion
+    from solver.tasks.needed import WithBoth
 
 
 def feedthrough(plant: Any) -> ImmutableMatrix:
@@ -54,6 +62,25 @@ def set_point_checks(plant: Any, answers: Answers, K: ImmutableMatrix | None = N
         )
 
 
+def determinant_of_rest(M: ImmutableMatrix, det: Expr) -> tuple[dict[str, Claim], tuple[Step, ...]]:
+    """The determinant of the equations of rest: claims, with the first line of its expansion, and further lines."""
+    claims = {
+        "determinant": Claim(determinant(M), det, "determinant of the matrix of the steady state"),
+        "stated": Claim(determinant(M), first_line(M), Phrase("the determinant expanded")),
+    }
+    return claims, expanded(M, exact.multiplied_out(det))
+
+
+def rest_by_elimination(found: exact.SetPoint) -> tuple[Step, ...]:
+    """The equations of rest for one reference solved for F and N; nothing for several, or for many solutions."""
+    M, n = found.matrix, found.F.rows
+    if found.F.cols > 1 or not M.is_square:
+        return ()
+    unknowns = (*free_symbols((M,), n, "fvw"), *free_symbols((M,), M.cols - n, "nu"))
+    left = (M * sp.Matrix(unknowns)).flat()
+    return system_solved(list(zip(left, found.right.flat(), strict=True)), unknowns, found.stacked.flat())
+
+
 @lemma("set_point")
 def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
     """F and N with x_d = F r, u_d = N r: the plant rests there with the output r. Raises Unsolved if there are none."""
@@ -64,10 +91,11 @@ def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
     except exact.NoSetPoint as finding:
         raise Unsolved("tracking/no_set_point", rank=finding.rank, n=n, m=m, p=p, discrete=plant.discrete) from finding
     M, right = found.matrix, found.right
-    square = m == p and found.unique
+    square, steps = m == p and found.unique, rest_by_elimination(found)
     claims = {"solution": Claim(product(M, found.stacked), right, "the set point")}
     if square:
-        claims["determinant"] = Claim(determinant(M), exact.determinant(M), "determinant of the equations")
+        more, lines = determinant_of_rest(M, exact.determinant(M))
+        claims, steps = claims | more, lines + steps
     elif found.rank == n + p:
         claims["least"] = Claim(least_solution(found), found.stacked, "the least solution")
     yield Step(
@@ -85,6 +113,7 @@ def set_point_of(plant: Any) -> Derivation[exact.SetPoint]:
         unique=found.unique,
         full=found.rank == n + p,
         exceptions=found.exceptions,
+        steps=steps,
     )
     return found
 
@@ -96,9 +125,23 @@ def least_solution(found: exact.SetPoint) -> Stated:
 
 
 @lemma("set_point")
-def reference_gain(K: ImmutableMatrix, found: exact.SetPoint) -> Derivation[ImmutableMatrix]:
-    """K_o = N + K F in u = −K x + K_o r."""
+def reference_gain(K: ImmutableMatrix, found: exact.SetPoint, plant: WithBoth) -> Derivation[ImmutableMatrix]:
+    """K_o = N + K F in u = −K x + K_o r, and what the loop does."""
     K_o = sp.ImmutableMatrix((found.N + K * found.F).applyfunc(exact.tidy))
     stated = total(found.N, product(K, found.F))
-    yield Step("reference_gain", claims={"K_o": Claim(stated, K_o, "gain of the reference")})
+    yield Step(
+        "reference_gain",
+        claims={"K_o": Claim(stated, K_o, "gain of the reference")},
+        figures=after_a_step(plant, K, K_o),
+        steps=multiplied(K, found.F, exact.added(K * found.F)),
+    )
     return K_o
+
+
+def after_a_step(plant: WithBoth, K: ImmutableMatrix, K_o: ImmutableMatrix) -> tuple[Motion, ...]:
+    """What y and u do after a step of the reference."""
+    D = feedthrough(plant)
+    loop, seen = exact.added(plant.A, -plant.B * K), exact.added(plant.C, -D * K)
+    forward = exact.added(plant.B * K_o), exact.added(D * K_o)
+    control = (sp.ImmutableMatrix(-K), K_o)
+    return step_of_the_reference(loop, forward[0], (seen, forward[1]), control, discrete=plant.discrete)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
+from solver.arithmetic import determinants
+from solver.arithmetic.products import is_worked_out, rows_times_columns
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra as judges
-from solver.stated import Stated
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, trace
 from solver.tasks import meanings, mistakes
@@ -28,30 +29,34 @@ characteristic_polynomial: Task[StateSpace, PlantOptions] = Task(
     needs=("A",),
     options=PlantOptions,
     complex_entries=True,
-    answers=[AnswerName("polynomial", r"\chi(\lambda)", r"the monic polynomial $\det(\lambda I - A)$")],
+    answers=[
+        AnswerName(
+            "polynomial",
+            r"\chi(\lambda)",
+            r"the monic polynomial $\det(\lambda I - A)$",
+            earned=("expansion", "polynomial"),
+        )
+    ],
 )
 
+
+Form = Literal["both", "coefficients", "factors"]
+"""What a determinant is wanted for."""
 
 SMALLEST_COMPANION = 3
 """The determinant of a smaller companion matrix is as quickly expanded as read off."""
 
 
 @lemma("determinant")
-def determinant_of(A: ImmutableMatrix, x: Symbol, *, expanded: bool = False) -> Derivation[exact.FaddeevLeVerrier]:
+def determinant_of(
+    A: ImmutableMatrix, x: Symbol, *, expanded: bool = False, for_its: Form = "both"
+) -> Derivation[exact.FaddeevLeVerrier]:
     """χ(x) = det(xI − A), expanded along the row with most zeros; returns χ and the adjugate in x.
 
-    Of a companion matrix of order three or more it is read off, unless it is to be `expanded`.
+    Of a companion matrix of order three or more it is read off, unless it is to be `expanded`. What is wanted of it
+    may be its coefficients, or its factors, which a triangular matrix shows at once.
     """
-    pencil = exact.pencil(A, x)
-    yield Step(
-        "pencil",
-        claims={
-            "pencil": Claim(difference(product(x, sp.eye(A.rows)), A), pencil, "the matrix whose determinant is taken")
-        },
-        x=x,
-        A=A,
-        pencil=pencil,
-    )
+    pencil = yield from pencil_of(A, x)
     resolvent = exact.faddeev_leverrier(A)
     chi = resolvent.characteristic_polynomial(x)
     shape, coefficients = shape_of(pencil), "" if expanded else _coefficients_of_companion(A)
@@ -60,10 +65,23 @@ def determinant_of(A: ImmutableMatrix, x: Symbol, *, expanded: bool = False) -> 
         yield Step("companion", claims={"value": value}, x=x, coefficients=coefficients)
     else:
         claims = expansion_of(pencil, resolvent.adjugate(x), chi)
-        yield Step("expansion", claims=claims, x=x, n=A.rows, **shape)
-    if not shape["triangular"]:  # else its factors have been seen
+        if shape["triangular"] and for_its == "factors":
+            claims = {"stated": claims["stated"]}
+        lines = determinants.expanded(pencil, chi, x)
+        yield Step("expansion", claims=claims, steps=lines, x=x, n=A.rows, **shape)
+    if not shape["triangular"] and for_its != "coefficients":  # else its factors have been seen
         yield from factors_of(A, x)
     return resolvent
+
+
+@lemma("determinant")
+def pencil_of(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
+    """The matrix xI − A; returns it."""
+    pencil = exact.pencil(A, x)
+    says = "the matrix whose determinant is taken"
+    claims = {"pencil": Claim(difference(product(x, sp.eye(A.rows)), A), pencil, says)}
+    yield Step("pencil", claims=claims, x=x, A=A, pencil=pencil)
+    return pencil
 
 
 @lemma("determinant")
@@ -76,7 +94,7 @@ def factors_of(A: ImmutableMatrix, x: Symbol) -> Derivation[None]:
 
 def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:
     """How the determinant is expanded: the row, and whether the matrix is triangular."""
-    return {"row": _row_with_most_zeros(pencil), "triangular": _is_triangular(pencil)}
+    return {"row": determinants.row_with_most_zeros(pencil), "triangular": determinants.is_triangular(pencil)}
 
 
 def _coefficients_of_companion(A: ImmutableMatrix) -> str:
@@ -98,51 +116,25 @@ def _coefficients_of_companion(A: ImmutableMatrix) -> str:
     return next((place for place, found in ones_beside.items() if found), "")
 
 
-def _row_with_most_zeros(M: ImmutableMatrix) -> int:
-    zeros = [row.count(0) for row in M.tolist()]
-    return zeros.index(max(zeros))
-
-
-def _is_triangular(M: ImmutableMatrix) -> bool:
-    n = M.rows
-    return any(all(M[i, j] == 0 for i in range(n) for j in range(n) if sign * i < sign * j) for sign in (1, -1))
-
-
 def expansion_of(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
     """The determinant as it is written before multiplying out, and multiplied out."""
-    says = "the determinant multiplied out"
-    if _is_triangular(pencil):
-        diagonal = [pencil[i, i] for i in range(pencil.rows)]
-        return {
-            "stated": Claim(determinant(pencil), product(*diagonal), "determinant of a triangular matrix"),
-            "value": Claim(product(*diagonal), chi, says),
-        }
-    if pencil.rows == 2:
-        a, b, c, d = pencil.flat()
-        stated = difference(product(a, d), product(b, c))
-        return {"stated": Claim(determinant(pencil), stated, says), "value": Claim(stated, chi, says)}
-    return _cofactors(pencil, adjugate, chi)
-
-
-def _cofactors(pencil: ImmutableMatrix, adjugate: ImmutableMatrix, chi: Expr) -> dict[str, Claim]:
-    """Laplace's expansion along the row with most zeros; the cofactors are entries of the adjugate."""
-    i = _row_with_most_zeros(pencil)
-    columns = [j for j in range(pencil.cols) if pencil[i, j] != 0]
-    with_minors: list[Stated] = []
-    multiplied: list[Stated] = []
-    for j in columns:
-        entry = pencil[i, j] if (i + j) % 2 == 0 else -pencil[i, j]
-        with_minors.append(product(entry, determinant(pencil.minor_submatrix(i, j))))
-        if adjugate[j, i] != 0:
-            multiplied.append(product(pencil[i, j], adjugate[j, i]))
-    says = Phrase("determinant expanded along row {row}", row=i + 1)
-    if not multiplied:
-        value = Claim(total(*with_minors), chi, "every minor is zero")
-        return {"stated": Claim(determinant(pencil), total(*with_minors), says), "value": value}
+    says, line = "the determinant multiplied out", determinants.first_line(pencil)
+    if determinants.is_simple(pencil):
+        triangular = determinants.is_triangular(pencil)
+        stated = Claim(determinant(pencil), line, "determinant of a triangular matrix" if triangular else says)
+        return {"stated": stated, "value": Claim(line, chi, says)}
+    i = determinants.row_with_most_zeros(pencil)
+    stated = Claim(determinant(pencil), line, Phrase("determinant expanded along row {row}", row=i + 1))
+    columns = [j for j in range(pencil.cols) if pencil[i, j] != 0 and adjugate[j, i] != 0]
+    multiplied = total(
+        *(product(pencil[i, j], adjugate[j, i]) for j in columns)
+    )  # cofactors are entries of the adjugate
+    if not columns:
+        return {"stated": stated, "value": Claim(line, chi, "every minor is zero")}
     return {
-        "stated": Claim(determinant(pencil), total(*with_minors), says),
-        "minors": Claim(total(*with_minors), total(*multiplied), "minors of the expansion"),
-        "value": Claim(total(*multiplied), chi, "the determinant multiplied out"),
+        "stated": stated,
+        "minors": Claim(line, multiplied, "minors of the expansion"),
+        "value": Claim(multiplied, chi, says),
     }
 
 
@@ -176,6 +168,8 @@ def recursion_of(A: ImmutableMatrix) -> Derivation[exact.FaddeevLeVerrier]:
             },
             k=k,
             identity=identity,
+            entries=rows_times_columns(A, N) if is_worked_out(A, N) else "",
+            traces=product(sp.Rational(-1, k), total(*(AN[i, i] for i in range(A.rows)))),
             last=k == A.rows,
         )
     return resolvent

@@ -6,6 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.chains import chains_worked_out
+from solver.arithmetic.quadratics import quadratic_formula, roots_of_squares
+from solver.arithmetic.row_operations import null_vectors, row_operations
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
@@ -13,6 +16,7 @@ from solver.numeric.judges import linear_algebra as judges
 from solver.stated.algebra import power, product
 from solver.stated.calculus import value_at
 from solver.tasks import meanings, mistakes
+from solver.tasks.form_meanings import jordan_fault
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.plant_options import PlantOptions
 from solver.words import Reason
@@ -30,7 +34,13 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
     options=PlantOptions,
     complex_entries=True,
     answers=[
-        AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity", principal=True),
+        AnswerName(
+            "eigenvalues",
+            r"\lambda_i",
+            "the eigenvalues, each as often as its multiplicity",
+            principal=True,
+            earned=("expansion", "companion", "quadratic", "spectrum"),
+        ),
         AnswerName(
             "right_eigenvectors",
             "V",
@@ -78,7 +88,11 @@ def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
     if factor.degree > 2 and factor.roots[0].kind != "decimal":
         split = Claim(p, product(*(x - root for root in roots)), "the factor written with its roots")
         squares = exact.squares_of_roots(factor)
-        return Step("biquadratic", claims={"split": split}, p=p, roots=roots, squares=squares)
+        lines = (
+            *quadratic_formula(x**2, factor.coefficients[2], factor.coefficients[4], squares),
+            *roots_of_squares(x, squares, roots),
+        )
+        return Step("biquadratic", claims={"split": split}, steps=lines, p=p, roots=roots, squares=squares)
     if factor.degree > 2:
         split = Claim(p, product(*(x - root for root in roots)), "the factor written with its decimal roots")
         return Step("decimal_roots", claims={"split": split}, p=p, roots=roots, degree=factor.degree)
@@ -89,7 +103,8 @@ def _roots_of_factor(factor: exact.Factor, x: Symbol) -> Step:
     _, b, c = factor.coefficients
     kind = factor.roots[0].kind
     upper_sign_first = roots if kind == "complex" else roots[::-1]
-    return Step("quadratic", claims=claims, p=p, roots=upper_sign_first, b=b, c=c, root_kind=kind)
+    lines = quadratic_formula(x, b, c, upper_sign_first)
+    return Step("quadratic", claims=claims, steps=lines, p=p, roots=upper_sign_first, pure=b == 0, root_kind=kind)
 
 
 @lemma("eigenvectors")
@@ -127,7 +142,7 @@ def _eigenspace_steps(A: ImmutableMatrix, spaces: Sequence[exact.Eigenspace], *,
         yield Step(
             kind,
             claims=_chain_claims(A, pencil, space, left=left),
-            steps=(_reduction(pencil, reduction),) if reduction else (),
+            steps=_arithmetic(pencil, space, reduction) if reduction else (),
             i=i,
             value=value,
             pencil=pencil,
@@ -136,6 +151,14 @@ def _eigenspace_steps(A: ImmutableMatrix, spaces: Sequence[exact.Eigenspace], *,
             algebraic=space.algebraic,
             geometric=space.geometric,
         )
+
+
+def _arithmetic(pencil: ImmutableMatrix, space: exact.Eigenspace, reduction: exact.RowReduction) -> tuple[Step, ...]:
+    """The row operations; then the unknowns and the scale, or the chains, their number and lengths."""
+    operations = row_operations(pencil, reduction)
+    if space.geometric < space.algebraic:
+        return (*operations, *chains_worked_out(sp.ImmutableMatrix(-pencil), space.nullities, space.chains))
+    return (*operations, *null_vectors(reduction, [vector for chain in space.chains for vector in chain]))
 
 
 def _chain_claims(
@@ -150,21 +173,6 @@ def _chain_claims(
             nilpotent = sp.ImmutableMatrix(-pencil)
             claims[f"chain{number}_{j}"] = Claim(product(nilpotent, chain[j]), chain[j - 1], "chain of vectors")
     return claims
-
-
-def _reduction(pencil: ImmutableMatrix, reduction: exact.RowReduction) -> Step:
-    """The row operations, one by one, and the unknowns they leave free (numbered from 1)."""
-    return Step(
-        "row_reduction",
-        detail="tutor",
-        unclaimed="the row operations are checked by the vectors they lead to",
-        start=pencil,
-        stages=[
-            (operation, sp.ImmutableMatrix(stage))
-            for operation, stage in zip(reduction.operations, reduction.stages[1:], strict=True)
-        ],
-        free=[j + 1 for j in range(pencil.cols) if j not in reduction.pivots],
-    )
 
 
 @eigenstructure.method(source="Lecture note, section 1.12")
@@ -274,6 +282,12 @@ def diagonal_of(given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]
 
 
 eigenstructure.meaning("eigenvalues")(meanings.no_eigenvalue)
+
+
+@eigenstructure.meaning("jordan_form")
+def fault_of_the_form(wrong: Attempt[StateSpace, PlantOptions]) -> Reason | None:
+    """An entry that no Jordan form has, no eigenvalue on the diagonal, or blocks of other sizes."""
+    return jordan_fault(wrong.given.system.A, wrong.value)
 
 
 @eigenstructure.meaning("right_eigenvectors", "left_eigenvectors")

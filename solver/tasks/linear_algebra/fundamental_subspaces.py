@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.row_operations import row_operations
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, option
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
@@ -13,7 +14,7 @@ from solver.options.matrix import MatrixOf
 from solver.stated.algebra import product
 from solver.stated.matrices import rank, transpose
 from solver.tasks.plant_options import PlantOptions
-from solver.tasks.structure.row_operations import rank_exceptions, row_operations
+from solver.tasks.structure.rank_exceptions import rank_exceptions
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -42,6 +43,7 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
+            earned=("echelon", "null_space"),
         ),
         AnswerName(
             "column_space",
@@ -50,6 +52,7 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
+            earned=("column_space",),
         ),
         AnswerName(
             "row_space",
@@ -58,6 +61,7 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
+            earned=("row_space",),
         ),
         AnswerName(
             "left_null_space",
@@ -66,6 +70,7 @@ fundamental_subspaces: Task[StateSpace, FundamentalSubspacesOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
+            earned=("left_null_space",),
         ),
         AnswerName(
             "rank",

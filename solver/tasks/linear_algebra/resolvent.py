@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import is_triangular
+from solver.arithmetic.fractions import expanded
+from solver.arithmetic.inverses import cofactors
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
@@ -14,9 +17,11 @@ from solver.stated.matrices import adjugate, determinant, inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks import mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import (
+    Form,
     determinant_of,
     factors_of,
     minus_determinant,
+    pencil_of,
     recursion_of,
 )
 from solver.tasks.plant_options import PlantOptions
@@ -35,7 +40,9 @@ resolvent: Task[StateSpace, PlantOptions] = Task(
     options=PlantOptions,
     complex_entries=True,
     answers=[
-        AnswerName("resolvent", "R", "the resolvent", principal=True),
+        AnswerName(
+            "resolvent", "R", "the resolvent", principal=True, earned=("expansion", "companion", "adjugate", "sum")
+        ),
         AnswerName("polynomial", r"\chi", "the characteristic polynomial, monic"),
     ],
 )
@@ -51,7 +58,11 @@ def by_adjugate(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
     """(xI − A)⁻¹ = adj(xI − A)/det(xI − A), the adjugate by cofactors."""
     A, x = given.system.A, _variable(given)
     inverted = yield from inverse_of_pencil(A, x)
-    return Answers(resolvent=inverted, polynomial=exact.faddeev_leverrier(A).characteristic_polynomial(x))
+    chi = exact.faddeev_leverrier(A).characteristic_polynomial(x)
+    if is_triangular(A) and A.rows > 1:
+        says = "the factors multiplied out"
+        yield Step("polynomial", claims={"polynomial": Claim(exact.factored(A, x), chi, says)}, x=x)
+    return Answers(resolvent=inverted, polynomial=chi)
 
 
 @resolvent.method(
@@ -115,14 +126,15 @@ resolvent.mistake(mistakes.MINUS_DETERMINANT, "polynomial")(minus_determinant)
 
 
 @lemma("resolvent")
-def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
+def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol, *, for_its: Form = "factors") -> Derivation[ImmutableMatrix]:
     """det(xI − A) and adj(xI − A), of which nothing is said where it is 1; returns the adjugate."""
-    found = yield from determinant_of(A, x)
+    found = yield from determinant_of(A, x, for_its=for_its)
     pencil, adj = exact.pencil(A, x), found.adjugate(x)
     if A.rows > 1:
         yield Step(
             "adjugate",
             claims={"adjugate": Claim(adjugate(pencil), adj, "adjugate of the matrix")},
+            steps=cofactors(pencil, adj),
             x=x,
             n=A.rows,
         )
@@ -131,9 +143,20 @@ def adjugate_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMat
 
 @lemma("resolvent")
 def inverse_of_pencil(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
-    """(xI − A)⁻¹ = adj(xI − A)/det(xI − A); returns it with cancelled entries."""
+    """(xI − A)⁻¹ = adj(xI − A)/det(xI − A), of a diagonal A entry by entry; returns it with cancelled entries."""
+    if A.is_diagonal():
+        return (yield from _entry_by_entry(A, x))
     adj = yield from adjugate_of_pencil(A, x)
     return (yield from quotient_of_adjugate(A, x, adj))
+
+
+def _entry_by_entry(A: ImmutableMatrix, x: Symbol) -> Derivation[ImmutableMatrix]:
+    """The inverse of a diagonal matrix has the inverse entries."""
+    pencil = yield from pencil_of(A, x)
+    inverted: ImmutableMatrix = exact.resolvent(A, x)
+    claim = Claim(inverse(pencil), inverted, "inverse of a diagonal matrix")
+    yield Step("diagonal", claims={"entries": claim}, x=x, n=A.rows)
+    return inverted
 
 
 @lemma("resolvent")
@@ -163,6 +186,7 @@ def partial_fractions_of(A: ImmutableMatrix, x: Symbol) -> Derivation[Any]:
     yield Step(
         "partial_fractions",
         claims={"expansion": Claim(inverse(pencil), expansion, "partial fractions of the inverse")},
+        steps=expanded(exact.resolvent_matrix(A), x),
         x=x,
         terms=terms,
         exceptions=exact.spectrum(A).exceptions,

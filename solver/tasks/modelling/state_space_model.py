@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Refusal, Task
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Refusal, Task, state_equations
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
@@ -40,13 +40,16 @@ state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
     needs=("equations",),
     options=StateSpaceModelOptions,
     answers=[
-        AnswerName("A", "A", "the system matrix", free=with_derivatives),
+        AnswerName(
+            "A", "A", "the system matrix", free=with_derivatives, earned=("highest", "matrices", "input_derivatives")
+        ),
         AnswerName("B", "B", "the input matrix", optional=True, free=with_derivatives),
         AnswerName("C", "C", "the output matrix", free=with_derivatives),
         AnswerName("D", "D", "the feedthrough", optional=True),
         AnswerName("eliminated", r"\text{eliminated}", "what was eliminated, by the states and inputs", optional=True),
     ],
 )
+state_space_model.together(state_equations())
 
 
 @state_space_model.refusal

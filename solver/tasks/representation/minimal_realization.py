@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, state_equations
 from solver.lazy import exact, numeric, systems
 from solver.numeric.judges import representation as judges
 from solver.stated.algebra import product
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.completing import register
+from solver.tasks.representation.lowest_terms import fractions_of, lowest_terms_of
 from solver.tasks.representation.minimal_parts import kept_part_of, least_realization_of
 from solver.tasks.representation.plants import matrices_of, numbers_of, stated_matrix, variable_of
 from solver.tasks.representation.realization_checks import at_infinity, same_transfer, shape_of
 from solver.tasks.representation.realization_lemmas import assembled, companion_form_of, direct_path_of
-from solver.tasks.representation.transfer_function import fractions_of, lowest_terms_of
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -29,7 +29,14 @@ minimal_realization: Task[InputOutput, LoopOptions] = Task(
     needs=("transfer_function",),
     options=LoopOptions,
     answers=[
-        AnswerName("A", "A", "system matrix of the minimal realization", free=True, principal=True),
+        AnswerName(
+            "A",
+            "A",
+            "system matrix of the minimal realization",
+            free=True,
+            principal=True,
+            earned=("complete", "reduction", "parts", "coefficients", "residue"),
+        ),
         AnswerName("B", "B", "its input matrix", free=True, principal=True),
         AnswerName("C", "C", "its output matrix", free=True, principal=True),
         AnswerName("D", "D", "$D$, as before", principal=True),
@@ -38,6 +45,7 @@ minimal_realization: Task[InputOutput, LoopOptions] = Task(
         ),
     ],
 )
+minimal_realization.together(state_equations())
 
 
 @minimal_realization.method(source="Lecture note, section 2.4; Kailath, Linear Systems, section 2.4")

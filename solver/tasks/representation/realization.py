@@ -7,16 +7,31 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Slip, Task, Unsolved, option
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Check,
+    Derivation,
+    Given,
+    Refusal,
+    Slip,
+    Task,
+    Unsolved,
+    option,
+    state_equations,
+)
 from solver.lazy import systems
 from solver.options.choice import Choice
+from solver.tasks.form_meanings import other_transfer
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.completing import register
+from solver.tasks.representation.lowest_terms import fractions_of
 from solver.tasks.representation.modal_forms import mode_form_of
 from solver.tasks.representation.multivariable_forms import companion_coordinates_of
 from solver.tasks.representation.realization_checks import realization_checks
 from solver.tasks.representation.realization_lemmas import companion_form_of, direct_path_of
-from solver.tasks.representation.transfer_function import fractions_of, transfer_function_of
+from solver.tasks.representation.transfer_function import transfer_function_of
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -32,7 +47,17 @@ CONVENTIONS = ("last_row", "first_row", "subdiagonal", "superdiagonal")
 class RealizationOptions(LoopOptions):
     """The form, and how it is written."""
 
-    form: str = option(Choice(FORMS), "the canonical form")
+    form: str = option(
+        Choice(FORMS),
+        "the canonical form",
+        titles={
+            "controllable": "Controllable canonical form",
+            "observable": "Observable canonical form",
+            "diagonal": "Diagonal form",
+            "jordan": "Jordan form",
+            "modal": "Modal form",
+        },
+    )
     convention: str = option(
         Choice(CONVENTIONS),
         "companion forms: coefficients in the last row (controllable; observable: column) or in the first; "
@@ -48,12 +73,19 @@ realization: Task[InputOutput, RealizationOptions] = Task(
     needs=("transfer_function",),
     options=RealizationOptions,
     answers=[
-        AnswerName("A", "A", "system matrix; its order is the degree of the denominator as given", free=True),
+        AnswerName(
+            "A",
+            "A",
+            "system matrix; its order is the degree of the denominator as given",
+            free=True,
+            earned=("coefficients", "partial_fractions", "blocks"),
+        ),
         AnswerName("B", "B", "input matrix", free=True),
         AnswerName("C", "C", "output matrix", free=True),
         AnswerName("D", "D", r"direct path, $G(\infty)$"),
     ],
 )
+realization.together(state_equations())
 
 
 @realization.refusal
@@ -106,6 +138,15 @@ def has_the_form_and_the_transfer_function(
 
 
 register(realization)
+
+
+@realization.meaning("A", "B", "C")
+def another_transfer_function(wrong: Attempt[InputOutput, RealizationOptions]) -> Reason | None:
+    """What the matrices have for a transfer function, where all three are there."""
+    system = wrong.given.system
+    if not isinstance(system, systems.TransferFunction):
+        return None
+    return other_transfer(wrong.submitted, wrong.answers["D"], system.matrix, system.variable)
 
 
 def with_form(system: System, options: RealizationOptions, *, form: str) -> tuple[System, RealizationOptions] | None:

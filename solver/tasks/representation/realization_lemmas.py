@@ -9,6 +9,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import inverse
+from solver.tasks.representation.chains import integrators_of
 
 
 @lemma("realization")
@@ -119,6 +120,7 @@ def assembled(
         B=found.B,
         C=found.C,
         D=found.D,
+        figures=integrators_of(found, discrete=x.name == "z"),
         **shown,
     )
 

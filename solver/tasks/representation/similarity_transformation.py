@@ -6,7 +6,21 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, option
+from solver.arithmetic.inverses import inverted
+from solver.arithmetic.products import multiplied
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Refusal,
+    Step,
+    Task,
+    option,
+    state_equations,
+)
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.options.matrix import MatrixOf
@@ -36,12 +50,13 @@ similarity_transformation: Task[StateSpace, SimilarityTransformationOptions] = T
     needs=("A",),
     options=SimilarityTransformationOptions,
     answers=[
-        AnswerName("A", r"\bar{A}", "$T^{-1}AT$", principal=True),
+        AnswerName("A", r"\bar{A}", "$T^{-1}AT$", principal=True, earned=("inverse",)),
         AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True, principal=lambda system: "B" in system.provides),
         AnswerName("C", r"\bar{C}", "$CT$", optional=True, principal=lambda system: "C" in system.provides),
         AnswerName("D", r"\bar{D}", "$D$, as before", optional=True),
     ],
 )
+similarity_transformation.together(state_equations(r"\xi"))
 
 
 @similarity_transformation.refusal
@@ -62,39 +77,46 @@ def of_a_matrix_that_is_no_change_of_coordinates(
 def by_products(given: Given[StateSpace, SimilarityTransformationOptions]) -> Derivation[Answers]:
     """ξ' = T⁻¹ A T ξ + T⁻¹ B u, y = C T ξ + D u."""
     plant, T = given.system, given.options.T
-    det, adj, inverted = exact.inverse_in_full(T)
+    det, adj, T_inverse = exact.inverse_in_full(T)
     yield Step(
         "inverse",
         claims={
             "determinant": Claim(determinant(T), det, r"$\det T$"),
             "adjugate": Claim(adjugate(T), adj, r"$\operatorname{adj} T$"),
-            "inverse": Claim(inverse(T), inverted, "$T^{-1}$"),
+            "inverse": Claim(inverse(T), T_inverse, "$T^{-1}$"),
         },
+        steps=inverted("T", T, T_inverse),
         T=T,
         det=det,
         adj=quotient(adj, det),
     )
     AT = exact.product_of(plant.A, T)
-    moved = Answers(A=exact.product_of(inverted, AT))
+    moved = Answers(A=exact.product_of(T_inverse, AT))
     yield Step(
         "system_matrix",
         claims={
             "AT": Claim(product(plant.A, T), AT, "$A T$"),
             "A": Claim(product(inverse(T), plant.A, T), moved["A"], "$T^{-1} A T$"),
         },
-        inverted=inverted,
+        steps=(*multiplied(plant.A, T, AT), *multiplied(T_inverse, AT, moved["A"])),
+        inverted=T_inverse,
         AT=AT,
         discrete=plant.discrete,
     )
     others, claims = Answers(), {}
+    lines: tuple[Step, ...] = ()
     if plant.B is not None:
-        others["B"] = exact.product_of(inverted, plant.B)
+        others["B"] = exact.product_of(T_inverse, plant.B)
+        lines += multiplied(T_inverse, plant.B, others["B"])
         claims["B"] = Claim(product(inverse(T), plant.B), others["B"], "$T^{-1} B$")
     if plant.C is not None:
         others["C"] = exact.product_of(plant.C, T)
+        lines += multiplied(plant.C, T, others["C"])
         claims["C"] = Claim(product(plant.C, T), others["C"], "$C T$")
     if claims:
-        yield Step("input_and_output", claims=claims, inverted=inverted, B=plant.B, C=plant.C, T=T, D=plant.D)
+        yield Step(
+            "input_and_output", claims=claims, steps=lines, inverted=T_inverse, B=plant.B, C=plant.C, T=T, D=plant.D
+        )
     if plant.B is not None and plant.C is not None:
         others["D"] = matrices_of(plant)[3]
     moved.update(others)

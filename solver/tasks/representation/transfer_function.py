@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import is_triangular
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma, option
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
+from solver.matrices import entry_alone
 from solver.numeric.judges import representation as judges
 from solver.options.channel import Channel
-from solver.stated import Stated
-from solver.stated.algebra import difference, power, product, quotient, total
+from solver.stated.algebra import power, product, quotient, total
 from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.representation.lowest_terms import fractions_of, lowest_terms_of, rows_as_matrix
 from solver.tasks.representation.plants import (
     chosen_channel,
     matrices_of,
@@ -29,7 +31,7 @@ from solver.tasks.representation.plants import (
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
-    from sympy import Expr, ImmutableMatrix, Symbol
+    from sympy import ImmutableMatrix
 
     from solver.systems import StateSpace
     from solver.tasks.needed import InputOutput
@@ -50,8 +52,14 @@ transfer_function: Task[InputOutput, TransferFunctionOptions] = Task(
     needs=("transfer_function",),
     options=TransferFunctionOptions,
     answers=[
-        AnswerName("G", "G", "the transfer function $C(sI - A)^{-1}B + D$, in lowest terms", principal=True),
-        AnswerName("poles", "p_i", "the poles", optional=True),
+        AnswerName(
+            "G",
+            "G",
+            "the transfer function $C(sI - A)^{-1}B + D$, in lowest terms",
+            principal=True,
+            earned=("numerator", "quotient", "coefficients", "poles_zeros"),
+        ),
+        AnswerName("poles", "p_i", "the poles", optional=True, earned=("poles_zeros",)),
         AnswerName("zeros", "z_i", "the zeros (with several inputs or outputs: the transmission zeros)", optional=True),
         AnswerName("cancelled", r"\text{cancelled}", "the modes of the system that $G$ does not show", optional=True),
     ],
@@ -82,16 +90,20 @@ def by_faddeev_leverrier(given: Given[InputOutput, TransferFunctionOptions]) -> 
     resolvent = yield from recursion_of(A)
     G = exact.transfer_matrix(A, B, C, D, x)
     coefficients = [exact.multiply(exact.multiply(C, N), B) for N in resolvent.adjugate_coefficients]
-    strictly = _rows(G.strictly_proper_numerators)
-    powers = [product(_plain(M), power(x, A.rows - 1 - k)) for k, M in enumerate(coefficients) if not M.is_zero_matrix]
+    strictly = rows_as_matrix(G.strictly_proper_numerators)
+    powers = [
+        product(entry_alone(M), power(x, A.rows - 1 - k)) for k, M in enumerate(coefficients) if not M.is_zero_matrix
+    ]
     yield Step(
         "coefficients",
         claims={
             **{
-                f"coefficient{k}": Claim(product(C, N, B), _plain(M), f"$C N_{k} B$")
+                f"coefficient{k}": Claim(product(C, N, B), entry_alone(M), f"$C N_{k} B$")
                 for k, (N, M) in enumerate(zip(resolvent.adjugate_coefficients, coefficients, strict=True))
             },
-            "sum": Claim(total(*powers) if powers else _plain(strictly), _plain(strictly), "numerator, by powers"),
+            "sum": Claim(
+                total(*powers) if powers else entry_alone(strictly), entry_alone(strictly), "numerator, by powers"
+            ),
         },
         x=x,
         n=A.rows,
@@ -100,123 +112,49 @@ def by_faddeev_leverrier(given: Given[InputOutput, TransferFunctionOptions]) -> 
     return (yield from lowest_terms_of(G))
 
 
-def _plain(M: Any) -> Any:
-    """A matrix 1×1 as its entry: with one input and one output everything is scalar."""
-    return M[0, 0] if M.shape == (1, 1) else M
-
-
-def _rows(rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
-    return sp.ImmutableMatrix([list(row) for row in rows])
-
-
 @lemma("transfer_function")
 def transfer_function_of(plant: StateSpace) -> Derivation[exact.TransferMatrix]:
     """G = (C adj(xI − A) B + det(xI − A) D)/det(xI − A), not cancelled."""
     x, (A, B, C, D) = variable_of(plant), matrices_of(plant)
-    adj = yield from adjugate_of_pencil(A, x)
+    direct = D is not None and not D.is_zero_matrix
+    adj = yield from adjugate_of_pencil(A, x, for_its="both" if direct else "factors")
     G = exact.transfer_matrix(A, B, C, D, x)
     right = sp.ImmutableMatrix((adj * B).applyfunc(sp.expand))
-    strictly = _rows(G.strictly_proper_numerators)
+    strictly = rows_as_matrix(G.strictly_proper_numerators)
     factors = (C, adj, B) if A.rows > 1 else (C, B)
     yield Step(
         "numerator",
         claims={
             "right": Claim(product(adj, B), right, r"$\operatorname{adj}(" + str(x) + r"I - A)\,B$"),
-            "product": Claim(product(*factors), _plain(strictly), "numerator"),
+            "product": Claim(product(*factors), entry_alone(strictly), "numerator"),
         },
         x=x,
         n=A.rows,
         right=right,
         C=C,
     )
-    yield from _quotient_of(plant, G, strictly)
+    yield from _quotient_of(plant, G, strictly, factored=True)
     return G
 
 
 @lemma("transfer_function")
-def _quotient_of(plant: StateSpace, G: exact.TransferMatrix, strictly: ImmutableMatrix) -> Derivation[None]:
+def _quotient_of(
+    plant: StateSpace, G: exact.TransferMatrix, strictly: ImmutableMatrix, *, factored: bool = False
+) -> Derivation[None]:
     """The numerator of C (xI − A)⁻¹ B over χ, D brought over the same denominator."""
-    x, D, N = G.variable, plant.D, _rows(G.numerators)
+    x, D, N, chi = G.variable, plant.D, rows_as_matrix(G.numerators), G.chi
     if D is not None and not D.is_zero_matrix:
-        with_D = total(_plain(strictly), product(G.chi, _plain(D)))
-        yield Step("through", claims={"sum": Claim(with_D, _plain(N), "numerator with $D$")}, x=x, D=_plain(D))
+        with_D = total(entry_alone(strictly), product(G.chi, entry_alone(D)))
+        yield Step(
+            "through", claims={"sum": Claim(with_D, entry_alone(N), "numerator with $D$")}, x=x, D=entry_alone(D)
+        )
+    elif factored and is_triangular(plant.A):  # what was seen as a product stays one
+        chi = exact.factored(plant.A, x)
     yield Step(
         "quotient",
-        claims={"G": Claim(stated_transfer(plant, x), quotient(_plain(N), G.chi), f"$G({x})$")},
+        claims={"G": Claim(stated_transfer(plant, x), quotient(entry_alone(N), chi), f"$G({x})$")},
         x=x,
     )
-
-
-@lemma("transfer_function")
-def fractions_of(system: Any) -> Derivation[exact.TransferMatrix]:
-    """G as it is given, the denominators made monic; not cancelled."""
-    G = exact.transfer_matrix_of_fractions(system.numerators, system.denominators, system.variable)
-    given, monic = (
-        _plain(
-            sp.ImmutableMatrix(*G.shape, [p / q for row in zip(*pair, strict=True) for p, q in zip(*row, strict=True)])
-        )
-        for pair in ((system.numerators, system.denominators), (G.numerators, G.denominators))
-    )
-    if given == monic:
-        yield Step(
-            "as_given", claims={"given": Claim(given, system.matrix, "the fraction as given")}, x=G.variable, G=given
-        )
-    else:
-        yield Step("monic", claims={"monic": Claim(given, monic, "denominators made monic")}, x=G.variable)
-    return G
-
-
-@lemma("transfer_function")
-def lowest_terms_of(G: exact.TransferMatrix, *, given_as_fraction: bool = False) -> Derivation[Answers]:
-    """Common factors cancelled and named; poles and zeros."""
-    x, siso = G.variable, G.shape == (1, 1)
-    uncancelled = _over_chi(G)
-    common = None if given_as_fraction and not siso else G.cancelled_factored
-    yield Step(
-        "cancel",
-        claims={"lowest": Claim(uncancelled, _plain(G.matrix), "lowest terms")},
-        x=x,
-        siso=siso,
-        factored=_factored_fraction(G) if siso and G.matrix[0, 0] != 0 else None,
-        common=common,
-        cancelled=G.cancelled if common is not None else None,
-    )
-    poles, zeros = G.poles, G.zeros
-    yield Step(
-        "poles_zeros",
-        claims={
-            **({"poles": Claim(G.poles_factored, _from_roots(x, poles), "poles")} if poles else {}),
-            **({"zeros": Claim(G.zeros_factored, _from_roots(x, zeros), "zeros")} if zeros else {}),
-        },
-        unclaimed="" if poles or zeros else "there are no roots to put into a product",
-        x=x,
-        poles=poles,
-        zeros=zeros,
-        siso=siso,
-        pole_polynomial=G.poles_factored,
-        zero_polynomial=G.zeros_factored,
-        vanishes=bool(G.matrix.is_zero_matrix),
-    )
-    found = {"poles": poles, "zeros": zeros, "cancelled": G.cancelled if common is not None else None}
-    return Answers(G=_plain(G.matrix), **{name: value for name, value in found.items() if value is not None})
-
-
-def _over_chi(G: exact.TransferMatrix) -> Any:
-    same = len({q for row in G.denominators for q in row}) == 1
-    if same:
-        return quotient(_plain(_rows(G.numerators)), G.chi)
-    entries = [p / q for row in zip(G.numerators, G.denominators, strict=True) for p, q in zip(*row, strict=True)]
-    return sp.ImmutableMatrix(*G.shape, entries)
-
-
-def _factored_fraction(G: exact.TransferMatrix) -> Any:
-    """Numerator and denominator of the only entry in factors."""
-    return quotient(G.numerator_factored, G.chi_factored)
-
-
-def _from_roots(x: Symbol, roots: Sequence[Expr]) -> Stated:
-    distinct = dict.fromkeys(roots)
-    return product(*(power(difference(x, root), list(roots).count(root)) for root in distinct))
 
 
 @transfer_function.verification("G")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.determinants import leading_minors
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -38,6 +39,7 @@ def hurwitz_conditions_of(factor: exact.Factor, *, discrete: bool) -> Derivation
             f"minor{k}": Claim(determinant(M), value, Phrase("${name}$", name=f"\\Delta_{k}"))
             for k, (M, value) in enumerate(zip(minors, positive[1:], strict=True), 1)
         },
+        steps=leading_minors(minors, positive[1:]),
         H=H,
         p=sp.Add(*(c * x ** (H.rows - i) for i, c in enumerate(coefficients))),
         lead=coefficients[0],

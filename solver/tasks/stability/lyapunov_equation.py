@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.determinants import leading_minors
+from solver.arithmetic.row_operations import row_operations
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, total
-from solver.stated.matrices import transpose
-from solver.tasks.structure.row_operations import row_operations
+from solver.stated.matrices import determinant, transpose
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -77,3 +79,19 @@ def left_side(A: ImmutableMatrix, P: ImmutableMatrix, *, dual: bool, discrete: b
     if discrete:
         return difference(product(left, P, right), P)
     return total(product(left, P), product(P, right))
+
+
+@lemma("lyapunov_equation")
+def is_positive_definite(P: ImmutableMatrix) -> Derivation[bool | None]:
+    """Whether all leading principal minors of P are positive; None where their signs depend on parameters."""
+    blocks = [sp.ImmutableMatrix(P[:k, :k]) for k in range(1, P.rows + 1)]
+    minors = [exact.determinant(block) for block in blocks]
+    signs = [exact.sign_of(minor) for minor in minors]
+    definite = False if any(sign is not None and sign < 1 for sign in signs) else None if None in signs else True
+    claims = {
+        f"minor{k}": Claim(determinant(block), minor, Phrase("leading minor {k}", k=k))
+        for k, (block, minor) in enumerate(zip(blocks, minors, strict=True), 1)
+    }
+    lines, signed = leading_minors(blocks, minors), list(zip(minors, signs, strict=True))
+    yield Step("minors", claims=claims, steps=lines, minors=signed, definite=definite)
+    return definite

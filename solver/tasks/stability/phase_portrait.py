@@ -42,6 +42,7 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
             "the kind of equilibrium (with parameters: in general)",
             principal=True,
             words=KINDS,
+            earned=("spectrum", "invariants", "kind"),
         ),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
         AnswerName("exceptions", r"\text{exceptions}", "where the parameters make it another", optional=True),

@@ -32,7 +32,7 @@ class Tabled:
 @lemma("routh_array")
 def routh_array_of(A: ImmutableMatrix, *, discrete: bool) -> Derivation[Tabled]:
     """Write down χ, in discrete time its bilinear image, and its array."""
-    resolvent = yield from determinant_of(A, sp.Symbol("z" if discrete else "s"))
+    resolvent = yield from determinant_of(A, sp.Symbol("z" if discrete else "s"), for_its="coefficients")
     coefficients, ones, x = resolvent.coefficients, 0, sp.Symbol("s")
     if discrete:
         x = sp.Symbol("w")

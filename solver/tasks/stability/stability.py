@@ -23,12 +23,13 @@ from solver.lazy import sympy as sp
 from solver.options.flag import Flag
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import power, product
-from solver.stated.matrices import determinant
 from solver.tasks import consequences, meanings, mistakes
+from solver.tasks.form_meanings import first_routh_entry
+from solver.tasks.linear_algebra.characteristic_polynomial import factors_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability import checks
-from solver.tasks.stability.lyapunov_equation import lyapunov_solution_of
+from solver.tasks.stability.lyapunov_equation import is_positive_definite, lyapunov_solution_of
 from solver.tasks.stability.routh_array import Tabled, routh_array_of
 from solver.tasks.stability.verdicts import (
     MARGINAL,
@@ -39,7 +40,7 @@ from solver.tasks.stability.verdicts import (
     external_stability_of,
     location_of,
 )
-from solver.words import Phrase, Reason
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -70,6 +71,7 @@ stability: Task[StateSpace, StabilityOptions] = Task(
             "the free motion",
             principal=True,
             words=("asymptotically stable", "marginally stable", "unstable"),
+            earned=("spectrum", "solution", "minors", "array", "sign_changes"),
         ),
         AnswerName("bibo_stable", r"\text{BIBO stable}", "whether bounded inputs give bounded outputs", optional=True),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity", optional=True),
@@ -134,14 +136,7 @@ def by_lyapunov(given: Given[StateSpace, StabilityOptions]) -> Derivation[Answer
     verdict, semidefinite = "", exact.definiteness(Q) != "positive definite"
     facts: dict[str, Any] = {"discrete": discrete, "dual": dual, "semidefinite": semidefinite}
     if P is not None:
-        minors = [exact.determinant(sp.ImmutableMatrix(P[:k, :k])) for k in range(1, A.rows + 1)]
-        signs = [exact.sign_of(minor) for minor in minors]
-        definite = False if any(sign is not None and sign < 1 for sign in signs) else None if None in signs else True
-        claims = {
-            f"minor{k}": Claim(determinant(sp.ImmutableMatrix(P[:k, :k])), minor, Phrase("leading minor {k}", k=k))
-            for k, minor in enumerate(minors, 1)
-        }
-        yield Step("minors", claims=claims, minors=list(zip(minors, signs, strict=True)), definite=definite)
+        definite = yield from is_positive_definite(P)
         if definite is None:
             yield from depends_on_parameters(A, discrete=discrete)
         verdict = (STABLE if definite else UNSTABLE) if decisive else ""
@@ -222,6 +217,8 @@ def _verdict_of_array(A: ImmutableMatrix, tabled: Tabled, outside: int, *, discr
         verdict = str(found.verdict)
     yield Step("verdict", unclaimed="a consequence of the count; the answer has a check of its own", verdict=verdict,
                outside=outside, boundary=zeros and not outside, discrete=discrete)  # fmt: skip
+    if _spectrum(A) is not None:
+        yield from factors_of(A, sp.Symbol("z" if discrete else "s"))
     yield from _confirmation(A)
     return verdict
 
@@ -289,3 +286,4 @@ def weight_reversed(system: System, options: StabilityOptions) -> tuple[System, 
 
 
 stability.meaning("eigenvalues")(meanings.no_eigenvalue)
+stability.meaning("array")(first_routh_entry)

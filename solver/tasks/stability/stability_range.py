@@ -28,6 +28,7 @@ from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.plant_options import LoopOptions
+from solver.tasks.stability.boundary import edges_of
 from solver.tasks.stability.counterexamples import counterexample
 from solver.tasks.stability.hurwitz_conditions import hurwitz_conditions_of
 from solver.tasks.stability.routh_array import routh_array_of
@@ -54,7 +55,14 @@ stability_range: Task[StateSpace, StabilityRangeOptions] = Task(
     doc="The condition on the parameters under which every free motion dies out.",
     needs=("A",),
     options=StabilityRangeOptions,
-    answers=[AnswerName("condition", r"\text{condition}", "where the system is asymptotically stable")],
+    answers=[
+        AnswerName(
+            "condition",
+            r"\text{condition}",
+            "where the system is asymptotically stable",
+            earned=("array", "first_column", "factor", "determinants", "condition"),
+        )
+    ],
 )
 
 
@@ -86,7 +94,7 @@ def by_routh(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answ
     )
     if impossible:
         conditions = [sp.Integer(-1)]
-    return (yield from _together(conditions, wanted))
+    return (yield from _together(plant, conditions, wanted))
 
 
 @stability_range.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")
@@ -120,7 +128,7 @@ def by_eigenvalues(given: Given[StateSpace, StabilityRangeOptions]) -> Derivatio
             c=factor.coefficients[-1],
             discrete=discrete,
         )
-    return (yield from _together(conditions, wanted))
+    return (yield from _together(given.system, conditions, wanted))
 
 
 def _of_factor(factor: exact.Factor, *, discrete: bool) -> list[Expr]:
@@ -155,8 +163,8 @@ def _wanted(given: Given[StateSpace, StabilityRangeOptions]) -> list[Symbol]:
     return [symbol for name in names for symbol in inside if symbol.name == name]
 
 
-def _together(conditions: Sequence[Expr], wanted: Sequence[Symbol]) -> Derivation[Answers]:
-    """All conditions at once: intervals of one parameter, a conjunction for several."""
+def _together(plant: StateSpace, conditions: Sequence[Expr], wanted: Sequence[Symbol]) -> Derivation[Answers]:
+    """All conditions at once: intervals of one parameter, a conjunction for several; and what happens at their ends."""
     condition = exact.all_positive(conditions, wanted)
     assumed = sorted(set().union(*(x.free_symbols for x in conditions)), key=str)
     parts = condition.args if isinstance(condition, sp.And) else (condition,)
@@ -169,6 +177,7 @@ def _together(conditions: Sequence[Expr], wanted: Sequence[Symbol]) -> Derivatio
         positive=[symbol for symbol in assumed if symbol.is_positive],
         negative=[symbol for symbol in assumed if symbol.is_negative],
     )
+    yield from edges_of(plant, condition)
     return Answers(condition=condition)
 
 

@@ -9,6 +9,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.matrices import inverse
+from solver.tasks.figures import plane, roots
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -31,6 +32,12 @@ def location_of(A: ImmutableMatrix, *, discrete: bool) -> Derivation[exact.Locat
         approximations=[_approximation(each.measure) for each in found.placed],
         pairs=_pairs(found),
         discrete=discrete,
+        figures=plane(
+            "Where the eigenvalues lie",
+            roots("eigenvalues", found.spectrum.eigenvalues),
+            discrete=discrete,
+            stable=True,
+        ),
     )
     if found.verdict is None:
         yield from depends_on_parameters(A, discrete=discrete)

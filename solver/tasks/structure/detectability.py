@@ -27,6 +27,7 @@ detectability: Task[WithOutput, PlantOptions] = Task(
             "whether every unobservable mode is stable",
             optional=True,
             principal=True,
+            earned=("verdict", "decay"),
         ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the unobservable eigenvalues"),
         AnswerName(

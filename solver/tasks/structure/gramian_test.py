@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.integrals import integrated
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -105,7 +106,10 @@ def finite_gramian_of(pair: Pair, horizon: Any) -> Derivation[ImmutableMatrix]:
     W = exact.finite_gramian(pair.F, pair.G, horizon)
     squared = product(transpose(moved), moved) if pair.dual else product(moved, transpose(moved))
     claim = Claim(integral(squared, t, sp.Integer(0), horizon), W, "integral of the Gramian")
-    yield Step("integral", claims={"integral": claim}, horizon=horizon, W=W, dual=pair.dual)
+    square = sp.ImmutableMatrix((moved.T * moved if pair.dual else moved * moved.T).applyfunc(sp.expand))
+    worked_out = integrated(square, t, sp.Integer(0), horizon, W)
+    claims = {"integral": claim, "square": Claim(squared, square, "what is integrated")}
+    yield Step("integral", claims=claims, steps=worked_out, horizon=horizon, W=W, dual=pair.dual)
     stacked = pair.turned(response.stacked)
     r = exact.rank(stacked)
     yield Step(

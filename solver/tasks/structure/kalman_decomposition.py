@@ -8,6 +8,7 @@ from functools import partial
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.row_operations import row_operations
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -20,6 +21,7 @@ from solver.derivation import (
     Step,
     Task,
     option,
+    state_equations,
 )
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
@@ -32,7 +34,7 @@ from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure import decomposition_formulas as formulas
 from solver.tasks.structure.pairs import controllability_pair, observability_pair
 from solver.tasks.structure.parts import parts_of
-from solver.tasks.structure.row_operations import rank_exceptions
+from solver.tasks.structure.rank_exceptions import rank_exceptions
 from solver.tasks.structure.subspaces import subspaces_of
 from solver.words import Phrase, Reason
 
@@ -42,6 +44,7 @@ if TYPE_CHECKING:
     from solver.systems import StateSpace, System
 
 PARTS = ("controllable", "observable", "full")
+TITLES = {"controllable": "Decomposition by controllability", "observable": "Decomposition by observability"}
 SUFFIXES = {"controllable": "c", "observable": "o", "full": "co"}
 
 
@@ -49,10 +52,7 @@ SUFFIXES = {"controllable": "c", "observable": "o", "full": "co"}
 class KalmanDecompositionOptions(PlantOptions):
     """Which part is separated."""
 
-    part: str = option(
-        Choice(PARTS),
-        "controllable: apart from what no input reaches; observable: from what no output shows; full: all four",
-    )
+    part: str = option(Choice(PARTS), "what is separated from the rest; full: all four parts", titles=TITLES)
 
 
 kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
@@ -69,16 +69,13 @@ kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
+            earned=("reachable", "seen", "intersection", "bases"),
         ),
-        AnswerName("A", r"\bar{A}", "$T^{-1}AT$", free=True, principal=True),
+        AnswerName("A", r"\bar{A}", "$T^{-1}AT$", free=True, principal=True, earned=("transformed",)),
         AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True, free=True, principal=True),
         AnswerName("C", r"\bar{C}", "$CT$", optional=True, free=True, principal=True),
         AnswerName(
-            "orders",
-            r"\text{orders}",
-            "the orders of the parts ($r$ and $n - r$, or: both, controllable only, observable only, neither)",
-            ordered=True,
-            count=True,
+            "orders", r"\text{orders}", "the orders of the parts, in the order of $T$", ordered=True, count=True
         ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the eigenvalues of all parts but the first"),
         *(
@@ -95,6 +92,7 @@ kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
     ],
     example={"A": "[[-1, 2], [0, -3]]", "B": "[1, 0]", "C": "[1, 1]"},
 )
+kalman_decomposition.together(state_equations(r"\xi", "ABC"))
 
 
 @kalman_decomposition.refusal
@@ -178,7 +176,9 @@ def _bases(plant: Any, found: exact.Decomposition, part: str) -> Step:
         claims["complement"] = _vanishing(transpose(rest), others[0], "the complement is orthogonal")
     claims["inverse"] = Claim(inverse(found.T), found.T_inverse, "$T^{-1}$")
     T = partitioned(found.T, (), tuple(accumulate(found.orders)))
-    return Step("bases", claims=claims, part=part, found=found, T=T)
+    beside = sp.ImmutableMatrix(sp.Matrix.hstack(found.T, sp.eye(plant.order)))
+    lines = row_operations(beside, exact.row_reduction(beside))
+    return Step("bases", claims=claims, steps=lines, part=part, found=found, T=T)
 
 
 def _vanishing(left: Any, right: ImmutableMatrix, says: str) -> Claim:

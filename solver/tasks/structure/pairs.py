@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.products import is_worked_out, rows_times_columns
 from solver.derivation import Claim
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -12,6 +13,8 @@ from solver.stated.algebra import product
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
+
+    from solver.stated import Stated
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,12 @@ class Pair:
         products = (product(block, self.A) if self.dual else product(self.A, block) for block in blocks)
         named = enumerate(zip(products, blocks[1:], self.names[1:], strict=False), 1)
         return {f"block{i}": Claim(stated, block, f"${name}$") for i, (stated, block, name) in named}
+
+    @property
+    def block_entries(self) -> list[Stated | str]:
+        """The entries of these products as rows times columns; "" where they need no more than a look."""
+        factors = [(block, self.A) if self.dual else (self.A, block) for block in self.blocks[:-1]]
+        return [rows_times_columns(*each) if is_worked_out(*each) else "" for each in factors]
 
     @property
     def names(self) -> list[str]:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import expanded, worked_out
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -28,9 +29,10 @@ from solver.stated.matrices import determinant, rank
 from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.plant_options import PlantOptions
 from solver.tasks.structure.critical_parameters import angles_of, conditions_of
+from solver.tasks.structure.lost_modes import lost_modes_of
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
-from solver.tasks.structure.rank_test import arithmetic_of, matrix_of
+from solver.tasks.structure.rank_test import expansion, matrix_of
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -43,7 +45,11 @@ if TYPE_CHECKING:
 class ParameterConditionOptions(PlantOptions):
     """What is lost, and by which parameter."""
 
-    property: str = option(Choice(("uncontrollable", "unobservable")), "which property the plant is to have")
+    property: str = option(
+        Choice(("uncontrollable", "unobservable")),
+        "which property the plant is to have",
+        titles={"uncontrollable": "Loss of controllability", "unobservable": "Loss of observability"},
+    )
     parameter: tuple[str, ...] | None = option(
         Names(), "the parameter asked for, or several at once; may be left out where there is only one"
     )
@@ -60,6 +66,7 @@ parameter_condition: Task[StateSpace, ParameterConditionOptions] = Task(
             "values",
             r"\text{values}",
             r"the values of the parameter ($\mathbb{R}$: any value); of several the conditions on them",
+            earned=("determinant", "minors", "conditions", "roots", "always"),
         ),
     ],
     example={"A": "[[2, k - 1], [0, 2]]", "B": "[1, k]"},
@@ -103,6 +110,7 @@ def by_minors(given: Given[StateSpace, ParameterConditionOptions]) -> Derivation
     found = exact.critical_values(pair.turned(matrix), x)
     yield _determinant(pair, matrix, x) if matrix.rows == matrix.cols else _minors(pair, matrix, x, found)
     yield _roots(pair, matrix, x, found)
+    yield from lost_modes_of(pair, x, found.values)
     return Answers(values=list(found.values))
 
 
@@ -111,20 +119,25 @@ def _determinant(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
     det = exact.determinant(matrix)
     claims = {"expanded": Claim(determinant(matrix), sp.expand(det), "determinant")}
     claims["factored"] = Claim(sp.expand(det), exact.vanishing_form(det), "determinant in factors")
-    return Step("determinant", claims=claims | arithmetic_of(matrix), x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))
+    lines = expanded(matrix, sp.expand(det)) if expansion(matrix) else ()
+    claims |= expansion(matrix)
+    return Step("determinant", claims=claims, steps=lines, x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))
 
 
 def _minors(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalValues) -> Step:
     """Several inputs (outputs): minors whose common zeros are those of all."""
     whole = pair.turned(matrix)
     claims, chosen = {}, []
+    lines: tuple[Step, ...] = ()
     for i, (columns, value) in enumerate(exact.telling_minors(whole, x), 1):
         square = pair.turned(sp.ImmutableMatrix(whole[:, columns]))
         claims[f"minor{i}"] = Claim(determinant(square), value, Phrase("minor {i}", i=i))
+        lines += worked_out("", square, sp.expand(value))
         chosen.append([j + 1 for j in columns])
     return Step(
         "minors",
         claims=claims,
+        steps=lines,
         unclaimed="there are too many minors to write out; the values are checked one by one",
         chosen=chosen,
         divisor=found.divisor,

@@ -7,11 +7,13 @@ from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
+from solver.derivation.figures import Part, Parts
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, partitioned
+from solver.words import formula
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -21,10 +23,42 @@ if TYPE_CHECKING:
 def parts_of(plant: Any, found: exact.Decomposition, part: str) -> Derivation[None]:
     """T⁻¹AT, T⁻¹B, CT with lines between the parts, what is hidden, and the transfer function if there is one."""
     yield _transformed(plant, found, part)
-    yield Step("blocks", unclaimed="the blocks are read off from the matrices", part=part, found=found)
+    yield Step("blocks", unclaimed="the blocks are read off from the matrices", part=part, found=found,
+               figures=_boxes(found, part))  # fmt: skip
     yield _hidden(plant, found, part)
     if plant.B is not None and plant.C is not None:
         yield _transfer(plant, found, part)
+
+
+PLACES = {"full": ((0, 0), (0, 1), (1, 0), (1, 1)), "controllable": ((0, 0), (1, 0)), "observable": ((0, 0), (0, 1))}
+NAMES = {
+    "full": ("controllable and observable", "controllable only", "observable only", "neither"),
+    "controllable": ("controllable", "not controllable"),
+    "observable": ("observable", "not observable"),
+}
+
+
+def _boxes(found: exact.Decomposition, part: str) -> tuple[Parts, ...]:
+    """The parts that have states, as boxes; none where their modes depend on parameters."""
+    present = [i for i, order in enumerate(found.orders) if order]
+    if any(mode.free_symbols for i in present for mode in found.modes(i)):
+        return ()
+    boxes = [
+        Part(
+            NAMES[part][i],
+            tuple(map(formula, found.modes(i))),
+            PLACES[part][i],
+            _acts(found.input_block(i)),
+            _acts(found.output_block(i)),
+            tuple(k for k, j in enumerate(present) if j != i and _acts(found.block(j, i))),
+        )
+        for i in present
+    ]
+    return (Parts("The parts, their modes, and what acts on what", tuple(boxes)),)
+
+
+def _acts(block: ImmutableMatrix | None) -> bool:
+    return block is not None and not block.is_zero_matrix
 
 
 def _lined(M: ImmutableMatrix, rows: Sequence[int], columns: Sequence[int]) -> Stated:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from solver.arithmetic.row_operations import row_operations
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -11,7 +12,6 @@ from solver.stated.algebra import product
 from solver.stated.matrices import rank
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of
 from solver.tasks.structure.pairs import Pair
-from solver.tasks.structure.row_operations import row_operations
 
 
 @lemma("pbh_test")

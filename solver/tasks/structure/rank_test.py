@@ -5,16 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import expanded, first_line
+from solver.arithmetic.row_operations import row_operations
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.matrices import determinant, rank
-from solver.tasks.linear_algebra.characteristic_polynomial import expansion_of, shape_of
+from solver.tasks.linear_algebra.characteristic_polynomial import shape_of
 from solver.tasks.structure.pairs import Pair
-from solver.tasks.structure.row_operations import rank_exceptions, row_operations
+from solver.tasks.structure.rank_exceptions import rank_exceptions
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
+
+
+LARGEST_EXPANDED = 4
+"""The determinant of a larger matrix is not expanded."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +41,14 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
     det = None
     if matrix.rows == matrix.cols:
         det = sp.factor(exact.determinant(matrix))
+        spread = exact.multiplied_out(det)
         yield Step(
             "determinant",
-            claims={"value": Claim(determinant(matrix), det, "determinant"), **arithmetic_of(matrix)},
+            claims={"value": Claim(determinant(matrix), det, "determinant"), **expansion(matrix)},
+            steps=expanded(matrix, spread) if expansion(matrix) else (),
             dual=pair.dual,
             det=det,
+            spread=spread,
             n=pair.n,
             **shape_of(matrix),
         )
@@ -69,13 +78,11 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
     return Rank(matrix, det, r, exceptions)
 
 
-def arithmetic_of(matrix: ImmutableMatrix) -> dict[str, Claim]:
-    """A small determinant written out; nothing for a large one, or where a row of zeros says it all."""
-    if matrix.rows not in (2, 3) or any(matrix.row(i).is_zero_matrix for i in range(matrix.rows)):
+def expansion(matrix: ImmutableMatrix) -> dict[str, Claim]:
+    """The first line of a small determinant; none for a large one, or where a row of zeros says it all."""
+    if not 2 <= matrix.rows <= LARGEST_EXPANDED or any(matrix.row(i).is_zero_matrix for i in range(matrix.rows)):
         return {}
-    det, adjugate = exact.determinant_and_adjugate(matrix)
-    claims = expansion_of(matrix, adjugate, det)
-    return {name: claims[name] for name in ("stated", "minors") if name in claims}
+    return {"stated": Claim(determinant(matrix), first_line(matrix), "the determinant multiplied out")}
 
 
 @lemma("rank_test")
@@ -107,6 +114,7 @@ def _matrix(pair: Pair, matrix: ImmutableMatrix) -> Step:
         claims=pair.block_claims,
         unclaimed="for one state there is nothing to multiply",
         names=pair.names,
+        entries=pair.block_entries,
         matrix=matrix,
         pair=pair,
         n=pair.n,

@@ -27,6 +27,7 @@ stabilizability: Task[WithInput, PlantOptions] = Task(
             "whether every uncontrollable mode is stable",
             optional=True,
             principal=True,
+            earned=("verdict", "decay"),
         ),
         AnswerName("hidden_modes", r"\lambda_{\text{hidden}}", "the uncontrollable eigenvalues"),
         AnswerName(

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from solver.arithmetic.row_operations import row_operations
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.matrices import rank
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
-from solver.tasks.structure.row_operations import rank_exceptions, row_operations
+from solver.tasks.structure.rank_exceptions import rank_exceptions
 
 
 @lemma("subspaces")

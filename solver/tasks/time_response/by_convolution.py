@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.integrals import integrated
+from solver.arithmetic.sums import added_up
+from solver.arithmetic.transformed import term_by_term
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -40,7 +43,9 @@ def transition_matrix_of(asked: Question) -> Derivation[ImmutableMatrix]:
     yield from transform_pairs_of(A, s, t, discrete=discrete)
     Phi = (exact.power if discrete else exact.exponential)(A, t).matrix
     stated = inverse_z(product(s, expansion), s, t) if discrete else inverse_laplace(expansion, s, t)
-    yield Step("transition", claims={"Phi": Claim(stated, Phi, "state transition matrix")}, discrete=discrete)
+    worked_out = term_by_term(exact.resolvent_matrix(A), s, t, Phi, discrete=discrete)
+    claim = Claim(stated, Phi, "state transition matrix")
+    yield Step("transition", claims={"Phi": claim}, steps=worked_out, discrete=discrete)
     return Phi
 
 
@@ -74,6 +79,7 @@ def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: Immutabl
         yield Step(
             "convolution_sum",
             claims={"x": Claim(stated, x, "convolution sum")},
+            steps=added_up(sp.ImmutableMatrix(Phi.xreplace({t: t - 1 - i}) * B * u), i, t, x),
             B=B,
             u=u,
             x=asked.begun(x, piece.delay),
@@ -93,4 +99,7 @@ def zero_state_by_convolution(asked: Question, piece: exact.Piece, Phi: Immutabl
     claims = {"x": Claim(total(*terms), x, "convolution")}
     if any(u.flat()) or not piece:
         claims = {"integrand": Claim(product(shifted, B, u), integrand, "what is integrated"), **claims}
-    yield Step("convolution", claims=claims, B=B, tau=tau, u=u, x=asked.begun(x, piece.delay), **names)
+    worked_out = integrated(integrand, tau, sp.Integer(0), t, x) if any(u.flat()) and len(terms) == 1 else ()
+    yield Step(
+        "convolution", claims=claims, steps=worked_out, B=B, tau=tau, u=u, x=asked.begun(x, piece.delay), **names
+    )

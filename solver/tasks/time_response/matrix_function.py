@@ -6,6 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.combinations import combined, multiplied_out
+from solver.arithmetic.equations import eliminated
+from solver.arithmetic.products import polynomial_of
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -26,11 +29,12 @@ from solver.stated import Stated
 from solver.stated.algebra import power, product, total
 from solver.stated.matrices import inverse
 from solver.tasks import mistakes
+from solver.tasks.form_meanings import commutes
 from solver.tasks.freedom import a_root_is_asked_for
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
-from solver.words import Phrase
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -56,7 +60,15 @@ matrix_function: Task[StateSpace, MatrixFunctionOptions] = Task(
     needs=("A",),
     options=MatrixFunctionOptions,
     complex_entries=True,
-    answers=[AnswerName("F", "f(A)", "the function of the matrix", free=a_root_is_asked_for)],
+    answers=[
+        AnswerName(
+            "F",
+            "f(A)",
+            "the function of the matrix",
+            free=a_root_is_asked_for,
+            earned=("coefficients", "remainder", "modes"),
+        )
+    ],
 )
 
 
@@ -101,11 +113,18 @@ def by_cayley_hamilton(given: Given[StateSpace, MatrixFunctionOptions]) -> Deriv
         )
         for i, each in enumerate(found.conditions, 1)
     }
-    yield Step("coefficients", claims=satisfied, alpha=found.coefficients)
+    equations = [(sp.Matrix([each.row]).dot(unknowns), each.right) for each in found.conditions]
+    yield Step(
+        "coefficients",
+        claims=satisfied,
+        steps=eliminated(equations, unknowns, found.coefficients),
+        alpha=found.coefficients,
+    )
     combination = _dot(found.coefficients, exact.powers(A, m))
     yield Step(
         "assemble",
         claims={"F": Claim(combination, found.value, "sum of the powers of $A$")},
+        steps=combined(A, unknowns, found.coefficients, found.value),
         polynomial=polynomial,
         f=_shown(f),
         principal=_has_root(f),
@@ -137,6 +156,7 @@ def _by_the_remainder(A: ImmutableMatrix, f: exact.ScalarFunction) -> Derivation
     yield Step(
         "assemble",
         claims={"F": Claim(combination, value.value, "sum of the powers of $A$")},
+        steps=polynomial_of(A, value.coefficients[::-1], value.value) if A.rows > 1 else (),
         polynomial=None,
         f=_shown(f.expression),
         principal=False,
@@ -195,6 +215,7 @@ def by_modal_matrix(given: Given[StateSpace, MatrixFunctionOptions]) -> Derivati
     yield Step(
         "back",
         claims={"F": Claim(product(V, modes, inverted), found.value, "product of the matrices")},
+        steps=multiplied_out((V, modes, inverted), found.value),
         f=_shown(f),
         diagonal=diagonal,
     )
@@ -215,3 +236,9 @@ def entry_by_entry(wrong: Attempt[StateSpace, MatrixFunctionOptions]) -> Iterabl
     """The function of each entry."""
     f, A = wrong.given.options.function, sp.Symbol("A")
     yield sp.ImmutableMatrix(wrong.given.system.A.applyfunc(lambda entry: f.xreplace({A: entry})))
+
+
+@matrix_function.meaning("F")
+def what_does_not_commute(wrong: Attempt[StateSpace, MatrixFunctionOptions]) -> Reason | None:
+    """An entry in which AF and FA differ."""
+    return commutes(wrong.given.system.A, wrong.value)

@@ -13,26 +13,38 @@ from solver.lazy import sympy as sp
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
-    from solver.systems import LateInput, StateSpace
+    from solver.systems import DeadTime, LateInput, StateSpace, TransferFunction
     from solver.tasks.time_response.response import ResponseOptions
+
+    Moving = StateSpace | LateInput | TransferFunction | DeadTime
 
 
 @dataclass(frozen=True)
 class Question:
-    """What is asked: the response of a system to an initial state (None: zero) and to inputs (none: no input)."""
+    """What is asked: the response of a system to an initial state (None: zero) and to inputs (none: no input).
+
+    Where a transfer function is given, `transfer` is it, without its dead time (`late`: it has one); then `system`
+    serves the kernels only, and its states are no part of the question.
+    """
 
     system: StateSpace
     x0: ImmutableMatrix | None
     inputs: tuple[Expr, ...]
     kind: str
+    transfer: TransferFunction | None = None
+    late: bool = False
 
     @staticmethod
-    def of(given: Given[StateSpace | LateInput, ResponseOptions]) -> Question:
+    def of(given: Given[Moving, ResponseOptions]) -> Question:
         """The question of a part: the initial state is the option, or else the system's; late inputs are delayed."""
         system: Any = given.system
-        delay: Any = sp.S.Zero
+        delay, transfer = sp.S.Zero, None
         if isinstance(system, systems.LateInput):
             system, delay = system.plant, system.delay
+        elif isinstance(system, systems.DeadTime):
+            system, delay = system.rational, system.delay
+        if isinstance(system, systems.TransferFunction):
+            transfer, system = system, _behind(system)
         x0 = given.options.initial_state if given.options.initial_state is not None else system.x0
         if given.options.kind == "zero_state" or (
             x0 is not None and x0.is_zero_matrix and given.options.kind != "zero_input"
@@ -40,7 +52,8 @@ class Question:
             x0 = None
         inputs = () if given.options.kind == "zero_input" else given.options.input or ()
         t = sp.Symbol("k" if system.discrete else "t")
-        return Question(system, x0, tuple(exact.later(u, t, delay) for u in inputs), given.options.kind)
+        late = tuple(exact.later(u, t, delay) for u in inputs)
+        return Question(system, x0, late, given.options.kind, transfer, delay != 0)
 
     @property
     def discrete(self) -> bool:
@@ -77,6 +90,12 @@ class Question:
         """The transform of what a piece of the inputs adds to the states, from the start of the piece."""
         return exact.piece_response(self.system, None, piece).x
 
+    def output(self, piece: exact.Piece) -> exact.RationalMatrix:
+        """The transform of what a piece of the inputs adds to the outputs, from its start, without impulses in y."""
+        image = exact.piece_response(self.system, None, piece).y
+        assert image is not None  # noqa: S101 - asked where there is C
+        return image
+
     def function(self, image: exact.RationalMatrix) -> ImmutableMatrix:
         """The function of time that has an image."""
         f: ImmutableMatrix = image.function(self.time, discrete=self.discrete).matrix
@@ -90,6 +109,12 @@ class Question:
     def pencil(self) -> ImmutableMatrix:
         """The matrix sI − A (zI − A)."""
         return exact.pencil(self.system.A, self.variable)
+
+
+def _behind(G: TransferFunction) -> StateSpace:
+    """A realization of G, nothing cancelled."""
+    form = exact.controllable_realization(exact.transfer_matrix_of_fractions(G.numerators, G.denominators, G.variable))
+    return systems.StateSpace(form.A, form.B, form.C, form.D, None, G.discrete, G.sample_time)
 
 
 def entry_or_column(column: ImmutableMatrix) -> Any:

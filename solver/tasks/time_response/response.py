@@ -25,6 +25,7 @@ from solver.tasks import mistakes
 from solver.tasks.linear_algebra.resolvent import inverse_of_pencil
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.time_response import by_convolution as convolution
+from solver.tasks.time_response import by_transfer_function as transfer
 from solver.tasks.time_response import by_transform as transform
 from solver.tasks.time_response.question import Question, entry_or_column
 from solver.tasks.time_response.response_checks import (
@@ -40,7 +41,8 @@ from solver.words import Reason
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
-    from solver.systems import LateInput, StateSpace, System
+    from solver.systems import System
+    from solver.tasks.time_response.question import Moving
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,12 +52,17 @@ class ResponseOptions(LoopOptions):
     kind: str = option(
         Choice(("complete", "zero_input", "zero_state")),
         "complete; zero_input: the initial state alone; zero_state: the input alone",
+        titles={
+            "complete": "Complete response",
+            "zero_input": "Zero-input response",
+            "zero_state": "Zero-state response",
+        },
     )
     input: tuple[Expr, ...] | None = option(
         ExpressionList(("t", "k")), "u as an expression in t (discrete: k), a list for several inputs"
     )
     initial_state: ImmutableMatrix | None = option(
-        MatrixOf("n", 1, flat="column"), "x(0), numbers or symbols; else that of the system"
+        MatrixOf("n", 1, flat="column"), "x(0), numbers or symbols; else that of the system", needs=("states",)
     )
 
 
@@ -68,15 +75,29 @@ def _has_output(system: System) -> bool:
     return not _has_states(system) or "C" in system.provides
 
 
-response: Task[StateSpace | LateInput, ResponseOptions] = Task(
+response: Task[Moving, ResponseOptions] = Task(
     "response",
     title="Response",
     doc="States and outputs for an initial state and given inputs: zero-input, zero-state or complete response.",
     needs=("motion",),
     options=ResponseOptions,
     answers=[
-        AnswerName("x", "x", "the states", principal=_has_states),
-        AnswerName("y", "y", "the output (several: a column)", optional=True, principal=_has_output),
+        AnswerName(
+            "x",
+            "x",
+            "the states; none of a transfer function from rest",
+            optional=True,
+            principal=_has_states,
+            earned=("zero_input_transform", "zero_state_transform", "convolution", "convolution_sum", "free_motion"),
+        ),
+        AnswerName(
+            "y",
+            "y",
+            "the output (several: a column)",
+            optional=True,
+            principal=_has_output,
+            earned=("output_transform", "partial_fractions", "convolution", "convolution_sum"),
+        ),
         AnswerName("y_final", r"y_{\infty}", "the final value, the limit of $y$", optional=True),
         AnswerName("y_peak", r"y_{\text{peak}}", "the peak, the value of largest size", optional=True),
         AnswerName(
@@ -113,22 +134,25 @@ def _number_of_inputs(system: System) -> int:
 
 
 @response.method("laplace", title="Laplace transform", source="Lecture note, section 1.13", time="continuous")
-def by_laplace(given: Given[StateSpace | LateInput, ResponseOptions]) -> Derivation[Answers]:
-    """X(s) = (sI − A)⁻¹ [x(0) + B U(s)], transformed back by partial fractions."""
-    answers = yield from _by_transform(Question.of(given))
-    return answers
+def by_laplace(given: Given[Moving, ResponseOptions]) -> Derivation[Answers]:
+    """X(s) = (sI − A)⁻¹ [x(0) + B U(s)], or Y(s) = G(s) U(s), transformed back by partial fractions."""
+    return (yield from _by_transform(given))
 
 
 @response.method("z_transform", title="z-transform", source="Lecture note, section 7.5", time="discrete")
-def by_z_transform(given: Given[StateSpace | LateInput, ResponseOptions]) -> Derivation[Answers]:
-    """X(z) = (zI − A)⁻¹ [z x(0) + B U(z)], transformed back by partial fractions of X(z)/z."""
-    answers = yield from _by_transform(Question.of(given))
-    return answers
+def by_z_transform(given: Given[Moving, ResponseOptions]) -> Derivation[Answers]:
+    """X(z) = (zI − A)⁻¹ [z x(0) + B U(z)], or Y(z) = G(z) U(z), transformed back by partial fractions of X(z)/z."""
+    return (yield from _by_transform(given))
 
 
-def _by_transform(asked: Question) -> Derivation[Answers]:
+def _by_transform(given: Given[Moving, ResponseOptions]) -> Derivation[Answers]:
+    asked = Question.of(given)
+    yield from transfer.apart_from_dead_time(given)
     if not asked.system.order:
         return (yield from passed_on(asked))
+    if asked.transfer is not None:
+        yield from transfer.output_by_transform(asked, asked.transfer.matrix)
+        return (yield from put_together(asked))
     yield from transform.equation_of_transforms(asked)
     yield from inverse_of_pencil(asked.system.A, asked.variable)
     if asked.x0 is not None:
@@ -140,11 +164,15 @@ def _by_transform(asked: Question) -> Derivation[Answers]:
 
 
 @response.method("convolution", title="Convolution", source="Lecture note, equation (1.13.3)")
-def by_convolution(given: Given[StateSpace | LateInput, ResponseOptions]) -> Derivation[Answers]:
-    """x(t) = Φ(t) x(0) + ∫ Φ(t − τ) B u(τ) dτ; in discrete time x(k) = Aᵏ x(0) + Σ Aᵏ⁻¹⁻ⁱ B u(i)."""
+def by_convolution(given: Given[Moving, ResponseOptions]) -> Derivation[Answers]:
+    """x(t) = Φ(t) x(0) + ∫ Φ(t − τ) B u(τ) dτ; in discrete time x(k) = Aᵏ x(0) + Σ Aᵏ⁻¹⁻ⁱ B u(i); or y = g ∗ u."""
     asked = Question.of(given)
+    yield from transfer.apart_from_dead_time(given)
     if not asked.system.order:
         return (yield from passed_on(asked))
+    if asked.transfer is not None:
+        yield from transfer.output_by_convolution(asked, asked.transfer.matrix)
+        return (yield from put_together(asked))
     yield from convolution.formula_of_convolution(asked)
     Phi = yield from convolution.transition_matrix_of(asked)
     if asked.x0 is not None:
@@ -156,39 +184,31 @@ def by_convolution(given: Given[StateSpace | LateInput, ResponseOptions]) -> Der
 
 
 @response.verification("x")
-def states_solve_the_state_equation(
-    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
-) -> Iterable[Check]:
+def states_solve_the_state_equation(given: Given[Moving, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """x(0) = x0, x' = A x + B u, and the convolution formula by expm and quadrature; discrete: the recursion."""
     yield from checks_of(given, answers["x"], "x")
 
 
 @response.verification("y")
-def output_follows_the_convolution_formula(
-    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
-) -> Iterable[Check]:
+def output_follows_the_convolution_formula(given: Given[Moving, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """The equation y = C x + D u with x by the convolution formula, in discrete time by the recursion."""
     yield from checks_of(given, answers["y"], "y")
 
 
 @response.verification("y_final")
-def limit_is_the_equilibrium(
-    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
-) -> Iterable[Check]:
+def limit_is_the_equilibrium(given: Given[Moving, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """The equilibrium of the system for the limit of its input."""
     yield from final_value_checks(given, answers["y_final"])
 
 
 @response.verification("y_peak", "t_peak")
-def peak_is_that_of_a_simulation(
-    given: Given[StateSpace | LateInput, ResponseOptions], answers: Answers
-) -> Iterable[Check]:
+def peak_is_that_of_a_simulation(given: Given[Moving, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """Simulated step by step, and refined between the steps."""
     yield from peak_checks(given, answers.get("y_peak"), answers.get("t_peak"))
 
 
 @response.consequence("y", of=("x",))
-def output_of_the_states(given: Given[StateSpace | LateInput, ResponseOptions], found: Mapping[str, Any]) -> Any:
+def output_of_the_states(given: Given[Moving, ResponseOptions], found: Mapping[str, Any]) -> Any:
     """C x, and what the input adds to the output directly."""
     asked = Question.of(given)
     C, right = asked.system.C, asked.answer
@@ -196,7 +216,7 @@ def output_of_the_states(given: Given[StateSpace | LateInput, ResponseOptions], 
 
 
 @response.consequence("y_peak", of=("y", "t_peak"))
-def value_at_the_peak(given: Given[StateSpace | LateInput, ResponseOptions], found: Mapping[str, Any]) -> Any:
+def value_at_the_peak(given: Given[Moving, ResponseOptions], found: Mapping[str, Any]) -> Any:
     """y at the time of the peak."""
     return found["y"].subs(Question.of(given).time, found["t_peak"])
 
@@ -212,12 +232,12 @@ def without_initial_state(system: System, options: ResponseOptions) -> tuple[Sys
 
 
 @response.meaning("x")
-def state_at_the_start(wrong: Attempt[StateSpace | LateInput, ResponseOptions]) -> Reason | None:
+def state_at_the_start(wrong: Attempt[Moving, ResponseOptions]) -> Reason | None:
     """The state that it begins with, or where it leaves the differential (difference) equation."""
     return what_x_would_mean(wrong.given, wrong.value)
 
 
 @response.meaning("y")
-def output_at_the_start(wrong: Attempt[StateSpace | LateInput, ResponseOptions]) -> Reason | None:
+def output_at_the_start(wrong: Attempt[Moving, ResponseOptions]) -> Reason | None:
     """The output that it begins with."""
     return what_y_would_mean(wrong.given, wrong.value)

@@ -20,7 +20,8 @@ from solver.words import Phrase, Reason, formula
 if TYPE_CHECKING:
     from sympy import Symbol
 
-    from solver.systems import LateInput, StateSpace
+    from solver.systems import StateSpace
+    from solver.tasks.time_response.question import Moving
     from solver.tasks.time_response.response import ResponseOptions
 
 
@@ -38,12 +39,17 @@ class Truth:
     time: Symbol
 
     @staticmethod
-    def of(given: Given[StateSpace | LateInput, ResponseOptions]) -> Truth:
-        """The question of a part; what a dead time holds back comes later."""
+    def of(given: Given[Moving, ResponseOptions]) -> Truth:
+        """The question of a part; what a dead time holds back comes later, a transfer function begins at rest."""
         system: Any = given.system
         kind, delay = given.options.kind, sp.S.Zero
         if isinstance(system, systems.LateInput):
             system, delay = system.plant, system.delay
+        elif isinstance(system, systems.DeadTime):
+            system, delay = system.rational, system.delay
+        if isinstance(system, systems.TransferFunction):
+            A, B, C, D = judges.realized(system.matrix, system.variable)
+            system = systems.StateSpace(A, B, C, D, discrete=system.discrete, sample_time=system.sample_time)
         x0 = given.options.initial_state if given.options.initial_state is not None else system.x0
         if x0 is None or kind == "zero_state":
             x0 = sp.ImmutableMatrix(sp.zeros(system.order, 1))
@@ -58,7 +64,7 @@ class Truth:
         return total(product(system.C, x), product(system.D, u)) if passes else product(system.C, x)
 
 
-def checks_of(given: Given[StateSpace | LateInput, ResponseOptions], value: Any, answer: str) -> Iterable[Check]:
+def checks_of(given: Given[Moving, ResponseOptions], value: Any, answer: str) -> Iterable[Check]:
     """The checks of x or of y, each for itself."""
     truth = Truth.of(given)
     column = _column(value)
@@ -134,7 +140,7 @@ def _sample_by_sample(truth: Truth, column: Any, answer: str) -> Iterable[Check]
     )
 
 
-def final_value_checks(given: Given[StateSpace | LateInput, ResponseOptions], value: Any) -> Iterable[Check]:
+def final_value_checks(given: Given[Moving, ResponseOptions], value: Any) -> Iterable[Check]:
     """The limit of y against the equilibrium that a stable system reaches."""
     truth, column = Truth.of(given), _column(value)
 
@@ -148,7 +154,7 @@ def final_value_checks(given: Given[StateSpace | LateInput, ResponseOptions], va
     yield numeric.check_residual(r"limit of $y$", "numpy.linalg.solve", residual, answer="y_final")
 
 
-def peak_checks(given: Given[StateSpace | LateInput, ResponseOptions], peak: Any, time: Any) -> Iterable[Check]:
+def peak_checks(given: Given[Moving, ResponseOptions], peak: Any, time: Any) -> Iterable[Check]:
     """The peak of y and its time (either may be missing) against a simulation."""
     truth, start = _from_the_beginning(Truth.of(given))
     out_of_it = numeric.free_symbols(start) - numeric.free_symbols([truth.system.A, truth.system.C, truth.inputs])
@@ -191,7 +197,7 @@ def _column(value: Any) -> Any:
     return value if hasattr(value, "rows") else sp.ImmutableMatrix([value])
 
 
-def what_x_would_mean(given: Given[StateSpace | LateInput, ResponseOptions], value: Any) -> Reason | None:
+def what_x_would_mean(given: Given[Moving, ResponseOptions], value: Any) -> Reason | None:
     """Return the state that x begins with where it is another one, or where x leaves its equation."""
     truth, x = Truth.of(given), _column(value)
     t, system, u = truth.time, truth.system, truth.inputs
@@ -208,7 +214,7 @@ def what_x_would_mean(given: Given[StateSpace | LateInput, ResponseOptions], val
     return None if jumps or found is None else Reason("meanings/equality", {"claim": claim, **found})
 
 
-def what_y_would_mean(given: Given[StateSpace | LateInput, ResponseOptions], value: Any) -> Reason | None:
+def what_y_would_mean(given: Given[Moving, ResponseOptions], value: Any) -> Reason | None:
     """Return the output that y begins with where it is another one than that of the initial state, without D."""
     truth, y = Truth.of(given), _column(value)
     t, system = truth.time, truth.system

@@ -6,6 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.beginnings import begun_right
+from solver.arithmetic.combinations import combined, multiplied_out
+from solver.arithmetic.equations import eliminated
+from solver.arithmetic.transformed import term_by_term
 from solver.derivation import (
     AnswerName,
     Answers,
@@ -62,7 +66,13 @@ state_transition_matrix: Task[StateSpace, StateTransitionMatrixOptions] = Task(
     options=StateTransitionMatrixOptions,
     complex_entries=True,
     answers=[
-        AnswerName("Phi", r"\Phi", "the state transition matrix in closed form", principal=True),
+        AnswerName(
+            "Phi",
+            r"\Phi",
+            "the state transition matrix in closed form",
+            principal=True,
+            earned=("inverse", "partial_fractions", "coefficients", "modes", "series"),
+        ),
         AnswerName("Phi_truncated", r"\Phi_{\text{truncated}}", "the first terms of the series", ("power_series",)),
     ],
 )
@@ -79,7 +89,8 @@ def by_laplace(given: Given[StateSpace, StateTransitionMatrixOptions]) -> Deriva
     yield from transform_pairs_of(A, s, t, discrete=False)
     Phi = exact.exponential(A, t).matrix
     claim = Claim(inverse_laplace(expansion, s, t), Phi, "inverse Laplace transform of the partial fractions")
-    yield Step("inverse_transform", claims={"Phi": claim})
+    worked_out = term_by_term(exact.resolvent_matrix(A), s, t, Phi, discrete=False)
+    yield Step("inverse_transform", claims={"Phi": claim}, steps=(*worked_out, *begun_right(Phi, A, t, discrete=False)))
     return Answers(Phi=Phi)
 
 
@@ -94,7 +105,8 @@ def by_z_transform(given: Given[StateSpace, StateTransitionMatrixOptions]) -> De
     yield from transform_pairs_of(A, z, k, discrete=True)
     Phi = exact.power(A, k).matrix
     claim = Claim(inverse_z(product(z, expansion), z, k), Phi, "inverse z-transform of the partial fractions")
-    yield Step("inverse_transform", claims={"Phi": claim})
+    worked_out = term_by_term(exact.resolvent_matrix(A), z, k, Phi, discrete=True)
+    yield Step("inverse_transform", claims={"Phi": claim}, steps=(*worked_out, *begun_right(Phi, A, k, discrete=True)))
     return Answers(Phi=Phi)
 
 
@@ -162,12 +174,14 @@ def by_cayley_hamilton(given: Given[StateSpace, StateTransitionMatrixOptions]) -
         )
         for i, condition in enumerate(conditions, 1)
     }
-    yield Step("coefficients", claims=satisfied, alpha=alpha, n=n)
+    equations = [(sp.Matrix([each.row]).dot(unknowns), each.right) for each in conditions]
+    yield Step("coefficients", claims=satisfied, steps=eliminated(equations, unknowns, alpha), alpha=alpha, n=n)
     Phi = _matrix_function(given)
     combination = _dot(alpha, exact.powers(A, n))
     yield Step(
         "assemble",
         claims={"Phi": Claim(combination, Phi, "sum of the powers of $A$")},
+        steps=(*combined(A, unknowns, alpha, Phi), *begun_right(Phi, A, x, discrete=discrete)),
         polynomial=polynomial,
         discrete=discrete,
     )
@@ -230,6 +244,7 @@ def by_modal_matrix(given: Given[StateSpace, StateTransitionMatrixOptions]) -> D
     yield Step(
         "assemble",
         claims={"Phi": Claim(product(*factors), Phi, "product of the three matrices")},
+        steps=(*multiplied_out(factors, Phi), *begun_right(Phi, A, x, discrete=discrete)),
         left=left,
         diagonal=diagonal,
         discrete=discrete,

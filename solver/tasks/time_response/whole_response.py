@@ -5,18 +5,24 @@ from __future__ import annotations
 from typing import Any
 
 from solver.derivation import Answers, Claim, Derivation, Step, lemma
-from solver.derivation.figures import Curve, Mark, Plot
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
-from solver.stated.calculus import derivative, value_at
+from solver.stated.calculus import value_at
+from solver.tasks.time_response.intervals import intervals_of
+from solver.tasks.time_response.peak import peak_of
 from solver.tasks.time_response.question import Question, entry_or_column
+from solver.tasks.time_response.response_figure import figure_of
+from solver.tasks.time_response.second_order import named_second_order
+from solver.tasks.time_response.steady_state import steady_state_of
 
 
 @lemma("response")
 def put_together(asked: Question) -> Derivation[Answers]:
     """The parts added up, and the output; returns the answers."""
     found = asked.answer
+    if asked.transfer is not None:
+        return (yield from _outputs_together(asked))
     parts = [asked.function(asked.zero_input)] if asked.x0 is not None else []
     parts += [asked.begun(asked.function(asked.zero_state(piece)), piece.delay) for piece in asked.pieces]
     if len(parts) > 1:
@@ -30,12 +36,39 @@ def put_together(asked: Question) -> Derivation[Answers]:
     if found.y is None:
         return answers
     yield _output(asked)
-    answers["y"] = entry_or_column(found.y)
+    answers |= yield from _what_it_does(asked)
+    return answers
+
+
+def _outputs_together(asked: Question) -> Derivation[Answers]:
+    """The outputs to the pieces of the input added up, where there are several."""
+    found: Any = asked.answer
+    if len(asked.pieces) > 1:
+        parts = [asked.begun(asked.function(asked.output(piece)), piece.delay) for piece in asked.pieces]
+        smooth = found.y - found.impulse if found.impulse is not None else found.y
+        yield Step(
+            "outputs_added",
+            claims={"y": Claim(total(*parts), sp.ImmutableMatrix(smooth), "sum of the parts")},
+            discrete=asked.discrete,
+            count=len(parts),
+            y=found.y,
+        )
+    return (yield from _what_it_does(asked))
+
+
+def _what_it_does(asked: Question) -> Derivation[Answers]:
+    """The output as the answer, its limit and its peak."""
+    found: Any = asked.answer
+    answers = Answers(y=entry_or_column(found.y))
     if found.y_final is not None:
         answers["y_final"] = entry_or_column(found.y_final)
     if found.y_peak is not None:
         answers |= {"y_peak": found.y_peak.value, "t_peak": found.y_peak.time}
+    yield from intervals_of(asked)
+    yield from named_second_order(asked)
+    yield from steady_state_of(asked)
     yield behaviour(asked)
+    yield from peak_of(asked)
     return answers
 
 
@@ -45,7 +78,8 @@ def passed_on(asked: Question) -> Derivation[Answers]:
     found = asked.answer
     y: Any = found.y
     u = sp.ImmutableMatrix(list(asked.inputs))
-    yield Step("passed_on", claims={"y": Claim(product(asked.system.D, u), y, "output equation")}, u=u[0])
+    claims = {"y": Claim(product(asked.system.D, u), y, "output equation")}
+    yield Step("passed_on", claims=claims, late=asked.late, discrete=asked.discrete)
     return Answers(y=entry_or_column(y))
 
 
@@ -74,8 +108,8 @@ def _output(asked: Question) -> Step:
 
 
 def behaviour(asked: Question) -> Step:
-    """The limit and the peak of y, the modes that it does not show, and a plot."""
-    found, t, s = asked.answer, asked.time, asked.variable
+    """The limit of y, the modes that it does not show, and a plot."""
+    found, s = asked.answer, asked.variable
     claims: dict[str, Claim] = {}
     image = found.pieces[0][1].y
     transform = None if image is None else image.expression(s)
@@ -83,21 +117,13 @@ def behaviour(asked: Question) -> Step:
         at = sp.Integer(1 if asked.discrete else 0)
         carried = transform.applyfunc(lambda entry: (s - at) * entry)
         claims["final"] = Claim(value_at(carried, s, at), found.y_final, "final value theorem")
-    peak = found.y_peak
-    if peak is not None:
-        y: Any = found.y
-        begun = y[0].xreplace({sp.Heaviside(t - found.pieces[0][0]): sp.S.One})
-        if not asked.discrete:
-            claims["slope"] = Claim(value_at(derivative(begun, t), t, peak.time), sp.Integer(0), "slope at the peak")
-        claims["peak"] = Claim(value_at(begun, t, peak.time), peak.value, "value at the peak")
-    figure = _plot(asked)
+    figure = figure_of(asked)
     return Step(
         "behaviour",
         claims=claims,
         unclaimed="" if claims else "a description of the answer",
         figures=(figure,) if figure else (),
         discrete=asked.discrete,
-        peak=peak,
         image=None if transform is None else entry_or_column(transform),
         final=None if found.y_final is None else entry_or_column(found.y_final),
         hidden=_hidden_modes(asked),
@@ -124,24 +150,3 @@ def _hidden_modes(asked: Question) -> list[Any]:
     images = [each.y for _, each in asked.answer.pieces if each.y is not None]
     seen = {root.value for image in images for each, _ in image.poles for root in each.factor.roots}
     return [root.value for root in exact.spectrum(asked.system.A).roots if root.value not in seen]
-
-
-def _plot(asked: Question) -> Plot | None:
-    """States and output over time; None where symbols other than time are left."""
-    found, t = asked.answer, asked.time
-    y: Any = found.y
-    smooth = y - found.impulse if found.impulse is not None else y
-    if (found.x.free_symbols | smooth.free_symbols) - {t}:
-        return None
-    stop = exact.horizon([each.x for _, each in found.pieces], discrete=asked.discrete)
-    if stop is None:
-        return None
-    stop += max((delay for delay, _ in found.pieces), default=0)
-    style = "samples" if asked.discrete else "line"
-    states = [Curve(x, f"x_{{{i}}}", style=style) for i, x in enumerate(found.x.flat(), 1)]
-    several = len(y) > 1
-    outputs = [Curve(each, f"y_{{{i}}}" if several else "y", style=style) for i, each in enumerate(smooth.flat(), 1)]
-    marks = (Mark(found.y_peak.time, found.y_peak.value, r"y_{\text{peak}}"),) if found.y_peak else ()
-    caption = "States and outputs" if several else "States and output"
-    letter = "k" if asked.discrete else "t"
-    return Plot(caption, letter, "", t, sp.Integer(0), stop, (*states, *outputs), marks)

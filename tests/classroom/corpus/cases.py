@@ -91,6 +91,13 @@ class Submission:
             if (found := self._found(claim)) not in (claim.truth, None):
                 yield f"{self.id}: stated {claim.truth}, judged {found}: {[each.typed for each in claim.values]}"
 
+    def none_right(self, claim: Claim) -> bool:
+        """Whether a value has several readings, all of them wrong."""
+        first = claim.values[0]
+        readings = first.means or []
+        question = self.problem.questions[first.part]
+        return len(readings) > 1 and not any(is_right(question, first.answer, each) for each in readings)
+
     def _found(self, claim: Claim) -> str | None:
         first = claim.values[0]
         question = self.problem.questions[first.part]

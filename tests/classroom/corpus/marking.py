@@ -36,8 +36,9 @@ class Outcome:
 
     @property
     def guessed(self) -> bool:
-        """Marked wrong though it can be read in several ways."""
-        return self.claim.truth == "ambiguous" and self.said == "wrong"
+        """Marked wrong though it can be read in several ways, not all of them wrong, or in none."""
+        guessed = self.claim.truth == "ambiguous" and self.said == "wrong"
+        return guessed and not self.submission.none_right(self.claim)
 
     def __str__(self) -> str:
         typed = "; ".join(f"{each.answer}: {each.typed}" for each in self.claim.values)

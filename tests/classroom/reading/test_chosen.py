@@ -93,8 +93,6 @@ def test_a_wrong_value_is_wrong_in_these_forms_too(part, name, value):
 @pytest.mark.parametrize(
     ("part", "name", "value", "words"),
     [
-        ("e", "G", "1/2 s", "it has 2 readings"),
-        ("h", "y", "1/3 e^(-t)", "it has 2 readings"),
         ("f", "verdict", "oscillating", "no such word"),
         ("a", "K", "L = [10, 4]", "it is labelled L, and K is asked for"),
         ("a", "K", "polynomial = [10, 4]", "it is labelled polynomial"),
@@ -105,6 +103,13 @@ def test_what_is_not_clear_is_not_judged(part, name, value, words):
     found = submitted(part, name, value)
     assert found.verdict == "not judged"
     assert words in found.reason
+
+
+@pytest.mark.parametrize(("part", "name", "value"), [("e", "G", "1/2 s"), ("h", "y", "1/3 e^(-t)")])
+def test_what_is_wrong_in_both_readings_is_not_judged_and_both_are_told(part, name, value):
+    found = submitted(part, name, value)
+    assert found.verdict == "not judged"
+    assert re.search(r"may be read as \$.*\$ or as \$.*\$, and neither is right", found.reason)
 
 
 def test_the_reading_that_counts_is_the_one_that_is_kept():

@@ -21,6 +21,22 @@ def test_the_digits_written_after_a_comma_count():
     assert found == ["correct", "wrong"]
 
 
+@pytest.mark.parametrize(
+    ("part", "value"),
+    [("a", "[3,75; 4,0]"), ("a", "'3,75 4,0'"), ("a", "3,75; 4"), ("c", "0,5"), ("d", "s^2 + 1,5s + 0,5")],
+)
+def test_without_the_key_a_comma_is_a_point_where_nothing_else_makes_sense(part, value):
+    more = (
+        "c: {task: desired_poles, damping_ratio: 1/2, natural_frequency: 2}, "
+        "d: {task: transfer_function, system: {A: [[0, 1], [-1/2, -3/2]], B: [0, 1], C: [1, 0]}}"
+    )
+    plain = PLANT.replace("decimal_comma: yes\n", "").replace("find: {", f"find: {{{more}, ")
+    name = {"a": "K", "c": "damping_ratio", "d": "G"}[part]
+    value = f"1/({value})" if part == "d" else value
+    found = verdict(plain, part, name, value)
+    assert (found.verdict, found.respelt) == ("correct", True)
+
+
 def test_without_the_key_a_comma_separates():
     plain = PLANT.replace("decimal_comma: yes\n", "")
     assert verdict(plain, "a", "K", "[3,75]").verdict == "wrong"
@@ -39,9 +55,9 @@ def test_what_is_neither_yes_nor_no_is_refused():
         read_problem(Source("p.yaml", PLANT.replace("comma: yes", "comma: maybe")), catalogue())
 
 
-def test_what_can_be_a_decimal_or_a_list_is_not_judged_with_both_readings():
+def test_what_can_be_a_decimal_or_a_list_is_told_with_both_readings():
     plant = "system: {matrix: [[1, 0, 0], [0, 2, 0], [0, 0, 3]]}\ndecimal_comma: yes\nfind: {a: eigenstructure}\n"
     found = verdict(plant, "a", "eigenvalues", "'1,5'")
     assert found.verdict == "not judged"
-    assert "2 readings" in found.reason
+    assert "may be read as" in found.reason
     assert "frac{3}{2}" in found.reason

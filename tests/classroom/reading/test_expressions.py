@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 
 from solver.problem.source import Fault
-from tests.helpers.reading import a, read
+from tests.helpers.reading import K, a, read
 
 s, t, lamda = sp.symbols("s t lamda")
 x1, x_dot, p11, p12, p22 = sp.symbols("x1 x_dot p11 p12 p22", real=True)
@@ -76,6 +76,12 @@ NAMED = step(t - 5) + x1 + x_dot + p11 + p12 + p22
         ("control.tf([2, 5], [1, 2])", (2 * s + 5) / (s + 2), True),
         ("Y(s)/U(s) = 1/s", 1 / s, True),
         ("y[k] = 2t", 2 * t, True),
+        ("√2 t", sp.sqrt(2) * t, True),
+        ("cos(5√3 t)", sp.cos(5 * sp.sqrt(3) * t), True),
+        ("cos 5√3 t", sp.cos(5 * sp.sqrt(3) * t), True),
+        ("2cos t √3", 2 * sp.sqrt(3) * sp.cos(t), True),
+        ("a√(t+1)", a * sp.sqrt(t + 1), False),
+        ("(1 + 2t) 0.5^t", (1 + 2 * t) * sp.Rational(1, 2) ** t, True),
     ],
 )
 def test_an_expression_is_read_and_what_it_does_not_say_is_said(text, value, said):
@@ -92,7 +98,7 @@ def test_an_expression_is_read_and_what_it_does_not_say_is_said(text, value, sai
         ("1/2t", [t / 2, 1 / (2 * t)]),
         ("sin t/2", [sp.sin(t / 2), sp.sin(t) / 2]),
         ("e^-2 t", [sp.exp(-2 * t), sp.exp(-2) * t]),
-        ("√2 t", [sp.sqrt(2) * t, sp.sqrt(2 * t)]),
+        ("√2t", [sp.sqrt(2) * t, sp.sqrt(2 * t)]),
     ],
 )
 def test_what_has_two_readings_has_both(text, values):
@@ -115,7 +121,7 @@ def test_a_count_may_be_said_in_words(text, value):
 @pytest.mark.parametrize(
     "text",
     [
-        "3 dB", "2 rad/s", "30 deg", "1,5", "'1, 2'", "3 = 4", "1 + 2 = 3", "ss(1, 2, 3, 4)", "log10(2)", "sin^-1(t)",
+        "3 dB", "2 rad/s", "30 deg", "'1, 2'", "3 = 4", "1 + 2 = 3", "ss(1, 2, 3, 4)", "log10(2)", "sin^-1(t)",
         "x = 1 = 2", r"\int t", r"\frac{1}", "__import__('os')", "t if t else 1", "'(lambda: 1)()'", "'1 ± 2'",
         "{1, 2}",
     ],
@@ -187,3 +193,64 @@ def test_an_answer_from_zero_on_may_be_written_with_the_step():
     assert (found.value, found.respelt) == (sp.exp(-t), True)
     assert read("e^-t u(t - 1)", sp.exp(-t)).value == sp.exp(-t) * step(t - 1)
     assert read("e^-t u(t)", sp.exp(-t) * step(t - 1)).value == sp.exp(-t) * step(t)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("2e⁻ᵗ", 2 * sp.exp(-t)), ("e⁻²ᵗ", sp.exp(-2 * t)), ("e⁻⁰·⁵ᵗ", sp.exp(-t / 2)), ("2ℯ^(-t)", 2 * sp.exp(-t)),
+        ("'%e^(-t)'", sp.exp(-t)), ("'%pi/2'", sp.pi / 2), ("2½", sp.Rational(5, 2)),
+        ("Rational(5, 4)", sp.Rational(5, 4)),
+        ("Re((1-2j)e^(jt))", sp.cos(t) + 2 * sp.sin(t)), ("im(exp(j*a*t))", sp.sin(a * t)), ("0,5", sp.Rational(1, 2)),
+        ("simplify(e^(-t))", sp.exp(-t)), ("{1 \\over 2}", sp.Rational(1, 2)), ("-1 ≠ 0", -1),
+    ],
+)  # fmt: skip
+def test_signs_and_calls_of_other_programs(text, value):
+    gap = (read(text, a).value - value).subs({t: sp.Rational(7, 10), a: 2})
+    assert abs(complex(gap)) < 1e-12
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["poly([-1 -2])", "poly2sym([1 3 2])", "p² + 3p + 2", "s2 + 3s + 2"],
+)
+def test_a_polynomial_as_a_call_or_in_another_letter(text):
+    assert sp.expand(read(text, s**2 + 1).value) == s**2 + 3 * s + 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1/(p²+3p+2)", "TransferFunctionModel[{{{1}}, 2+3 s+s^2}, s]", "tf(1, conv([1 1],[1 2]))",
+        "1/poly2sym([1 3 2])", "'num = 1, den = s^2+3s+2'", "Y/U = 1/(s^2+3s+2)",
+    ],
+)  # fmt: skip
+def test_a_transfer_function_as_other_programs_write_it(text):
+    assert sp.cancel(read(text, 1 / s).value - 1 / (s**2 + 3 * s + 2)) == 0
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "'|K-24|<24'", "abs(K-24)<24", "Interval.open(0, 48)", "K positive and less than 48", "0 to 48 (exclusive)",
+        "'{K | 0 < K < 48}'", "solve({K > 0, K < 48})", "K elem (0,48)", "K in (0,48)", "(0,24) ∪ [24,48)", "']0;48['",
+        "RealRange(Open(0), Open(48))", "stable for 0 < K < 48", "K between 0 and 48 (exclusive)", "0 < k < 48",
+    ],
+)  # fmt: skip
+def test_a_condition_in_words_and_as_a_set(text):
+    found = read(text, sp.And(K > 0, K < 6)).value
+    assert [bool(found.subs(K, value)) for value in (-1, 0, 1, 24, 47, 48, 49)] == [
+        False,
+        False,
+        True,
+        True,
+        True,
+        False,
+        False,
+    ]
+
+
+@pytest.mark.parametrize("text", ["0 to 48", "K between 0 and 48", "K ∉ (0, 48)", "unstable for K > 0"])
+def test_a_condition_of_which_the_ends_or_the_sense_are_unclear_is_not_read(text):
+    with pytest.raises(Fault):
+        read(text, sp.And(K > 0, K < 6))

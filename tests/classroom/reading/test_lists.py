@@ -34,6 +34,17 @@ TWO, ROW, COLUMN, SQUARE = [a, b], M([[a, b]]), M([a, b]), M([[a, b], [a, b]])
         ("{-1, -1}", [-1, -1]),
         ("(-1, -2)", [-1, -2]),
         ("'array([-1., -2.])'", [-1, -2]),
+        ("diag(-1, -2)", [-1, -2]),
+        ("'[-1 0; 0 -2]'", [-1, -2]),
+        ("<-1, -2>", [-1, -2]),
+        ("'{{s -> -1}, {s -> -2}}'", [-1, -2]),
+        ("-(1, 2)", [-1, -2]),
+        ("-1 / -2", [-1, -2]),
+        ("-1 x 2", [-1, -1]),
+        ("2 × -1", [-1, -1]),
+        ("-1 et -2", [-1, -2]),
+        ("'%i, -%i'", [i, -i]),
+        ("2∠±90°", [2 * i, -2 * i]),
         ("[-1+2j -1-2j]", [-1 + 2 * i, -1 - 2 * i]),
         ("λ1 = -1; λ2 = -2", [-1, -2]),
         (r"'\lambda_1 = -1, \lambda_2 = -2'", [-1, -2]),
@@ -300,3 +311,69 @@ def test_too_many_readings_are_refused():
         patch.setattr("solver.classroom.reading.values.readings", endless)
         with pytest.raises(Fault, match="too many readings"):
             read("1", a)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<<a,b>|<a,b>>", "<a,a;b,b>", "<<a|a>,<b|b>>", "'[[a,a][b,b]]'", "Transpose[{{a,b},{a,b}}]",
+        "transpose([a b; a b])",
+        "transpose(matrix([a,b],[a,b]))", "2*{{a,a},{b,b}}/2", "'[1 0; 0 1]*[a a; b b]'", "simplify([a a; b b])",
+        "a a / b b", "'[2a 2a; 2b 2b] - [a a; b b]'", "real([a a; b b])",
+    ],
+)  # fmt: skip
+def test_a_matrix_in_the_notation_of_another_program(text):
+    assert read(text, SQUARE).value == M([[a, a], [b, b]])
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["v1 = (a, b), v2 = (b, a)", "(a, b), (b, a)", "(a,b)^T, (b,a)^T", "span{(a,b)}, span{(b,a)}", "'{(a,b), (b,a)}'"],
+)
+def test_vectors_listed_one_by_one_are_columns_or_rows_as_the_answer_is_made(text):
+    vectors = M([[a, b], [b, a]])
+    assert read(text, SQUARE, Expected(vectors="columns")).value == vectors.T
+    assert read(text, SQUARE, Expected(vectors="rows")).value == vectors
+
+
+def test_rows_without_a_name_may_be_vectors_or_the_rows_of_a_matrix():
+    found = read("'[a, 1], [b, 2]'", SQUARE, Expected(vectors="columns"))
+    assert [each.value for each in (found, *found.others)] == [M([[a, b], [1, 2]]), M([[a, 1], [b, 2]])]
+
+
+@pytest.mark.parametrize("text", ["2 + 4 [3 1]", "'[3, 1] - a'", "1 + [a a; b b]"])
+def test_a_number_is_not_added_to_a_matrix(text):
+    with pytest.raises(Fault, match="a number cannot be added to a matrix"):
+        read(text, ROW)
+
+
+@pytest.mark.parametrize("text", ["-1, -2 (both)", "see my sheet", "-cd, cd"])
+def test_words_that_mean_nothing_are_not_read(text):
+    with pytest.raises(Fault, match="has no meaning here"):
+        read(text, TWO)
+
+
+@pytest.mark.parametrize("text", ["a² = 2", "s² = -2", "λ³ = 8"])
+def test_a_power_is_no_label(text):
+    with pytest.raises(Fault, match="equation"):
+        read(f"'{text}'", TWO)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("λ₁,₂ = 2; λ₃ = 0", [2, 2, 0]),
+        ("λ₁,₂,₃ = 2", [2, 2, 2]),
+        ("λ_{1,2,3} = 2, λ_4 = 0", [2, 2, 2, 0]),
+        ("λ1 = 1, λ2,3,4 = 5", [1, 5, 5, 5]),
+    ],
+)
+def test_a_name_with_several_indices_stands_for_as_many_values(text, value):
+    assert read(f"'{text}'", TWO).value == value
+
+
+@pytest.mark.parametrize(
+    "text", ["k1 = 2a; k2 = 3k1", "k_1 = 2a, k_2 = 3 k_1", "k₁ = 2a, k₂ = 3k₁", "k1 = 2a, k2 = 3*k_1"]
+)
+def test_a_named_entry_stands_for_its_value_in_the_later_ones(text):
+    assert read(f"'{text}'", ROW).value == M([[2 * a, 6 * a]])

@@ -25,6 +25,7 @@ def expected(task, name):
         ("stabil, aber nicht asymptotisch stabil", "marginally stable"),
         ("Lyapunov stable but not asymptotically stable", "marginally stable"),
         ("nicht stabil", "unstable"),
+        ("The circuit is asymptotically stable since Re(λ) < 0.", "asymptotically stable"),
     ],
 )
 def test_a_verdict_of_stability_in_other_terms(text, value):
@@ -55,6 +56,8 @@ def test_a_verdict_of_stability_that_is_not_clear_is_refused(text):
         ("stable improper node", "stable degenerate node"),
         ("instabiler Sattel", "saddle"),
         ("Wirbelpunkt", "center"),
+        ("line of fixed points", "line of equilibria"),
+        ("every point is an equilibrium", "all points are equilibria"),
     ],
 )
 def test_a_kind_of_phase_portrait_in_other_terms(text, value):
@@ -128,6 +131,24 @@ def test_a_full_rank_of_an_unknown_size_is_refused():
         read("full rank", sp.Integer(2), expected("controllability", "rank"))
 
 
+@pytest.mark.parametrize(
+    ("text", "value"), [("rank 3, so observable", True), ("rank 2, hence not observable", False), ("rank 3, so", None)]
+)
+def test_a_conclusion_counts_not_what_it_comes_from(text, value):
+    asked = expected("observability", "observable")
+    if value is None:
+        with pytest.raises(Fault):
+            read(f"'{text}'", True, asked)
+    else:
+        assert read(f"'{text}'", True, asked).value is value
+
+
+def test_sign_changes_are_roots_in_the_right_half_plane_only():
+    assert read("2 sign changes", sp.Integer(1), expected("routh_hurwitz", "right_half_plane_roots")).value == 2
+    with pytest.raises(Fault):
+        read("2 sign changes", sp.Integer(1), expected("routh_hurwitz", "imaginary_axis_roots"))
+
+
 @pytest.mark.parametrize("text", ["no zeros", "none", "keine Nullstellen", "there are no finite zeros", "No zeros."])
 def test_no_zeros_is_an_empty_list(text):
     assert read(text, [a], expected("transfer_function", "zeros")).value == []
@@ -135,4 +156,5 @@ def test_no_zeros_is_an_empty_list(text):
 
 @pytest.mark.parametrize("text", ["no poles", "no real zeros"])
 def test_nothing_of_something_else_is_no_empty_list(text):
-    assert read(text, [a], expected("transfer_function", "zeros")).value != []
+    with pytest.raises(Fault, match="has no meaning here"):
+        read(text, [a], expected("transfer_function", "zeros"))

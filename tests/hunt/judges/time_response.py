@@ -50,7 +50,8 @@ def _step_by_step(found: Found, plant: tuple[np.ndarray, ...], x0: np.ndarray, i
     x = x0
     for now in range(SAMPLES):
         u = np.array([[complex(_kronecker(each).subs(k, now).evalf(25))] for each in inputs])
-        found.same(f"x({now})", found.matrix("x", k=now), x)
+        if "x" in found:
+            found.same(f"x({now})", found.matrix("x", k=now), x)
         if "y" in found:
             found.same(f"y({now})", found.matrix("y", k=now), C @ x + D @ u)
         x = A @ x + B @ u
@@ -81,7 +82,8 @@ def _by_quadrature(found: Found, plant: tuple[np.ndarray, ...], x0: np.ndarray, 
             if 0 <= moment < now:
                 x = x + complex(weight.subs(t, moment)) * expm(A * (now - moment)) @ B[:, [i]]
         moment_exactly = sp.Rational(str(now))
-        found.same(f"x({now})", found.matrix("x", t=moment_exactly), x)
+        if "x" in found:
+            found.same(f"x({now})", found.matrix("x", t=moment_exactly), x)
         if "y" in found:
             found.same(f"y({now})", found.matrix("y", t=moment_exactly), C @ x + D @ u_at(now))
 

@@ -10,6 +10,7 @@ from solver.stated.matrices import (
     determinant,
     inverse,
     kronecker,
+    matrix_of,
     minor,
     partitioned,
     rank,
@@ -43,11 +44,16 @@ RIGHT = [
     (cofactor(SINGULAR, 1, 2), 6 - 2 * a),
     (cofactor(F, 2, 2), s),
     (kronecker(sp.Matrix([[1, a]]), sp.Matrix([[0, 1], [2, 3]])), sp.Matrix([[0, 1, 0, a], [2, 3, 2 * a, 3 * a]])),
+    (matrix_of([[total(product(a, 2), 1), 0, s]]), sp.Matrix([[2 * a + 1, 0, s]])),
     (kronecker(F, sp.eye(2)), sp.kronecker_product(F, sp.eye(2))),
     (vectorized(sp.Matrix([[1, 2], [a, 4]])), sp.Matrix([1, a, 2, 4])),
 ]
 
 PRINTED = [
+    (
+        matrix_of([[product(2, 3), total()], [total(product(2, a), product(-1, 3)), 1]]),
+        r"\begin{bmatrix}2 \cdot 3 & 0 \\ 2a - 3 & 1\end{bmatrix}",
+    ),
     (determinant(M), rf"\det{m}"),
     (determinant(difference(product(s, eye(2)), M)), rf"\det\left(s{I2} - {m}\right)"),
     (adjugate(M), rf"\operatorname{{adj}}{m}"),

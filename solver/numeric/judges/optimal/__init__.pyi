@@ -4,6 +4,7 @@ from solver.numeric.judges.optimal.regulator import (
     Weights,
     control_residual,
     cost_residual,
+    costs,
     gain_residual,
     loop_residual,
 )
@@ -27,6 +28,7 @@ __all__ = [
     "all_distinct",
     "control_residual",
     "cost_residual",
+    "costs",
     "definiteness_holds",
     "equations_residual",
     "gain_residual",

@@ -188,6 +188,15 @@ def cost_matrix(optimum: Optimum, K: Array) -> Array | None:
     return np.asarray(solve_continuous_lyapunov(balanced.T, -weight) / np.outer(scale, scale))
 
 
+def costs(weights: Weights, K: Any) -> tuple[Array, Array] | None:
+    """Return X of the cost x₀ᵀXx₀ under u = −Kx, and of the least one; None with symbols, or an unstable K."""
+    if any(map(free_symbols, (*weights, K))):
+        return None
+    (optimum,) = optima(weights)
+    own = cost_matrix(optimum, matrix_at(K, {}, (optimum.B.shape[1], optimum.A.shape[0])))
+    return None if own is None else (own, optimum.P)
+
+
 def loop_residual(weights: Weights, loop: Any) -> float:
     """Return the relative difference of a matrix and A − BK with scipy's K."""
 

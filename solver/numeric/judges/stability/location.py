@@ -172,7 +172,8 @@ def externally_stable(A: Any, B: Any, C: Any, point: Point, *, discrete: bool) -
 def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
     """Return what is wrong with a Routh array of det(sI − A) (discrete: after the bilinear transformation), or "".
 
-    Each row must follow from the two above it, up to a positive factor. A symbol that is no parameter is a small ε.
+    Each row must follow from the two above it, up to a positive factor, which for a row of one entry is the number
+    that it is divided by. A symbol that is no parameter is a small ε.
     """
     for point in spread_points([A], 3):
         mp = multiple(60).context
@@ -222,7 +223,7 @@ def _image(c: list[Any]) -> list[Any]:
 
 def _expected(rows: list[list[Any]], i: int, coefficients: list[Any], mp: Any) -> list[list[Any]]:
     """The entries that row i may have: from the coefficients, from the rows above, or as a special case."""
-    width = len(rows[0])
+    width, r = len(rows[0]), mp.mpf(1)
     if i < 2:
         row = coefficients[i::2]
         row += [mp.mpf(0)] * (width - len(row))
@@ -238,7 +239,10 @@ def _expected(rows: list[list[Any]], i: int, coefficients: list[Any], mp: Any) -
     if not any(row):
         power = len(rows) - i
         return [[(power - 2 * j) * _at(above, j) if power > 2 * j else mp.mpf(0) for j in range(width)]]
-    return [row if row[0] else [mp.mpf(10) ** -12, *row[1:]]]
+    if not row[0]:
+        return [[mp.mpf(10) ** -12, *row[1:]]]
+    undivided = i > 1 and not mp.im(r) and mp.re(r) > 0  # the row times the positive number that it is divided by
+    return [row, [r * x for x in row]] if undivided else [row]
 
 
 def _at(row: list[Any], j: int) -> Any:

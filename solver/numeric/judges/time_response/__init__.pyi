@@ -2,6 +2,7 @@
 
 from solver.numeric.judges.time_response.exponential import exponential_residual, power_residual
 from solver.numeric.judges.time_response.matrix_functions import matrix_function_residual
+from solver.numeric.judges.time_response.realizing import realized
 from solver.numeric.judges.time_response.refined import limit_residual, peak_residual
 from solver.numeric.judges.time_response.response import (
     beginnings,
@@ -27,6 +28,7 @@ __all__ = [
     "matrix_function_residual",
     "peak_residual",
     "power_residual",
+    "realized",
     "residual_of_pairs",
     "sampled",
     "samples",

@@ -1,0 +1,51 @@
+"""The items of a list or of a matrix that say more than a value: their names, their places, how often they count."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from solver.classroom.reading.grids import diagonal_of
+from solver.classroom.reading.labels import by_places, times_over, without_labels
+from solver.classroom.reading.nodes import flat
+from solver.classroom.reading.texts import TextReader
+from solver.problem.nodes import Node, ScalarNode, SequenceNode
+
+
+def items_of(node: Node, texts: TextReader) -> Sequence[Node]:
+    """Return the items of a list; of a diagonal matrix perhaps what stands on its diagonal."""
+    if not isinstance(node, SequenceNode):
+        return (node,)
+    diagonal = diagonal_of(node)
+    return texts.choices.choose("diagonal", (diagonal, node.items)) if diagonal else node.items
+
+
+def unlabelled(items: Sequence[Node], texts: TextReader) -> Sequence[Node]:
+    """Return items such as λ_1 = -1 without what names them, as often as they count; nothing where none says such."""
+    scalars = [item for item in items if isinstance(item, ScalarNode)]
+    if len(scalars) != len(items):
+        return []
+    written = [each for item in scalars for each in _repeated(item.text, texts)]
+    found, labelled = without_labels(written)
+    if not labelled and len(written) == len(scalars):
+        return []
+    texts.respelt = True
+    places = [item.place for item in scalars] if len(found) == len(scalars) else [scalars[0].place] * len(found)
+    return [ScalarNode(place, text, "quoted") for place, text in zip(places, found, strict=True)]
+
+
+def _repeated(item: str, texts: TextReader) -> list[str]:
+    """An item as often as it says by a sign, 3 x 2."""
+    several = times_over(item)
+    return texts.choices.choose(("times", item), several) if several else [item]
+
+
+def placed(node: SequenceNode, texts: TextReader) -> SequenceNode | None:
+    """Return a list of entries with their names, p11 = 2 or k_1 = 3; None where they have none."""
+    items = flat(node.items)
+    written = [item.text for item in items if isinstance(item, ScalarNode)]
+    if written and len(written) == len(items) and (lines := by_places(written)):
+        texts.respelt = True
+        rows = [tuple(ScalarNode(node.place, text, "quoted") for text in line) for line in lines]
+        return SequenceNode(node.place, tuple(SequenceNode(node.place, row) for row in rows))
+    named = unlabelled(items, texts)
+    return SequenceNode(node.place, tuple(named)) if named else None

@@ -1,0 +1,69 @@
+"""Values before they are read by their kind: rules of other programs, remarks, what belongs to other values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.reading.brackets import split
+from solver.classroom.reading.nodes import labelled
+from solver.classroom.reading.spelling import typed
+from solver.problem.expressions.notation import GREEK_NAMES
+from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
+from solver.symbols import POLYNOMIAL
+
+_RULE = re.compile(r"\s*(?:->|→)\s*")
+_TURNED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:\^\(?\s*T\s*\)?|ᵀ|\^\{T\})\s*=\s*(.*[\])])\s*$", re.DOTALL)
+_NOT_ZERO = re.compile(r"\s*(?:≠|!=|\\neq?\b)\s*0\s*$")
+_PARTS = re.compile(r"^\s*(?:σ|sigma|Re)\s*=[^=]*[,;]\s*(?:ω|omega|ω_d|Im)\s*=[^=]*$")
+_STATED = re.compile(r"\s*([^\W\d]\w*)\s*=[^=]")
+_SQUARE = re.compile(r"(?<![\w.])([spzλ]|lambda)([2-9])(?!\w)")
+_SLASH = re.compile(r"\s/\s")
+_WORD = re.compile(r"[a-z]{2,}")
+
+
+def prepared(node: Node, ours: Any, name: str) -> Node:
+    """Return the node of an answer without what is not part of its value; raises Fault where it is another quantity."""
+    if isinstance(ours, sp.MatrixBase) and isinstance(node, MappingNode):
+        node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
+    text = typed(node)
+    if _RULE.search(text):  # {{k1 -> 22, k2 -> 7}}
+        return ScalarNode(node.place, _RULE.sub(" = ", text.replace("{", "").replace("}", "")), "quoted")
+    if not isinstance(node, ScalarNode) or isinstance(ours, str | bool):
+        return node
+    if isinstance(ours, list | tuple) and _PARTS.match(text):
+        raise node.fault("the values themselves are expected, not their real and imaginary parts")
+    bare = _own_statement(_NOT_ZERO.sub("", text), name)
+    if isinstance(ours, sp.MatrixBase) and (found := _TURNED.match(bare)):
+        bare = f"{found[1]} = {found[2]}'"
+    return node if bare == text else ScalarNode(node.place, bare, "quoted")
+
+
+def _own_statement(text: str, name: str) -> str:
+    """K = [1 2] of u = -Kx, K = [1 2]; any other text as it is."""
+    pieces = split(text, re.compile(r"[,;]"))
+    stated = [found[1] if (found := _STATED.match(piece)) else "" for piece in pieces]
+    own = len(pieces) > 1 and all(stated) and stated.count(name) == 1 and len(name) == 1
+    return pieces[stated.index(name)] if own else text
+
+
+def as_rows(node: Node) -> Node | None:
+    """Return -1 / -2 or 0 1 / -2 -3 with the slashes between rows as separators; None where there are none."""
+    if not isinstance(node, ScalarNode) or not _SLASH.search(node.text):
+        return None
+    return ScalarNode(node.place, _SLASH.sub("; ", node.text), "quoted")
+
+
+def with_powers(text: str, known: Collection[str]) -> str:
+    """Return a polynomial with s2 as s^2, where no such name is known."""
+    return _SQUARE.sub(lambda found: found[0] if found[0] in known else f"{found[1]}^{found[2]}", text)
+
+
+def strange_word(symbols: Collection[sp.Symbol], known: Collection[str]) -> str:
+    """Return a word among symbols that stands for nothing in the problem, "" if there is none."""
+    names = sorted(symbol.name for symbol in symbols if not isinstance(symbol, sp.Dummy))
+    usual = {*known, *GREEK_NAMES, *POLYNOMIAL}
+    return next((each for each in names if each not in usual and _WORD.fullmatch(each)), "")

@@ -1,0 +1,110 @@
+"""Lists and matrices of other programs with our brackets: <<1, 2>|<3, 4>> of Maple, [[1, 2][3, 4]] of calculators.
+
+Only text is changed here; nothing is evaluated.
+"""
+
+from __future__ import annotations
+
+import re
+
+from solver.classroom.reading.brackets import matching, split
+
+MAX_NESTING = 6
+_ANGLES = str.maketrans("⟨⟩", "<>")
+_ADJACENT = re.compile(r"(?<=\])\s*(?=\[)")
+_BARRED = re.compile(r"[^|&]*(?:\|[^|&]*|(?:&[^|&]*)+)")
+_MADE = re.compile(r"(?<=[*+\-/ )])(?:\w+\.)*(?:[Mm]atrix|array)\((\[[^()]*\])\)")
+_IDLE = re.compile(
+    r"(?:\w+\.)*(?:simplify|Simplify|FullSimplify|expand|Expand|factor|Factor|evalf|N|vpa|sym|double|float|MatrixForm"
+    r"|collect|ratsimp|trigsimp|nsimplify|evalm)\s*[(\[]"
+)
+"""Calls that change the form of a value only."""
+_TRANSPOSED = re.compile(r"(?:\w+\.)*(?:[Tt]ranspose|ctranspose)\s*[(\[]")
+
+Grid = list[list[str]]
+
+
+def in_our_brackets(text: str) -> str:
+    """Return a text with the matrices of Maple and of calculators in our brackets."""
+    text = text.translate(_ANGLES)
+    if text.count("<") == text.count(">") > 0 and "=" not in text:
+        text = _without_angles(text)
+    text = _MADE.sub(r"\1", text) if _MADE.search(text) and not text.startswith(("Matrix", "matrix")) else text
+    if _BARRED.fullmatch(text):
+        text = text.replace("|", ",").replace("&", ",")
+    return _ADJACENT.sub(", ", text) if text.startswith("[[") and matching(text, 0) == len(text) - 1 else text
+
+
+def inside_idle_call(text: str) -> str | None:
+    """Return what stands in simplify(…), or in another call that changes the form only; None of anything else."""
+    return _argument(_IDLE, text)
+
+
+def inside_transposition(text: str) -> str | None:
+    """Return the matrix in transpose(…); None of anything else."""
+    return _argument(_TRANSPOSED, text)
+
+
+def _argument(call: re.Pattern[str], text: str) -> str | None:
+    """The first argument of a call that is the whole text."""
+    found = call.match(text)
+    if found is None or matching(text, found.end() - 1) != len(text) - 1:
+        return None
+    arguments = split(text[found.end() : -1], ",")
+    return arguments[0] if arguments else None
+
+
+def _without_angles(text: str) -> str:
+    """A text with each <…> as rows in brackets; as it is where one is not closed."""
+    pieces, at = [], 0
+    while (start := text.find("<", at)) >= 0:
+        end = _closing(text, start)
+        grid = _grid(text[start + 1 : end], 0)
+        if end == len(text) or grid is None:
+            return text
+        pieces += [text[at:start], f"[{'; '.join(', '.join(row) for row in grid)}]"]
+        at = end + 1
+    return "".join([*pieces, text[at:]])
+
+
+def _closing(text: str, start: int) -> int:
+    depth = 0
+    for at in range(start, len(text)):
+        depth += (text[at] == "<") - (text[at] == ">")
+        if depth == 0:
+            return at
+    return len(text)
+
+
+def _grid(text: str, depth: int) -> Grid | None:
+    """The entries of what stands in angles: | puts side by side, a comma one below the other; with ; it separates."""
+    if depth > MAX_NESTING:
+        return None
+    lines = _pieces(text, ";")
+    if len(lines) > 1:
+        return [[entry.strip() for entry in _pieces(line, ",")] for line in lines]
+    sign = "|" if len(_pieces(text, "|")) > 1 else ","
+    blocks = [_block(piece.strip(), depth) for piece in _pieces(text, sign)]
+    found = [block for block in blocks if block is not None]
+    if len(found) < len(blocks):
+        return None
+    if sign == ",":
+        return [row for block in found for row in block]
+    if len({len(block) for block in found}) != 1:
+        return None
+    return [[entry for row in rows for entry in row] for rows in zip(*found, strict=True)]
+
+
+def _block(text: str, depth: int) -> Grid | None:
+    if text.startswith("<") and _closing(text, 0) == len(text) - 1:
+        return _grid(text[1:-1], depth + 1)
+    return [[text]] if text and "<" not in text else None
+
+
+def _pieces(text: str, sign: str) -> list[str]:
+    """The pieces between separators outside of angles and brackets."""
+    return [piece.translate(_AS_ANGLES) for piece in split(text.translate(_AS_BRACES), sign)]
+
+
+_AS_BRACES, _AS_ANGLES = str.maketrans("<>{}", "{}⟦⟧"), str.maketrans("{}⟦⟧", "<>{}")
+"""Angles as brackets that are kept apart while a text is cut."""

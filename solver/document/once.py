@@ -1,0 +1,284 @@
+"""A page tells everything once: what stands above word for word is referred to, or left out where it explains.
+
+Works are complete, and JSON shows them so. Pages show what `told_once` makes of all parts together.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import groupby, takewhile
+from operator import itemgetter
+
+from solver.document.checks import Say, check_rows
+from solver.document.model import CheckRow, Reference, Work, WorkAnswer, WorkStep
+from solver.render.prose import plain
+from solver.words import Phrase
+
+LEAST_SAVED = 60
+"""Characters that a reference must save."""
+
+LEAST_EXPLAINED = 60
+"""Characters of an explanation that is not told again."""
+
+LEAST_LEADING = 40
+"""Characters of an introduction under a title that is not told again."""
+
+LONGEST_RESULT = 240
+"""Characters of LaTeX up to which a result that stands above is displayed again, to go on with."""
+
+LEAST_REPEATED = 30
+"""Characters of a result that is left to the next step where that one begins with it."""
+
+_DISPLAY = re.compile(r"\$\$.*?\$\$", re.DOTALL)
+_RESULT = re.compile(r"^\$\$\n.*?\$\$", re.DOTALL | re.MULTILINE)
+_ALIGNED = r"\begin{aligned}", r"\end{aligned}"
+_OPERATION = re.compile(r"\\left(right)?arrow ")
+_NO_PARAGRAPH = re.compile(r"\s|[-*+>|#]\s|\d+[.)]\s|\|")
+"""How lists, tables, quotations and headings begin."""
+
+
+def told_once(parts: Sequence[Work], say: Say) -> tuple[Work, ...]:
+    """Return the parts as a page shows them: the first time in full, later by reference."""
+    page = _Page(say, frozenset(part.id for part in parts if part.again))
+    return tuple(page.work(part) for part in parts)
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where something stands in full: the part and the number of its step there."""
+
+    part: Work
+    number: int
+
+
+@dataclass
+class _Page:
+    """What has been told so far, and where. `several` are the parts that are solved by several methods."""
+
+    say: Say
+    several: frozenset[str]
+    steps: dict[str, _Place] = field(default_factory=dict)
+    substeps: dict[str, _Place] = field(default_factory=dict)
+    figures: dict[str, _Place] = field(default_factory=dict)
+    given: dict[str, Work] = field(default_factory=dict)
+    sources: set[tuple[str, str]] = field(default_factory=set)
+    boxed: dict[tuple[str, str], Work] = field(default_factory=dict)
+    results: list[tuple[_Place, str]] = field(default_factory=list)
+    blocks: dict[tuple[str, str], _Place] = field(default_factory=dict)
+
+    def work(self, part: Work) -> Work:
+        """Return a part with references in place of what stands above."""
+        steps = self._steps(part)
+        told = replace(
+            part, given=self._given(part), source=self._source(part), steps=steps, rows=tuple(self._rows(part, steps))
+        )
+        for number, step in enumerate(steps, start=1):
+            self.results += [(_Place(told, number), chain) for chain in _chains(step)]
+        return self._answered(told)
+
+    def _steps(self, part: Work) -> tuple[WorkStep, ...]:
+        """Return the steps, those in a row that stand above as one that refers to them."""
+        shown: list[WorkStep] = []
+        rest = part.steps
+        while rest:
+            run = tuple(takewhile(self._stands_above, rest))
+            referring = self._referring(part, run, rest[len(run) :]) if run else None
+            if referring is None or _length(referring) + LEAST_SAVED > sum(map(_length, run)):
+                run = rest[:1]
+                self.steps[_key(rest[0])] = place = _Place(part, len(shown) + 1)
+                referring = self._shortened(rest[0], place)
+            shown.append(referring)
+            rest = rest[len(run) :]
+        return tuple(shown)
+
+    def _rows(self, part: Work, steps: Sequence[WorkStep]) -> Iterable[CheckRow]:
+        """Return the table of checks, by the numbers of the steps that are shown."""
+        return check_rows(part.checks, steps, self.say) if part.checks else part.rows
+
+    def _given(self, part: Work) -> str:
+        """Return what is given, or where it was given before."""
+        above = self.given.setdefault(part.given, part)
+        if part.again or above is part or len(part.given) < LEAST_SAVED:
+            return part.given
+        return self.say(Phrase("Given as in {part}.", part=self._reference(part, above, ()).place))
+
+    def _source(self, part: Work) -> str:
+        """Return where the method is from, if it is new on the page."""
+        known = (part.method_title, part.source) in self.sources
+        self.sources.add((part.method_title, part.source))
+        return "" if known else part.source
+
+    def _answered(self, part: Work) -> Work:
+        """Return a part that points at answers told above: those found on the way, all where a method found the same.
+
+        What is asked for is boxed again, unless another method has it in its box and this one in its steps.
+        """
+        answers = tuple(answer if answer.asked else self._pointed_at(part, answer) for answer in part.answers)
+        told = replace(part, answers=answers)
+        first = self.boxed.setdefault((part.id, part.case), told)
+        derived = all(self._place_of(part, answer, own=True) for answer in told.boxed if answer.name)
+        if part.again and told.boxed and derived and all(answer in first.boxed for answer in told.boxed):
+            return replace(told, same=self._reference(part, first, ()))
+        return told
+
+    def _pointed_at(self, part: Work, answer: WorkAnswer) -> WorkAnswer:
+        place = self._place_of(part, answer)
+        return replace(answer, stands=self._reference(part, place.part, [place.number])) if place else answer
+
+    def _place_of(self, part: Work, answer: WorkAnswer, *, own: bool = False) -> _Place | None:
+        """Return the last step of a part, by any method or by its own, that ends in the answer."""
+        for place, chain in reversed(self.results):
+            mine = place.part.anchor == part.anchor if own else (place.part.id, place.part.case) == (part.id, part.case)
+            if mine and _ends_in(chain, answer):
+                return place
+        return None
+
+    def _stands_above(self, step: WorkStep) -> bool:
+        return _key(step) in self.steps
+
+    def _referring(self, part: Work, run: Sequence[WorkStep], rest: Sequence[WorkStep]) -> WorkStep:
+        """Return one step for several that stand above: where they do, and the result that the rest goes on with."""
+        result = _last_display(run)
+        value = _value_of(result)
+        goes_on = (rest or not part.found) and len(result) <= LONGEST_RESULT
+        told_next = len(value) >= LEAST_REPEATED and any(value in each.markdown for each in rest[:1])
+        return WorkStep(
+            run[-1].kind,
+            run[-1].title,
+            result if goes_on and not told_next else "",
+            covers=tuple(number for step in run for number in step.covers),
+            refers=tuple(self._references(part, [self.steps[_key(step)] for step in run])),
+        )
+
+    def _references(self, part: Work, places: Sequence[_Place]) -> Iterator[Reference]:
+        """Yield a reference to each of the parts in which the places are."""
+        for there in {place.part.anchor: place.part for place in places}.values():
+            yield self._reference(part, there, sorted(place.number for place in places if place.part is there))
+
+    def _reference(self, part: Work, there: Work, numbers: Sequence[int]) -> Reference:
+        """Return a reference from a part to steps there."""
+        places = [f"({plain(there.letter)})"] if there.id != part.id else []
+        if there.case and there.anchor != part.anchor:
+            places.append(f"`{there.case}`")
+        if there.id in self.several and there.anchor != part.anchor:
+            places.append(Phrase("“{method}”", method=plain(there.method_title)))
+        if numbers:
+            places.append(Phrase("steps {numbers}" if numbers[1:] else "step {numbers}", numbers=_listed(numbers)))
+        return Reference(there.anchor, tuple(numbers), ", ".join(map(self.say, places)))
+
+    def _shortened(self, step: WorkStep, place: _Place) -> WorkStep:
+        """Return a step without what stands above of its explanations, its substeps and its figures."""
+        drawn = [figure for figure in step.figures if self.figures.setdefault(repr(figure), place) == place]
+        above = [self.figures[repr(figure)] for figure in step.figures if figure not in drawn]
+        return replace(
+            step,
+            markdown=self._unrepeated(step, place),
+            steps=tuple(self._below(each, place) for each in step.steps),
+            figures=tuple(drawn),
+            pictured=tuple(self._reference(place.part, each.part, [each.number]) for each in above),
+        )
+
+    def _below(self, step: WorkStep, place: _Place) -> WorkStep:
+        """Return a substep, or where it stands above."""
+        above = self.substeps.setdefault(_key(step), place)
+        if above == place or _length(step) < LEAST_SAVED:
+            return self._shortened(step, place)
+        return WorkStep(step.kind, step.title, "", refers=(self._reference(place.part, above.part, [above.number]),))
+
+    def _unrepeated(self, step: WorkStep, place: _Place) -> str:
+        """Return the text of a step without what stands in one of its kind above, and note what does not.
+
+        What follows the last display of a step concludes, and stays.
+        """
+        blocks = step.markdown.split("\n\n")
+        last = max((i for i, block in enumerate(blocks) if "$$" in block or step.steps), default=-1)
+        above = [self.blocks.get((step.kind, block)) for block in blocks[: last + 1]]
+        shown: list[str] = []
+        for there, group in groupby(zip(above, blocks, strict=False), key=itemgetter(0)):
+            found = [block for _, block in group]
+            left = found if there is None else self._abridged(found, place, there)
+            headed = not shown and len(found) == 1 and _leads_in(found[0])  # then the title of the step leads in
+            shown += [] if there is not None and left == found and headed else left
+        for block in blocks[: last + 1]:
+            self.blocks.setdefault((step.kind, block), place)
+        return "\n\n".join(shown + blocks[last + 1 :])
+
+    def _abridged(self, blocks: list[str], place: _Place, above: _Place) -> list[str]:
+        """Return less in place of blocks that stand above: explanations need no word, others where they stand.
+
+        A step does not refer to itself, and what was done to other rows is done to these again.
+        """
+        if all(map(_explains, blocks)):
+            return []
+        if place == above or any(_OPERATION.search(block) for block in blocks):
+            return blocks
+        goes_on = _DISPLAY.findall(blocks[-1])[-1:]
+        there = self._reference(place.part, above.part, [above.number])
+        left = [self.say(Phrase("As in {places}:", places=there.place)), *goes_on]
+        return left if sum(map(len, left)) + LEAST_SAVED <= sum(map(len, blocks)) else blocks
+
+
+def _explains(block: str) -> bool:
+    """Whether a block of Markdown is a paragraph without a display that is complete in itself."""
+    return (
+        len(block) >= LEAST_EXPLAINED and block.endswith(".") and "$$" not in block and not _NO_PARAGRAPH.match(block)
+    )
+
+
+def _leads_in(block: str) -> bool:
+    """Whether a block of Markdown is a sentence of some length before a display, which does not say what is done."""
+    spoken = "$$" not in block and not _NO_PARAGRAPH.match(block) and not _OPERATION.search(block)
+    return spoken and len(block) >= LEAST_LEADING
+
+
+def _last_display(run: Sequence[WorkStep]) -> str:
+    """Return the last display of the steps themselves, which has lines of its own; of those below where they have none.
+
+    A formula on one line of the text is a law, and no result to go on with.
+    """
+    own = [display for step in run for display in _RESULT.findall(step.markdown)]
+    below = [display for step in run for each in step.walk() for display in _RESULT.findall(each.markdown)]
+    return (own or below or [""])[-1]
+
+
+def _key(step: WorkStep) -> str:
+    """Return all that a reader sees of a step."""
+    return repr((step.title, step.markdown, step.figures, [_key(each) for each in step.steps]))
+
+
+def _length(step: WorkStep) -> int:
+    """Count what a reader reads of a step."""
+    own = len(step.title) + len(step.markdown) + sum(len(each.place) for each in step.refers)
+    return own + sum(map(_length, step.steps))
+
+
+def _chains(step: WorkStep) -> Iterator[str]:
+    """Yield the displays of a step, without the signs around them."""
+    for each in step.walk():
+        yield from (display.strip("$").strip() for display in _DISPLAY.findall(each.markdown))
+
+
+def _ends_in(chain: str, answer: WorkAnswer) -> bool:
+    """Whether a display is the equation of an answer, or one from its symbol, of any variable, to its value."""
+    lines = chain.removeprefix(_ALIGNED[0]).removesuffix(_ALIGNED[1]).strip()
+    begins = re.match(re.escape(answer.symbol) + r"(\([a-z]\))? &?=", lines)
+    one = all(line.startswith("&") for line in lines.split("\\\\\n")[1:]) if lines != chain else True
+    return chain == answer.equation or (begins is not None and one and lines.endswith(f"= {answer.tex}"))
+
+
+def _value_of(display: str) -> str:
+    """Return what a display ends in, behind its last sign of equality."""
+    return display.strip("$").rpartition("=")[2].strip()
+
+
+def _listed(numbers: Sequence[int]) -> str:
+    """Return numbers in order as a list: "1–3, 5"."""
+    rows: list[list[int]] = []
+    for number in numbers:
+        if rows and rows[-1][-1] == number - 1:
+            rows[-1].append(number)
+        else:
+            rows.append([number])
+    return ", ".join(f"{row[0]}–{row[-1]}" if row[1:] else str(row[0]) for row in rows)

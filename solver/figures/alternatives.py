@@ -1,0 +1,155 @@
+"""What is seen in a figure, in words made from its data: for whoever cannot see it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from solver.derivation.figures import Chains, DrawnCurve, DrawnPlot, Parts, Plane
+from solver.figures.layout import Block, Label, Layout
+from solver.figures.planes import Placed, limits_of, placed
+from solver.formula.terminal import flat
+from solver.words import Phrase
+
+Say = Callable[[str], str]
+
+DIGITS = 4
+EDGE = 1e-9
+"""Roots so near to the edge of stability lie on it."""
+
+BESIDE = {"guide", "area"}
+"""What is no curve of its own."""
+
+
+def text_of(latex: str) -> str:
+    """Return a label in a line of text."""
+    return flat(latex)
+
+
+def number_text(x: float) -> str:
+    """Return a number with few digits and a minus sign."""
+    return f"{0.0 if abs(x) < EDGE else x:.{DIGITS}g}".replace("-", "−")
+
+
+def of_plane(plane: Plane, say: Say) -> str:
+    """Tell where the roots lie, and what region is shaded."""
+    sets = [placed(each) for each in plane.roots]
+    found = [_roots(each, say, discrete=plane.discrete) for each in sets]
+    if plane.stable:
+        found.append(say("shaded: where modes die out"))
+    limits = limits_of(plane.region)
+    if limits is not None:
+        shown = {
+            r"\sym{damping_ratio}": limits.damping, "\\sigma": limits.decay,
+            r"\omega_d": limits.frequency,
+        }  # fmt: skip
+        told = ", ".join(f"{text_of(say(name))} ≥ {number_text(x)}" for name, x in shown.items() if x)
+        if told:
+            found.append(say(Phrase("shaded: {limits}", limits=told)))
+    return _sentences([say("the z-plane" if plane.discrete else "the s-plane"), *found])
+
+
+def _roots(each: Placed, say: Say, *, discrete: bool) -> str:
+    if not each.count:
+        return say(Phrase("{name}: none", name=each.name))
+    where = _where(each, say, discrete=discrete)
+    values = ", ".join(values_text(each.places))
+    return say(
+        Phrase("{name} ({count}): {values}; {where}", name=each.name, count=each.count, values=values, where=where)
+    )
+
+
+def values_text(places: Sequence[tuple[complex, int]]) -> Iterator[str]:
+    """Yield roots as text, of a pair both in one: −2 ± 3j; a multiple one with how often it is there."""
+    there = dict(places)
+    for value, times in places:
+        mirrored = value.conjugate()
+        if value.imag < 0 and mirrored in there:
+            continue
+        real, size = number_text(value.real), number_text(abs(value.imag))
+        unit = "j" if size == "1" else f"{size}j"
+        sign = "±" if value.imag > 0 and mirrored in there else "+" if value.imag > 0 else "−"
+        if not value.imag:
+            text = real
+        elif value.real:
+            text = f"{real} {sign} {unit}"
+        else:
+            text = f"{sign}{unit}".removeprefix("+")
+        yield text if times == 1 else f"{text} ({times}×)"
+
+
+def _where(each: Placed, say: Say, *, discrete: bool) -> str:
+    """Say on which side of the edge of stability the roots lie."""
+    sides = [0, 0, 0]
+    for value, times in each.places:
+        away = abs(value) - 1 if discrete else value.real
+        sides[1 if abs(away) <= EDGE else 0 if away < 0 else 2] += times
+    if discrete:
+        words = ("inside the unit circle", "on the unit circle", "outside the unit circle")
+    else:
+        words = ("in the left half plane", "on the imaginary axis", "in the right half plane")
+    there = [(count, word) for count, word in zip(sides, words, strict=True) if count]
+    if len(there) == 1:
+        ((count, word),) = there
+        return say(word if count == 1 else Phrase("all {where}", where=word))
+    return ", ".join(say(Phrase("{count} {where}", count=count, where=word)) for count, word in there)
+
+
+def of_chains(figure: Chains, say: Say) -> str:
+    """Tell which state follows which in each chain."""
+    rows = (" → ".join(text_of(f"x_{{{state + 1}}}") for state in states) for states in figure.rows)
+    return _sentences(say(Phrase("chain: {states}", states=states)) for states in rows)
+
+
+def of_parts(figure: Parts, say: Say) -> str:
+    """Tell the modes of each part, and what drives it, shows it, or is driven by it."""
+    told = []
+    for part in figure.parts:
+        told.append(say(Phrase("{name}: {modes}", name=part.name, modes=", ".join(map(text_of, part.modes)))))
+        relations = [say("driven by the input")] * part.driven + [say("seen in the output")] * part.seen
+        relations += [say(Phrase("acts on the part {name}", name=figure.parts[i].name)) for i in part.acts_on]
+        told[-1] += "".join(f"; {each}" for each in relations)
+    return _sentences(told)
+
+
+def of_diagram(layout: Layout, say: Say) -> str:
+    """Name the blocks and the signals of a block diagram."""
+    blocks = [text_of(each.text) for each in layout.items if isinstance(each, Block) and each.text]
+    labels = [text_of(each.text) for each in layout.items if isinstance(each, Label) and each.text]
+    signals = dict.fromkeys(label for label in labels if label not in ("+", "−", "-"))
+    told = [Phrase("boxes: {names}", names=", ".join(blocks)), Phrase("signals: {names}", names=", ".join(signals))]
+    return _sentences(map(say, told))
+
+
+def of_plot(plot: DrawnPlot, say: Say) -> str:
+    """Tell of each curve where it begins and ends, and its largest and smallest value if they lie between."""
+    told = [_curve(each, plot, say) for each in plot.curves if each.style not in BESIDE and each.x]
+    return _sentences([*told, *_guides(plot.curves, say)])
+
+
+def _curve(each: DrawnCurve, plot: DrawnPlot, say: Say) -> str:
+    letter = text_of(plot.x_label) or "x"
+    name = text_of(each.label or plot.y_label)
+    ends = {
+        "name": name, "letter": letter, "start": number_text(each.x[0]), "stop": number_text(each.x[-1]),
+        "first": number_text(each.y[0]), "last": number_text(each.y[-1]),
+    }  # fmt: skip
+    text = say(Phrase("{name} from {first} at {letter} = {start} to {last} at {letter} = {stop}", **ends))
+    for pattern, at in (("largest {y} at {letter} = {x}", max), ("smallest {y} at {letter} = {x}", min)):
+        place = at(range(len(each.y)), key=each.y.__getitem__)
+        margin = 0.01 * (max(each.y) - min(each.y))
+        if abs(each.y[place] - each.y[0]) > margin and abs(each.y[place] - each.y[-1]) > margin:
+            x, y = number_text(each.x[place]), number_text(each.y[place])
+            text += ", " + say(Phrase(pattern, x=x, y=y, letter=letter))
+    return text
+
+
+def _guides(curves: Iterable[DrawnCurve], say: Say) -> Iterator[str]:
+    for each in curves:
+        if each.style == "guide" and each.label and each.x:
+            upright = each.x[0] == each.x[-1]
+            value = number_text(each.x[0] if upright else each.y[0])
+            yield say(Phrase("marked: {name} = {value}", name=text_of(each.label), value=value))
+
+
+def _sentences(texts: Iterable[str]) -> str:
+    return ". ".join(text[:1].upper() + text[1:] if text[1:2].isalpha() else text for text in texts if text) + "."

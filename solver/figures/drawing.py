@@ -1,0 +1,36 @@
+"""From a figure to its numbers: what crosses from the process that solves to the one that draws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from solver.derivation.figures import Chains, Drawing, DrawnPanels, Figure, Motion, Panels, Parts, Plane, Plot
+from solver.figures import alternatives
+from solver.figures.laid_out import layout_of
+from solver.figures.motions import moved
+from solver.figures.planes import on_plane
+from solver.figures.sampling import sampled
+
+
+def drawing_of(figure: Figure, say: Callable[[str], str] = str) -> Drawing:
+    """Return a figure without expressions, with what is seen in it in words; `say` words a phrase."""
+    if isinstance(figure, Plot):
+        plot = sampled(figure)
+        return replace(plot, alt=alternatives.of_plot(plot, say))
+    if isinstance(figure, Panels | Motion):
+        panels = (
+            moved(figure)
+            if isinstance(figure, Motion)
+            else DrawnPanels(figure.caption, tuple(map(sampled, figure.plots)))
+        )
+        return replace(panels, alt=" ".join(alternatives.of_plot(plot, say) for plot in panels.plots))
+    if isinstance(figure, Plane):
+        return replace(on_plane(figure, say), alt=alternatives.of_plane(figure, say))
+    if isinstance(figure, Parts):
+        return replace(figure, alt=alternatives.of_parts(figure, say))
+    chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""
+    return replace(figure, alt=f"{chains} ".lstrip() + alternatives.of_diagram(layout_of(figure), say))
+
+
+__all__ = ["drawing_of"]

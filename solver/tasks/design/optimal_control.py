@@ -1,0 +1,59 @@
+"""The control of a regulator: its gain, its law, the closed loop and the cost, as a lemma."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from solver.derivation import Answers, Claim, Derivation, Given, Step, lemma
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import inverse
+from solver.tasks.design.loop_figures import optimal_loop
+from solver.tasks.design.regulator import Regulator
+from solver.tasks.design.regulator_formulas import initial_state_of, states_of
+from solver.tasks.design.regulator_products import products_of_a_form, products_of_the_gain
+from solver.tasks.design.weights import cost_factor
+
+if TYPE_CHECKING:
+    from solver.tasks.design.lqr import LqrOptions
+    from solver.tasks.needed import WithInput
+
+
+@lemma("regulator")
+def control_of(given: Given[WithInput, LqrOptions], problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
+    """Find K = R⁻¹(BᵀP + Nᵀ), u = −K x, the closed loop and the cost."""
+    P, n, N = equation.stabilizing.P, problem.A.rows, problem.N
+    K = equation.gain(problem.B, problem.R, N)
+    Bt = sp.ImmutableMatrix(problem.B.T)
+    stated = product(inverse(problem.R), Bt, P)
+    if N is not None:
+        stated = product(inverse(problem.R), total(product(Bt, P), sp.ImmutableMatrix(N.T)))
+    claims = {"K": Claim(stated, K, "the gain")}
+    yield Step("gain", claims=claims, K=K, cross=N is not None, steps=products_of_the_gain(problem, P))
+    states = states_of(given)
+    control = sp.ImmutableMatrix(-K * sp.Matrix(states))
+    u = control[0, 0] if control.rows == 1 else control
+    yield Step("law", claims={"u": Claim(product(-1, K, sp.ImmutableMatrix(states)), control, "the control law")}, u=u)
+    loop = sp.ImmutableMatrix((problem.A - problem.B * K).expand())
+    yield Step(
+        "closed_loop",
+        claims={"loop": Claim(difference(problem.A, product(problem.B, K)), loop, "closed loop $A - BK$")},
+        eigenvalues=equation.eigenvalues,
+        n=n,
+        figures=optimal_loop(problem.A, loop, K, equation.eigenvalues, initial_state_of(given)),
+    )
+    answers = Answers(P=P, K=K, u=u, Q=problem.Q, R=problem.R, closed_loop_A=loop, eigenvalues=equation.eigenvalues)
+    x0 = initial_state_of(given)
+    if x0 is not None:
+        start = x0.xreplace({plain: positive for positive, plain in problem.plain.items()})
+        stated = product(cost_factor(given.options), sp.ImmutableMatrix(start.T), P, start)
+        cost = sp.expand((start.T * P * start)[0, 0] * cost_factor(given.options))
+        yield Step(
+            "cost",
+            claims={"J": Claim(stated, cost, "the least cost")},
+            factor=cost_factor(given.options),
+            steps=products_of_a_form(start, P, ("Px(0)", "x(0)^{T}Px(0)")),
+        )
+        answers["cost"] = cost
+    return Answers(**{name: problem.restored(value) for name, value in answers.items()})
