@@ -18,7 +18,7 @@ from solver.render.wording import LEVELS
 from solver.symbols import NOTATIONS
 from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, document_of_problem, solution_of
 
-CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d.])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
+CLUMSY = re.compile(r"(?<![\d.])\d+\.0(?!\d)|[-+] ?[-+]|(?<![\d._])1 ?\\cdot|\bNone\b|Matrix\(|(?<=[\w)])\*\*(?=[\w(])")
 """What nobody would write: 1.0, - -2, + -, 1 · x, and remains of Python."""
 
 FORMULA = re.compile(r"\$\$.*?\$\$|\$.*?\$", re.DOTALL)

@@ -21,14 +21,18 @@ if TYPE_CHECKING:
 
 @where_exact
 def eliminated(
-    equations: Sequence[tuple[Expr, Expr]], unknowns: Sequence[Symbol], values: Sequence[Expr]
+    equations: Sequence[tuple[Expr, Expr]],
+    unknowns: Sequence[Symbol],
+    values: Sequence[Expr],
+    chosen: Sequence[int] = (),
 ) -> tuple[Step, ...]:
     """Solve equations, each by its sides, for the unknowns, whose values are known; one with itself as value is free.
 
-    Nothing where each equation has one unknown only.
+    `chosen` are positions of unknowns that the equations leave free, with values all the same. Nothing where each
+    equation has one unknown only.
     """
     free = [j for j, (unknown, value) in enumerate(zip(unknowns, values, strict=True)) if unknown == value]
-    found = exact.elimination(equations, unknowns, free)
+    found = exact.elimination(equations, unknowns, [*free, *chosen])
     if not any(each.changed for each in found):
         return ()
     return tuple(_eliminated(_Elimination(equations, unknowns, values, found)))

@@ -214,7 +214,7 @@ def _by_coefficients(
         solution=list(zip(unknowns, values, strict=True)),
         free=found.free,
         pair=pair,
-        steps=eliminated(found.equations, unknowns, found.solution.values),
+        steps=eliminated(found.equations, unknowns, values, found.solution.free),
     )
     return sp.ImmutableMatrix(values)
 
