@@ -7,7 +7,8 @@ from collections.abc import Iterable
 from solver.derivation import Derivation
 from solver.derivation.conversion import Provided, conversion
 from solver.systems import Equations, StateSpace
-from solver.tasks.modelling.linear_model import is_linear, state_space_of
+from solver.tasks.modelling.first_order import is_linear
+from solver.tasks.modelling.linear_model import state_space_of
 from solver.words import Reason
 
 

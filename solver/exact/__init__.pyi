@@ -3,6 +3,7 @@
 from solver.exact.design import *
 from solver.exact.functions import *
 from solver.exact.linear_algebra import *
+from solver.exact.modelling import *
 from solver.exact.optimal import *
 from solver.exact.representation import *
 from solver.exact.stability import *

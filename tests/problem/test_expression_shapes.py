@@ -2,7 +2,7 @@
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver.problem.expressions import ExpressionError, Names, parse_expression
@@ -35,7 +35,12 @@ TEXTS = st.recursive(
 @given(TEXTS)
 def test_what_is_estimated_is_never_less_than_what_comes_out(text):
     found = shape(text)
-    above, below = sp.fraction(sp.cancel(parse_expression(text, NAMES)))
+    try:
+        value = parse_expression(text, NAMES)
+    except ExpressionError as error:
+        assume("0^0" not in error.message)  # (2 - 2)^0 is refused
+        raise
+    above, below = sp.fraction(sp.cancel(value))
     for side in (above, below):
         poly = sp.Poly(side, x, y)
         if side != 0:

@@ -6,15 +6,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Refusal, Task, state_equations
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, state_equations
 from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
-from solver.tasks.modelling.linear_model import is_linear, state_space_of
-from solver.words import Phrase, Reason, formula
+from solver.tasks.modelling.first_order import first_order_of, is_linear
+from solver.tasks.modelling.linear_model import matrices_of
+from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
-    from solver.systems import Equations, System
+    from solver.systems import Equations
 
 EXACT = 1e-10
 """What doubles leave of the equations where all values are exact."""
@@ -33,6 +34,16 @@ def with_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> bool:
     )
 
 
+def may_have_matrices(system: Equations) -> bool:
+    """Whether A, B, C and D are asked for: the equations are linear."""
+    return is_linear(system)
+
+
+def has_functions(system: Equations) -> bool:
+    """Whether f and h are asked for: the equations are not linear."""
+    return not is_linear(system)
+
+
 state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
     "state_space_model",
     title="State-space model",
@@ -40,32 +51,32 @@ state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
     needs=("equations",),
     options=StateSpaceModelOptions,
     answers=[
-        AnswerName(
-            "A", "A", "the system matrix", free=with_derivatives, earned=("highest", "matrices", "input_derivatives")
-        ),
-        AnswerName("B", "B", "the input matrix", optional=True, free=with_derivatives),
-        AnswerName("C", "C", "the output matrix", free=with_derivatives),
-        AnswerName("D", "D", "the feedthrough", optional=True),
+        AnswerName("A", "A", "the system matrix", free=with_derivatives, optional=True, principal=may_have_matrices,
+                   earned=("highest", "matrices", "input_derivatives")),
+        AnswerName("B", "B", "the input matrix", optional=True, free=with_derivatives, principal=may_have_matrices),
+        AnswerName("C", "C", "the output matrix", optional=True, free=with_derivatives, principal=may_have_matrices),
+        AnswerName("D", "D", "the feedthrough", optional=True, principal=may_have_matrices),
+        AnswerName("f", "f(x, u)", "nonlinear: the derivatives of the states (discrete: their next values), n×1",
+                   optional=True, principal=has_functions, earned=("highest",)),
+        AnswerName("h", "h(x, u)", "nonlinear: the outputs, p×1", optional=True, principal=has_functions),
         AnswerName("eliminated", r"\text{eliminated}", "what was eliminated, by the states and inputs", optional=True),
     ],
-)
+)  # fmt: skip
 state_space_model.together(state_equations())
-
-
-@state_space_model.refusal
-def is_not_linear(system: System, options: StateSpaceModelOptions) -> Iterable[Refusal]:  # noqa: ARG001 - no options
-    """A, B, C, D are those of linear equations."""
-    if system.kind == "equations" and not is_linear(system):  # type: ignore[arg-type]  # of that kind
-        yield "", Reason("equations/linearize_first")
 
 
 @state_space_model.method(source="Ogata, Modern Control Engineering, §§2–4 and 2–5")
 def by_highest_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> Derivation[Answers]:
-    """Solve for the highest derivatives, choose the lower ones as states, read off the rows."""
-    found = yield from state_space_of(given.system)
-    plant = found.plant
-    named = {"A": plant.A, "B": plant.B, "C": plant.C, "D": plant.D}
-    answers = Answers(**{name: M for name, M in named.items() if M is not None})
+    """Solve for the highest derivatives and choose the lower ones as states; of linear equations read off the rows."""
+    found = yield from first_order_of(given.system)
+    if found.is_linear:
+        plant = yield from matrices_of(found)
+        named = {"A": plant.A, "B": plant.B, "C": plant.C, "D": plant.D}
+        answers = Answers(**{name: M for name, M in named.items() if M is not None})
+    else:
+        f, h = (sp.ImmutableMatrix(list(each)) for each in (found.f, found.h))
+        yield Step("functions", unclaimed="the rows found above", f=f, h=h, X=found.X, discrete=given.system.discrete)
+        answers = Answers(f=f, h=h)
     if found.eliminated:
         answers["eliminated"] = dict(found.eliminated)
     return answers
