@@ -21,7 +21,9 @@ class AnswerName:
     earn the marks where a problem does not say which; that may depend on the system. A `count` is reached by many
     mistakes, so that none is named for it; `most` tells what a full rank is. `words` are those that an answer in words
     may have, `unit` is "rad/s" or "s" where a number has one. `earned` are the kinds of steps that earn its
-    marks beside the one in which its value is found: a key shows them.
+    marks beside the one in which its value is found: a key shows them. `told` are the kinds of steps that
+    tell it in a form of their own, such as equations under each other, the best first: a page points there where the
+    answer is not asked for.
     """
 
     name: str
@@ -38,6 +40,7 @@ class AnswerName:
     words: tuple[str, ...] = ()
     unit: str = ""
     earned: tuple[str, ...] = ()
+    told: tuple[str, ...] = ()
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

@@ -34,6 +34,7 @@ LEAST_REPEATED = 30
 _DISPLAY = re.compile(r"\$\$.*?\$\$", re.DOTALL)
 _RESULT = re.compile(r"^\$\$\n.*?\$\$", re.DOTALL | re.MULTILINE)
 _ALIGNED = r"\begin{aligned}", r"\end{aligned}"
+_LINES = re.compile(r"\\left\[\\begin\{array\}\{[c|]+\}(.*?)\\end\{array\}\\right\]", re.DOTALL)
 _OPERATION = re.compile(r"\\left(right)?arrow ")
 _NO_PARAGRAPH = re.compile(r"\s|[-*+>|#]\s|\d+[.)]\s|\|")
 """How lists, tables, quotations and headings begin."""
@@ -124,7 +125,7 @@ class _Page:
         return told
 
     def _pointed_at(self, part: Work, answer: WorkAnswer) -> WorkAnswer:
-        place = self._place_of(part, answer)
+        place = self._place_of(part, answer) or self._telling(part, answer)
         return replace(answer, stands=self._reference(part, place.part, [place.number])) if place else answer
 
     def _place_of(self, part: Work, answer: WorkAnswer, *, own: bool = False) -> _Place | None:
@@ -134,6 +135,14 @@ class _Page:
             if mine and _ends_in(chain, answer):
                 return place
         return None
+
+    @staticmethod
+    def _telling(part: Work, answer: WorkAnswer) -> _Place | None:
+        """Return the last step of the best of the kinds that tell an answer in a form of their own."""
+        numbered = [(each.kind, number) for number, each in enumerate(part.steps, 1) if each.markdown or each.steps]
+        numbers = (number for kind in answer.told for told, number in reversed(numbered) if told == kind)
+        number = next(numbers, None)
+        return None if number is None else _Place(part, number)
 
     def _stands_above(self, step: WorkStep) -> bool:
         return _key(step) in self.steps
@@ -154,12 +163,15 @@ class _Page:
 
     def _references(self, part: Work, places: Sequence[_Place]) -> Iterator[Reference]:
         """Yield a reference to each of the parts in which the places are."""
-        for there in {place.part.anchor: place.part for place in places}.values():
-            yield self._reference(part, there, sorted(place.number for place in places if place.part is there))
+        parts = {place.part.anchor: place.part for place in places}.values()
+        several = any(there.id != part.id for there in parts)
+        for there in parts:
+            numbers = sorted(place.number for place in places if place.part is there)
+            yield self._reference(part, there, numbers, named=several)
 
-    def _reference(self, part: Work, there: Work, numbers: Sequence[int]) -> Reference:
-        """Return a reference from a part to steps there."""
-        places = [f"({plain(there.letter)})"] if there.id != part.id else []
+    def _reference(self, part: Work, there: Work, numbers: Sequence[int], *, named: bool = False) -> Reference:
+        """Return a reference from a part to steps there; its own name is left out unless it is to be `named`."""
+        places = [f"({plain(there.letter)})"] if named or there.id != part.id else []
         if there.case and there.anchor != part.anchor:
             places.append(f"`{there.case}`")
         if there.id in self.several and there.anchor != part.anchor:
@@ -262,10 +274,16 @@ def _chains(step: WorkStep) -> Iterator[str]:
 
 def _ends_in(chain: str, answer: WorkAnswer) -> bool:
     """Whether a display is the equation of an answer, or one from its symbol, of any variable, to its value."""
+    chain = _LINES.sub(_without_lines, chain)
     lines = chain.removeprefix(_ALIGNED[0]).removesuffix(_ALIGNED[1]).strip()
     begins = re.match(re.escape(answer.symbol) + r"(\([a-z]\))? &?=", lines)
     one = all(line.startswith("&") for line in lines.split("\\\\\n")[1:]) if lines != chain else True
     return chain == answer.equation or (begins is not None and one and lines.endswith(f"= {answer.tex}"))
+
+
+def _without_lines(found: re.Match[str]) -> str:
+    """Return a matrix without the lines between its blocks."""
+    return rf"\begin{{bmatrix}}{found[1]}\end{{bmatrix}}".replace(r"\hline ", "")
 
 
 def _value_of(display: str) -> str:

@@ -66,7 +66,8 @@ class WorkAnswer:
     `numeric` are its numbers in nested lists, a complex one as [re, im], where it has no symbols. `given` tells that it
     is what the question gives, such as the weights of a regulator, and is no news. `asked` tells that it is asked for;
     of another one, which was found on the way, a page may say in which step it `stands`. `derived` is LaTeX of
-    symbol = formula = value, which a key shows. `instead` names the answers in whose place a page shows this one, which
+    symbol = formula = value, which a key shows. `told` are the kinds of steps that tell it in another
+    form. `instead` names the answers in whose place a page shows this one, which
     is their equations and no answer by itself.
     """
 
@@ -83,6 +84,7 @@ class WorkAnswer:
     asked: bool = True
     stands: Reference | None = None
     derived: str = ""
+    told: tuple[str, ...] = ()
     instead: tuple[str, ...] = ()
 
     @property

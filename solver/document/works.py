@@ -232,6 +232,7 @@ def _answers(
             asked=name in asked,
             given=name not in part.asked and name in part.options and bool(part.options[name] == value),
             derived=derived.get(name, ""),
+            told=declared[name].told,
         )
 
 

@@ -21,9 +21,10 @@ def display(tex: str) -> str:
 def chain(sides: Sequence[Row], relation: Node = EQUALS, note: Row = NOTHING) -> Row:
     """Return `a = b = c`; aligned at the signs, and long sums broken, where it does not fit on a line.
 
-    `note` stands behind the last side.
+    `note` stands behind the last side. Of sides that look alike in a row, the first two apart, one is shown.
     """
     shown = [side for side in sides if side.items]
+    shown = [side for i, side in enumerate(shown) if i < 2 or side != shown[i - 1]]
     line = row(separated(shown, relation), note)
     if len(shown) < 2 or width(line) <= LINE:
         return line

@@ -115,6 +115,12 @@ def test_methods_share_their_preamble_by_the_name_of_the_method():
     assert second.steps[0].refers[0].place == "“Way one”, steps 1–2"
 
 
+def test_where_another_part_is_named_the_part_itself_is_too():
+    first, other = work("a", step("x")), work("b", *map(step, "pq"))
+    *_, last = once(first, other, work("b", *map(step, "xpqr"), method="two", again=True))
+    assert [each.place for each in last.steps[0].refers] == ["(a), step 1", "(b), “Way one”, steps 1–2"]
+
+
 def test_an_explanation_is_left_out_but_a_conclusion_and_a_short_introduction_stay():
     texts = [(REASON, display(f"x = {i}"), "So", display("y = 1"), "It is not zero, so that the pair is controllable.")
              for i in (1, 2)]  # fmt: skip
@@ -156,6 +162,16 @@ def test_what_was_found_on_the_way_is_pointed_at_and_what_is_asked_is_boxed():
     (shown,) = once(part)
     assert [each.name for each in shown.boxed] == ["K", "q"]
     assert [(there.numbers, [each.name for each in found]) for there, found in shown.noted] == [((1,), ["p"])]
+
+
+def test_what_a_step_tells_with_lines_between_blocks_or_in_its_own_form_is_pointed_at():
+    parted = r"T = \left[\begin{array}{c|cc}1 & 0 & 0 \\ \hline 0 & 1 & 0\end{array}\right]"
+    whole = answer("T", r"\begin{bmatrix}1 & 0 & 0 \\ 0 & 1 & 0\end{bmatrix}", asked=False)
+    listed = replace(answer("roots", "1, 2", asked=False), told=("best", "listed"))
+    steps = [step("T", display(parted)), step("listed", display("s = 1")), step("U", display("U = T"))]
+    (shown,) = once(work("a", *steps, answers=(answer("U", "T"), whole, listed)))
+    assert [there.numbers for there, _ in shown.noted] == [(1,), (2,)]
+    assert [each.name for each in shown.boxed] == ["U"]
 
 
 def test_a_method_that_finds_the_same_says_so_and_one_that_does_not_shows_what_it_finds():

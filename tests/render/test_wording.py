@@ -186,6 +186,11 @@ def test_a_long_chain_is_aligned_at_its_signs():
     assert all(width(line) < 1.2 * LINE for row in table.rows for line in row)
 
 
+def test_a_chain_does_not_show_a_side_twice():
+    assert latex(chain(list(map(read, ["a", "b", "b", "c"])))) == "a = b = c"
+    assert latex(chain([read("b"), read("b")])) == "b = b"
+
+
 def test_a_sum_is_broken_only_outside_of_brackets():
     matrix = tex(sp.Matrix(2, 6, lambda i, j: s + 10**6 + i + j))
     formula = read(f"{matrix} - {matrix} + (a - b)")

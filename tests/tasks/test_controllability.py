@@ -8,6 +8,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
+import solver
 from solver.derivation import Status
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
@@ -256,3 +257,13 @@ def test_a_small_determinant_is_written_out_where_there_is_something_to_write(li
     (step,) = (step for step in result.steps if step.kind == "determinant")
     shown = [name for name in step.claims if name == "stated"] + [each.kind for each in step.steps]
     assert tuple(shown) == lines
+
+
+def test_a_determinant_is_shown_once_and_says_why_it_is_zero():
+    text = "title: t\nsystem: {{A: {A}, B: {B}, C: [1, 0, 0]}}\nfind: {{a: {{task: {task}, method: rank}}}}\n"
+    A = [[1, 0, 0], [1, -1, 1], [0, 0, -2]]
+    page = solver.solve(text.format(A=A, B=[1, 1, 0], task="controllability")).markdown(detail="tutor")
+    assert page.count(r"\det \mathcal{C}_o =") == 1
+    assert "a row of zeros" in page
+    page = solver.solve(text.format(A=A, B=[1, 1, 0], task="observability")).markdown(detail="tutor")
+    assert page.count(r"\det \mathcal{O}_v =") == 1

@@ -85,7 +85,7 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
             earned=REGULATING,
         ),
         AnswerName("error_A", r"A - \sym{L}C", "the matrix of the estimation error"),
-        AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues"),
+        AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues", told=("error",)),
         *LISTED,
     ],
     example={"Q": "[[1, 0], [0, 1]]", "R": "1"},

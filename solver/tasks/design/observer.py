@@ -59,6 +59,7 @@ observer: Task[WithOutput, ObserverOptions] = Task(
             "the same with the unknown entries $l_{1}$, $l_{2}$, … of the gain",
             ("coefficient_matching",),
             optional=True,
+            told=("gain_polynomial",),
         ),
     ],
 )

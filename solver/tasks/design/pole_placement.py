@@ -83,8 +83,16 @@ pole_placement: Task[WithInput, PolePlacementOptions] = Task(
             "the characteristic polynomial with the unknown gains $k_{1}$, $k_{2}$, …",
             MATCHING,
             True,
+            told=("gain_polynomial",),
         ),
-        AnswerName("fixed_poles", r"\lambda_{\text{fixed}}", "the eigenvalues that no such gain moves", (), True),
+        AnswerName(
+            "fixed_poles",
+            r"\lambda_{\text{fixed}}",
+            "the eigenvalues that no such gain moves",
+            (),
+            True,
+            told=("fixed_factor", "decomposition"),
+        ),
         AnswerName(
             "conditions", r"\text{conditions}", "what the letters of the prescribed gain must satisfy", MATCHING, True
         ),

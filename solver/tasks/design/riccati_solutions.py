@@ -29,13 +29,24 @@ if TYPE_CHECKING:
 
 LISTED = (
     AnswerName(
-        "equations", r"\text{equations}", "the entries of the Riccati equation: each of these is zero", ("riccati",)
+        "equations",
+        r"\text{equations}",
+        "the entries of the Riccati equation, each of which is zero",
+        ("riccati",),
+        told=("equations",),
     ),
-    AnswerName("solutions", r"P_i", "all real symmetric solutions", ("riccati",), optional=True),
+    AnswerName(
+        "solutions",
+        r"P_i",
+        "all real symmetric solutions",
+        ("riccati",),
+        optional=True,
+        told=("cases", "solution"),
+    ),
     AnswerName(
         "definiteness",
         r"\text{definiteness}",
-        "what each solution is, in the same order",
+        "the definiteness of each solution, in the same order",
         ("riccati",),
         optional=True,
         ordered=True,
@@ -46,6 +57,7 @@ LISTED = (
             "negative semidefinite",
             "indefinite",
         ),
+        told=("definiteness",),
     ),
 )
 """The answers of the method `riccati` beside the stabilizing solution."""

@@ -32,7 +32,7 @@ from solver.tasks.structure.critical_parameters import angles_of, conditions_of
 from solver.tasks.structure.lost_modes import lost_modes_of
 from solver.tasks.structure.pair_checks import condition_checks, that
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
-from solver.tasks.structure.rank_test import expansion, matrix_of
+from solver.tasks.structure.rank_test import expansion, has_zero_row, matrix_of
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -121,7 +121,8 @@ def _determinant(pair: Pair, matrix: ImmutableMatrix, x: Any) -> Step:
     claims["factored"] = Claim(sp.expand(det), exact.vanishing_form(det), "determinant in factors")
     lines = expanded(matrix, sp.expand(det)) if expansion(matrix) else ()
     claims |= expansion(matrix)
-    return Step("determinant", claims=claims, steps=lines, x=x, dual=pair.dual, n=pair.n, **shape_of(matrix))
+    shape = {"zero_row": has_zero_row(matrix), **shape_of(matrix)}
+    return Step("determinant", claims=claims, steps=lines, x=x, dual=pair.dual, n=pair.n, **shape)
 
 
 def _minors(pair: Pair, matrix: ImmutableMatrix, x: Any, found: exact.CriticalValues) -> Step:

@@ -50,6 +50,7 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
             det=det,
             spread=spread,
             n=pair.n,
+            zero_row=has_zero_row(matrix),
             **shape_of(matrix),
         )
     r = exact.rank(matrix)
@@ -80,9 +81,14 @@ def rank_of(pair: Pair) -> Derivation[Rank]:
 
 def expansion(matrix: ImmutableMatrix) -> dict[str, Claim]:
     """The first line of a small determinant; none for a large one, or where a row of zeros says it all."""
-    if not 2 <= matrix.rows <= LARGEST_EXPANDED or any(matrix.row(i).is_zero_matrix for i in range(matrix.rows)):
+    if not 2 <= matrix.rows <= LARGEST_EXPANDED or has_zero_row(matrix):
         return {}
     return {"stated": Claim(determinant(matrix), first_line(matrix), "the determinant multiplied out")}
+
+
+def has_zero_row(matrix: ImmutableMatrix) -> bool:
+    """Whether a row of zeros shows that the determinant is zero."""
+    return any(matrix.row(i).is_zero_matrix for i in range(matrix.rows))
 
 
 @lemma("rank_test")
