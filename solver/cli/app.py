@@ -12,7 +12,7 @@ from solver import __version__
 from solver.cli.bugs import report_bug
 from solver.cli.check import check
 from solver.cli.group import FileOrCommand, stop_writing
-from solver.cli.listing import new, schema, tasks
+from solver.cli.listing import models, new, schema, tasks
 from solver.cli.run import run
 from solver.cli.sheet import sheet
 
@@ -36,7 +36,7 @@ def cli() -> None:
     """
 
 
-for command in (run, check, sheet, tasks, new, schema):
+for command in (run, check, sheet, tasks, models, new, schema):
     cli.add_command(command)
 
 

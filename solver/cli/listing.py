@@ -1,4 +1,4 @@
-"""`solve tasks`, `solve new`, `solve schema`: what can be asked."""
+"""`solve tasks`, `solve models`, `solve new`, `solve schema`: what can be asked, and of what."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from solver.derivation import Task
     from solver.problem.model import Problem
 
@@ -25,6 +27,18 @@ def tasks(name: str | None) -> None:
 
         text = overview()
     click.echo(text)
+
+
+@click.command(short_help="List the library of models, or all about one of them.")
+@click.argument("name", required=False)
+def models(name: str | None) -> None:
+    """List the models that a problem can take as its system, `system: {model: NAME}`; with NAME: all about it."""
+    from solver.cli.models_text import all_models, one_model
+    from solver.problem.library import library_model, model_names
+
+    if name and name not in model_names():
+        raise click.UsageError(f"there is no model '{name}'.{_hint(name, model_names(), 'models')}")
+    click.echo(one_model(library_model(name)) if name else all_models())
 
 
 @click.command(short_help="Write a commented problem file to start from.")
@@ -87,12 +101,17 @@ def _read(file: str) -> Problem:
 
 def _found(name: str) -> Task[Any, Any]:
     """Return the task of that name; raises click.UsageError with the nearest name."""
-    from solver.problem.source import did_you_mean
     from solver.tasks import catalogue
 
     known = catalogue()
     if name in known:
         return known[name]
+    raise click.UsageError(f"there is no task '{name}'.{_hint(name, known, 'tasks')}")
+
+
+def _hint(name: str, known: Collection[str], command: str) -> str:
+    """Return the nearest name as a question, or the command that lists them."""
+    from solver.problem.source import did_you_mean
+
     close = did_you_mean(name, known) or next((each for each in known if name.lower() in each), "")
-    hint = f" Did you mean '{close}'?" if close else " `solve tasks` lists them."
-    raise click.UsageError(f"there is no task '{name}'.{hint}")
+    return f" Did you mean '{close}'?" if close else f" `solve {command}` lists them."

@@ -13,6 +13,7 @@ from solver.problem.conditions import check_occurring
 from solver.problem.files import load
 from solver.problem.lexicon import Declarations, Lexicon, check_used, read_lexicon
 from solver.problem.model import DIGITS, Display, Part, Problem, Show
+from solver.problem.model_declarations import with_model
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar, whole_number
 from solver.problem.partial import Said, read_partial, slips_of
 from solver.problem.parts import PartReader, PlantOf, Usual, read_show
@@ -82,7 +83,7 @@ class _ProblemReader:
         images = check_texts(self.root, self.source, self.report)
         parts = self.parts(system, by_names, typed)
         if not self.report.diagnostics:
-            check_used(self.section("parameters"), self.lexicon, self.report)
+            check_used(self.declarations().parameters, self.lexicon, self.report)
             check_occurring(self.lexicon, {*self.occurring, *self.lexicon.found}, self.report)
         if self.report.diagnostics:
             raise InputError(self.source, self.report.diagnostics)
@@ -151,7 +152,7 @@ class _ProblemReader:
             if lexicon is not self.lexicon:
                 self.lexicon.used |= lexicon.used
                 self.occurring |= set(lexicon.found)
-                check_used(self.section("find", name, "parameters"), lexicon, self.report)
+                check_used(self.declarations("find", name).parameters, lexicon, self.report)
                 if not self.report.diagnostics:
                     own = replace(lexicon, conditions=lexicon.conditions[len(self.lexicon.conditions) :])
                     check_occurring(own, {*self.occurring, *self.lexicon.found}, self.report)
@@ -173,8 +174,11 @@ class _ProblemReader:
         return read_lexicon(own, self.report, self.lexicon) if own else self.lexicon
 
     def declarations(self, *path: str) -> Declarations:
-        """Return what says what names mean, in the problem or in the part at a path."""
-        return Declarations(*(self.section(*path, key) for key in ("parameters", "assume", "conditions")))
+        """Return what says what names mean, in the problem or in the part at a path, and of the model taken."""
+        own = Declarations(*(self.section(*path, key) for key in ("parameters", "assume", "conditions")))
+        system = self.section(*path, "system")
+        around = self.lexicon.values.keys() | self.lexicon.assumed.keys() if path else ()
+        return with_model(own, system, around) if isinstance(system, MappingNode) else own
 
     def choice(self, key: str, known: Iterable[str], usual: str) -> str:
         """Return one of some words, or the usual one where the file says nothing."""

@@ -6,13 +6,14 @@ What stands in the values, and the options of a part, is read elsewhere: it depe
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar, Union
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, StringConstraints, Tag, create_model
 from pydantic import WithJsonSchema as Schema
 from pydantic_core import PydanticCustomError
 
+from solver.problem.library import model_names
 from solver.problem.source import did_you_mean
 from solver.systems import kind, kinds
 
@@ -21,8 +22,7 @@ MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
 RESERVED = (
-    "lagrangian", "circuit", "functional", "polynomial_matrix", "signal_flow", "op_amp",
-    "model",
+    "circuit", "functional", "polynomial_matrix", "signal_flow", "op_amp",
 )  # fmt: skip
 """Kinds of system that are known but can't be read yet."""
 
@@ -78,6 +78,15 @@ Matrix = Annotated[
 ]
 
 
+def _model_name(value: Any) -> str:
+    """Return the name of a model; whether there is one of that name is seen where it is read."""
+    if not isinstance(value, str):
+        raise PydanticCustomError("expected", "the name of a model ({names})", {"names": ", ".join(model_names())})
+    return value
+
+
+ModelName = Annotated[str, BeforeValidator(_model_name), Schema({"enum": list(model_names())})]
+
 Taken = Annotated[
     Annotated[Value, Tag("<value>")]
     | Annotated[list[Row], Tag("<list>")]
@@ -101,6 +110,9 @@ class Shape(BaseModel):
     """A mapping with known keys only."""
 
     model_config = ConfigDict(extra="forbid", strict=True)
+
+
+S = TypeVar("S", bound=Shape)
 
 
 class ZerosPolesGain(Shape):
@@ -143,6 +155,10 @@ class AnySystem(Shape):
     sample_time: Value = optional("sampling period in discrete time")
 
 
+KEYED: dict[str, type[Shape]] = {}
+"""The models of mappings within a system by the key under which they stand."""
+
+
 def _annotation(shape: kind.Shape) -> Any:
     """Return the type of what may stand under a key of a kind."""
     match shape:
@@ -150,6 +166,9 @@ def _annotation(shape: kind.Shape) -> Any:
             return Annotated[list[_annotation(shape.item)], Field(min_length=1)]  # type: ignore[misc]  # made at run time
         case kind.MappingTo():
             return dict[str, _annotation(shape.value)]  # type: ignore[misc]  # made at run time
+        case kind.Keyed():
+            KEYED[shape.name] = _fields_of(f"{shape.name}_keys", shape.keys, Shape, f"What stands under {shape.name}.")
+            return KEYED[shape.name]
         case _:
             return {
                 kind.Value: Value,
@@ -157,18 +176,22 @@ def _annotation(shape: kind.Shape) -> Any:
                 kind.Matrix: Matrix,
                 kind.Fraction: Rational,
                 kind.Gain: Taken,
+                kind.ModelName: ModelName,
             }[type(shape)]
+
+
+def _fields_of(name: str, keys: Sequence[kind.Key], base: type[S], doc: str) -> type[S]:
+    """Return the model of a mapping with these keys."""
+    fields: dict[str, Any] = {}
+    for key in keys:
+        given = Field(description=key.doc) if key.required else optional(key.doc)
+        fields[key.name] = (_annotation(key.shape), given)
+    return create_model(name.title().replace("_", "") + "Shape", __base__=base, __doc__=doc, **fields)
 
 
 def _model(declared: kind.Kind) -> type[AnySystem]:
     """Return the model of a kind of system."""
-    fields: dict[str, Any] = {}
-    for key in declared.keys:
-        given = Field(description=key.doc) if key.required else optional(key.doc)
-        fields[key.name] = (_annotation(key.shape), given)
-    return create_model(
-        declared.name.title().replace("_", "") + "Shape", __base__=AnySystem, __doc__=declared.doc, **fields
-    )
+    return _fields_of(declared.name, declared.keys, AnySystem, declared.doc)
 
 
 SYSTEMS: Mapping[str, type[AnySystem]] = {f"<{each.name}>": _model(each) for each in kinds().values()}

@@ -18,12 +18,13 @@ Path = tuple[str | int, ...]
 
 MODELS: Mapping[str | int, type[BaseModel]] = {
     **{name: model for name, model in shape.SYSTEMS.items()},  # noqa: C416 - a wider type of key
+    **shape.KEYED,
     "<zeros_poles_gain>": shape.ZerosPolesGain,
     "<fraction>": shape.Fraction,
     "<mapping>": shape.DisplayShape,
     "show": shape.ShowShape,
 }
-"""The models by the names of alternatives, as these stand in the location of an error."""
+"""The models by the names of alternatives, and by keys, as these stand in the location of an error."""
 
 EXPECTED = {
     "string_type": "a number or a text",
@@ -66,7 +67,8 @@ def _explained(root: Node, error: Mapping[str, Any]) -> Misshapen:
     location, kind, context = error["loc"], error["type"], error.get("ctx", {})
     path, node, parent = _walk(root, location)
     if kind == "extra_forbidden":
-        model = MODELS.get(location[-2], shape.ProblemShape) if len(location) > 1 else shape.ProblemShape
+        around = next((step for step in reversed(location[:-1]) if isinstance(step, str)), "")
+        model = MODELS.get(around, shape.ProblemShape)
         return Misshapen(path, _key(parent, path).diagnostic(*_unknown(str(path[-1]), model, parent)), surplus=True)
     if kind == "string_pattern_mismatch":
         message = f"'{str(path[-1])[:40]}' cannot name a part: at most 32 letters, digits, and - _ . ( )"

@@ -12,11 +12,12 @@ import sympy as sp
 from solver.problem.context import Earlier
 from solver.problem.equations import EquationReader
 from solver.problem.lexicon import BARRED, Lexicon, name_of
+from solver.problem.library import moved, named_model
 from solver.problem.matrices import counted, expect_shape, is_flat, read_matrix
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode, scalar
 from solver.problem.rational_functions import Rational
 from solver.problem.references import answers_of, earlier_part, read_reference
-from solver.problem.source import Report
+from solver.problem.source import Report, did_you_mean
 from solver.problem.transfer_functions import read_transfer_function
 from solver.symbols import SAMPLES
 from solver.systems import StateSpace, System, kinds
@@ -46,6 +47,7 @@ class SystemReader:
 
     def __init__(self, node: MappingNode, lexicon: Lexicon, earlier: Earlier, times: Collection[str]) -> None:
         self.node = node
+        self.given = (earlier, times)
         self.earlier = earlier
         self.times = times
         self.lexicon = lexicon
@@ -74,11 +76,38 @@ class SystemReader:
         """Raise Fault with everything that is wrong, if anything is."""
         self.report.conclude()
 
-    def complain(self, key: str, message: str, *, at_key: bool = False, item: int | None = None) -> None:
-        """Keep a fault at the value of the key, at one item of it, or at the key itself."""
+    @property
+    def keys(self) -> Mapping[str, str]:
+        """The plain spelling of each key that is there, in the order of the file: theta for θ."""
+        found = {}
+        for entry in self.node:
+            with self.report:
+                found[entry.key.text] = name_of(entry.key)
+        return found
+
+    def within(self, key: str) -> SystemReader:
+        """Return what reads the mapping under a key, an empty one if it is absent; its faults are kept here too."""
+        node = self.node.get(key)
+        return self._reads(node if isinstance(node, MappingNode) else MappingNode(self.node.place, {}))
+
+    def each(self, key: str) -> list[SystemReader]:
+        """Return what reads each mapping of the list under a key."""
+        listed = _items(self.node[key]) if key in self.node else ()
+        return [self._reads(item) for item in listed if isinstance(item, MappingNode)]
+
+    def _reads(self, node: MappingNode) -> SystemReader:
+        inner = SystemReader(node, self.lexicon, *self.given)
+        inner.report, inner.discrete, inner.sample_time = self.report, self.discrete, self.sample_time
+        return inner
+
+    def complain(
+        self, key: str, message: str, *, at_key: bool = False, item: int | None = None, like: Sequence[str] = ()
+    ) -> None:
+        """Keep a fault at the value of the key, at one item of it, or at the key itself; one `like` it is suggested."""
         entry = self.node.entries[key]
         node = entry.key if at_key else entry.value if item is None else self._scalars(key)[item]
-        self.report.diagnostics.append(node.diagnostic(message))
+        meant = did_you_mean(node.text, like) if like and isinstance(node, ScalarNode) else ""
+        self.report.diagnostics.append(node.diagnostic(message, meant))
 
     def gives(self, key: str) -> bool:
         """Whether the key is there."""
@@ -198,6 +227,14 @@ class SystemReader:
             part, task, method = earlier_part(self.node[key], self.earlier)
             return part, answers_of(task, method), part in self.times
         return "", (), False
+
+    def named_model(self, key: str) -> System | None:
+        """Return the system of the model of the library that is named; what is wrong with it stands at the name."""
+        with self.report:
+            name = scalar(self.node[key])
+            system = moved(named_model(name).root["system"], name.place)
+            return read_system(system, self.lexicon) if isinstance(system, MappingNode) else None
+        return None
 
     def gain(self, key: str) -> Any:
         """Return a matrix, or the part and the answer it is taken from; None if it is absent or wrong."""

@@ -7,7 +7,7 @@ way of giving it in a file; nothing lists the kinds by hand. Its words under "Gi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -41,6 +41,11 @@ class Gain:
 
 
 @dataclass(frozen=True, slots=True)
+class ModelName:
+    """The name of a model of the library."""
+
+
+@dataclass(frozen=True, slots=True)
 class ListOf:
     """A list of one item at least."""
 
@@ -54,7 +59,15 @@ class MappingTo:
     value: Shape
 
 
-Shape = Value | Values | Matrix | Fraction | Gain | ListOf | MappingTo
+@dataclass(frozen=True, slots=True)
+class Keyed:
+    """A mapping with keys of its own; `name` is the key under which it stands, or its list does."""
+
+    name: str
+    keys: tuple[Key, ...]
+
+
+Shape = Value | Values | Matrix | Fraction | Gain | ModelName | ListOf | MappingTo | Keyed
 """What may stand under a key, before it is known what the values mean."""
 
 
@@ -171,11 +184,26 @@ class Reader(Protocol):
     def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
         """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
 
+    def named_model(self, key: str) -> Any:
+        """Return the system of the model of the library that is named; None if it is wrong."""
+
     def gain(self, key: str) -> Any:
         """Return a matrix, or the part and the answer it is taken from; None if it is absent or wrong."""
 
-    def complain(self, key: str, message: str, *, at_key: bool = False, item: int | None = None) -> None:
-        """Keep a fault at the value of the key, at one item of it, or at the key itself."""
+    @property
+    def keys(self) -> Mapping[str, str]:
+        """The plain spelling of each key that is there, in the order of the file: theta for θ."""
+
+    def within(self, key: str) -> Reader:
+        """Return what reads the mapping under a key, an empty one if it is absent; its faults are kept here too."""
+
+    def each(self, key: str) -> Sequence[Reader]:
+        """Return what reads each mapping of the list under a key."""
+
+    def complain(
+        self, key: str, message: str, *, at_key: bool = False, item: int | None = None, like: Sequence[str] = ()
+    ) -> None:
+        """Keep a fault at the value of the key, at one item of it, or at the key itself; one `like` it is suggested."""
 
     def conclude(self) -> None:
         """Raise everything that is wrong, if anything is."""
