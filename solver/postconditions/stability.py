@@ -146,10 +146,15 @@ def of_is_stable_polynomial(found: bool | None, coefficients: Sequence[Any], *, 
 
 
 def of_edges(found: Sequence[tuple[Any, Any]], condition: Any) -> Iterator[Check]:
-    """Each is a parameter and the number or formula on the other side of a strict inequality."""
-    strict = condition.atoms(sp.StrictLessThan, sp.StrictGreaterThan)
-    sides = {pair for each in strict for pair in (each.args, each.args[::-1])}
-    yield Check.that("ends of a range", "compared", set(found) <= sides)
+    """Each is a parameter and a value without it for which both sides of a strict inequality are equal."""
+    strict = [each.lhs - each.rhs for each in condition.atoms(sp.StrictLessThan, sp.StrictGreaterThan)]
+    equal = (x not in bound.free_symbols and _vanishes(strict, x, bound) for x, bound in found)
+    yield Check.that("ends of a range", "put in", all(equal))
+
+
+def _vanishes(values: Sequence[Any], x: Any, bound: Any) -> bool:
+    """Whether one of the values is zero where x has this value."""
+    return any(sp.expand(value.xreplace({x: bound})) == 0 for value in values)
 
 
 WHOLE = (3, 1, 7, 2, 5, 4)

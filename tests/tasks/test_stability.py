@@ -227,3 +227,12 @@ def test_a_wrong_right_side_is_refused_in_the_file(Q, words):
 def test_routh_counts_before_it_factors():
     kinds = [step.kind for step in ask("stability", system([[0, 1], [-2, -3]]), "routh").steps]
     assert kinds.index("verdict") < kinds.index("factors") < kinds.index("confirmation")
+
+
+def test_a_real_eigenvalue_in_decimals_is_told_once_and_without_re():
+    found = solver.solve(
+        "display: {decimals: 5}\nsystem: {transfer_function: 942/(s^2 + 12s + 20.002)}\nfind: {a: stability}"
+    )
+    (placed,) = (step.markdown for step in found.parts[0].steps if step.kind == "location")
+    assert r"\lambda_{1} &= -9.9997 < 0" in placed
+    assert r"\approx" not in placed

@@ -11,6 +11,7 @@ from solver.derivation import CheckStatus, Status
 from solver.problem.source import InputError
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.said import page_of
 from tests.helpers.tried import tried
 
 k, a, b = sp.symbols("k a b", real=True)
@@ -224,3 +225,46 @@ def test_in_discrete_time_the_ends_are_on_the_unit_circle():
     assert ends[0] == (1,)
     assert abs(complex(ends[1][0])) == pytest.approx(1)
     assert complex(ends[1][0]) == pytest.approx(np.roots([1, -1, 1])[0])
+
+
+def page(rows, method="routh", **more):
+    return page_of("stability_range", method, system(rows, **more))
+
+
+def test_ends_say_where_their_oscillation_is_and_show_it_in_factors():
+    said = page(companion(p, b, k))
+    assert "(s + p)" in said.replace("(p + s)", "(s + p)")
+    assert r"Where $b > 0$, it has the roots $\pm j\sqrt{b}$" in said
+    assert "Where" not in page(companion(2, 3, k))
+    assert "At the end of the range: $a = -bk$" in page([[-k, 1], [-a, -b]])
+
+
+def test_the_polynomial_at_an_end_is_in_the_variable_of_the_method():
+    for method, x in (("routh", "s"), ("eigenvalues", r"\lambda")):
+        said = page(companion(2, 3, k), method)
+        assert rf"\chi({x})" in said
+    assert r"\chi(s)" not in page(companion(2, 3, k), "eigenvalues")
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_what_is_always_positive_says_why(method):
+    assert r"since sines and cosines lie between $-1$ and $1$: $4 - \sin(k) > 0$ and" in page(
+        [[-1, 1], [sp.sin(k), sp.sin(k) - 3]], method
+    )
+
+
+def test_two_eigenvalues_with_parameters_need_no_formula():
+    said = page([[-k, 1], [-a, -b]], "eigenvalues")
+    assert "quadratic formula" not in said
+    assert "The two eigenvalues have the sum" in said
+
+
+def test_a_minus_sign_before_a_condition_is_put_into_a_factor():
+    said = page(companion(2, 3, k), "eigenvalues")
+    assert "k(6 - k)" in said
+    assert "-k(k - 6)" not in said
+
+
+def test_the_only_parameter_is_named_in_the_question():
+    asked = solver.solve("system: {A: [[0, 1], [-K, -1]]}\nfind: {a: stability_range}").parts[0].question
+    assert "For which values of $K$ is" in asked

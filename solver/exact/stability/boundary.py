@@ -60,13 +60,20 @@ def _on_the_circle(coefficients: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
 
 
 def edges(condition: sp.Basic) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
-    """The bounds of parameters in a condition: those at which a strict inequality x < c or x > c ends."""
+    """The bounds of parameters in a condition: where a strict inequality x < c or x > c ends, or a linear one in x."""
     strict = sorted(condition.atoms(sp.StrictLessThan, sp.StrictGreaterThan), key=sp.default_sort_key)
     found = [next(_solved_for(each), None) for each in strict]
     return tuple(dict.fromkeys(each for each in found if each is not None))
 
 
 def _solved_for(relation: Any) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    if relation.has(sp.Float):
+        return
     for x, bound in (relation.args, relation.args[::-1]):
-        if x.is_Symbol and x not in bound.free_symbols and not bound.has(sp.Float):
+        if x.is_Symbol and x not in bound.free_symbols:
             yield x, bound
+    vanishing = relation.gts - relation.lts
+    for x in sorted(vanishing.free_symbols, key=str):
+        slope = vanishing.diff(x)
+        if slope.is_Rational:
+            yield x, sp.expand(x - vanishing / slope)

@@ -32,7 +32,7 @@ def hurwitz_conditions_of(factor: exact.Factor, *, discrete: bool) -> Derivation
         coefficients, _ = yield from bilinear_image_of(coefficients, x)
     H = exact.hurwitz_matrix(coefficients)
     minors = [sp.ImmutableMatrix(H[:k, :k]) for k in range(1, H.rows + 1)]
-    positive = [sp.factor(value) for value in (coefficients[0], *map(exact.determinant, minors))]
+    positive = [_sign_inside(sp.factor(value)) for value in (coefficients[0], *map(exact.determinant, minors))]
     yield Step(
         "determinants",
         claims={
@@ -47,3 +47,13 @@ def hurwitz_conditions_of(factor: exact.Factor, *, discrete: bool) -> Derivation
         never=any(exact.sign_of(value) in (0, -1) for value in positive),
     )
     return positive
+
+
+def _sign_inside(value: Expr) -> Expr:
+    """Return a product with its minus sign in a factor that has one: K(6 − K) for −K(K − 6)."""
+    coefficient, rest = value.as_coeff_Mul()
+    factors = sp.Mul.make_args(rest)
+    for i, factor in enumerate(factors):
+        if coefficient.is_negative and any(term.could_extract_minus_sign() for term in sp.Add.make_args(factor)):
+            return sp.Mul(-coefficient, *factors[:i], sp.expand(-factor), *factors[i + 1 :])
+    return value

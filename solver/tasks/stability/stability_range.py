@@ -87,6 +87,7 @@ def by_routh(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answ
         "first_column",
         unclaimed="conditions, not equalities; the answer has a check of its own",
         conditions=[x for x in conditions if exact.sign_of(x) != 1],
+        certain=_certain(conditions),
         never=[x for x in conditions if exact.sign_of(x) in (0, -1)],
         impossible=impossible,
         ones=tabled.ones,
@@ -94,7 +95,7 @@ def by_routh(given: Given[StateSpace, StabilityRangeOptions]) -> Derivation[Answ
     )
     if impossible:
         conditions = [sp.Integer(-1)]
-    return (yield from _together(plant, conditions, wanted))
+    return (yield from _together(plant, conditions, wanted, sp.Symbol("z" if plant.discrete else "s")))
 
 
 @stability_range.method("eigenvalues", title="Eigenvalues", source="Lecture note, section 1.15")
@@ -105,7 +106,7 @@ def by_eigenvalues(given: Given[StateSpace, StabilityRangeOptions]) -> Derivatio
     conditions: list[Expr] = []
     lamda = sp.Symbol("lamda")
     factors = exact.characteristic_factors(A)
-    if all(factor.roots for factor in factors):
+    if all(factor.roots and not _told_by_coefficients(factor) for factor in factors):
         yield from eigenvalues_of(A)
     else:
         yield from determinant_of(A, lamda)
@@ -123,12 +124,18 @@ def by_eigenvalues(given: Given[StateSpace, StabilityRangeOptions]) -> Derivatio
             degree=factor.degree,
             roots=[root.value for root in factor.roots],
             conditions=[x for x in found if exact.sign_of(x) != 1],
+            certain=_certain(found),
             never=any(exact.sign_of(x) in (0, -1) for x in found),
             b=factor.coefficients[1],
             c=factor.coefficients[-1],
             discrete=discrete,
         )
-    return (yield from _together(given.system, conditions, wanted))
+    return (yield from _together(given.system, conditions, wanted, lamda))
+
+
+def _told_by_coefficients(factor: exact.Factor) -> bool:
+    """Whether sum and product of the two roots tell where they are, so that these need no formula."""
+    return factor.degree == 2 and any(c.free_symbols for c in factor.coefficients)
 
 
 def _of_factor(factor: exact.Factor, *, discrete: bool) -> list[Expr]:
@@ -141,6 +148,11 @@ def _of_factor(factor: exact.Factor, *, discrete: bool) -> list[Expr]:
     if factor.degree == 1:
         return [1 + c[1], 1 - c[1]]
     return [1 + c[1] + c[2], 1 - c[1] + c[2], 1 - c[2]]
+
+
+def _certain(conditions: Iterable[Expr]) -> list[Expr]:
+    """What is positive whatever the values of sines and cosines in it are."""
+    return [x for x in conditions if x.has(sp.sin, sp.cos) and exact.sign_of(x) == 1]
 
 
 def _values_at_ends(factor: exact.Factor, x: Symbol) -> dict[str, Claim]:
@@ -163,8 +175,13 @@ def _wanted(given: Given[StateSpace, StabilityRangeOptions]) -> list[Symbol]:
     return [symbol for name in names for symbol in inside if symbol.name == name]
 
 
-def _together(plant: StateSpace, conditions: Sequence[Expr], wanted: Sequence[Symbol]) -> Derivation[Answers]:
-    """All conditions at once: intervals of one parameter, a conjunction for several; and what happens at their ends."""
+def _together(
+    plant: StateSpace, conditions: Sequence[Expr], wanted: Sequence[Symbol], x: Symbol
+) -> Derivation[Answers]:
+    """All conditions at once: intervals of one parameter, a conjunction for several; and what happens at their ends.
+
+    There χ is a polynomial in x.
+    """
     condition = exact.all_positive(conditions, wanted)
     assumed = sorted(set().union(*(x.free_symbols for x in conditions)), key=str)
     parts = condition.args if isinstance(condition, sp.And) else (condition,)
@@ -177,7 +194,7 @@ def _together(plant: StateSpace, conditions: Sequence[Expr], wanted: Sequence[Sy
         positive=[symbol for symbol in assumed if symbol.is_positive],
         negative=[symbol for symbol in assumed if symbol.is_negative],
     )
-    yield from edges_of(plant, condition)
+    yield from edges_of(plant, condition, x)
     return Answers(condition=condition)
 
 

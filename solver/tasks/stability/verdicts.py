@@ -30,6 +30,7 @@ def location_of(A: ImmutableMatrix, *, discrete: bool) -> Derivation[exact.Locat
         unclaimed="" if claims else "the signs are read off",
         placed=found.placed,
         approximations=[_approximation(each.measure) for each in found.placed],
+        real=[not each.root.value.has(sp.I) for each in found.placed],
         pairs=_pairs(found),
         discrete=discrete,
         figures=plane(
