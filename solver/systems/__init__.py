@@ -9,6 +9,7 @@ from pathlib import Path
 from solver.systems.earlier_part import EarlierPart
 from solver.systems.equations import Equations
 from solver.systems.kind import Kind, System
+from solver.systems.lagrangian import Lagrangian
 from solver.systems.late_input import LateInput
 from solver.systems.loops import OutputFeedback, StateFeedback
 from solver.systems.polynomial import Polynomial
@@ -30,6 +31,7 @@ __all__ = [
     "EarlierPart",
     "Equations",
     "Kind",
+    "Lagrangian",
     "LateInput",
     "OutputFeedback",
     "Polynomial",
