@@ -45,7 +45,7 @@ def first_line(M: ImmutableMatrix) -> Stated:
     """det M as the product of a triangular matrix's diagonal, as ad − bc, or expanded along a row."""
     if is_simple(M):
         return _sum(_products(M))
-    return total(*(product(a, determinant(minor)) for a, minor in _along_row(M)))
+    return total(*(product(a, determinant(minor)) for a, minor in along_row(M)))
 
 
 def is_simple(M: ImmutableMatrix) -> bool:
@@ -65,7 +65,7 @@ def row_with_most_zeros(M: ImmutableMatrix) -> int:
     return zeros.index(max(zeros))
 
 
-def _along_row(M: ImmutableMatrix) -> list[tuple[Expr, ImmutableMatrix]]:
+def along_row(M: ImmutableMatrix) -> list[tuple[Expr, ImmutableMatrix]]:
     """The entries of the row with most zeros with their signs, and their minors; without those of zeros."""
     i = row_with_most_zeros(M)
     return [
@@ -83,7 +83,7 @@ def _products(M: ImmutableMatrix, x: Symbol | None = None) -> list[tuple[Any, ..
         a, b, c, d = M.flat()
         found = [(a, d), (sp.S.NegativeOne, b, c)]
     else:
-        found = [(a, _value(minor, x)) for a, minor in _along_row(M)]
+        found = [(a, _value(minor, x)) for a, minor in along_row(M)]
     return [factors for factors in found if 0 not in factors]
 
 
@@ -139,7 +139,7 @@ def _minors(M: ImmutableMatrix, value: Expr, x: Symbol | None) -> Derivation[boo
     """Work out the minors, those of order two on one line; return whether there was anything to work out."""
     if is_simple(M):
         return False
-    minors = [minor for _, minor in _along_row(M)]
+    minors = [minor for _, minor in along_row(M)]
     hard = [minor for minor in minors if _is_work(minor)]
     if not hard:
         return False
@@ -172,19 +172,19 @@ def _minor(M: ImmutableMatrix, x: Symbol | None) -> Derivation[None]:
 
 def _written(M: ImmutableMatrix) -> Stated:
     """A determinant of order three with its minors written out."""
-    return total(*(product(a, first_line(minor)) for a, minor in _along_row(M) if _products(minor)))
+    return total(*(product(a, first_line(minor)) for a, minor in along_row(M) if _products(minor)))
 
 
 def _count(M: ImmutableMatrix) -> int:
     """How many minors of order three and above the expansion goes through."""
     if is_simple(M) or M.rows == 3:
         return 0
-    return sum(1 + _count(minor) for _, minor in _along_row(M) if _is_work(minor))
+    return sum(1 + _count(minor) for _, minor in along_row(M) if _is_work(minor))
 
 
 def _is_work(M: ImmutableMatrix) -> bool:
     """Whether det M is more than one product that a look tells."""
-    minors = [] if is_simple(M) else [minor for _, minor in _along_row(M)]
+    minors = [] if is_simple(M) else [minor for _, minor in along_row(M)]
     return len(_products(M)) > 1 or _has_products(M) or any(map(_is_work, minors))
 
 

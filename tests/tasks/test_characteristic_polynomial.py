@@ -5,6 +5,7 @@ import pytest
 import sympy as sp
 from hypothesis import given
 
+from solver import solve
 from solver.derivation import Status
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.strategies import systems
@@ -63,3 +64,34 @@ def test_corrupted_answers_are_rejected(corrupt):
     polynomial = ask("characteristic_polynomial", plant).answers["polynomial"]
     assert not rejected("characteristic_polynomial", plant, {"polynomial": polynomial})
     assert rejected("characteristic_polynomial", plant, {"polynomial": sp.expand(corrupt(polynomial))})
+
+
+def lines_of(find, A, detail="tutor"):
+    return solve(f"title: t\nsystem: {{A: {A}, B: [0, 0, 1], C: [1, 0, 0]}}\nfind: {{a: {find}}}\n").markdown(
+        detail=detail
+    )
+
+
+@pytest.mark.parametrize(
+    ("A", "factors"),
+    [
+        ([[1, 0, 0], [1, -1, 1], [0, 0, -2]], r"(\lambda - 1)(\lambda + 1)(\lambda + 2)"),
+        ([[1, 0, 0], [1, 0, 1], [0, -4, -2]], r"(\lambda - 1)(\lambda^{2} + 2\lambda + 4)"),
+    ],
+)
+def test_factors_that_the_expansion_shows_are_not_multiplied_out_to_be_factored(A, factors):
+    page = lines_of("eigenstructure", A)
+    assert page.count(f"= {factors}") >= 1
+    assert "Factor the polynomial" not in page
+    assert r"\lambda^{3}" not in page
+
+
+def test_a_factor_that_falls_apart_is_factored():
+    assert "Factor the polynomial" in lines_of("eigenstructure", [[1, 0, 0], [1, 0, 1], [0, 2, -1]])
+
+
+def test_the_polynomial_of_a_loop_in_companion_form_is_read_off():
+    page = lines_of("{task: pole_placement, poles: [-1, -2, -3]}", [[0, 1, 0], [0, 0, 1], [-5, -10, -5]])
+    assert "its last row holds the coefficients" in page
+    assert "each with one of them only" in page
+    assert "The minors" not in page

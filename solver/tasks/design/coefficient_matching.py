@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product
 from solver.tasks.design.comparison import compared
 from solver.tasks.design.frames import Pair, Placement, characteristic, expansion_of, movable_poles
+from solver.tasks.linear_algebra.characteristic_polynomial import coefficients_of_companion
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
@@ -49,6 +50,7 @@ def matched(pair: Pair, shape: ImmutableMatrix | None = None, unknowns: Sequence
         "gain_polynomial",
         claims=claims,
         row=frame.shown(row),
+        companion=coefficients_of_companion(frame.shown(loop)),
         steps=lines,
         **pair.flags,
     )
@@ -118,6 +120,7 @@ def _equated(
         "solution",
         claims={"equations": found.claim(solution.values)},
         found=[(u, value) for u, value in zip(unknowns, solution.values, strict=True) if u != value],
+        alone=all(len(left.free_symbols & set(unknowns)) < 2 for left, _ in found.equations),
         free=found.free,
         gain=pair.frame.shown(k),
         steps=eliminated(found.equations, unknowns, solution.values),

@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant
+from solver.tasks.linear_algebra.characteristic_polynomial import coefficients_of_companion
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -128,7 +129,12 @@ def characteristic(A: Any, x: Symbol, n: int = 0) -> Stated:
 
 
 def expansion_of(A: ImmutableMatrix, x: Symbol, polynomial: Expr) -> tuple[dict[str, Claim], tuple[Step, ...]]:
-    """The first line of the expansion of det(xI − A), as a claim, and what is between it and the polynomial."""
+    """The first line of the expansion of det(xI − A), as a claim, and what is between it and the polynomial.
+
+    Neither where A is a companion matrix, of which it is read off.
+    """
+    if coefficients_of_companion(A):
+        return {}, ()
     pencil = sp.ImmutableMatrix(x * sp.eye(A.rows) - A)
     claim = Claim(determinant(pencil), first_line(pencil), Phrase("the determinant expanded"))
     return {"stated": claim}, expanded(pencil, polynomial, x)

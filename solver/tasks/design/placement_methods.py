@@ -17,6 +17,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import inverse
 from solver.tasks.design.frames import Pair, characteristic, expansion_of, free_symbols
+from solver.tasks.linear_algebra.characteristic_polynomial import coefficients_of_companion
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ def _open_loop(pair: Pair) -> Derivation[tuple[Expr, ...]]:
     polynomial = exact.polynomial_in(pair.x, chi)
     claims, lines = expansion_of(shown, pair.x, polynomial)
     claims["polynomial"] = Claim(characteristic(shown, pair.x), polynomial, "open-loop polynomial")
-    yield Step("open_loop", claims=claims, steps=lines, **pair.flags)
+    yield Step("open_loop", claims=claims, steps=lines, companion=coefficients_of_companion(shown), **pair.flags)
     return chi
 
 

@@ -59,19 +59,58 @@ def determinant_of(
     pencil = yield from pencil_of(A, x)
     resolvent = exact.faddeev_leverrier(A)
     chi = resolvent.characteristic_polynomial(x)
-    shape, coefficients = shape_of(pencil), "" if expanded else _coefficients_of_companion(A)
+    shape, coefficients = shape_of(pencil), "" if expanded else coefficients_of_companion(A)
+    in_sight = [] if shape["triangular"] else _factors_in_sight(A, pencil, x)
     if coefficients and not shape["triangular"]:
         value = Claim(determinant(pencil), chi, "the polynomial of a companion matrix")
         yield Step("companion", claims={"value": value}, x=x, coefficients=coefficients)
     else:
         claims = expansion_of(pencil, resolvent.adjugate(x), chi)
-        if shape["triangular"] and for_its == "factors":
-            claims = {"stated": claims["stated"]}
-        lines = determinants.expanded(pencil, chi, x)
+        if in_sight:
+            claims = _claims_of_factors(claims["stated"], in_sight, chi)
+        if (shape["triangular"] or in_sight) and for_its == "factors":
+            claims.pop("value")
+        lines = determinants.expanded(pencil, chi, x) if _has_a_quadratic(in_sight, A) else ()
         yield Step("expansion", claims=claims, steps=lines, x=x, n=A.rows, **shape)
-    if not shape["triangular"] and for_its != "coefficients":  # else its factors have been seen
+    if not (shape["triangular"] or in_sight) and for_its != "coefficients":  # else its factors have been seen
         yield from factors_of(A, x)
     return resolvent
+
+
+def shows_its_factors(A: ImmutableMatrix, x: Symbol) -> bool:
+    """Whether `determinant_of` finds χ(x) as the product of its factors, if it is wanted for these."""
+    pencil = exact.pencil(A, x)
+    return determinants.is_triangular(pencil) or bool(_factors_in_sight(A, pencil, x))
+
+
+def _factors_in_sight(A: ImmutableMatrix, pencil: ImmutableMatrix, x: Symbol) -> list[Expr]:
+    """The irreducible factors of χ(x), in the order of the expansion, where each row expanded along has one entry left.
+
+    None of a matrix of order two, and none where a factor falls apart again.
+    """
+    found, rest = [], pencil
+    while rest.rows > 2 and not determinants.is_triangular(rest):
+        left = determinants.along_row(rest)
+        if len(left) != 1:
+            return []
+        found.append(left[0][0])
+        rest = left[0][1]
+    if not found:
+        return []
+    whole = determinants.is_triangular(rest)
+    found += rest.diagonal() if whole else [exact.multiplied_out(exact.determinant(rest), x)]
+    return found if sp.Mul(*found) == exact.factored(A, x) else []
+
+
+def _claims_of_factors(stated: Claim, factors: list[Expr], chi: Expr) -> dict[str, Claim]:
+    """The determinant as it is expanded, in factors, and multiplied out."""
+    seen = Claim(stated.right, product(*factors), Phrase("the minors in factors"))
+    return {"stated": stated, "factors": seen, "value": Claim(seen.right, chi, "the determinant multiplied out")}
+
+
+def _has_a_quadratic(factors: list[Expr], A: ImmutableMatrix) -> bool:
+    """Whether there is more to work out than entries of the diagonal."""
+    return len(factors) < A.rows
 
 
 @lemma("determinant")
@@ -97,7 +136,7 @@ def shape_of(pencil: ImmutableMatrix) -> dict[str, Any]:
     return {"row": determinants.row_with_most_zeros(pencil), "triangular": determinants.is_triangular(pencil)}
 
 
-def _coefficients_of_companion(A: ImmutableMatrix) -> str:
+def coefficients_of_companion(A: ImmutableMatrix) -> str:
     """Return where a companion matrix of order three or more has its coefficients; "" if it is none.
 
     There they stand with changed signs, in the last row or column from the constant term on, in the first one from the

@@ -66,7 +66,7 @@ eigenstructure: Task[StateSpace, PlantOptions] = Task(
 def eigenvalues_of(A: ImmutableMatrix) -> Derivation[exact.Spectrum]:
     """Roots of the characteristic polynomial, factor by factor, with their multiplicities."""
     lamda = sp.Symbol("lamda")
-    resolvent = yield from determinant_of(A, lamda)
+    resolvent = yield from determinant_of(A, lamda, for_its="factors")
     chi = resolvent.characteristic_polynomial(lamda)
     spectrum = exact.spectrum(A)
     for factor in spectrum.factors:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from solver.arithmetic.determinants import is_triangular
 from solver.arithmetic.fractions import expanded
 from solver.arithmetic.inverses import cofactors
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma
@@ -23,6 +22,7 @@ from solver.tasks.linear_algebra.characteristic_polynomial import (
     minus_determinant,
     pencil_of,
     recursion_of,
+    shows_its_factors,
 )
 from solver.tasks.plant_options import PlantOptions
 from solver.words import Phrase
@@ -59,7 +59,7 @@ def by_adjugate(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
     A, x = given.system.A, _variable(given)
     inverted = yield from inverse_of_pencil(A, x)
     chi = exact.faddeev_leverrier(A).characteristic_polynomial(x)
-    if is_triangular(A) and A.rows > 1:
+    if A.rows > 1 and shows_its_factors(A, x):
         says = "the factors multiplied out"
         yield Step("polynomial", claims={"polynomial": Claim(exact.factored(A, x), chi, says)}, x=x)
     return Answers(resolvent=inverted, polynomial=chi)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from solver.arithmetic.determinants import is_triangular
 from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task, lemma, option
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
@@ -16,7 +15,7 @@ from solver.numeric.judges import representation as judges
 from solver.options.channel import Channel
 from solver.stated.algebra import power, product, quotient, total
 from solver.tasks import meanings, mistakes
-from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of
+from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of, shows_its_factors
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.lowest_terms import fractions_of, lowest_terms_of, rows_as_matrix
@@ -148,7 +147,7 @@ def _quotient_of(
         yield Step(
             "through", claims={"sum": Claim(with_D, entry_alone(N), "numerator with $D$")}, x=x, D=entry_alone(D)
         )
-    elif factored and is_triangular(plant.A):  # what was seen as a product stays one
+    elif factored and shows_its_factors(plant.A, x):  # what was seen as a product stays one
         chi = exact.factored(plant.A, x)
     yield Step(
         "quotient",
