@@ -155,7 +155,7 @@ class _Reader:
             return name
         self.at += 1
         if Operator(",") in follows.body.items:
-            raise Unreadable("several arguments")
+            return Meaning("name", text=f"{text}({_names_of(follows.body.items)})")
         return Meaning("apply", (name, read(follows.body.items)), text)
 
     def transform(self, letter: str) -> Meaning:
@@ -222,6 +222,14 @@ def _fraction(fraction: Fraction) -> Meaning:
     if len(above) != 2 or len(below) != 2 or below[0] != Symbol("d"):
         raise Unreadable("a derivative")
     return Meaning("derivative", (read(above[1:]), read(below[1:])))
+
+
+def _names_of(arguments: tuple[Node, ...]) -> str:
+    """Read the arguments of f(x, u), all of them names: the whole is a name too."""
+    names = [item for item in arguments if item != Operator(",") and not isinstance(item, Space)]
+    if not all(isinstance(item.base if isinstance(item, Scripts) else item, _NAMES) for item in names):
+        raise Unreadable("several arguments")
+    return ",".join(map(name_of, names))
 
 
 def _is_number_in_brackets(node: Node) -> bool:

@@ -29,6 +29,8 @@ from solver.formula.vocabulary import LARGE
 
 PLUS, MINUS, TIMES = Operator("+"), Operator("-"), Operator(r"\cdot")
 THIN_SPACE = Space(r"\,")
+DOTS = frozenset((r"\dot", r"\ddot", r"\dddot"))
+"""Marks under which a name stays a name: the square of a derivative needs no parentheses."""
 _LEAVES = frozenset((Function, Number, Operator, Space, Symbol, Text))
 _IN_SUMS = frozenset(map(Operator, ("+", "-", r"\pm", r"\otimes", r"\ast", r"\approx", "=")))
 
@@ -107,10 +109,12 @@ def power(base: Row, exponent: Row) -> Row:
 
 
 def is_atom(formula: Row) -> bool:
-    """Whether a formula is one symbol, word or number, perhaps with an index."""
+    """Whether a formula is one symbol, word or number, perhaps with an index or under dots."""
     if len(formula.items) != 1:
         return False
     only = formula.items[0]
+    if isinstance(only, Accent) and only.command in DOTS and isinstance(only.body, Row):
+        return is_atom(only.body)
     if isinstance(only, Scripts) and only.above is None and not only.primes:
         only = only.base
     return isinstance(only, Symbol | Number) or (isinstance(only, Styled) and only.command == r"\mathrm")

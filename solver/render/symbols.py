@@ -38,7 +38,7 @@ def named(name: str) -> Row:
     if sample:
         return row(*named(sample[1]).items, *read(f"({sample[2]})").items)
     if derived and derived[2] in ("dot", "ddot", "dddot"):
-        return row(Accent(f"\\{derived[2]}", named(derived[1])))
+        return _under(f"\\{derived[2]}", named(derived[1]))
     if derived:
         return row(Scripts(named(derived[1]), above=read(f"({derived[2][1:]})")))
     base, *subscripts = [part for part in name.split("_") if part] or [name]
@@ -50,6 +50,14 @@ def named(name: str) -> Row:
     below = separated([row(_word(part)) for part in subscripts], Operator(","))
     short = len(subscripts) == 1 and (len(subscripts[0]) == 1 or subscripts[0] in GREEK)
     return row(Scripts(_word(base), below.items[0] if short else below))
+
+
+def _under(dots: str, name: Row) -> Row:
+    """Put dots over a name; its index stands beside them."""
+    (item,) = name.items
+    if isinstance(item, Scripts) and item.above is None:
+        return row(Scripts(Accent(dots, row(item.base)), item.below))
+    return row(Accent(dots, name))
 
 
 def _word(word: str) -> Node:

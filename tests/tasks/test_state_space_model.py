@@ -215,7 +215,7 @@ def test_equations_are_shown_in_the_order_in_which_they_are_typed(typed, shown):
     assert plain(shown) in plain(given)
 
 
-@pytest.mark.parametrize("task", ["state_space_model", "stability", "routh_hurwitz"])
+@pytest.mark.parametrize("task", ["stability", "routh_hurwitz"])
 def test_nonlinear_equations_are_refused_by_the_file(task):
     (part,) = read("equations: [\"x'' = sin(x) + u\"], inputs: u", task).parts
     ((option, message),) = refusals_of(part, Messages())
@@ -272,3 +272,78 @@ def test_corrupted_answers_are_rejected():
     assert rejected(shifted, A=[[0, 1], [-2, -3]], B=[[0], [1]], C=[[5, 2]], D=[[0]])
     assert rejected(shifted, A=[[0, 1], [-2, -4]])
     assert rejected(shifted, A=[[0, 1, 0], [-2, -3, 0]])
+
+
+CART = """
+  equations:
+    - "(m_c + m_p) x'' + b x' + m_p l cos(theta) theta'' - m_p l sin(theta) theta'^2 = u"
+    - "(J + m_p l^2) theta'' + m_p l cos(theta) x'' - m_p g l sin(theta) = 0"
+  inputs: [u]
+  outputs: [x, theta]
+"""
+
+
+def nonlinear(system):
+    return read_problem(Source("file.yaml", f"system:\n{system}\nfind: {{a: state_space_model}}\n"), catalogue())
+
+
+def judged(system, **answers):
+    """Whether none of the checks of these answers fails."""
+    task, part = catalogue()["state_space_model"], nonlinear(system).parts[0]
+    checks = task.verify(task.given(part.system, {}), {name: sp.ImmutableMatrix(M) for name, M in answers.items()})
+    return all(check.status is CheckStatus.PASSED for check in checks)
+
+
+def test_the_pendulum_on_a_cart_has_functions_for_its_model():
+    result = solve_problem(nonlinear(CART)).parts[0]
+    assert result.status is Status.VERIFIED
+    assert [step.kind for step in result.steps] == ["highest", "states", "functions"]
+    x, dx, theta, dtheta, u = sp.symbols("x x_dot theta theta_dot u", real=True)
+    m_c, m_p, b, J, el, g = sp.symbols("m_c m_p b J l g", real=True)
+    mass = sp.Matrix([[m_c + m_p, m_p * el * sp.cos(theta)], [m_p * el * sp.cos(theta), J + m_p * el**2]])
+    force = sp.Matrix([u - b * dx + m_p * el * sp.sin(theta) * dtheta**2, m_p * g * el * sp.sin(theta)])
+    ddx, ddtheta = mass.LUsolve(force)
+    right = sp.Matrix([dx, ddx, dtheta, ddtheta])
+    assert judged(CART, f=right)
+    assert judged(CART, f=result.answers["f"], h=[x, theta])
+    for i in range(4):
+        for wrong in (right[i] + sp.Rational(1, 1000), -right[i], right[i].subs(b, -b) if i % 2 else right[i] + x):
+            spoiled = right.copy()
+            spoiled[i] = wrong
+            assert not judged(CART, f=spoiled), (i, wrong)
+    assert not judged(CART, f=[dx, dtheta, right[1], right[3]])
+    assert not judged(CART, f=right[:3])
+    assert not judged(CART, h=[x, theta + u])
+    assert not judged(CART, h=[x, sp.Symbol("theta_ddot", real=True)])
+    assert not judged(CART, A=sp.eye(4))
+
+
+@pytest.mark.parametrize(
+    ("system", "f", "h"),
+    [
+        ("  equations: [\"x' = x + 1\"]", ["x + 1"], ["x"]),
+        ("  equations: [\"A h' = q - c sqrt(2 g h)\"]\n  inputs: [q]", ["(q - c*sqrt(2*g*h))/A"], ["h"]),
+        ("  equations: [\"m v' = F - c v^2\", 'F = k i^2/v', \"L i' + R i = u\"]\n  inputs: [u]\n  algebraic: [F]\n"
+         "  states: [v, i]\n  outputs: [F]", ["(k*i**2/v - c*v**2)/m", "(u - R*i)/L"], ["k*i**2/v"]),
+        ("  equations: ['y(k+1) = r y(k)(1 - y(k))']", ["r*y*(1 - y)"], ["y"]),
+        ("  equations: ['y(k) = y(k-1)^2 + u(k-2) y(k-2)']\n  inputs: [u]", ["z", "z**2 + u*y"], ["y"]),
+        ("  equations: [\"theta_1'' = -g sin(theta_1) + r tau\", 'theta_2 = theta_1^2', \"tau = u - theta_2''\"]\n"
+         "  inputs: [u]\n  algebraic: [theta_2, tau]\n  outputs: [theta_2]",
+         ["w", "(-g*sin(p) + r*(u - 2*w**2))/(1 + 2*r*p)"], ["p**2"]),
+    ],
+)  # fmt: skip
+def test_nonlinear_equations_of_all_kinds(system, f, h):
+    discrete = "(k" in system
+    result = solve_problem(nonlinear(system + ("\n  time: discrete" if discrete else ""))).parts[0]
+    assert result.status is Status.VERIFIED, result.reason
+    names = {"y": "y(k)", "z": "y(k+1)", "u": "u(k)"} if discrete else {"p": "theta_1", "w": "theta_1_dot"}
+    real = {
+        name: sp.Symbol(names.get(name, name), real=True) for name in "A g h q p c m v F k i L R u r y z w x".split()
+    }
+    for name, rows in (("f", f), ("h", h)):
+        expected = sp.Matrix([sp.sympify(row, real) for row in rows])
+        assert sp.simplify(sp.Matrix(result.answers[name]) - expected) == sp.zeros(len(rows), 1)
+
+
+def test_squares_of_derivatives_need_no_parentheses():
+    assert Wording.of(Display()).given(nonlinear(CART).system).count(r"\dot{\theta}^{2}") == 1

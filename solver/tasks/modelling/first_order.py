@@ -64,8 +64,8 @@ def first_order_of(model: Equations) -> Derivation[FirstOrder]:
     following = [model.symbol((name, k + 1)) for name, k in states]
     rows = tuple(solved.get(symbol, symbol) for symbol in following)
     X = [model.symbol(jet) for jet in states]
-    yield Step("states", unclaimed="a choice", states=X, following=list(zip(following, rows, strict=True)),
-               discrete=model.discrete)  # fmt: skip
+    moved = [(symbol, row, symbol in solved) for symbol, row in zip(following, rows, strict=True)]
+    yield Step("states", unclaimed="a choice", states=X, following=moved, discrete=model.discrete)
     normal = sp.expand if is_linear(model) else exact.normal
     outputs = tuple(normal(output.xreplace(solved)) for output in model.outputs)
     found = FirstOrder(model, states, rows, outputs, {**eliminated, **rest}, _initial(model, states))

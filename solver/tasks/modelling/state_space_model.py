@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 EXACT = 1e-10
 """What doubles leave of the equations where all values are exact."""
+NEAR = 1e-8
+"""What they leave where derivatives are taken along a motion."""
+NEWTON = "Newton's method with numpy.linalg.lstsq"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,23 +88,50 @@ def by_highest_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> D
 @state_space_model.verification("A", "B", "C", "D")
 def moves_as_the_equations_say(given: Given[Equations, StateSpaceModelOptions], answers: Answers) -> Iterable[Check]:
     """For random states and inputs the equations, transformed at a random s, have the solution of the model."""
-    model = given.system
-    sides = [left - right for left, right in model.sides]
-    question = judges.Question(
-        sides, list(model.outputs), dict(model.jets), model.unknowns, model.inputs, model.states, model.algebraic
-    )
+    question = _question(given.system)
     found = {name: answers[name] for name in "ABCD" if name in answers}
+    if not is_linear(given.system):
+        for name in found:
+            yield Check.that("the equations are linear", "their terms", holds=False, answer=name)
+        return
     for name, label, residual in judges.model_residuals(question, found, free=with_derivatives(given)):
-        near = 1e-6 if numeric.holds_decimals([sides, found]) else EXACT
+        near = 1e-6 if numeric.holds_decimals([question.equations, found]) else EXACT
         yield Check.within(label, "numpy.linalg.lstsq, transformed equations", residual, near, answer=name)
+
+
+@state_space_model.verification("f", "h")
+def are_what_the_equations_say(given: Given[Equations, StateSpaceModelOptions], answers: Answers) -> Iterable[Check]:
+    """At random states and inputs the equations, solved by Newton's method, have these derivatives and outputs."""
+    question = _question(given.system)
+    found = {name: list(answers[name]) for name in "fh" if name in answers}
+    for name, label, residual in judges.function_residuals(question, found, discrete=given.system.discrete):
+        near = 1e-6 if numeric.holds_decimals([question.equations, found]) else NEAR
+        yield Check.within(label, NEWTON, residual, near, answer=name)
 
 
 @state_space_model.verification("eliminated")
 def hold_along_the_equations(given: Given[Equations, StateSpaceModelOptions], answers: Answers) -> Iterable[Check]:
     """Each eliminated unknown has the value that the equations give it."""
-    model = given.system
-    sides = [left - right for left, right in model.sides]
-    for symbol, value in dict(answers["eliminated"]).items():
-        residual = judges.eliminated_residual(sides, dict(model.jets), sp.Symbol(str(symbol), real=True), value)
+    question, linear = _question(given.system), is_linear(given.system)
+    for name, value in dict(answers["eliminated"]).items():
+        symbol = sp.Symbol(str(name), real=True)
+        if linear:
+            residual = judges.eliminated_residual(question.equations, question.jets, symbol, value)
+        else:
+            residual = judges.value_residual(question, symbol, value, discrete=given.system.discrete)
         label = Phrase("${symbol}$ put into the equations", symbol=formula(symbol))
-        yield Check.within(label, "numpy.linalg.lstsq", residual, 1e-8 if numeric.holds_decimals(value) else EXACT)
+        near = 1e-8 if numeric.holds_decimals(value) else EXACT if linear else NEAR
+        yield Check.within(label, "numpy.linalg.lstsq" if linear else NEWTON, residual, near)
+
+
+def _question(model: Equations) -> judges.Question:
+    """What is given, as the judges take it."""
+    sides = [left - right for left, right in model.sides]
+    orders = [k for _, k in model.jets.values()]
+    highest = max(orders, default=0) - min([0, *orders])
+    names = (*model.unknowns, *model.inputs)
+    below = {model.symbol((name, k)): (name, k) for name in names for k in range(highest + 1)}
+    jets = {**below, **model.jets}
+    return judges.Question(
+        sides, list(model.outputs), jets, model.unknowns, model.inputs, model.states, model.algebraic
+    )

@@ -78,11 +78,15 @@ def _points(question: Question) -> Iterator[dict[Any, complex]]:
         yield dict(source.draw())
 
 
-def _states(question: Question) -> list[Jet]:
+def states_of(question: Question) -> list[Jet]:
     """As named, else each unknown with its derivatives below the highest that occurs in the equations."""
     if question.states:
         return list(question.states)
-    inside = [question.jets[s] for s in question.jets if s in free_symbols(list(question.equations))]
+    inside = []
+    for equation in question.equations:
+        own = [jet for symbol, jet in question.jets.items() if symbol in free_symbols(equation)]
+        later = -min((k for _, k in own if k < 0), default=0)  # samples of the past: the equation so much later
+        inside += [(name, k + later) for name, k in own]
     dynamic = [name for name in question.unknowns if name not in question.algebraic]
     return [(name, k) for name in dynamic for k in range(max((o for n, o in inside if n == name), default=0))]
 
@@ -122,7 +126,7 @@ def _solved(numbers: _Numbers, given: Mapping[Jet, complex]) -> dict[Jet, comple
 
 def _by_derivatives(numbers: _Numbers, found: Mapping[str, Array], random: Random) -> Iterator[tuple[str, str, float]]:
     """A and C with the inputs at rest, B and D in the state of rest."""
-    question, states = numbers.question, _states(numbers.question)
+    question, states = numbers.question, states_of(numbers.question)
     inputs = [(name, 0) for name in question.inputs]
     rest = {(name, k): 0.0 for name in question.inputs for k in range(numbers.order + 2)}
     for of, given in (("AC", states), ("BD", inputs)):

@@ -1,0 +1,128 @@
+"""Equations in numbers, linear or not: all jets found by Newton's method where states and inputs are given.
+
+A jet is a derivative of an unknown or an input (discrete: a sample). Equations without derivatives hold with all their
+derivatives: these are the Taylor coefficients along a motion, by Cauchy's formula on a small circle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import factorial
+from random import Random
+from typing import Any
+
+import numpy as np
+
+from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.points import free_symbols
+from solver.numeric.evaluation.values import Undefined
+
+Jet = tuple[str, int]
+Jets = dict[Jet, complex]
+RADIUS, SAMPLES = 0.01, 16
+"""The circle on which derivatives along a motion are taken."""
+MOVE = 1e-6
+"""How far a jet is moved for the slopes of Newton's method; their error only costs a step."""
+ITERATIONS, STARTS, NEAR = 40, 8, 1e-11
+
+
+@dataclass(frozen=True)
+class JetEquations:
+    """Expressions that are zero in the symbols of `jets`, at one point of the parameters."""
+
+    expressions: Sequence[Any]
+    jets: Mapping[Any, Jet]
+    unknowns: Sequence[str]
+    point: Mapping[Any, complex]
+    discrete: bool = False
+
+    def solved(self, given: Mapping[Jet, complex], random: Random) -> Jets | None:
+        """Return all jets where some are given; None where no values are found. What is not determined is anything."""
+        rows = [(e, by) for e in self.expressions for by in self._orders(e)]
+        wanted = sorted({jet for e, by in rows for jet in self._inside(e, by)} - set(given))
+        for _ in range(STARTS):
+            start = np.array([random.uniform(-1.0, 1.0) for _ in wanted], dtype=complex)
+            try:
+                found = self._newton(rows, given, wanted, start)
+            except Undefined:
+                continue
+            if found is not None:
+                return {**given, **dict(zip(wanted, found, strict=True))}
+        return None
+
+    def values(self, expressions: Sequence[Any], at: Mapping[Jet, complex]) -> Array:
+        """Return the values of expressions in the jets; nan where one is not known."""
+        return np.array([self._row(e, 0, {k: np.array([v]) for k, v in at.items()})[0] for e in expressions])
+
+    def _orders(self, expression: Any) -> range:
+        """How often an equation is differentiated: not at all, or as often as any unknown if no derivative is in it.
+
+        Discrete: how many samples later it is written; one in past samples so that it holds none.
+        """
+        later = -min((k for _, k in self._own(expression)), default=0) if self.discrete else 0
+        later = max(later, 0)
+        if any(k + later for name, k in self._own(expression) if name in self.unknowns):
+            return range(later, later + 1)
+        return range(later, later + 1 + max((k for name, k in self.jets.values() if name in self.unknowns), default=0))
+
+    def _own(self, expression: Any) -> set[Jet]:
+        symbols = free_symbols(expression)
+        return {jet for symbol, jet in self.jets.items() if symbol in symbols}
+
+    def _inside(self, expression: Any, by: int) -> set[Jet]:
+        lowest = by if self.discrete else 0
+        return {(name, k + each) for name, k in self._own(expression) for each in range(lowest, by + 1)}
+
+    def _newton(
+        self, rows: Sequence[tuple[Any, int]], given: Mapping[Jet, complex], wanted: Sequence[Jet], z: Array
+    ) -> Array | None:
+        """Newton's method with least squares; None where it does not arrive."""
+        moves = np.vstack([np.zeros(len(wanted)), np.diag(MOVE * np.ones(len(wanted)))])
+        for _ in range(ITERATIONS):
+            size = np.maximum(1.0, np.abs(z))
+            tried = np.concatenate([z + moves * size, z - moves[1:] * size])
+            values = self._residuals(rows, given, wanted, tried)
+            if not wanted:
+                return z
+            n = len(wanted)
+            slopes = (values[:, 1 : n + 1] - values[:, n + 1 :]) / (2 * MOVE * size)
+            step = np.linalg.lstsq(slopes, -values[:, 0], rcond=1e-12)[0]
+            z = z + step
+            if np.max(np.abs(step) / np.maximum(1.0, np.abs(z))) < NEAR:
+                left = self._residuals(rows, given, wanted, z[None])[:, 0]
+                return z if np.max(np.abs(left)) < 1e-7 * max(1.0, float(np.max(np.abs(z)))) else None
+        return None
+
+    def _residuals(
+        self, rows: Sequence[tuple[Any, int]], given: Mapping[Jet, complex], wanted: Sequence[Jet], tried: Array
+    ) -> Array:
+        """The equations and their derivatives (rows) at each of the values that are tried (columns)."""
+        count = len(tried)
+        at = {jet: np.full(count, value, dtype=complex) for jet, value in given.items()}
+        at |= {jet: tried[:, j] for j, jet in enumerate(wanted)}
+        return np.array([self._row(e, by, at) for e, by in rows])
+
+    def _row(self, expression: Any, by: int, at: Mapping[Jet, Array]) -> Array:
+        count = len(next(iter(at.values()), np.zeros(1)))
+        own = {symbol: jet for symbol, jet in self.jets.items() if symbol in free_symbols(expression)}
+        if by == 0 or self.discrete:
+            moved = {symbol: at.get((name, k + by), np.full(count, np.nan)) for symbol, (name, k) in own.items()}
+            return self._evaluated(expression, moved, count)
+        turns = RADIUS * np.exp(2j * np.pi * np.arange(SAMPLES) / SAMPLES)
+        along = {
+            symbol: sum(np.multiply.outer(at[name, k + i], turns**i) / factorial(i) for i in range(by + 1)).reshape(-1)
+            for symbol, (name, k) in own.items()
+        }
+        values = self._evaluated(expression, along, count * SAMPLES).reshape(count, SAMPLES)
+        derivatives: Array = factorial(by) * np.mean(values * turns ** (-by), axis=1)
+        return derivatives
+
+    def _evaluated(self, expression: Any, values: Mapping[Any, Array], count: int) -> Array:
+        if any(np.isnan(value).any() for value in values.values()):
+            return np.full(count, np.nan, dtype=complex)
+        numbers = {symbol: np.full(count, value, dtype=complex) for symbol, value in self.point.items()}
+        found = value_of(expression, Environment({**numbers, **values}, count)).value
+        return np.broadcast_to(np.asarray(found, dtype=complex), (count,))
