@@ -149,7 +149,7 @@ def of_edges(found: Sequence[tuple[Any, Any]], condition: Any) -> Iterator[Check
     """Each is a parameter and a value without it for which both sides of a strict inequality are equal."""
     strict = [each.lhs - each.rhs for each in condition.atoms(sp.StrictLessThan, sp.StrictGreaterThan)]
     equal = (x not in bound.free_symbols and _vanishes(strict, x, bound) for x, bound in found)
-    yield Check.that("ends of a range", "put in", all(equal))
+    yield Check.that("ends of a range", "compared", all(equal))
 
 
 def _vanishes(values: Sequence[Any], x: Any, bound: Any) -> bool:
