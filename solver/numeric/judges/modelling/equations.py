@@ -111,8 +111,8 @@ def _matrix(M: Any, point: Mapping[Any, complex]) -> Array:
 
 
 def _solved(numbers: _Numbers, given: Mapping[Jet, complex]) -> dict[Jet, complex]:
-    """All jets where some are given, by least squares on the equations and their first derivatives."""
-    rows = [row for by in range(2) for row in numbers.coefficients(numbers.question.equations, by)]
+    """All jets where some are given, by least squares on the equations and their derivatives."""
+    rows = [row for by in range(numbers.order) for row in numbers.coefficients(numbers.question.equations, by)]
     unknown = sorted({jet for row in rows for jet in row} - set(given))
     left = np.array([[row.get(jet, 0.0) for jet in unknown] for row in rows], dtype=complex)
     right = -np.array([sum(c * given.get(jet, 0.0) for jet, c in row.items()) for row in rows], dtype=complex)
@@ -212,5 +212,5 @@ def eliminated_residual(equations: Sequence[Any], jets: Mapping[Any, Jet], symbo
 def _misfit(numbers: _Numbers, given: Mapping[Jet, complex]) -> float:
     """How far the equations are from holding, whatever the other jets are."""
     jets = _solved(numbers, given)
-    rows = [row for by in range(2) for row in numbers.coefficients(numbers.question.equations, by)]
+    rows = [row for by in range(numbers.order) for row in numbers.coefficients(numbers.question.equations, by)]
     return max(abs(sum(c * jets[jet] for jet, c in row.items())) for row in rows)
