@@ -8,6 +8,7 @@ minus only where it can't be helped (or would upset a polynomial).
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -104,6 +105,8 @@ class _Rank:
 
 
 _FUNCTIONS = {"cos": 1, "sin": 2}
+_MASS = re.compile(r"[mM](_\w+|\d+)?")
+_VELOCITY = re.compile(r"_(dot|ddot|dddot|d\d+)$")
 
 
 def _rank(term: Any) -> _Rank:
@@ -206,10 +209,13 @@ def has_variable(expression: Any) -> bool:
 
 
 def factor_rank(base: Any) -> tuple[Any, ...]:
-    """Return a key that puts the factors of a product in order: parameters, s, t, powers, sums, e^…, cos, sin."""
+    """Return a key that puts the factors of a product in order: parameters, s, t, powers, sums, e^…, cos, sin.
+
+    Of the parameters masses come first (m g l), and velocities behind sums: (m_1 + m_2) ẋ.
+    """
     if base.is_Symbol:
-        place = 2 if base.name in POLYNOMIAL else 3 if base.name == "t" else 0
-        return (place, natural(base.name))
+        place = 2 if base.name in POLYNOMIAL else 3 if base.name == "t" else 1.5 if _VELOCITY.search(base.name) else 0
+        return (place, not _MASS.fullmatch(base.name), natural(base.name))
     if base.is_Add:
         return (4, (-_mean_root(base)[0],)) if has_variable(base) else (1, ())
     if isinstance(base, sp.exp) or base.is_number or base.is_Pow:

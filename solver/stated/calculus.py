@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from solver.formula import read
 from solver.formula.building import THIN_SPACE, as_factor, over, power, row
 from solver.formula.nodes import Fenced, Operator, Row, Scripts
 from solver.stated.declaration import Binding, Printer, Show, Stated, operation
@@ -17,6 +18,16 @@ def derivative(function: Any, variable: Any, order: int = 1) -> Stated:
 def partial_derivative(function: Any, variable: Any, order: int = 1) -> Stated:
     """∂ᵐf/∂xᵐ; the variable may be an unknown function of time or a derivative of it: ∂L/∂q̇."""
     return Stated("partial_derivative", (function, variable, order))
+
+
+def time_derivative(function: Any, following: Any) -> Stated:
+    """df/dt of a function of symbols that vary with time: `following` has pairs (q, q'), (q', q''), ...."""
+    return Stated("time_derivative", (function, tuple(following)))
+
+
+def denoted(name: str, formula: Any) -> Stated:
+    """A formula that is shown by its name (LaTeX): ∂L/∂q, where L is known."""
+    return Stated("denoted", (name, formula))
 
 
 def integral(integrand: Any, variable: Any, lower: Any, upper: Any) -> Stated:
@@ -45,14 +56,32 @@ def _derivative(sign: str) -> Printer:
         if order == 0:
             return show(function)
         times = row(str(order))
-        whole = over(d, row(d, x)) if order == 1 else over(power(d, times), row(d, power(x, times)))
-        return row(whole, as_factor(show(function)))
+        by = row(d, x) if order == 1 else row(d, power(x, times))
+        above = d if order == 1 else power(d, times)
+        if isinstance(function, Stated) and function.operation == "denoted":
+            return row(over(row(above, show(function)), by))
+        return row(over(above, by), as_factor(show(function)))
 
     return write
 
 
 operation(derivative)(_derivative("d"))
 operation(partial_derivative)(_derivative(r"\partial"))
+
+
+@operation(time_derivative)
+def _time_derivative(show: Show, function: Any, _following: Any) -> Row:
+    named = isinstance(function, Stated) and function.operation == "denoted"
+    if named:
+        return row(over(row("d", show(function)), row("d", "t")))
+    shown = show(function)
+    alone = isinstance(function, Stated) and function.operation == "partial_derivative"
+    return row(over(row("d"), row("d", "t")), shown if alone else as_factor(shown))
+
+
+@operation(denoted)
+def _denoted(_show: Show, name: str, _formula: Any) -> Row:
+    return read(name)
 
 
 @operation(integral, binding=Binding(1))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 from math import factorial
 from typing import Any
@@ -32,13 +33,18 @@ def evaluate(environment: Environment, function: Any, variable: Any, order: Any 
     m = int(order)
     if m == 0:
         return walk(function, environment)
-    arithmetic = environment.arithmetic
-    count = _points_on(arithmetic)
     x = environment.full(walk(variable, environment).value)
+    return by_cauchy(environment, m, lambda radius: _on_circle(environment, function, variable, x, radius))
+
+
+def by_cauchy(environment: Environment, m: int, on_circle: Callable[[float], Value]) -> Value:
+    """Return the derivative of order m from the values on circles of a radius: on the largest in which f is analytic."""
+    arithmetic = environment.arithmetic
+    count = points_on(arithmetic)
     roots = unit_roots(count, arithmetic)
     for radius in RADII:
         scale = arithmetic.rational(1, round(1 / radius))
-        samples = _on_circle(environment, function, variable, x, radius)
+        samples = on_circle(radius)
         value, magnitude = gathered(samples, environment.points, count)
         if _known(value, magnitude, arithmetic) and _analytic(np.asarray(arithmetic.approximate(value)), magnitude):
             weights = (arithmetic.power(roots, arithmetic.number(-m)) * factorial(m)).reshape(
@@ -50,7 +56,7 @@ def evaluate(environment: Environment, function: Any, variable: Any, order: Any 
     raise NotEvaluable("the function to differentiate is not analytic near the point")
 
 
-def _points_on(arithmetic: Arithmetic) -> int:
+def points_on(arithmetic: Arithmetic) -> int:
     """How many points a circle gets."""
     return 64 if arithmetic is DOUBLE else 16 * (arithmetic.digits // 8)
 
@@ -83,7 +89,7 @@ def _remembered(
 
 def _walked_round(environment: Environment, function: Any, variable: Any, x: Array, radius: float) -> Value:
     arithmetic = environment.arithmetic
-    roots = unit_roots(_points_on(arithmetic), arithmetic)
+    roots = unit_roots(points_on(arithmetic), arithmetic)
     scale = arithmetic.rational(1, round(1 / radius))
     return walk(function, environment.spread(variable, x[:, None] + scale * roots[None, :]))
 
