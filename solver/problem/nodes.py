@@ -78,6 +78,15 @@ class ScalarNode(Node):
             return None
         return self.text in TRUE
 
+    def part(self, at: int, length: int | None = None) -> ScalarNode:
+        """Return a part of the text (to its end), at its own place where the text is written as it reads."""
+        end = len(self.text) if length is None else at + length
+        place, quotes = self.place, 2 if self.style == "quoted" else 0
+        if place.line != place.end_line or place.end_column - place.column != len(self.text) + quotes:
+            return ScalarNode(place, self.text[at:end])
+        first, last = (place.column + quotes // 2 + each for each in (at, end))
+        return ScalarNode(Place(place.line, first, place.line, last), self.text[at:end])
+
     def plain(self) -> str | bool | None:
         """Return the text, or True, False, None for the plain words of YAML 1.2."""
         if self.is_null:

@@ -247,6 +247,21 @@ class SystemReader:
             return read_reference(given, "K", self.earlier)
         return None
 
+    def texts(self, key: str) -> list[str]:
+        """Return the texts of a list as they are written."""
+        return [item.text for item in self._scalars(key)]
+
+    def value_inside(self, key: str, item: int, at: int, length: int | None = None) -> sp.Expr | None:
+        """Return the expression that stands in the text of an item from a place on; None if it is wrong."""
+        with self.report:
+            return self.lexicon.expression(self._scalars(key)[item].part(at, length), barred=self.barred)
+        return None
+
+    def complain_inside(self, key: str, item: int, span: tuple[int, int], message: str, suggestion: str = "") -> None:
+        """Keep a fault within the text of an item: where it begins, and its length."""
+        with self.report:
+            raise self._scalars(key)[item].fault_inside(message, *span, suggestion=suggestion)
+
     def quotient(self, key: str) -> Rational | None:
         """Return the proper quotient of polynomials under the key, None if it is wrong."""
         return self._quotient(self.node[key], delayed=True)

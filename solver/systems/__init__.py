@@ -6,8 +6,9 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
+from solver.systems.circuit import Circuit, signals_of, symbol_of
 from solver.systems.earlier_part import EarlierPart
-from solver.systems.equations import Equations
+from solver.systems.equations import Equations, jet_symbol
 from solver.systems.kind import Kind, System
 from solver.systems.lagrangian import Lagrangian
 from solver.systems.late_input import LateInput
@@ -27,6 +28,7 @@ def kinds() -> dict[str, Kind]:
 
 
 __all__ = [
+    "Circuit",
     "DeadTime",
     "EarlierPart",
     "Equations",
@@ -39,5 +41,8 @@ __all__ = [
     "StateSpace",
     "System",
     "TransferFunction",
+    "jet_symbol",
     "kinds",
+    "signals_of",
+    "symbol_of",
 ]

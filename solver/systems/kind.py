@@ -205,6 +205,15 @@ class Reader(Protocol):
     ) -> None:
         """Keep a fault at the value of the key, at one item of it, or at the key itself; one `like` it is suggested."""
 
+    def texts(self, key: str) -> Sequence[str]:
+        """Return the texts of a list as they are written."""
+
+    def value_inside(self, key: str, item: int, at: int, length: int | None = None) -> Expr | None:
+        """Return the expression that stands in the text of an item from a place on; None if it is wrong."""
+
+    def complain_inside(self, key: str, item: int, span: tuple[int, int], message: str, suggestion: str = "") -> None:
+        """Keep a fault within the text of an item: where it begins, and its length."""
+
     def conclude(self) -> None:
         """Raise everything that is wrong, if anything is."""
 

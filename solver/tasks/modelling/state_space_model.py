@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, state_equations
-from solver.lazy import numeric
+from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.tasks.modelling.first_order import first_order_of, is_linear
@@ -15,7 +15,7 @@ from solver.tasks.modelling.linear_model import matrices_of
 from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
-    from solver.systems import Equations
+    from solver.systems import Circuit, Equations
 
 EXACT = 1e-10
 """What doubles leave of the equations where all values are exact."""
@@ -37,14 +37,14 @@ def with_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> bool:
     )
 
 
-def may_have_matrices(system: Equations) -> bool:
+def may_have_matrices(system: Equations | Circuit) -> bool:
     """Whether A, B, C and D are asked for: the equations are linear."""
-    return is_linear(system)
+    return system.is_linear if isinstance(system, systems.Circuit) else is_linear(system)
 
 
-def has_functions(system: Equations) -> bool:
+def has_functions(system: Equations | Circuit) -> bool:
     """Whether f and h are asked for: the equations are not linear."""
-    return not is_linear(system)
+    return not may_have_matrices(system)
 
 
 state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
