@@ -13,7 +13,7 @@ from solver.symbols import MEANINGS, SAMPLES
 
 def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours: Any, discrete: bool) -> Names:
     """Return what names mean in an answer: symbols of the problem and of our answers, and the usual variables."""
-    usual = (*MEANINGS, *(name for name in SAMPLES if discrete or name not in symbols))
+    usual = (*MEANINGS, *(name for name in SAMPLES if discrete or name not in {*symbols, *values}))
     own = {str(symbol): symbol for symbol in symbols_of(ours)}
     known = {**symbols, **own}
     variables: dict[str, Any] = {name: sp.Symbol(name) for name in usual if name not in own}

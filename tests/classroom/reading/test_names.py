@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 
 from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.names import names_for
 from solver.problem.source import Fault
 from solver.tasks import catalogue
 from tests.helpers.reading import K, a, b, read
@@ -126,3 +127,9 @@ def test_an_interval_alone_is_that_of_the_one_parameter():
 
 def test_several_names_before_a_sign_have_it_each():
     assert read("'a, b > 0'", sp.Lt(a, b)).value == sp.And(a > 0, b > 0)
+
+
+def test_the_samples_k_is_the_problems_own_where_it_gives_it_a_value():
+    values = {"k": sp.Integer(20)}
+    assert "k" not in names_for({}, values, {}, discrete=False).variables
+    assert "k" in names_for({}, values, {}, discrete=True).variables
