@@ -93,6 +93,25 @@ class Lagrangian:
         return "the system is given by its energies" + ("" if self.inputs else ", without inputs")
 
     @cached_property
+    def is_linear(self) -> bool:
+        """Whether its equations are linear, as far as the file shows it: energies are sums of squares and products."""
+        of_springs = [s.stiffness * (s.length - s.rest) ** 2 / 2 for s in self.springs]
+        heights = [b.mass * self.gravity * b.position[1] for b in self.bodies if b.position and self.gravity is not None]
+        energies = [self.kinetic or sp.S.Zero, self.dissipation or sp.S.Zero, sp.Add(self.potential or 0, *of_springs, *heights)]
+        paths = [each for b in self.bodies for each in (*b.position, *([] if b.angle is None else [b.angle]))]
+        linear = [*self.forces.values(), *self.constraints, *self.outputs]
+        masses = [each for b in self.bodies for each in (b.mass, b.inertia) if each is not None]
+        kinds = ((energies, {0, 2}), (paths, {0, 1}), (linear, {1}), (masses, {0}))
+        return all(self._degrees(each) <= allowed for listed, allowed in kinds for each in listed)
+
+    def _degrees(self, expression: Expr) -> set[int]:
+        """The degrees of the terms in the functions of time; -1 where it is no polynomial."""
+        if not expression.is_polynomial(*self.jets):
+            return {-1}
+        poly = sp.Poly(expression, *self.jets)
+        return {sum(powers) for powers in poly.monoms()} if not poly.is_zero else set()
+
+    @cached_property
     def multipliers(self) -> tuple[str, ...]:
         """The names of the multipliers of the constraints."""
         return tuple(f"lambda{i}" for i in range(1, len(self.constraints) + 1))

@@ -15,7 +15,7 @@ from solver.tasks.modelling.linear_model import matrices_of
 from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
-    from solver.systems import Circuit, Equations
+    from solver.systems import Circuit, Equations, Lagrangian
 
 EXACT = 1e-10
 """What doubles leave of the equations where all values are exact."""
@@ -37,12 +37,12 @@ def with_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> bool:
     )
 
 
-def may_have_matrices(system: Equations | Circuit) -> bool:
+def may_have_matrices(system: Equations | Circuit | Lagrangian) -> bool:
     """Whether A, B, C and D are asked for: the equations are linear."""
-    return system.is_linear if isinstance(system, systems.Circuit) else is_linear(system)
+    return is_linear(system) if isinstance(system, systems.Equations) else system.is_linear
 
 
-def has_functions(system: Equations | Circuit) -> bool:
+def has_functions(system: Equations | Circuit | Lagrangian) -> bool:
     """Whether f and h are asked for: the equations are not linear."""
     return not may_have_matrices(system)
 
