@@ -9,9 +9,10 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Task
+from solver.problem.equations import EquationReader
 from solver.problem.lexicon import BARRED, Lexicon
 from solver.problem.matrices import expect_shape, is_flat, read_matrix
-from solver.problem.nodes import Node
+from solver.problem.nodes import Node, ScalarNode
 from solver.problem.poles import read_conjugate_list
 from solver.problem.transfer_functions import read_transfer_function
 from solver.symbols import OTHER_TIME, SAMPLES
@@ -66,6 +67,15 @@ class Context:
     def expression(self, node: Node, declared: Collection[str] = ()) -> sp.Expr:
         """Return a value as an expression in parameters and in the variables declared; raises Fault."""
         return self.lexicon.expression(node, self._variables(declared), self._barred)
+
+    def jet(self, node: ScalarNode) -> tuple[str, int]:
+        """Return a function of time and the order of its derivative (samples ahead); raises Fault."""
+        return EquationReader(self.lexicon, discrete=self.discrete).jet(node)
+
+    def relation(self, node: ScalarNode) -> tuple[sp.Expr, sp.Expr]:
+        """Return left and right side of an equation between expressions, or an expression and zero; raises Fault."""
+        left, right, _ = EquationReader(self.lexicon, discrete=False).relation(node, ())
+        return left, right
 
     def conjugate_list(self, node: Node) -> tuple[sp.Expr, ...]:
         """Return complex numbers closed under conjugation; raises Fault."""

@@ -7,11 +7,16 @@ from solver.exact.modelling.manipulator import Manipulator, christoffel, manipul
 from solver.exact.modelling.quotients import is_zero, jacobian, normal
 from solver.exact.modelling.time_derivatives import time_derivative
 from solver.exact.modelling.turns import Solved, Turn, solved_in_turn
+from solver.exact.modelling.branches import Move, NotSolvable, Roots
+from solver.exact.modelling.roots_of_systems import roots_of
 
 __all__ = [
     "CircuitModel",
     "Law",
     "Manipulator",
+    "Move",
+    "NotSolvable",
+    "Roots",
     "Solved",
     "Turn",
     "are_linear_in",
@@ -24,6 +29,7 @@ __all__ = [
     "jacobian",
     "manipulator_form",
     "normal",
+    "roots_of",
     "solved_in_turn",
     "solved_linearly",
     "time_derivative",

@@ -2,5 +2,14 @@
 
 from solver.numeric.judges.modelling.equations import Question, eliminated_residual, model_residuals
 from solver.numeric.judges.modelling.functions import function_residuals, value_residual
+from solver.numeric.judges.modelling.points import missing, substitution_residual
 
-__all__ = ["Question", "eliminated_residual", "function_residuals", "model_residuals", "value_residual"]
+__all__ = [
+    "Question",
+    "eliminated_residual",
+    "function_residuals",
+    "missing",
+    "model_residuals",
+    "substitution_residual",
+    "value_residual",
+]

@@ -1,0 +1,78 @@
+"""Equations as products: the numerator of an expression in irreducible factors, and what its quotient must not be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+
+from solver.exact.modelling.quotients import quotients_in
+
+
+@dataclass(frozen=True)
+class Factored:
+    """The factors of a numerator that hold a variable, with their `powers`, and the `divisor` of the quotient."""
+
+    factors: tuple[sp.Expr, ...]
+    divisor: sp.Expr
+    constant: sp.Expr
+    powers: tuple[int, ...] = ()
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the whole expression is zero."""
+        return bool(self.constant == 0)
+
+
+def angles_apart(expression: Any) -> Any:
+    """Return an expression in which no angle holds a multiple of π: sin(x + nπ) is (−1)ⁿ sin x."""
+
+    def apart(function: Any) -> Any:
+        x = function.args[0]
+        if x.is_Add and any(term.has(sp.pi) for term in x.args):
+            turns = sp.Add(*(term for term in x.args if term.has(sp.pi)))
+            rest = x - turns
+            s, c = sp.sin(turns), sp.cos(turns)
+            if isinstance(function, sp.sin):
+                return sp.sin(rest) * c + sp.cos(rest) * s
+            return sp.cos(rest) * c - sp.sin(rest) * s
+        return function
+
+    return expression.replace(lambda e: isinstance(e, sp.sin | sp.cos), apart)
+
+
+@lru_cache(maxsize=512)
+def factored(expression: Any) -> Factored:
+    """Return the numerator of an expression in irreducible factors."""
+    expression = angles_apart(_inside_expanded(expression))
+    field = quotients_in([expression])
+    above, below = field.of(expression)
+    if not above:
+        return Factored((), sp.S.One, sp.S.Zero)
+    number, factors = above.factor_list()
+    constants = [sp.Rational(number)]
+    kept: list[tuple[Any, int]] = []
+    for factor, power in factors:
+        value = factor.as_expr(*field.variables)
+        if value.is_number:
+            constants.append(value**power)
+        else:
+            kept.append((value, power))
+    return Factored(
+        tuple(f for f, _ in kept), below.as_expr(*field.variables), sp.Mul(*constants), tuple(k for _, k in kept)
+    )
+
+
+def _inside_expanded(expression: Any) -> Any:
+    """The arguments of functions and roots multiplied out, so that equal ones look alike."""
+    found = {f: f.func(sp.expand(f.args[0]), *f.args[1:]) for f in expression.atoms(sp.Function) if f.args}
+    roots = {p: sp.expand(p.base) ** p.exp for p in expression.atoms(sp.Pow) if not p.exp.is_Integer and p.base.is_Add}
+    return expression.xreplace({**found, **roots})
+
+
+def generators(expression: Any, unknowns: set[Any]) -> list[Any]:
+    """Return the symbols and functions with unknowns in them of which a polynomial is made."""
+    return [g for g in quotients_in([expression]).variables if g.free_symbols & unknowns
+            and expression.has(g)]  # fmt: skip

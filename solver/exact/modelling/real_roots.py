@@ -1,0 +1,137 @@
+"""Real roots of a polynomial in one unknown: exact up to degree two and of biquadratics, otherwise decimals."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, is_not_negative, sign_of
+from solver.exact.modelling.quotients import Quotients, quotients_in
+
+Root = tuple[Any, tuple[Any, ...]]
+"""A root and the conditions on parameters under which it is real."""
+
+
+def real_roots(coefficients: list[Any]) -> list[Root] | None:
+    """Return the different real roots, the highest power first in `coefficients`; None where they can't be told."""
+    n = len(coefficients) - 1
+    if n == 1:
+        return [(quotient(-coefficients[1], coefficients[0]), ())]
+    if n == 2:
+        return _quadratic(*coefficients)
+    if all(c == 0 for c in coefficients[1:-1]):
+        return _pure(coefficients[0], coefficients[-1], n)
+    if n == 4 and coefficients[1] == coefficients[3] == 0:
+        squares = _quadratic(coefficients[0], coefficients[2], coefficients[4])
+        return [root for square, needs in squares for root in _roots_of_square(square, needs)]
+    if any(c.free_symbols for c in coefficients):
+        return None
+    return _decimals(coefficients)
+
+
+def quotient(a: Any, b: Any) -> Any:
+    """Return a/b as a person writes it: multiplied out over a number, else both parts in factors, cancelled."""
+    if a.has(sp.Float) or b.has(sp.Float):
+        return a / b
+    if b.is_Rational:
+        return sp.expand(a / b) if not a.is_Mul else a / b
+    field = quotients_in([a, b])
+    (above, below), (over, under) = field.of(a), field.of(b)
+    above, below = field.reduced(above * under, below * over)
+    return _product(field, above) / _product(field, below)
+
+
+def _product(field: Quotients, p: Any) -> Any:
+    if not p:
+        return sp.S.Zero
+    number, factors = p.factor_list()
+    found = [f.as_expr(*field.variables) ** k for f, k in factors]
+    if number < 0 and (sums := [i for i, (f, k) in enumerate(factors) if len(f) > 1 and k == 1]):
+        number, found[sums[0]] = -number, sp.expand(-found[sums[0]])
+    return sp.Mul(sp.Rational(number), *found)
+
+
+def _quadratic(a: Any, b: Any, c: Any) -> list[Root]:
+    if b == 0:
+        return _roots_of_square(quotient(-c, a), ())
+    D = sp.expand(b**2 - 4 * a * c)
+    sign = sign_of(D)
+    if sign == -1:
+        return []
+    if sign == 0:
+        return [(quotient(-b, 2 * a), ())]
+    root = square_root(D)
+    needs = () if is_not_negative(D) else (sp.Ge(D, 0),)
+    middle, half = quotient(-b, 2 * a), root / (2 * a)
+    return [(middle + s * half, needs) for s in (-1, 1)]
+
+
+def _roots_of_square(square: Any, needs: tuple[Any, ...]) -> list[Root]:
+    """± the root of an expression."""
+    sign = sign_of(square)
+    if sign == 0:
+        return [(sp.S.Zero, needs)]
+    if sign == -1:
+        return []
+    more = () if is_not_negative(square) else (sp.Ge(square, 0),)
+    root = square_root(square)
+    return [(s * root, (*needs, *more)) for s in (-1, 1)]
+
+
+def square_root(value: Any) -> Any:
+    """Return the root with squares before it; the sign may be any where those of the symbols are not known."""
+    if not value.free_symbols:
+        return sp.sqrt(value)
+    above, below = sp.fraction(sp.together(value))
+    number, factors = sp.factor_list(above * below)
+    outside, inside = sp.S.One / below, sp.sqrt(number)
+    within = sp.S.One
+    for factor, power in factors:
+        outside *= factor ** (power // 2)
+        within *= factor if power % 2 else 1
+    return outside * inside * sp.sqrt(within)
+
+
+def _pure(a: Any, c: Any, n: int) -> list[Root]:
+    """a xⁿ + c = 0."""
+    value = quotient(-c, a)
+    if value == 0:
+        return [(sp.S.Zero, ())]
+    sign = sign_of(value)
+    if n % 2:
+        if sign is None:
+            return [(sp.real_root(value, n), ())]
+        return [(sign * (sign * value) ** sp.Rational(1, n), ())]
+    if sign == -1:
+        return []
+    needs = () if is_not_negative(value) else (sp.Ge(value, 0),)
+    root = value ** sp.Rational(1, n)
+    return [(-root, needs), (root, needs)]
+
+
+def _decimals(coefficients: list[Any]) -> list[Root]:
+    """Rational roots and those of quadratic factors exactly, the others in decimals."""
+    x = sp.Dummy()
+    if not all(c.is_Rational for c in coefficients):
+        return [(root, ()) for root in _numerical(coefficients)]
+    found: list[Root] = []
+    for factor, _ in sp.Poly(coefficients, x, domain=sp.QQ).factor_list()[1]:
+        own = factor.all_coeffs()
+        pure = all(c == 0 for c in own[1:-1])
+        if len(own) <= 3 or pure or (len(own) == 5 and own[1] == own[3] == 0):
+            found += real_roots(own) or []
+        else:
+            found += [(root, ()) for root in _numerical(own)]
+    return found
+
+
+def _numerical(coefficients: list[Any]) -> list[Any]:
+    with mpmath.workdps(DIGITS + 20):
+        values = [evaluator(c, [])(mpmath.mp, []) for c in coefficients]
+        roots = mpmath.polyroots(values, maxsteps=400, extraprec=400)
+        tiny = mpmath.mpf(10) ** -(DIGITS // 2)
+        real = sorted(mpmath.re(r) for r in roots if abs(mpmath.im(r)) <= tiny * (1 + abs(r)))
+        apart = [r for i, r in enumerate(real) if not i or abs(r - real[i - 1]) > tiny * (1 + abs(r))]
+        return [decimal(r) for r in apart]

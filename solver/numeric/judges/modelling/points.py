@@ -1,0 +1,281 @@
+"""Whether points are all the real solutions of equations: put into them with 30 digits, and searched for by numbers.
+
+Unknowns may be free (a point then has their own symbol), and whole numbers may stand in the points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from random import Random
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.numeric.evaluation.points import SEED, PointSource
+from solver.numeric.evaluation.values import NotEvaluable
+
+DIGITS = 30
+TRIALS = 3
+DRAWS = 24
+STARTS = 240
+STEPS = 60
+REACH = 12
+Point = Mapping[Any, Any]
+Vectors = Any
+Function = Callable[[Mapping[Any, Any]], Any]
+
+
+def substitution_residual(
+    equations: Sequence[Any], point: Point, parameters: Sequence[Any], hidden: Sequence[Any] = ()
+) -> float:
+    """Return how far the equations are from holding at a point, in comparison to their terms, with 30 digits.
+
+    What is free, whole numbers and parameters are random. Where roots and inverse functions need parameters of certain
+    signs the equations hold for these only: the residual is that of the third best of many draws. `hidden` are unknowns
+    that the point does not tell: they are found from the equations that have one of them, and put into the others.
+    """
+    if hidden:
+        return _best_of_hidden(equations, point, parameters, hidden)
+    whole, found = Random(SEED), []  # noqa: S311 - nothing secret
+    source = PointSource([*parameters, *_symbols_of(point, parameters)])
+    for _ in range(DRAWS):
+        try:
+            numbers = {s: _number(s, v, whole) for s, v in source.draw().items()}
+        except NotEvaluable:
+            break
+        at = {x: v.xreplace(numbers) for x, v in point.items()}
+        found.append(max((_misfit(e, {**numbers, **at}) for e in equations), default=0.0))
+        if not source.symbols or sum(each < 1e-20 for each in found) == TRIALS:
+            break
+    return sorted(found)[min(TRIALS, len(found)) - 1] if found else np.inf
+
+
+def _best_of_hidden(equations: Sequence[Any], point: Point, parameters: Sequence[Any], hidden: Sequence[Any]) -> float:
+    """The least residual that values of the hidden unknowns leave, by Newton's method with doubles."""
+    source, whole = PointSource([*parameters, *_symbols_of(point, parameters)]), Random(SEED)  # noqa: S311
+    found = []
+    for _ in range(DRAWS):
+        try:
+            numbers = {s: _number(s, v, whole) for s, v in source.draw().items()}
+        except NotEvaluable:
+            break
+        at = {**numbers, **{x: v.xreplace(numbers) for x, v in point.items()}}
+        real = [e.xreplace(at) for e in equations]
+        left = [e for e in real if e.free_symbols & set(hidden)]
+        fixed = max((_misfit(e, {}) for e in real if not e.free_symbols), default=0.0)
+        solved = (
+            bool(len(_solutions(left, [x for x in hidden if any(e.has(x) for e in left)], {}, 1e9))) if left else True
+        )
+        found.append(fixed if solved else np.inf)
+        if sum(each < 1e-20 for each in found) == TRIALS:
+            break
+    return sorted(found)[min(TRIALS, len(found)) - 1] if found else np.inf
+
+
+def _symbols_of(point: Point, known: Sequence[Any]) -> list[Any]:
+    inside = {s for v in point.values() for s in getattr(v, "free_symbols", ())}
+    return sorted(inside - set(known), key=str)
+
+
+def _number(symbol: Any, value: Any, whole: Random) -> Any:
+    if symbol.is_integer:
+        return sp.Integer(whole.randint(-7, 7))
+    return sp.Rational(value.real if isinstance(value, complex) else value)
+
+
+def _misfit(equation: Any, numbers: Mapping[Any, Any]) -> float:
+    terms = [_evaluated(term, numbers) for term in sp.Add.make_args(equation)]
+    if any(term is None for term in terms):
+        return np.inf
+    whole = _evaluated(equation, numbers)
+    size = max([1.0, *(abs(complex(term)) for term in terms)])
+    return float(abs(complex(whole)) / size) if whole is not None else np.inf
+
+
+def _evaluated(expression: Any, numbers: Mapping[Any, Any]) -> Any:
+    value = expression.xreplace(dict(numbers)).evalf(DIGITS, maxn=200)
+    return value if value.is_number and value.is_finite else None
+
+
+# ---- other solutions ----
+
+
+def missing(
+    equations: Sequence[Any],
+    unknowns: Sequence[Any],
+    points: Sequence[Point],
+    between: Mapping[Any, tuple[Any, Any]],
+    hidden: Sequence[Any] = (),
+) -> list[dict[Any, float]]:
+    """Return real solutions that Newton's method finds from many starting points, and that are none of the points.
+
+    They are searched between the limits given for an unknown, else within ±12; `hidden` are unknowns of the equations
+    that points do not tell.
+    """
+    every = [*unknowns, *hidden]
+    lost: list[dict[Any, float]] = []
+    for numbers in _draws(equations, every):
+        real = [e.xreplace(numbers) for e in equations]
+        solutions = _solutions(real, every, between)
+        own = [_Family(point, unknowns, numbers) for point in points]
+        for at in solutions:
+            told = at[: len(unknowns)]
+            if not any(each.holds(told) for each in own):
+                lost.append(dict(zip(unknowns, map(float, told), strict=True)))
+        if lost:
+            break
+    return lost
+
+
+def _draws(equations: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[dict[Any, Any]]:
+    inside = {s for e in equations for s in e.free_symbols} - set(unknowns)
+    source = PointSource(sorted(inside, key=str))
+    for _ in range(2 if inside else 1):
+        try:
+            yield {s: sp.Rational(v.real if isinstance(v, complex) else v) for s, v in source.draw().items()}
+        except NotEvaluable:
+            return
+
+
+def _solutions(
+    equations: Sequence[Any], unknowns: Sequence[Any], between: Mapping[Any, Any], reach: float = REACH
+) -> Vectors:
+    """Newton's method with least squares, from all starting points at once; only what is inside the limits."""
+    values = [compiled(e) for e in equations]
+    slopes = [[compiled(sp.diff(e, x)) for x in unknowns] for e in equations]
+    low, high = (
+        np.array([float(between[x][i]) if x in between else (-1) ** (i + 1) * reach for x in unknowns]) for i in (0, 1)
+    )
+    X = _starts(low, high)
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            at = dict(zip(unknowns, X.T, strict=True))
+            F, J = _values(values, at, len(X)), _slopes(slopes, at, len(X))
+            good = np.isfinite(F).all(axis=1) & np.isfinite(J).all(axis=(1, 2))
+            X, F, J = X[good], F[good], J[good]
+            if not len(X):
+                return X
+            scale = 1 / np.maximum(np.abs(J).max(axis=2, keepdims=True), 1e-300)
+            X = X - (np.linalg.pinv(J * scale, rcond=1e-9) @ (F[..., None] * scale))[..., 0]
+            X = X[(np.abs(X) < 1e12).all(axis=1)]
+        at = dict(zip(unknowns, X.T, strict=True))
+        F = _values(values, at, len(X))
+        size = np.maximum(1.0, _sizes(equations, at, len(X)))
+        inside = ((low <= X) & (high >= X)).all(axis=1) if len(X) else np.zeros(0, bool)
+        return X[(np.abs(F) <= 1e-10 * size).all(axis=1) & inside] if len(X) else X
+
+
+def _starts(low: Vectors, high: Vectors) -> Vectors:
+    random = np.random.default_rng(SEED)
+    spread = random.uniform(0, 1, (STARTS, len(low)))
+    near = random.uniform(-2, 2, (STARTS // 3, len(low)))
+    small = random.uniform(-0.2, 0.2, (STARTS // 6, len(low)))
+    inside = [low + (high - low) * spread]
+    inside += [np.clip(each, low, high) for each in (near, small)]
+    return np.vstack(inside)
+
+
+def _values(functions: Sequence[Function], at: Mapping[Any, Any], count: int) -> Vectors:
+    return np.stack([np.broadcast_to(f(at), (count,)) for f in functions], axis=1)
+
+
+def _slopes(functions: Sequence[Sequence[Function]], at: Mapping[Any, Any], count: int) -> Vectors:
+    return np.stack([_values(row, at, count) for row in functions], axis=1)
+
+
+def _sizes(equations: Sequence[Any], at: Mapping[Any, Any], count: int) -> Vectors:
+    terms = [[compiled(term) for term in sp.Add.make_args(e)] for e in equations]
+    return np.stack([np.max(np.abs(_values(row, at, count)), axis=1) for row in terms], axis=1)
+
+
+class _Family:
+    """A point at numbers of the parameters: values in terms of whole numbers and of what is free."""
+
+    def __init__(self, point: Point, unknowns: Sequence[Any], numbers: Mapping[Any, Any]) -> None:
+        self.unknowns = unknowns
+        self.values = [point[x].xreplace(dict(numbers)) for x in unknowns]
+        inside = {s for v in self.values for s in v.free_symbols}
+        self.integers = sorted(inside - set(unknowns), key=str)
+        self.functions = [compiled(v) for v in self.values]
+
+    def holds(self, at: Vectors) -> bool:
+        """Whether a solution is one of the family."""
+        own = dict(zip(self.unknowns, map(float, at), strict=True))
+        zero = self._at({**own, **dict.fromkeys(self.integers, 0.0)})
+        if zero is None:
+            return False
+        if self.integers:
+            columns = [self._at({**own, **dict.fromkeys(self.integers, 0.0), n: 2.0}) for n in self.integers]
+            if any(column is None for column in columns):
+                return False
+            steps = np.array([(column - zero) / 2 for column in columns]).T
+            counts = np.linalg.lstsq(steps, np.asarray(at, float) - zero, rcond=None)[0]
+            near = [round(float(c)) for c in counts]
+            for more in _around(len(near)):
+                whole = {n: float(c + d) for n, c, d in zip(self.integers, near, more, strict=True)}
+                if self._is_near(self._at({**own, **whole}), at):
+                    return True
+            return False
+        return self._is_near(zero, at)
+
+    @staticmethod
+    def _is_near(value: Any, at: Vectors) -> bool:
+        return value is not None and bool(np.all(np.abs(value - at) <= 1e-5 * (1 + np.abs(at))))
+
+    def _at(self, numbers: Mapping[Any, float]) -> Any:
+        with np.errstate(all="ignore"):
+            try:
+                values = np.array([complex(f(numbers)) for f in self.functions])
+            except (KeyError, ZeroDivisionError, OverflowError):
+                return None
+        real = np.isfinite(values).all() and np.all(np.abs(values.imag) < 1e-9 * (1 + np.abs(values)))
+        return values.real if real else None
+
+
+def _around(count: int) -> Iterator[tuple[int, ...]]:
+    """Whole numbers by which a rounded guess may be wrong."""
+    if count > 2:
+        yield (0,) * count
+        return
+    span = (0, 1, -1, 2, -2)
+    yield from ((i,) for i in span) if count == 1 else ((i, j) for i in span for j in span)
+
+
+NUMPY: dict[str, Callable[..., Any]] = {
+    "Add": lambda *terms: sum(terms), "Mul": lambda *parts: np.prod(np.broadcast_arrays(*parts), axis=0),
+    "sin": np.sin, "cos": np.cos, "tan": np.tan, "exp": np.exp, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh,
+    "Abs": np.abs, "sign": np.sign, "log": lambda x: np.log(_complex(x)), "asin": lambda x: np.arcsin(_complex(x)),
+    "acos": lambda x: np.arccos(_complex(x)), "atan": np.arctan, "asinh": np.arcsinh,
+    "acosh": lambda x: np.arccosh(_complex(x)), "atanh": lambda x: np.arctanh(_complex(x)),
+    "atan2": lambda y, x: np.arctan2(np.real(y), np.real(x)),
+}  # fmt: skip
+
+
+def _complex(x: Any) -> Any:
+    """A number as it is where the function is real there, else as a complex one."""
+    return x if isinstance(x, np.ndarray) else complex(x)
+
+
+def compiled(e: Any) -> Function:
+    """Return the function of the values of symbols, numbers or arrays of them."""
+    if e.is_Symbol:
+        return lambda at: at[e]
+    if e.is_number:
+        number = complex(e.evalf(20))
+        value = number.real if number.imag == 0 else number
+        return lambda _at: value
+    parts = [compiled(each) for each in e.args]
+    if e.is_Pow:
+        return _power(e, *parts)
+    function = NUMPY[e.func.__name__]
+    return lambda at: function(*(part(at) for part in parts))
+
+
+def _power(e: Any, base: Function, exponent: Function) -> Function:
+    if e.exp.is_Integer:
+        n = int(e.exp)
+        return lambda at: base(at) ** n if n > 0 else 1.0 / base(at) ** -n
+    if e.base is sp.S.NegativeOne:
+        return lambda at: np.cos(np.pi * exponent(at))
+    return lambda at: _complex(base(at)) ** exponent(at)

@@ -1,0 +1,114 @@
+"""The points where a system is at rest: x' = f(x, u) = 0, in discrete time x = f(x, u)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, option
+from solver.derivation.registry import Refusal
+from solver.lazy import sympy as sp
+from solver.options.input_values import InputValues
+from solver.options.intervals import Intervals
+from solver.options.unknowns import Unknowns
+from solver.tasks.modelling.points import point_checks
+from solver.tasks.modelling.rest import Rest, at_rest
+from solver.tasks.modelling.solutions import solutions_of
+from solver.words import Reason
+
+if TYPE_CHECKING:
+    from sympy import Symbol
+
+    from solver.systems import Equations
+
+
+@dataclass(frozen=True, kw_only=True)
+class EquilibriumPointsOptions(Options):
+    """The inputs that are constant, what is asked for, and where roots are searched."""
+
+    inputs: Mapping[str, Any] | None = option(
+        InputValues(), "constant values of inputs; one that is not named keeps its symbol"
+    )
+    unknowns: tuple[Symbol, ...] | None = option(
+        Unknowns(dynamic=True), "what is asked for: the states, or an input in place of one"
+    )
+    between: Mapping[str, Any] | None = option(
+        Intervals(), "where roots are searched that no formula gives (default: −100 to 100 for each)"
+    )
+
+
+equilibrium_points: Task[Equations, EquilibriumPointsOptions] = Task(
+    "equilibrium_points",
+    title="Equilibrium points",
+    doc="All points where nothing changes: the real solutions of f(x, u) = 0 (discrete: f(x, u) = x).",
+    needs=("equations",),
+    options=EquilibriumPointsOptions,
+    example={"equations": '["x\' = -x + y", "y\' = -x - y - x^2"]'},
+    answers=[
+        AnswerName("points", r"\text{points}", "the equilibria, each with the values of its unknowns; "
+                   "$n$, $m$ are any integers, what stands for itself is free", earned=("list",)),
+    ],
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """The equations at rest, what points tell, all unknowns, and the limits of a search."""
+
+    rest: Rest
+    told: tuple[Any, ...]
+    every: tuple[Any, ...]
+    between: Mapping[Any, Any]
+
+
+def asked(given: Given[Equations, EquilibriumPointsOptions]) -> Asked:
+    """Return what is asked for."""
+    options, model = given.options, given.system
+    rest = at_rest(model, options.inputs or {})
+    told = options.unknowns or rest.states
+    others = [x for x in (*rest.zero, *(a for a, _ in rest.same), *rest.hidden) if x not in told]
+    limits = {sp.Symbol(name, real=True): ends for name, ends in (options.between or {}).items()}
+    return Asked(rest, tuple(told), (*told, *others), limits)
+
+
+@equilibrium_points.method(source="Khalil, Nonlinear Systems, §1.2")
+def by_rest(given: Given[Equations, EquilibriumPointsOptions]) -> Derivation[Answers]:
+    """All derivatives are zero (all samples equal); what is left is solved for one unknown after the other."""
+    question = asked(given)
+    rest, model = question.rest, given.system
+    yield Step(
+        "rest",
+        unclaimed="the equations at rest",
+        before=list(model.sides),
+        equations=[pair for pair in rest.sides if pair[0] != pair[1]],
+        zero=list(rest.zero),
+        same=list(rest.same),
+        inputs=[(model.symbol((name, 0)), value) for name, value in (given.options.inputs or {}).items()],
+        kept=[u for u in rest.inputs if str(u) not in (given.options.inputs or {}) and u not in question.told],
+        unknowns=list(question.told),
+        discrete=model.discrete,
+    )
+    taken = [symbol.name for symbol in (*model.jets, *model.parameters)]
+    known = {**dict.fromkeys(rest.zero, sp.Integer(0)), **dict(rest.same)}
+    left = [a - b for a, b in rest.sides if a != b]
+    found = yield from solutions_of(left, question.every, question.between, taken, question.told, known)
+    return Answers(points=[dict(point) for point in found.points])
+
+
+@equilibrium_points.refusal
+def names_of_limits(system: Any, options: EquilibriumPointsOptions) -> Iterable[Refusal]:
+    """An interval for what is no unknown."""
+    functions = getattr(system, "unknowns", ())
+    for name in (options.between or {}) if functions else ():
+        known = {*functions, *getattr(system, "inputs", ())}
+        if name not in known and name.split("_d")[0] not in known and name.split("(")[0] not in known:
+            yield "between", Reason("solutions/no_unknown", {"name": name, "known": sorted(known)})
+
+
+@equilibrium_points.verification("points")
+def rest_there_and_nowhere_else(given: Given[Equations, EquilibriumPointsOptions], answers: Answers) -> Iterable[Check]:
+    """Each point in the equations with all derivatives zero; Newton's method finds no other."""
+    question = asked(given)
+    yield from point_checks(question.rest.equations, question.told, question.every, question.between,
+                            answers["points"], "points")  # fmt: skip
