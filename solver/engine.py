@@ -193,7 +193,8 @@ def _plant(task: Task[Any, Any], given: Given[Any, Any]) -> Derivation[Given[Any
     """Bring the system to what the task works on, by conversions; with the loop closed that the options ask for."""
     options = {name: getattr(given.options, name) for name, option in task.options.items() if option.loop}
     has = {name for name in task.options if given.options.has(name)}
-    needs = set(task.needs).union(*(task.options[name].needs for name in has)) - has
+    wanted = task.methods[given.method].needs or task.needs
+    needs = set(wanted).union(*(task.options[name].needs for name in has)) - has
     system = composed(given.system, options)
     return replace(given, system=(yield from converted(system, needs)))
 

@@ -52,17 +52,23 @@ Tell = Callable[[Attempt[S, O]], Reason | None]
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """One way of solving a task. `time` is the kind of system it is for: "continuous", "discrete" or "both"."""
+    """One way of solving a task. `time` is the kind of system it is for: "continuous", "discrete" or "both".
+
+    `system` names the kind that it is for, where it is not for all; `needs` is what it works on, where that is not
+    what the task needs.
+    """
 
     name: str
     title: str
     source: str
     time: str
     derive: Callable[[Given[Any, Any]], Derivation[Answers]]
+    system: str = ""
+    needs: tuple[str, ...] = ()
 
-    def serves(self, discrete: bool) -> bool:
-        """Whether the method is for systems in discrete (continuous) time."""
-        return self.time == "both" or (self.time == "discrete") == discrete
+    def serves(self, discrete: bool, system: str = "") -> bool:
+        """Whether the method is for systems in discrete (continuous) time, of this kind."""
+        return (self.time == "both" or (self.time == "discrete") == discrete) and self.system in ("", system)
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,14 +142,21 @@ class Task(Generic[S, O]):
         return Given(system, self.options_class.of(values), method)
 
     def method(
-        self, name: str = "", *, title: str = "", source: str = "", time: str = "both"
+        self,
+        name: str = "",
+        *,
+        title: str = "",
+        source: str = "",
+        time: str = "both",
+        system: str = "",
+        needs: tuple[str, ...] = (),
     ) -> Callable[[Derive[S, O]], Derive[S, O]]:
         """Register a derivation. Its steps are worded by `templates/wording/<task>/<method>.md.jinja`."""
         name = name or self.name
 
         def register(derive: Derive[S, O]) -> Derive[S, O]:
             worded = worded_by(f"{self.name}/{name}")(self._complete(derive, name))
-            self.methods[name] = Method(name, title or self.title, source, time, worded)
+            self.methods[name] = Method(name, title or self.title, source, time, worded, system, needs)
             return worded
 
         return register
@@ -267,9 +280,9 @@ class Task(Generic[S, O]):
         """What goes wrong in this task more than in others."""
         return [*(each.slip for each in self.mistakes), *(each.slip for each in self.mistaken_questions)]
 
-    def methods_for(self, discrete: bool) -> list[str]:
-        """Names of the methods for that kind of time, the default first."""
-        return [method.name for method in self.methods.values() if method.serves(discrete)]
+    def methods_for(self, discrete: bool, system: str = "") -> list[str]:
+        """Names of the methods for that kind of time and of system, the default first."""
+        return [method.name for method in self.methods.values() if method.serves(discrete, system)]
 
     def method_named(self, name: str, options: Mapping[str, Any]) -> Method:
         """Return a method with the title and source that pages give it: those of the way that an option leads."""

@@ -182,7 +182,8 @@ def _split_marks(part: MappingNode, task: Task[Any, Any], methods: tuple[str, ..
 def _methods(part: MappingNode, task: Task[Any, Any], plant: PlantOf) -> tuple[str, ...]:
     """Return the methods asked for, in their order; without any the first for the system's kind of time."""
     known = plant.known
-    fitting = task.methods_for(plant.discrete) if known else list(task.methods)
+    system = plant.system.kind if plant.system is not None else ""
+    fitting = task.methods_for(plant.discrete, system) if known else list(task.methods)
     time = "discrete" if plant.discrete else "continuous"
     if not fitting:
         other = "continuous" if plant.discrete else "discrete"
@@ -203,6 +204,9 @@ def _methods(part: MappingNode, task: Task[Any, Any], plant: PlantOf) -> tuple[s
                 note = f"its methods are: {', '.join(fitting)}"
                 message = f"{task.name} has no method '{method[:60]}'"
                 raise item.fault(message, suggestion=did_you_mean(method, fitting), note=note)
+            if method not in fitting and task.methods[method].system not in ("", system):
+                kind = task.methods[method].system
+                raise item.fault(f"the method {method} is for a {kind}", note=f"here there is: {', '.join(fitting)}")
             if method not in fitting:
                 note = f"in {time} time there is: {', '.join(fitting)}"
                 raise item.fault(f"the method {method} is not for systems in {time} time", note=note)

@@ -4,6 +4,7 @@ from solver.exact.modelling.circuits import CircuitModel, Law, circuit_model, de
 from solver.exact.modelling.collecting import collected, grouped
 from solver.exact.modelling.highest import are_linear_in, solved_linearly
 from solver.exact.modelling.manipulator import Manipulator, christoffel, manipulator_form
+from solver.exact.modelling.nodal import NodalModel, nodal_model
 from solver.exact.modelling.quotients import is_zero, jacobian, normal
 from solver.exact.modelling.time_derivatives import time_derivative
 from solver.exact.modelling.turns import Solved, Turn, solved_in_turn
@@ -13,6 +14,7 @@ from solver.exact.modelling.roots_of_systems import roots_of
 __all__ = [
     "CircuitModel",
     "Law",
+    "NodalModel",
     "Manipulator",
     "Move",
     "NotSolvable",
@@ -28,6 +30,7 @@ __all__ = [
     "is_zero",
     "jacobian",
     "manipulator_form",
+    "nodal_model",
     "normal",
     "roots_of",
     "solved_in_turn",

@@ -142,7 +142,7 @@ def combined(terms: Iterable[tuple[Any, Form]]) -> Form:
 
 
 def solved_in_turn(
-    equations: Sequence[Side], known: Sequence[sp.Symbol], unknown: Sequence[sp.Symbol], wanted: Iterable[sp.Symbol]
+    equations: Sequence[Side], known: Sequence[sp.Expr], unknown: Sequence[sp.Expr], wanted: Iterable[Any]
 ) -> Solved:
     """Solve equations that are linear in the known and unknown symbols; what is not wanted on the way is left out."""
     work = _begun(equations, known, unknown)
@@ -181,13 +181,7 @@ def _begun(equations: Sequence[Side], known: Sequence[Any], unknown: Sequence[An
 
 def _plain(work: _Elimination, i: int, x: Any) -> Turn:
     """One unknown from the one equation in which it is left."""
-    left, right = work.equations[i]
-    if left == x and not right.has(x):
-        stated = right
-    else:
-        difference = sp.expand(left - right)
-        factor = sp.diff(difference, x)
-        stated = sp.expand(-(difference.xreplace({x: sp.S.Zero})) / factor)
+    stated = _solved(work, i, x)
     return Turn((x,), (_expression(work.K, work.found[x]),), i, stated)
 
 
@@ -229,8 +223,17 @@ def _leading_to(work: _Elimination, order: Sequence[tuple[int, Any]], ends: Sequ
 def _solved(work: _Elimination, i: int, x: Any) -> sp.Expr:
     """What an equation says of one of its unknowns."""
     left, right = work.equations[i]
+    if left == x and not right.has(x):
+        return right
     difference = sp.expand(left - right)
-    return sp.expand(-difference.xreplace({x: sp.S.Zero}) / sp.diff(difference, x))
+    factor, rest = sp.diff(difference, x), difference.xreplace({x: sp.S.Zero})
+    solved: sp.Expr = -rest if factor == 1 else rest if factor == -1 else sp.expand(-rest / factor)
+    return (rest if factor.could_extract_minus_sign() else -rest) / _unsigned(factor) if factor.is_Add else solved
+
+
+def _unsigned(factor: sp.Expr) -> sp.Expr:
+    """The factor without the minus sign that can be taken out of it."""
+    return -factor if factor.could_extract_minus_sign() else factor
 
 
 def _values(K: Any, ends: Sequence[tuple[int, Form]], kept: Sequence[Any]) -> dict[Any, Form] | None:

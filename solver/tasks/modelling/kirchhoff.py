@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact, systems
+from solver.tasks.modelling.elimination import elimination_of
 from solver.words import Phrase
 
 if TYPE_CHECKING:
-    from sympy import Expr, Symbol
-
     from solver.exact.modelling.circuits import CircuitModel, Law
     from solver.systems import Circuit, Equations
 
@@ -32,7 +31,7 @@ def equations_of_circuit(circuit: Circuit) -> Derivation[Equations]:
         raise Unsolved("circuits/tied", relations=list(model.solved.tied))
     if model.solved.lacking:
         raise Unsolved("circuits/undetermined", symbols=list(model.solved.lacking))
-    yield from _elimination(model)
+    yield from elimination_of(model.solved, [law.sides for law in model.equations])
     yield _rates(model)
     return _equations(model)
 
@@ -63,42 +62,6 @@ def _held(model: CircuitModel, laws: list[Law]) -> Iterator[tuple[str, Claim]]:
     for law in laws:
         says = Phrase("the law at {name}", name=law.of)
         yield f"of_{law.of}", Claim(law.left.xreplace(values), law.right.xreplace(values), says)
-
-
-@lemma("kirchhoff")
-def _elimination(model: CircuitModel) -> Derivation[None]:
-    """The unknowns, one after the other, in states and inputs."""
-    values = model.solved.values
-    rows: list[tuple[Symbol, Expr | None, Expr]] = []
-    claims: dict[str, Claim] = {}
-    for turn in model.solved.turns:
-        if turn.stated is None:
-            if rows:
-                yield _turns(rows, claims)
-                rows, claims = [], {}
-            yield _kept(turn, values)
-            continue
-        ((x,), (value,)) = turn.symbols, turn.values
-        if turn.stated != value or model.equations[turn.equation].left != x:  # else it stands above
-            rows.append((x, turn.stated, value))
-        claims[str(x)] = Claim(turn.stated.xreplace(values), value, Phrase("the value of {name}", name=str(x)))
-    if rows:
-        yield _turns(rows, claims)
-
-
-def _turns(rows: list[tuple[Symbol, Expr | None, Expr]], claims: dict[str, Claim]) -> Step:
-    return Step("turns", claims=claims, rows=rows)
-
-
-def _kept(turn: exact.Turn, values: Mapping[Symbol, Expr]) -> Step:
-    """Unknowns that are kept until equations hold nothing else."""
-    claims = {
-        f"closing{i}": Claim(left.xreplace(values), right.xreplace(values), "what is left when all is put in")
-        for i, left, right in turn.closing
-    }
-    found = list(zip(turn.symbols, turn.values, strict=True))
-    closing = [(left, right) for _, left, right in turn.closing]
-    return Step("kept", claims=claims, symbols=turn.symbols, through=turn.through, found=found, closing=closing)
 
 
 def _rates(model: CircuitModel) -> Step:

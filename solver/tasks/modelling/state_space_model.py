@@ -68,6 +68,17 @@ state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
 state_space_model.together(state_equations())
 
 
+@state_space_model.method(
+    "kirchhoff",
+    title="Kirchhoff's laws",
+    source="Balabanian and Bickart, Electrical Network Theory, §4.5",
+    system="circuit",
+)
+def by_kirchhoff(given: Given[Equations, StateSpaceModelOptions]) -> Derivation[Answers]:
+    """The state equations that Kirchhoff's laws give, solved for the derivatives."""
+    return (yield from by_highest_derivatives(given))
+
+
 @state_space_model.method(source="Ogata, Modern Control Engineering, §§2–4 and 2–5")
 def by_highest_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> Derivation[Answers]:
     """Solve for the highest derivatives and choose the lower ones as states; of linear equations read off the rows."""

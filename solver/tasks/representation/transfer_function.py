@@ -111,6 +111,18 @@ def by_faddeev_leverrier(given: Given[InputOutput, TransferFunctionOptions]) -> 
     return (yield from lowest_terms_of(G))
 
 
+@transfer_function.method(
+    "impedance", title="Impedances and nodal analysis", source="Desoer and Kuh, Basic Circuit Theory, chapters 7 and 10",
+    system="circuit", needs=("impedances",),
+)  # fmt: skip
+def by_impedances(given: Given[InputOutput, TransferFunctionOptions]) -> Derivation[Answers]:
+    """The quotient that nodal analysis finds, in lowest terms."""
+    plant = chosen_channel(given)
+    assert isinstance(plant, systems.TransferFunction)  # noqa: S101 - what the method needs is one
+    G = exact.transfer_matrix_of_fractions(plant.numerators, plant.denominators, plant.variable)
+    return (yield from lowest_terms_of(G))
+
+
 @lemma("transfer_function")
 def transfer_function_of(plant: StateSpace) -> Derivation[exact.TransferMatrix]:
     """G = (C adj(xI − A) B + det(xI − A) D)/det(xI − A), not cancelled."""

@@ -1,5 +1,6 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
+from solver.numeric.judges.modelling.circuits import frequencies_residual, state_residuals, transfer_residual
 from solver.numeric.judges.modelling.equations import Question, eliminated_residual, model_residuals
 from solver.numeric.judges.modelling.functions import function_residuals, value_residual
 from solver.numeric.judges.modelling.points import missing, substitution_residual
@@ -7,9 +8,12 @@ from solver.numeric.judges.modelling.points import missing, substitution_residua
 __all__ = [
     "Question",
     "eliminated_residual",
+    "frequencies_residual",
     "function_residuals",
     "missing",
     "model_residuals",
+    "state_residuals",
     "substitution_residual",
+    "transfer_residual",
     "value_residual",
 ]
