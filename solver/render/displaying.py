@@ -113,6 +113,7 @@ class Displaying:
         noted = [
             Displayed(tuple(recorder.written(side) if isinstance(side, str) else side for side in sides), relation)
             for sides, relation in chains
+            if sides
         ]
         return recorder.display(noted, text)
 

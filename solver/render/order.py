@@ -42,7 +42,7 @@ def _real_first(ranks: list[tuple[_Rank, Any]]) -> list[Any]:
     """Return the terms with the imaginary ones last: σ + jω, for numbers and for letters; of polynomials each power."""
     if all(rank.imaginary for rank, _ in ranks):
         return [term for _, term in ranks]
-    return [term for rank, term in sorted(ranks, key=lambda pair: (pair[0].key[0], pair[0].imaginary))]
+    return [term for rank, term in sorted(ranks, key=lambda pair: (pair[0].key[:3], pair[0].imaginary))]
 
 
 def _positive_first(ordered: list[Any]) -> list[Any]:
@@ -68,6 +68,8 @@ def below_zero(number: Any) -> bool:
 class _Rank:
     """What decides the place of a term in a sum."""
 
+    accelerations: float = 0
+    velocities: float = 0
     main_degree: float = 0
     fraction: int = 0
     rate: float = 0.0
@@ -84,6 +86,8 @@ class _Rank:
     @property
     def key(self) -> tuple[Any, ...]:
         return (
+            -self.accelerations,
+            -self.velocities,
             0 if self.fraction else -self.main_degree,
             self.fraction,
             self.rate_name != "",
@@ -141,6 +145,9 @@ def _add_symbol(rank: _Rank, symbol: Any, power: float) -> None:
     elif symbol.name == "t":
         rank.time_degree += power
     else:
+        if derived := _VELOCITY.search(symbol.name):
+            rank.velocities += power
+            rank.accelerations += power * (derived[1] != "dot")
         rank.degree += power
         rank.names += [natural(symbol.name)] * max(1, math.floor(power))
 

@@ -142,7 +142,7 @@ def _kinetic_energy(system: Lagrangian, body: Body, number: int) -> Derivation[t
     claims, stated, half = {}, [], sp.Rational(1, 2)
     velocity = [exact.time_derivative(each, moves) for each in body.position]
     for name, position, rate in zip("xy", body.position, velocity, strict=False):
-        if rate != 0:
+        if rate != 0 and not position.is_Symbol:
             claims[name] = Claim(time_derivative(position, moves.items()), rate, "the chain rule")
     squares = [power(rate, 2) for rate in velocity if rate != 0]
     terms: list[Expr] = []
@@ -164,7 +164,7 @@ def _kinetic_energy(system: Lagrangian, body: Body, number: int) -> Derivation[t
         claims["energy"] = Claim(energy, total(*found), Phrase("kinetic energy of body {i}", i=number))
     only = len(system.bodies) == 1 and system.kinetic is None
     step = Step("body", claims=claims, unclaimed="" if claims else "it is at rest", number=number, only=only,
-                body=body, moves=bool(stated))  # fmt: skip
+                body=body, moves=bool(stated), plain=len(found) == 1 and all(v.is_Symbol or v == 0 for v in velocity))  # fmt: skip
     yield step
     return stated, found if stated else ()
 

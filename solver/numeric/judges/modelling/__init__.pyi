@@ -3,11 +3,23 @@
 from solver.numeric.judges.modelling.circuits import frequencies_residual, state_residuals, transfer_residual
 from solver.numeric.judges.modelling.equations import Question, eliminated_residual, model_residuals
 from solver.numeric.judges.modelling.functions import function_residuals, value_residual
+from solver.numeric.judges.modelling.motion import (
+    Balance,
+    energy_of_motion_residual,
+    energy_residual,
+    equation_balance,
+    form_residual,
+)
 from solver.numeric.judges.modelling.points import missing, substitution_residual
 
 __all__ = [
+    "Balance",
     "Question",
     "eliminated_residual",
+    "energy_of_motion_residual",
+    "energy_residual",
+    "equation_balance",
+    "form_residual",
     "frequencies_residual",
     "function_residuals",
     "missing",
