@@ -102,8 +102,8 @@ def test_no_check_is_left_out_for_want_of_a_rule(path):
 def test_every_format_shows_it_at_every_level_of_detail(path, detail):
     document = document_of_problem(path).told(detail=detail)
     shown = [render_page(document), latex_document(document), markdown_of(document)]
-    for part in document.parts:
-        assert all(answer.equation in shown[2] or f"= {answer.tex}\n" in shown[2] for answer in part.found)
+    for part in document.shown:
+        assert all(answer.equation in shown[2] or f"= {answer.tex}\n" in shown[2] for answer in part.boxed)
         for formula in [step.markdown for step in part.steps] + [answer.tex for answer in part.answers]:
             assert not CLUMSY.search(formula), formula
         assert not [each for step in part.steps for each in carelessly_written(step.markdown)]

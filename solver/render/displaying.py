@@ -60,7 +60,7 @@ class Displaying:
     def _side(self, side: Any, show: Callable[[Any], Row]) -> Row:
         """Return a side of a display: a text is LaTeX with marks for values, a matrix of one entry is a number."""
         if not isinstance(side, str):
-            return show(as_numbers(side) if is_of_numbers(side) else entry_alone(side))
+            return show(as_numbers(side))
         text = self.recorder.expanded(side)
         return read(text) if text.strip() else NOTHING
 
@@ -122,7 +122,7 @@ class Displaying:
         lines: list[Row] = []
         known = [(name, value) for name, value in named if value is not None]
         for name, value in known:
-            piece = row(name, EQUALS, self.show(value))
+            piece = row(name, EQUALS, self.show(entry_alone(value)))
             longer = row(lines[-1], GAP, piece) if lines else piece
             if lines and width(longer) <= LINE:
                 lines[-1] = longer
@@ -149,10 +149,12 @@ def is_of_numbers(value: Any) -> bool:
 
 
 def as_numbers(value: Any) -> Any:
-    """Return a formula with the entries in place of matrices of one entry."""
-    if isinstance(value, Stated):
+    """Return a formula with the entries in place of matrices of one entry that are factors or terms in it."""
+    if not isinstance(value, Stated):
+        return entry_alone(value)
+    if value.operation in ARITHMETIC or (value.operation == "inverse" and is_of_numbers(*value.operands)):
         return Stated(value.operation, tuple(map(as_numbers, value.operands)))
-    return entry_alone(value)
+    return value
 
 
 def word_of(symbol: str) -> str:

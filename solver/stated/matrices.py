@@ -127,6 +127,9 @@ def _cofactor(show: Show, matrix: Any, i: int, j: int) -> Row:
 
 @operation(matrix_of)
 def _matrix_of(show: Show, columns: int, *entries: Any) -> Row:
+    """Return the matrix; one entry alone stands without brackets."""
+    if len(entries) == 1:
+        return show(*entries)
     cells = [show(entry) for entry in entries]
     return row(Table("bmatrix", tuple(tuple(cells[i : i + columns]) for i in range(0, len(cells), columns))))
 

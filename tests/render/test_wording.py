@@ -10,14 +10,14 @@ from solver.derivation.displayed import FIRST_MARK, Displayed, Written
 from solver.formula import latex, read
 from solver.formula.width import LINE, broken, width
 from solver.problem.model import Part
-from solver.render.displaying import Displaying
+from solver.render.displaying import Displaying, as_numbers
 from solver.render.displays import chain, entries, entry_name
 from solver.render.latex import formula, tex
 from solver.render.numbers import NumberFormat
 from solver.render.recording import Recorder
 from solver.render.wording import Wording, WordingError
-from solver.stated.algebra import difference, product
-from solver.stated.matrices import determinant
+from solver.stated.algebra import difference, product, total
+from solver.stated.matrices import determinant, inverse, matrix_of
 from solver.symbols import NOTATIONS
 from solver.systems import StateSpace, TransferFunction
 
@@ -245,3 +245,23 @@ def test_arithmetic_with_matrices_of_one_entry_is_that_of_numbers():
     assert latex(text) == r"J = -2 - 3 \cdot 5"
     kept = difference(M[0], product(sp.ImmutableMatrix([[1, 2]]), sp.ImmutableMatrix([1, 2])))
     assert "bmatrix" in latex(shown.laid_out(["J", kept], formula))
+
+
+def test_a_matrix_of_one_entry_among_factors_and_terms_is_a_number():
+    column, row = sp.ImmutableMatrix([9, 12]), sp.ImmutableMatrix([[0, 5]])
+
+    def one(number):
+        return sp.ImmutableMatrix([[number]])
+
+    wording = Wording()
+    for stated, shown in (
+        (difference(column, product(column, one(0))), r" - \begin{bmatrix}9 \\ 12\end{bmatrix} \cdot 0"),
+        (product(one(2), row), r"2\begin{bmatrix}0 & 5\end{bmatrix}"),
+        (difference(product(row, column), one(180)), r"\end{bmatrix} - 180"),
+        (inverse(difference(product(sp.Symbol("s"), one(1)), one(-3))), "(s"),
+        (matrix_of([[total(12, product(5, 12))]]), r"12 + 5 \cdot 12"),
+    ):
+        tex = wording.tex(as_numbers(stated))
+        assert shown in tex
+        assert r"\begin{bmatrix}2" not in tex
+    assert r"\begin{bmatrix}3\end{bmatrix}" in wording.tex(as_numbers(determinant(one(3))))

@@ -10,6 +10,7 @@ from scipy.linalg import expm
 
 from solver.derivation import CheckStatus, Claim, Status
 from solver.numeric import check_claim
+from solver.render.wording import Wording
 from solver.stated import Stated
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
@@ -282,3 +283,28 @@ def test_corrupted_claims_are_rejected(task, plant, options):
         for corrupted in corrupted_sides(claim.right):
             if check_claim(Claim(claim.right, corrupted), "").status is not CheckStatus.PASSED:
                 assert check_claim(Claim(claim.left, corrupted), "").status is CheckStatus.FAILED, claim
+
+
+def lines_of(plant, **options):
+    result = ask("observer_feedback", plant, **options)
+    assert result.status is Status.VERIFIED, result.reason
+    return "\n".join(each.markdown for step in Wording(detail="tutor").words(result.steps) for each in step.walk())
+
+
+def test_a_compensator_is_multiplied_out_at_tutor():
+    told = lines_of(PLANT, **REDUCED)
+    for line in (
+        r"12 + 12 \cdot 9 + 5 \cdot 12 = 180",
+        r"\omega - 180y",
+        r"\operatorname{adj}\begin{bmatrix}s + 9 & -1 \\ 28 & s + 6\end{bmatrix}",
+        r"- 180(s^{2} + 15s + 82) = -180s^{2} - 172s - 72",
+    ):
+        assert line in told
+    assert "row $i$ and column $j$ are struck out" in lines_of(PLANT, **FULL)
+
+
+def test_the_equations_of_a_compensator_of_one_state_have_no_brackets():
+    plant = system([[0, 1], [0, 0]], B=[0, 1], C=[[1, 0]], D=[[0]])
+    told = lines_of(plant, poles=[R(-1), R(-2)], observer_poles=[R(-4)], reduced=True)
+    assert r"\dot{\omega} = -7\omega - 30y" in told
+    assert r"u = -3\omega - 14y" in told

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.fractions_of_systems import fraction_multiplied_out
+from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.figures import Diagram
 from solver.lazy import exact
@@ -36,12 +38,13 @@ class Design:
 
 @dataclass(frozen=True)
 class Compensator:
-    """ζ' = F ζ + G y, u = −H ζ − E y: what stands between y and u."""
+    """ζ' = F ζ + G y, u = −H ζ − E y: what stands between y and u; `products` are those in F, G and E worked out."""
 
     F: ImmutableMatrix
     G: ImmutableMatrix
     H: ImmutableMatrix
     E: ImmutableMatrix
+    products: tuple[Step, ...] = ()
 
 
 def given_design(loop: ImmutableMatrix, gain: ImmutableMatrix, x: Symbol) -> Design:
@@ -203,7 +206,8 @@ def full_compensator(plant: Plant, K: ImmutableMatrix, L: ImmutableMatrix) -> tu
     if not plant.plain:
         stated = total(stated, product(L, D, K))
     claims = {"F": Claim(stated, F, "matrix of the compensator")}
-    return Compensator(F, L, K, sp.ImmutableMatrix(sp.zeros(K.rows, C.rows))), claims
+    products = _multiplied(B, K) + _multiplied(L, C)
+    return Compensator(F, L, K, sp.ImmutableMatrix(sp.zeros(K.rows, C.rows)), products), claims
 
 
 def reduced_compensator(
@@ -224,7 +228,13 @@ def reduced_compensator(
     F, G = tidied(J - M * H), tidied(N - M * E)
     claims["F"] = Claim(difference(J, product(M, H)), F, "matrix of the compensator")
     claims["G"] = Claim(difference(N, product(M, E)), G, "its input matrix")
-    return Compensator(F, G, H, E), claims
+    whole = tidied(parts.T[:, :p] + parts.T[:, p:] * L)
+    products = _multiplied(K, whole) + _multiplied(M, H) + _multiplied(M, E) if plant.plain else ()
+    return Compensator(F, G, H, E, products), claims
+
+
+def _multiplied(left: ImmutableMatrix, right: ImmutableMatrix) -> tuple[Step, ...]:
+    return multiplied(left, right, tidied(left * right))
 
 
 @lemma("output_feedback")
@@ -234,7 +244,13 @@ def compensator_of(
     """The transfer matrix −(H (xI − F)⁻¹ G + E) from y to u (m×p)."""
     x, F, G, H, E = plant.variable, found.F, found.G, found.H, found.E
     yield Step(
-        "compensator_equations", claims=claims, found=found, plain=plant.plain, reduced=reduced, discrete=plant.discrete
+        "compensator_equations",
+        claims=claims,
+        steps=found.products,
+        found=found,
+        plain=plant.plain,
+        reduced=reduced,
+        discrete=plant.discrete,
     )
     minus_H, minus_E = sp.ImmutableMatrix(-H), sp.ImmutableMatrix(-E)
     matrix: ImmutableMatrix = exact.transfer_matrix(F, G, minus_H, minus_E, x).matrix
@@ -250,6 +266,7 @@ def compensator_of(
             "determinant": Claim(characteristic(F, x), chi, "denominator of the compensator"),
             "G": Claim(stated, shown, "transfer function from y to u"),
         },
+        steps=fraction_multiplied_out(x, (F, G, minus_H, minus_E)),
         x=x,
         F=F,
         direct=not E.is_zero_matrix,
