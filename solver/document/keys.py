@@ -58,7 +58,8 @@ class _Value:
         """Whether this is what was found; verdicts and words are not found by equalities."""
         if not self.tex or isinstance(found, Written | bool):
             return False
-        alone = entry_alone(found)
+        parted = isinstance(found, Stated) and found.operation == "partitioned"
+        alone = entry_alone(found.operands[0] if parted else found)
         return bool(alone == self.value) or (isinstance(found, Stated) and self.wording.tex(alone) == self.tex)
 
 

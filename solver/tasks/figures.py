@@ -81,20 +81,24 @@ def step_of_the_reference(
     return motion(caption, loop, rest, y, u, discrete=discrete, drive=sp.ImmutableMatrix(drive * r))
 
 
-def errors(n: int, of: int | None = None, letter: str = r"\tilde{x}", first: int = 1) -> Signals:
-    """Return the panel of the errors of n estimates, the last states of a motion with `of` states in all."""
+def errors(n: int, of: int | None = None, letter: str = r"\tilde{x}", block: int | None = None) -> Signals:
+    """Return the panel of the errors of n estimates, the last states of a motion with `of` states in all.
+
+    They are those of the states, or of the `block` of them that is estimated.
+    """
     whole = of or n
-    names = (letter,) if n == first == 1 else tuple(f"{letter}_{{{i}}}" for i in range(first, first + n))
+    numbers = [f"{block},{i}" if block and n > 1 else f"{block or i}" for i in range(1, n + 1)]
+    names = (letter,) if n == 1 and not block else tuple(f"{letter}_{{{number}}}" for number in numbers)
     return Signals(letter, names, sp.ImmutableMatrix(sp.eye(whole)[whole - n :, :]))
 
 
 def error_of_estimate(
-    error: ImmutableMatrix, letter: str = r"\tilde{x}", first: int = 1, *, discrete: bool
+    error: ImmutableMatrix, letter: str = r"\tilde{x}", block: int | None = None, *, discrete: bool
 ) -> tuple[Motion, ...]:
-    """Return how the errors of estimates decay from one; `first` is the number of the first state estimated."""
+    """Return how the errors of estimates decay from one; `block` is that of the states estimated, if not all are."""
     caption = "The errors of the estimates, which begin at one"
     return motion(
-        caption, error, start_of(None, error.rows), errors(error.rows, None, letter, first), discrete=discrete
+        caption, error, start_of(None, error.rows), errors(error.rows, None, letter, block), discrete=discrete
     )
 
 

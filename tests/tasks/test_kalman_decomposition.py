@@ -6,6 +6,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
+import solver
 from solver.derivation import Answers, CheckStatus, Status
 from solver.numeric.judges import structure as judges
 from solver.tasks import catalogue
@@ -40,12 +41,12 @@ def accepted(plant, answers, part):
 
 def test_the_controllable_part_of_the_course():
     result = found(COURSE, "controllable")
-    assert steps(result) == ["reachable", "bases", "transformed", "blocks", "hidden", "transfer"]
+    assert steps(result) == ["matrix", "reachable", "bases", "transformed", "blocks", "hidden", "transfer"]
     assert result.answers["T"] == sp.Matrix([[1, -2, 0], [0, 1, -1], [0, 1, 1]])
     assert result.answers["A_c"] == sp.Matrix([[0, -4], [1, -2]])
     assert result.answers["C_c"] == sp.Matrix([[1, -1]])
     assert result.answers["hidden_modes"] == [-1]
-    assert result.steps[0].values["chosen"] == [1, 2]
+    assert result.steps[1].values["chosen"] == [1, 2]
     s = sp.Symbol("s")
     assert sp.cancel(result.steps[-1].values["G"] - (s + 1) / (s**2 + 2 * s + 4)) == 0
 
@@ -53,7 +54,7 @@ def test_the_controllable_part_of_the_course():
 def test_all_four_parts():
     result = found(FOUR, "full")
     assert steps(result) == [
-        "reachable", "seen", "intersection", "bases", "transformed", "blocks", "hidden", "transfer",
+        "matrix", "reachable", "matrix", "seen", "intersection", "bases", "transformed", "blocks", "hidden", "transfer",
     ]  # fmt: skip
     assert result.answers["orders"] == [1, 1, 1, 1]
     assert result.answers["hidden_modes"] == [-2, 3, -4]
@@ -94,7 +95,7 @@ def test_without_an_output_the_controllable_part_is_found():
 
 def test_without_an_input_the_observable_part_is_found():
     result = found(system([[1, 0], [3, 2]], C=[[1, 0]]), "observable")
-    assert steps(result) == ["seen", "bases", "transformed", "blocks", "hidden"]
+    assert steps(result) == ["matrix", "seen", "bases", "transformed", "blocks", "hidden"]
     assert not {"B", "B_o"} & set(result.answers)
     assert result.answers["A_o"] == sp.Matrix([[1]])
     assert result.answers["hidden_modes"] == [2]
@@ -128,7 +129,7 @@ def test_a_mode_with_a_parameter_is_left_undecided():
     k = sp.Symbol("k")
     result = found(system([[-1, k], [k, -1]], B=[1, 1], C=[[1, 0]]), "controllable")
     assert result.answers["hidden_modes"] == [-1 - k]
-    assert result.steps[4].values["undecided"] == [-1 - k]
+    assert result.steps[5].values["undecided"] == [-1 - k]
 
 
 def test_a_hidden_complex_pair_and_a_hidden_cubic():
@@ -139,7 +140,7 @@ def test_a_hidden_complex_pair_and_a_hidden_cubic():
     assert np.allclose(
         roots, sorted(np.linalg.eigvals(np.array(A[1:, 1:], dtype=float)), key=lambda z: (z.real, z.imag))
     )
-    assert len(result.steps[4].values["unstable"][1]) == 2
+    assert len(result.steps[5].values["unstable"][1]) == 2
 
 
 def another(draw, plant, result, part):
@@ -276,3 +277,27 @@ def test_the_residual_of_a_rounded_answer_is_small_and_of_a_wrong_one_is_not():
         )
         > 1e-2
     )
+
+
+PAGE = """
+title: t
+system: {A: [[1, 0, 0], [1, -1, 1], [0, 0, -2]], B: [1, 1, 0], C: [1, 0, 0]}
+find: {a: {task: controllability, method: rank}, b: {task: kalman_decomposition, part: controllable}}
+"""
+
+
+def test_the_matrix_stands_once_and_what_cancels_is_seen():
+    solved = solver.solve(PAGE)
+    page = solved.markdown(detail="tutor")
+    assert page.count("\nAB = ") == 1
+    assert r"= \frac{s + 1}{s^{2} - 1} = \frac{1}{s - 1}" in page
+    assert r"A_{\bar{c}} = -2" in page
+    assert r"NA = \begin{bmatrix}0 & 0 & 1\end{bmatrix}" in page
+    assert r"= HN,\qquad H = -2" in page
+
+
+def test_a_key_shows_the_new_matrices_once():
+    key = solver.solve(PAGE).markdown(detail="key")
+    assert key.count("T = ") == 1
+    assert r"\bar{A}" not in key
+    assert r"\dot{\xi} = " in key

@@ -102,3 +102,13 @@ def test_a_corrupted_answer_is_rejected_alone(name, wrong):
 @pytest.mark.parametrize("name", list(RIGHT))
 def test_every_answer_is_accepted_alone(name):
     assert not rejected("kalman_filter", PLANT, {name: RIGHT[name]}, **ASKED)
+
+
+def test_minors_and_loops_of_solutions_are_worked_out_and_told_where_they_stand():
+    text = "title: t\nsystem: {A: [[0, 1], [0, 0]], C: [1, 0]}\n"
+    page = solve(text + "find: {a: {task: kalman_filter, Q: [[0, 0], [0, 4]], R: 1}}\n").markdown(detail="tutor")
+    assert r"\Delta_{2}(P_{1}) = 2 \cdot 4 - 2 \cdot 2" in page
+    assert r"A^{T} - C^{T}R^{-1}CP_{1} = \begin{bmatrix}0 & 0 \\ 1 & 0\end{bmatrix} - " in page
+    assert r"p_{12} = \pm\sqrt{4} = 2,\; -2" in page
+    assert r"\text{equations:}" not in page
+    assert "each of which is zero (step 3)" in page

@@ -296,3 +296,16 @@ find:
     solution = solver.solve(text)
     assert solution.status == "verified"
     assert solution.answers["a"]["J"] == M([[-5]])
+
+
+def test_an_error_matrix_that_is_chosen_is_not_found_again():
+    plant = "A: [[0, 1, 0, 0], [0, -1, 2, 0], [0, 0, 0, 1], [0, 3, 5, 0]], B: [0, 1, 0, 1]"
+    asked = "find: {a: {task: reduced_observer, poles: ['-1 ± 2j']}}"
+    text = f"title: t\nsystem: {{{plant}, C: [[1, 0, 0, 0], [0, 0, 1, 0]]}}\n{asked}\n"
+    page = solver.solve(text).markdown(detail="tutor")
+    assert "with $A_{12} = I$, $L_c = A_{22} - J$" in page
+    assert page.count("\nJ = ") == 1
+    assert page.count("\\det(sI - J)") == 1
+    assert "η̃₂‚₁" in page
+    assert "Found on the way: $T$ (step 1); $A_{11}$" in page
+    assert "$A_{\\text{combined}}$, $B_{\\text{combined}}$ (step" in page

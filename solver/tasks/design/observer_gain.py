@@ -49,11 +49,15 @@ class Pair:
 
 @dataclass(frozen=True)
 class Gain:
-    """The gain L (n×p), the polynomial det(xI − A + LC), and its roots that no gain moves."""
+    """The gain L (n×p), the polynomial det(xI − A + LC), and its roots that no gain moves.
+
+    `chosen`: the error matrix was chosen, and L found from it.
+    """
 
     L: ImmutableMatrix
     polynomial: Expr
     fixed: tuple[Expr, ...]
+    chosen: bool = False
 
 
 @lemma("observer_gain")
@@ -64,26 +68,32 @@ def gain_of(pair: Pair, poles: Sequence[Expr]) -> Derivation[Gain]:
     """
     hidden = yield from _what_is_seen(pair)
     desired = yield from _desired(pair, poles, hidden)
-    if pair.C.rows == 1:
-        L = yield from _by_coefficients(pair, pair.C, pair.A, desired, hidden)
-    elif not hidden and len(exact.independent_columns(pair.C)) == pair.n:
+    chosen = pair.C.rows > 1 and not hidden and len(exact.independent_columns(pair.C)) == pair.n
+    if chosen:
         L = yield from _by_choice(pair, poles)
+    elif pair.C.rows == 1:
+        L = yield from _by_coefficients(pair, pair.C, pair.A, desired, hidden)
     else:
         L = yield from _by_one_combination(pair, desired, hidden)
+    if not chosen:
+        yield _tested(pair, L, desired)
+    return Gain(L, desired, tuple(hidden), chosen)
+
+
+def _tested(pair: Pair, L: ImmutableMatrix, desired: Expr) -> Step:
+    """The error matrix with the gain found, and its polynomial."""
     seen = exact.multiply(L, pair.C)
     error = sp.ImmutableMatrix(pair.A - seen)
-    x = pair.variable
-    yield Step(
+    return Step(
         "gain",
         claims={
             "error": Claim(difference(pair.A, product(L, pair.C)), error, "matrix of the error equation"),
-            "polynomial": Claim(determinant(_pencil(error, x)), desired, "its characteristic polynomial"),
+            "polynomial": Claim(determinant(_pencil(error, pair.variable)), desired, "its characteristic polynomial"),
         },
         pair=pair,
         L=L,
         steps=multiplied(L, pair.C, seen) if pair.n > 1 else (),
     )
-    return Gain(L, desired, tuple(hidden))
 
 
 def _pencil(M: ImmutableMatrix, x: Symbol) -> ImmutableMatrix:
@@ -224,12 +234,15 @@ def _by_choice(pair: Pair, poles: Sequence[Expr]) -> Derivation[ImmutableMatrix]
     J, left = exact.chosen_error_matrix(poles), exact.left_inverse(pair.C)
     L: ImmutableMatrix = exact.multiply(sp.ImmutableMatrix(pair.A - J), left)
     identity = sp.ImmutableMatrix(sp.eye(pair.n))
+    plain = identity == pair.C
+    stated = difference(pair.A, J) if plain else product(difference(pair.A, J), left)
     yield Step(
         "choice",
         claims={
             "left": Claim(product(left, pair.C), identity, "a left inverse of the output matrix"),
-            "gain": Claim(product(difference(pair.A, J), left), L, "gain for the chosen error matrix"),
+            "gain": Claim(stated, L, "gain for the chosen error matrix"),
         },
+        plain=plain,
         pair=pair,
         J=J,
         left=left,

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.determinants import expanded, first_line
 from solver.arithmetic.factors import factors_multiplied
+from solver.arithmetic.inverses import inverted
 from solver.arithmetic.products import is_worked_out, multiplied, rows_times_columns
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
@@ -161,15 +162,15 @@ def _part_placed(pair: Pair, poles: Sequence[Expr], method: str) -> Derivation[P
     frame, x, part = pair.frame, pair.x, exact.controllable_part(pair.A, pair.b)
     shown, r, A_c, A_u = frame.shown, part.orders[0], part.block(0, 0), part.block(1, 1)
     b, b_c = sp.ImmutableMatrix(part.B), sp.ImmutableMatrix(part.input_block(0))
+    back = shown(sp.ImmutableMatrix(part.T_inverse))
     fixed_chi = exact.faddeev_leverrier(A_u).coefficients
     fixed = exact.roots_of(fixed_chi)
     yield Step(
         "decomposition",
         claims={
-            "A": Claim(
-                frame.times(inverse(shown(part.T)), shown(pair.A), shown(part.T)), shown(part.A), r"$T^{-1} A T$"
-            ),
-            "B": Claim(frame.times(inverse(shown(part.T)), shown(pair.b)), shown(b), r"$T^{-1} b$"),
+            "inverse": Claim(inverse(shown(part.T)), back, "$T^{-1}$"),
+            "A": Claim(frame.times(back, shown(pair.A), shown(part.T)), shown(part.A), r"$T^{-1} A T$"),
+            "B": Claim(frame.times(back, shown(pair.b)), shown(b), r"$T^{-1} b$"),
             "fixed": Claim(characteristic(shown(A_u), x), linear_factors(x, fixed), "fixed modes"),
         },
         T=shown(part.T),
@@ -178,6 +179,7 @@ def _part_placed(pair: Pair, poles: Sequence[Expr], method: str) -> Derivation[P
         A_u=shown(A_u),
         fixed=fixed,
         order=r,
+        steps=inverted("T", shown(part.T), back),
         **pair.flags,
     )
     movable = movable_poles(poles, fixed, pair.A.rows, dual=frame.dual)
@@ -197,7 +199,7 @@ def _part_placed(pair: Pair, poles: Sequence[Expr], method: str) -> Derivation[P
     stretched = sp.ImmutableMatrix([[*k_c.flat(), *free]])
     yield Step(
         "lift",
-        claims={"gain": Claim(frame.times(shown(stretched), inverse(shown(part.T))), shown(k), "original coordinates")},
+        claims={"gain": Claim(frame.times(shown(stretched), back), shown(k), "original coordinates")},
         stretched=shown(stretched),
         free=list(free),
         order=r,

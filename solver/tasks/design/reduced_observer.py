@@ -103,12 +103,16 @@ reduced_observer: Task[WithInput, ReducedObserverOptions] = Task(
             r"the transformation $x = T\eta$: what is measured first, then the other states in their order",
             free=measured_by_combinations,
         ),
-        AnswerName("A11", "A_{11}", r"how $\eta_{1}$ acts on itself", free=measured_by_combinations),
-        AnswerName("A12", "A_{12}", r"how $\eta_{2}$ acts on $\eta_{1}$", free=measured_by_combinations),
-        AnswerName("A21", "A_{21}", r"how $\eta_{1}$ acts on $\eta_{2}$", free=measured_by_combinations),
-        AnswerName("A22", "A_{22}", r"how $\eta_{2}$ acts on itself", free=measured_by_combinations),
-        AnswerName("B1", "B_1", r"how $u$ acts on $\eta_{1}$", free=measured_by_combinations),
-        AnswerName("B2", "B_2", r"how $u$ acts on $\eta_{2}$", free=measured_by_combinations),
+        AnswerName("A11", "A_{11}", r"how $\eta_{1}$ acts on itself", free=measured_by_combinations, told=("blocks",)),
+        AnswerName(
+            "A12", "A_{12}", r"how $\eta_{2}$ acts on $\eta_{1}$", free=measured_by_combinations, told=("blocks",)
+        ),
+        AnswerName(
+            "A21", "A_{21}", r"how $\eta_{1}$ acts on $\eta_{2}$", free=measured_by_combinations, told=("blocks",)
+        ),
+        AnswerName("A22", "A_{22}", r"how $\eta_{2}$ acts on itself", free=measured_by_combinations, told=("blocks",)),
+        AnswerName("B1", "B_1", r"how $u$ acts on $\eta_{1}$", free=measured_by_combinations, told=("blocks",)),
+        AnswerName("B2", "B_2", r"how $u$ acts on $\eta_{2}$", free=measured_by_combinations, told=("blocks",)),
         AnswerName(
             "A_combined",
             r"A_{\text{combined}}",
@@ -155,7 +159,7 @@ def by_partition(given: Given[WithInput, ReducedObserverOptions]) -> Derivation[
     parts = yield from partition_of(plant)
     yield from error_equation_of(discrete=plant.discrete)
     design = yield from reduced_gain_of(parts, given.options.poles, discrete=plant.discrete)
-    J, N, M = yield from observer_matrices_of(parts, design.L, plant)
+    J, N, M = yield from observer_matrices_of(parts, design.L, plant, chosen=design.chosen)
     n, q, C = plant.n, J.rows, plant.C
     yield from estimate_of(parts, design, J, plant)
     NC = exact.multiply(N, C)

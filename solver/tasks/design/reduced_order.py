@@ -13,6 +13,7 @@ from solver.lazy import sympy as sp
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import determinant, inverse, partitioned
+from solver.tasks.design.frames import expansion_of
 from solver.tasks.design.observer_gain import Gain, Pair, gain_of, number_fault
 from solver.tasks.design.plants import Plant
 from solver.tasks.figures import error_of_estimate
@@ -94,9 +95,12 @@ def reduced_gain_of(parts: exact.Partition, poles: Sequence[Expr], *, discrete: 
 
 @lemma("reduced_matrices")
 def observer_matrices_of(
-    parts: exact.Partition, L: ImmutableMatrix, plant: Plant
+    parts: exact.Partition, L: ImmutableMatrix, plant: Plant, *, chosen: bool = False
 ) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]]:
-    """J = A22 − L A12, N = A21 − L A11 + J L, M = B2 − L B1 (less N D): the error is then driven by nothing."""
+    """J = A22 − L A12, N = A21 − L A11 + J L, M = B2 − L B1 (less N D): the error is then driven by nothing.
+
+    J is known already where it was `chosen`.
+    """
     A11, A12, A21, A22, B1, B2 = parts.blocks.values()
     J = sp.ImmutableMatrix((A22 - exact.multiply(L, A12)).applyfunc(exact.tidy))
     N = sp.ImmutableMatrix((A21 - exact.multiply(L, A11) + exact.multiply(J, L)).applyfunc(exact.tidy))
@@ -114,7 +118,8 @@ def observer_matrices_of(
             "M": Claim(stated, M, "$M$"),
         },
         plain=plant.plain,
-        steps=_worked_out(((L, A12), (L, A11), (J, L), (L, B1))),
+        chosen=chosen,
+        steps=_worked_out(([] if chosen else [(L, A12)]) + [(L, A11), (J, L), (L, B1)]),
     )
     return J, N, M
 
@@ -146,10 +151,13 @@ def estimate_of(parts: exact.Partition, design: Gain, J: ImmutableMatrix, plant:
         D=plant.D,
         discrete=plant.discrete,
     )
+    claims, lines = expansion_of(J, x, design.polynomial) if q > 1 else ({}, ())
+    claims["polynomial"] = Claim(determinant(exact.pencil(J, x)), design.polynomial, "polynomial of the error")
     yield Step(
         "error",
-        claims={"polynomial": Claim(determinant(exact.pencil(J, x)), design.polynomial, "polynomial of the error")},
-        figures=error_of_estimate(J, r"\tilde{\eta}", parts.p + 1, discrete=plant.discrete),
+        claims=claims,
+        steps=lines,
+        figures=error_of_estimate(J, r"\tilde{\eta}", 2, discrete=plant.discrete),
         x=x,
         discrete=plant.discrete,
         fixed=design.fixed,

@@ -6,12 +6,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import worked_out
 from solver.derivation import AnswerName, Answers, Attempt, Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant
-from solver.tasks.design.frames import characteristic
+from solver.tasks.design.frames import characteristic, expansion_of
 from solver.tasks.design.regulator import Regulator, unknown_matrix
 from solver.tasks.design.regulator_products import products_of_the_equation
 from solver.tasks.design.riccati import (
@@ -130,9 +131,11 @@ def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> 
 def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, count: int, *, solved: bool) -> Step:
     """Return the test of a solution; one that was `solved` for, case by case, has been shown there."""
     claims = {"residual": residual_claim(problem, solution.P), "polynomial": loop_polynomial_claim(problem, solution)}
+    worked, lines = _loop_worked_out(problem, solution)
     return Step(
         "solution",
-        claims=claims,
+        claims=claims | worked,
+        steps=lines,
         P=solution.P,
         p=polynomial_of(solution),
         number=number,
@@ -141,6 +144,18 @@ def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, 
         solved=solved,
         **problem.names,
     )
+
+
+def _loop_worked_out(problem: Regulator, solution: exact.RiccatiSolution) -> tuple[dict[str, Claim], tuple[Step, ...]]:
+    """The matrix of the loop and the first line of its determinant, where P is of rational numbers."""
+    numbers = (entry for M in (solution.P, problem.A, problem.B, problem.R) for entry in M.flat())
+    if not all(entry.is_Rational for entry in numbers):
+        return {}, ()
+    G = exact.weighted_input(problem.B, problem.R)
+    loop = sp.ImmutableMatrix(problem.A - exact.multiply(G, solution.P))
+    claims, lines = expansion_of(loop, sp.Symbol("s"), polynomial_of(solution))
+    stated = difference(problem.A, product(sp.ImmutableMatrix(G), solution.P))
+    return {"loop": Claim(stated, loop, "matrix of the loop"), **claims}, lines
 
 
 def _conditional(problem: Regulator, solutions: Sequence[exact.RiccatiSolution]) -> Step:
@@ -161,7 +176,8 @@ def definiteness_of(equation: exact.Riccati, solution: exact.RiccatiSolution) ->
 def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:
     """The leading minors of every solution, where none of the solutions is singular; else the eigenvalues of each."""
     minors: list[list[tuple[Expr, int]]] = []
-    claims = {}
+    claims: dict[str, Claim] = {}
+    lines: list[Step] = []
     if all(each.exact and not each.P.free_symbols for each in solutions):
         for number, each in enumerate(solutions, 1):
             minors.append([])
@@ -169,12 +185,14 @@ def _definiteness(solutions: Sequence[exact.RiccatiSolution], words: Sequence[st
                 block = sp.ImmutableMatrix(each.P[:k, :k])
                 minor = exact.determinant(block)
                 minors[-1].append((minor, exact.sign_of(minor) or 0))
+                of_which = f"(P_{{{number}}})" if len(solutions) > 1 else ""
+                lines += worked_out(f"\\Delta_{{{k}}}{of_which}", block, minor)
                 claims[f"minor{k}_{number}"] = Claim(
                     determinant(block), minor, Phrase("leading minor {k} of $P_{{{number}}}$", k=k, number=number)
                 )
     if not minors or any(each[-1][1] == 0 for each in minors):
         return _by_eigenvalues(solutions, words)
-    return Step("definiteness", claims=claims, words=words, minors=minors)
+    return Step("definiteness", claims=claims, words=words, minors=minors, steps=tuple(lines))
 
 
 def _by_eigenvalues(solutions: Sequence[exact.RiccatiSolution], words: Sequence[str]) -> Step:

@@ -31,7 +31,9 @@ def hidden_modes_of(pair: Pair, matrix: Any) -> Derivation[list[Any] | None]:
         dual=pair.dual,
     )
     left, right = (product(pair.A, N), product(N, H)) if pair.dual else (product(N, pair.A), product(H, N))
+    moved = exact.multiply(*((pair.A, N) if pair.dual else (N, pair.A)))
     claims = {"invariant": Claim(left, right, _says(pair, "invariant"))}
+    claims["moved"] = Claim(left, moved, _says(pair, "invariant"))
     lamda = sp.Symbol("lamda")
     try:
         roots = hidden.spectrum.roots

@@ -69,7 +69,7 @@ kalman_decomposition: Task[StateSpace, KalmanDecompositionOptions] = Task(
             free=True,
             vectors="columns",
             principal=True,
-            earned=("reachable", "seen", "intersection", "bases"),
+            earned=("matrix", "reachable", "seen", "intersection", "bases"),
         ),
         AnswerName("A", r"\bar{A}", "$T^{-1}AT$", free=True, principal=True, earned=("transformed",)),
         AnswerName("B", r"\bar{B}", "$T^{-1}B$", optional=True, free=True, principal=True),

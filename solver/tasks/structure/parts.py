@@ -11,7 +11,7 @@ from solver.derivation.figures import Part, Parts
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated import Stated
-from solver.stated.algebra import difference, product, total
+from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.matrices import determinant, inverse, partitioned
 from solver.words import formula
 
@@ -118,12 +118,17 @@ def _transfer(plant: Any, found: exact.Decomposition, part: str) -> Step:
     G = exact.transfer_matrix(plant.A, plant.B, plant.C, D, x).matrix
     whole = _formula(plant.A, plant.B, plant.C, D, x)
     first = _formula(found.block(0, 0), found.input_block(0), found.output_block(0), D, x)
+    claims = {
+        "first": Claim(first, G, "transfer function of the first part"),
+        "whole": Claim(whole, G, "transfer function of the plant"),
+    }
+    if found.orders[0] and G.shape == (1, 1):
+        own = exact.transfer_matrix(found.block(0, 0), found.input_block(0), found.output_block(0), D, x)
+        stated = quotient(own.numerators[0][0], own.chi)
+        claims["quotient"] = Claim(first, stated, "transfer function of the first part, not cancelled")
     return Step(
         "transfer",
-        claims={
-            "first": Claim(first, G, "transfer function of the first part"),
-            "whole": Claim(whole, G, "transfer function of the plant"),
-        },
+        claims=claims,
         part=part,
         G=G if G.shape != (1, 1) else G[0, 0],
         x=x,

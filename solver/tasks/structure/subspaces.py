@@ -11,6 +11,7 @@ from solver.lazy import sympy as sp
 from solver.stated.matrices import rank
 from solver.tasks.structure.pairs import Pair, controllability_pair, observability_pair
 from solver.tasks.structure.rank_exceptions import rank_exceptions
+from solver.tasks.structure.rank_test import matrix_of
 
 
 @lemma("subspaces")
@@ -18,15 +19,16 @@ def subspaces_of(plant: Any, part: str) -> Derivation[None]:
     """The ranks and independent columns (rows) that the part of the decomposition asks for."""
     if part != "observable":
         pair = controllability_pair(plant)
+        yield from matrix_of(pair)
         yield Step("reachable", claims=_claims(pair), steps=_row_operations(pair), **_values(pair, part))
     if part != "controllable":
         pair = observability_pair(plant)
+        yield from matrix_of(pair)
         yield Step("seen", claims=_claims(pair), steps=_row_operations(pair), **_values(pair, part))
 
 
 def _claims(pair: Pair) -> dict[str, Claim]:
-    """Each block from the one before it, and the rank."""
-    return pair.block_claims | {"rank": Claim(rank(pair.matrix), sp.Integer(len(_chosen(pair))), "rank")}
+    return {"rank": Claim(rank(pair.matrix), sp.Integer(len(_chosen(pair))), "rank")}
 
 
 def _chosen(pair: Pair) -> tuple[int, ...]:
@@ -41,11 +43,8 @@ def _row_operations(pair: Pair) -> tuple[Step, ...]:
 
 def _values(pair: Pair, part: str) -> dict[str, Any]:
     return {
-        "names": pair.names,
-        "matrix": pair.matrix,
         "chosen": [j + 1 for j in _chosen(pair)],
         "n": pair.n,
         "part": part,
         "exceptions": rank_exceptions(pair.matrix),
-        "discrete": pair.discrete,
     }
