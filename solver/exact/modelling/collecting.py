@@ -12,7 +12,11 @@ from solver.exact.modelling.quotients import normal
 
 def in_factors(expression: sp.Expr) -> sp.Expr:
     """Return a coefficient in normal form, by sums and differences of angles where these are shorter."""
-    return _with_positive_sums(normal(by_differences(normal(expression))))
+    if not expression.has(sp.Add):
+        return expression
+    found = normal(expression)
+    merged = by_differences(found)
+    return _with_positive_sums(found if merged == found else normal(merged))
 
 
 def scaled(coefficient: sp.Expr, other: sp.Expr) -> sp.Expr:

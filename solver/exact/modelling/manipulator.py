@@ -36,7 +36,13 @@ def manipulator_form(
         + sp.diff(linear[i], q[j]) - sp.diff(linear[j], q[i])
     ))  # fmt: skip
     effective = potential - kinetic.xreplace(rest)
-    return Manipulator(M, C, sp.ImmutableMatrix([sp.diff(effective, each) for each in q]))
+    return Manipulator(M, C, sp.ImmutableMatrix([slope(effective, each) for each in q]))
+
+
+def slope(energy: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """Return the derivative of a sum, in each term the number in front: k (x − l), not k (2 x − 2 l)/2."""
+    terms = (sp.diff(term, x).as_content_primitive() for term in sp.Add.make_args(energy))
+    return sp.Add(*(sp.Mul(number, rest) for number, rest in terms))
 
 
 def christoffel(M: sp.ImmutableMatrix, q: Sequence[sp.Symbol], i: int, j: int, k: int) -> sp.Expr:

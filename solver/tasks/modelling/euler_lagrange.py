@@ -206,8 +206,8 @@ def _equation_of(energies: Energies, name: str) -> Derivation[EquationOfMotion]:
     by_place, restoring = sp.diff(energies.T, q), [sp.diff(term, q) for term in energies.potential]
     friction = sp.S.Zero if system.dissipation is None else sp.diff(system.dissipation, speed)
     bound = [jet_symbol((each, 0)) * sp.diff(c, q) for each, c in zip(system.multipliers, system.constraints, strict=True)]
-    inertial = _collected(system, rate - by_place)
-    terms = (*inertial, *_collected(system, friction), *(_factored(t) for t in restoring if t != 0),
+    dragging = _collected(system, friction)
+    terms = (*_collected(system, rate - by_place), *dragging, *(_factored(t) for t in restoring if t != 0),
              *(-term for term in bound if term != 0))  # fmt: skip
     force = system.forces.get(name, sp.S.Zero)
     rates, places = _collected(system, rate), (*_collected(system, by_place), *(-_factored(t) for t in restoring if t != 0))
@@ -219,8 +219,8 @@ def _equation_of(energies: Energies, name: str) -> Derivation[EquationOfMotion]:
     stated = [_sum(rates), *([product(-1, _sum(places))] if places else [])]
     if system.dissipation is not None:
         D = denoted("D", system.dissipation)
-        claims["friction"] = Claim(partial_derivative(D, speed), _sum(_collected(system, friction)), formula(speed))
-        stated.append(_sum(_collected(system, friction)))
+        claims["friction"] = Claim(partial_derivative(D, speed), _sum(dragging), formula(speed))
+        stated.append(_sum(dragging))
     for each, c, term in zip(system.multipliers, system.constraints, bound, strict=True):
         if term != 0:
             stated_term = product(jet_symbol((each, 0)), partial_derivative(c, q))
@@ -234,9 +234,11 @@ def _equation_of(energies: Energies, name: str) -> Derivation[EquationOfMotion]:
 
 def _collected(system: Lagrangian, expression: Expr) -> tuple[Expr, ...]:
     """Terms by accelerations, then velocities; as it stands where it is no polynomial in them."""
+    if expression == 0:
+        return ()
     jets = _jets(system)
     symbols = [symbol for k in (3, 2, 1) for symbol, (_, order) in jets.items() if order == k]
-    inside = [symbol for symbol in symbols if expression.has(symbol)]
+    inside = [symbol for symbol in symbols if symbol in expression.free_symbols]
     accelerations = [symbol for symbol in inside if jets[symbol][1] > 1]
     found = exact.collected(expression, inside)
     if found is None:

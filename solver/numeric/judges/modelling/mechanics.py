@@ -20,8 +20,9 @@ from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 
 NODES = 64
-STEP = 1e-30
-"""A complex step needs no digits: nothing is subtracted."""
+STEP = 1e-8
+"""A complex step is wrong by its square, and nothing is subtracted; far smaller ones are taken for rounding."""
+RESOLVED = 1e-11
 TRIALS = 3
 TIMES = 2 * np.pi * np.arange(NODES) / NODES
 
@@ -36,14 +37,18 @@ def _differentiation() -> Array:
     return np.where(i == j, 0.0, 0.5 * (-1.0) ** (i - j) / np.tan(apart / 2))
 
 
+D = _differentiation()
+
+
 class Mechanics:
     """What a system given by its energies does, at one point of its parameters."""
 
     def __init__(self, system: Any, point: Mapping[Any, complex]) -> None:
         self.system = system
         self.point = dict(point)
+        self.least = self.speed = 4.0  # of the paths: in less time less of the system is seen
         self.names = (*system.coordinates, *system.inputs, *system.multipliers)
-        self.symbols = {(name, k): system.symbol(name, k) for name in self.names for k in range(4)}
+        self.symbols = {(name, k): system.symbol((name, k)) for name in self.names for k in range(4)}
 
     @cached_property
     def moved(self) -> bool:
@@ -64,22 +69,33 @@ class Mechanics:
 
     def path(self, jets: Jets) -> dict[Any, Array]:
         """Return the functions of time and their velocities on closed paths (P, nodes) with these jets at their start."""
-        sin, cos = np.sin(TIMES), np.cos(TIMES)
+        bends = [float(np.abs(jet[:, 2:]).max(initial=0.0)) for jet in jets.values()]
+        self.speed = w = self.least * max(1.0, *np.sqrt(bends))
+        sin, cos = np.sin(TIMES) / w, np.cos(TIMES) / w**2
         found: dict[Any, Array] = {}
         for name, jet in jets.items():
             at, speed, bend = (jet[:, k : k + 1] for k in range(3))
-            found[self.symbols[name, 0]] = at + speed * sin + bend * (1 - cos)
+            found[self.symbols[name, 0]] = at + speed * sin + bend * (1 / w**2 - cos)
         return self._with_velocities(found)
 
     def _with_velocities(self, found: dict[Any, Array]) -> dict[Any, Array]:
         order = {0: found}
         for k in (1, 2):
             order[k] = {
-                self.symbols[name, k]: _derivative(order[k - 1][self.symbols[name, k - 1]])
+                self.symbols[name, k]: self.rate(order[k - 1][self.symbols[name, k - 1]])
                 for name in (*self.system.coordinates, *self.system.inputs)
                 if self.symbols[name, k - 1] in order[k - 1]
             }
         return {**order[0], **order[1], **order[2]}
+
+    def settle(self, jets: Jets) -> None:
+        """Let the paths be short enough for their samples: the energies are trigonometric polynomials on them."""
+        for _ in range(8):
+            path = self.path(jets)
+            spectrum = np.abs(np.fft.fft(np.concatenate([self.kinetic(path), self.potential(path)]), axis=1))
+            if np.all(spectrum[:, NODES // 4 : -NODES // 4] <= RESOLVED * (1 + spectrum.max())):
+                return
+            self.least *= 2
 
     def kinetic(self, path: Mapping[Any, Array]) -> Array:
         """T along the paths: of bodies by their positions, differentiated as functions of time."""
@@ -90,9 +106,14 @@ class Mechanics:
         for body in self.system.bodies:
             for inertia, moved in [*((body.mass, x) for x in body.position), (body.inertia, body.angle)]:
                 if moved is not None:
-                    rate = _derivative(self.value(moved, path, shape))
+                    rate = self.rate(self.value(moved, path, shape))
                     total = total + self.value(inertia, path, shape) * rate**2 / 2
         return total
+
+    def rate(self, samples: Array) -> Array:
+        """The derivative along the paths; real and imaginary parts apart, so that a complex step stays clean."""
+        rates = samples.real @ D.T
+        return self.speed * (rates + 1j * (samples.imag @ D.T) if np.iscomplexobj(samples) else rates)
 
     def potential(self, path: Mapping[Any, Array]) -> Array:
         """V along the paths."""
@@ -205,18 +226,6 @@ class Mechanics:
         still = self._jets(stepped, np.zeros(stepped.shape))
         path = self.path(still)
         return (self.potential(path) - self.kinetic(path))[:, 0].imag / STEP
-
-
-D = _differentiation()
-AT_START = D[0]
-"""Differentiates samples at the start of a path."""
-
-
-def _derivative(samples: Array) -> Array:
-    """The derivative along the path; real and imaginary parts apart, so that a complex step stays clean."""
-    whole = np.asarray(samples)
-    rates = whole.real @ D.T
-    return rates + 1j * (whole.imag @ D.T) if np.iscomplexobj(whole) else rates
 
 
 def mechanics_of(system: Any) -> Iterator[tuple[Mechanics, Random]]:

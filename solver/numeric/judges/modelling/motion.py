@@ -10,7 +10,7 @@ import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.points import free_symbols
-from solver.numeric.judges.modelling.mechanics import AT_START, Mechanics, mechanics_of
+from solver.numeric.judges.modelling.mechanics import STEP, Mechanics, mechanics_of
 
 NEWTON_STEPS = 60
 
@@ -49,12 +49,13 @@ def _place(mechanics: Mechanics, random: Random, count: int) -> _Place:
         position = _bound(mechanics, position, jets)
     for i, name in enumerate(system.coordinates):
         jets[name][:, 0] = position[i]
+    mechanics.settle(jets)
     return _Place(mechanics, jets)
 
 
 def _bound(mechanics: Mechanics, position: Array, jets: Mapping[str, Array]) -> Array:
     """A position on the constraints near one, by Newton's method with least squares."""
-    n, step = len(position), 1e-30
+    n, step = len(position), STEP
     still = {name: np.tile(jet[:1], (n + 1, 1)) for name, jet in jets.items()}
 
     def at(points: Array) -> Array:
@@ -101,7 +102,7 @@ def equation_balance(system: Any, expressions: Sequence[Any]) -> Balance:
 
 def _sorted(system: Any, expressions: Sequence[Any]) -> tuple[list[int], list[int]]:
     """The places of equations of motion, and of constraints: those in coordinates alone, as many as there are."""
-    places = {str(system.symbol(name)) for name in system.coordinates} | {str(p) for p in system.parameters}
+    places = {str(system.symbol((name, 0))) for name in system.coordinates} | {str(p) for p in system.parameters}
     alone = [i for i, e in enumerate(expressions) if {str(s) for s in free_symbols(e)} <= places]
     bound = alone if system.constraints else []
     return [i for i in range(len(expressions)) if i not in bound], bound
@@ -116,8 +117,8 @@ def _bind(mechanics: Mechanics, random: Random, constraints: Sequence[Any]) -> b
     rows = []
     for name in names:
         moved = {each: jet.astype(complex) for each, jet in place.jets.items()}
-        moved[name][:, 0] += 1j * 1e-30
-        rows.append([_Place(mechanics, moved).value(c)[0].imag / 1e-30 for c in constraints])
+        moved[name][:, 0] += 1j * STEP
+        rows.append([_Place(mechanics, moved).value(c)[0].imag / STEP for c in constraints])
     singular = np.linalg.svd(np.array(rows), compute_uv=False)
     return len(singular) == len(constraints) and bool(singular[-1] > 1e-9 * max(1.0, singular[0]))
 
@@ -148,19 +149,16 @@ def energy_residual(system: Any, expressions: Sequence[Any]) -> float | None:
             return None
         if not _accelerated(place, [expressions[i] for i in moving]):
             return None
+        mechanics.settle(place.jets)
         path = mechanics.path(place.jets)
-        rates = [_rate(each) for each in (mechanics.kinetic(path) + mechanics.potential(path), *mechanics.constraints(path))]
+        rates = [mechanics.rate(each)[:, 0].real for each in (mechanics.kinetic(path) + mechanics.potential(path), *mechanics.constraints(path))]
         speeds = np.stack([place.jets[name][:, 1] for name in system.coordinates], axis=1)
         power = np.sum(mechanics.forces(place.jets) * speeds, axis=1)
         for name, rate in zip(system.multipliers, rates[1:], strict=True):
             power = power + place.jets[name][:, 0] * rate
-        worst = max(worst, _distance(rates[0], power))
+        bends = max(float(np.abs(place.jets[name][:, 2]).max()) for name in system.coordinates)
+        worst = max(worst, _distance(rates[0], power) / (1 + bends))  # parts of the rate that cancel are as large
     return worst if np.isfinite(worst) else np.inf
-
-
-def _rate(samples: Array) -> Array:
-    """The derivative at the start of each path."""
-    return np.asarray(samples).real @ AT_START
 
 
 def _of_squares(mechanics: Mechanics, place: _Place) -> bool:
