@@ -116,9 +116,9 @@ class Lagrangian:
         """The names of the multipliers of the constraints."""
         return tuple(f"lambda{i}" for i in range(1, len(self.constraints) + 1))
 
-    def symbol(self, name: str, order: int = 0) -> Symbol:
+    def symbol(self, jet: Jet) -> Symbol:
         """Return the symbol of a function of time, or of its derivative."""
-        return jet_symbol((name, order))
+        return jet_symbol(jet)
 
     def symbols(self, order: int = 0) -> list[Symbol]:
         """Return the symbols of the coordinates, or of their derivatives."""

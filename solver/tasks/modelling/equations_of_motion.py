@@ -77,7 +77,7 @@ def by_euler_lagrange(given: Given[Lagrangian, EquationsOfMotionOptions]) -> Der
 def _manipulator(system: Lagrangian, motion: Motion) -> Derivation[dict[str, Any]]:
     """M q'' + C q' + G = Q, where T has degree two in the velocities and nothing else moves it."""
     energies = motion.energies
-    moved = [system.symbol(name, k) for name in system.inputs for k in range(4)]
+    moved = [system.symbol((name, k)) for name in system.inputs for k in range(4)]
     q, speeds = system.symbols(), system.symbols(1)
     found = None if energies.T.has(*moved) else exact.manipulator_form(energies.T, energies.V, q, speeds)
     if found is None:
