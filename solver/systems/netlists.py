@@ -41,7 +41,7 @@ def read_netlist(reader: Reader) -> tuple[Element, ...]:
     read = {item: element for item, words in lines if (element := _element(reader, item, words)) is not None}
     names = [words[0][1] for _, words in lines if words]
     for item, words in lines:
-        if words and words[0][1] in names[:item]:
+        if words and words[0][1] in [other[0][1] for _, other in lines[:item] if other]:
             _complain(reader, item, words[0], f"there is an element {words[0][1]} above already")
         if item in read and read[item].letter in "FH" and read[item].controls[0] not in names:
             near = get_close_matches(read[item].controls[0], names, n=1)

@@ -120,7 +120,7 @@ def by_impedances(given: Given[InputOutput, TransferFunctionOptions]) -> Derivat
     plant = chosen_channel(given)
     assert isinstance(plant, systems.TransferFunction)  # noqa: S101 - what the method needs is one
     G = exact.transfer_matrix_of_fractions(plant.numerators, plant.denominators, plant.variable)
-    return (yield from lowest_terms_of(G))
+    return (yield from lowest_terms_of(G, given_as_fraction=True))
 
 
 @lemma("transfer_function")
