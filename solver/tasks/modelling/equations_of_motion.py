@@ -23,7 +23,7 @@ from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.stated.algebra import difference, product, total
-from solver.stated.calculus import time_derivative
+from solver.stated.calculus import denoted, time_derivative
 from solver.stated.matrices import transpose
 from solver.systems import Lagrangian
 from solver.tasks.modelling.euler_lagrange import Motion, equations_of_motion_of, following
@@ -96,7 +96,8 @@ def _manipulator(system: Lagrangian, motion: Motion) -> Derivation[dict[str, Any
         "whole": Claim(total(product(M, acceleration), product(C, speed), G), left, "the equations of motion"),
         "symmetric": Claim(transpose(M), M, "$M$ is symmetric"),
     }, M=M, C=C, G=G, force=force, one=len(q) == 1)  # fmt: skip
-    yield _skew(system, M, C)
+    if len(q) > 1:
+        yield _skew(system, M, C)
     return {"M": M, "C": C, "gravity": G}
 
 
@@ -105,7 +106,7 @@ def _skew(system: Lagrangian, M: Any, C: Any) -> Step:
     moves = following(system)
     rate = sp.ImmutableMatrix(M.applyfunc(lambda entry: exact.normal(exact.time_derivative(entry, moves))))
     N = sp.ImmutableMatrix((rate - 2 * C).applyfunc(exact.normal))
-    stated = difference(time_derivative(M, moves.items()), product(2, C))
+    stated = difference(time_derivative(denoted("M", M), moves.items()), product(2, denoted("C", C)))
     claims = {
         "skew": Claim(stated, N, r"$\dot{M} - 2C$"),
         "turned": Claim(transpose(N), product(-1, N), r"$\dot{M} - 2C$ is skew"),
