@@ -232,13 +232,19 @@ def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
     if source is None or value.answer not in source.answers:
         raise Unsolved("engine/missing_answer", answer=value.answer, part=value.part, option=option)
     found = source.answers[value.answer]
+    if value.item:
+        if not isinstance(found, list) or value.item > len(found):
+            raise Unsolved("engine/missing_item", item=value.item, answer=value.answer, part=value.part)
+        return exactly(found[value.item - 1])
     return _as_printed(found) if isinstance(found, sp.MatrixBase) else found
 
 
 def exactly(value: Any) -> Any:
-    """Return expressions and matrices with decimals as exact numbers, also in a list; anything else as it is."""
+    """Return expressions and matrices with decimals as exact numbers, also in a list or mapping; else the same."""
     if isinstance(value, list):
         return [exactly(each) for each in value]
+    if isinstance(value, dict):
+        return {name: exactly(each) for name, each in value.items()}
     return _as_printed(value) if isinstance(value, (sp.MatrixBase, sp.Expr)) else value
 
 
@@ -258,7 +264,9 @@ def _rests_on_decimals(part: Part, earlier: Earlier) -> bool:
 
 
 def _listed(value: Any) -> list[Any]:
-    return value if isinstance(value, list) else [value]
+    if isinstance(value, dict):
+        return list(value.values())
+    return [part for each in value for part in _listed(each)] if isinstance(value, list) else [value]
 
 
 def _short_again(value: Any) -> Any:

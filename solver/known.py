@@ -39,6 +39,8 @@ def named_alike(value: Any, symbols: Mapping[str, Any]) -> Any:
     """Return a value with the symbols of the part in place of others of the same names: of a part that knows less."""
     if isinstance(value, list | tuple):
         return type(value)(named_alike(each, symbols) for each in value)
+    if isinstance(value, dict):
+        return {name: named_alike(each, symbols) for name, each in value.items()}
     others = [each for each in getattr(value, "free_symbols", ()) if symbols.get(each.name, each) != each]
     return value.xreplace({each: symbols[each.name] for each in others}) if others else value
 

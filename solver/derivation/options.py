@@ -29,6 +29,8 @@ class OptionKind(ABC, Generic[T]):
 
     referable: ClassVar[bool] = False
     """Whether the value can be the answer of an earlier part, `{from: part}`."""
+    item: ClassVar[str] = ""
+    """The key beside `from` that says which one of a list of answers it is, from 1."""
 
     @property
     def implied(self) -> Typed | None:

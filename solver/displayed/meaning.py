@@ -11,11 +11,14 @@ from solver.displayed.matrix_functions import function_of_matrix
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.scalars import FUNCTIONS, plain
 from solver.displayed.shapes import OF_A_MATRIX, SCALAR, Shape, complete, known, of_product, selections, shape_of
+from solver.displayed.statements import spelled
 from solver.displayed.tree import Meaning, Unreadable, key_of
+from solver.formula import latex
 from solver.lazy import numeric
+from solver.render.symbols import named
 from solver.stated import Stated
 from solver.stated.algebra import difference, exponential, power, product, quotient, total
-from solver.stated.calculus import derivative, integral, value_at
+from solver.stated.calculus import derivative, integral, partial_derivative, value_at
 from solver.stated.limits import limit
 from solver.stated.lists import summation
 from solver.stated.matrices import inverse, transpose
@@ -225,6 +228,13 @@ class Writer:
     def _derivative(self, meaning: Meaning, _: Shape) -> Any:
         name, variable = meaning.parts
         return derivative(self.formula(Meaning("apply", (name, variable), name.text)), VARIABLES.get(variable.text))
+
+    def _partial_derivative(self, meaning: Meaning, _: Shape) -> Any:
+        function, variable = meaning.parts
+        body = self.formula(function)
+        own = (each for each in numeric.free_symbols(body) if spelled(latex(named(each.name))) == variable.text)
+        x = self.values[variable.text] if variable.kind == "value" else next(own, None)
+        return sp.Integer(0) if x is None else partial_derivative(body, x)
 
     def _sizes(self, meaning: Meaning, shape: Shape = None) -> tuple[list[int], list[int]]:
         """Return the heights of the rows and widths of the columns of a block matrix."""

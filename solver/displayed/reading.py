@@ -40,6 +40,7 @@ _OF_ONE_FACTOR = frozenset({"determinant", "trace", "rank", "adjugate", "re", "i
 SIGNS = {"+": "", "-": "minus", r"\pm": "plus_minus", r"\mp": "minus_plus"}
 """Signs between terms, and what the term behind one is."""
 
+PARTIAL = Symbol(r"\partial")
 _NAMES = Symbol | Accent | Styled
 
 
@@ -215,13 +216,22 @@ def _matrix(table: Table) -> Meaning:
 
 
 def _fraction(fraction: Fraction) -> Meaning:
-    r"""Read a fraction, or a derivative \frac{da}{ds}."""
+    r"""Read a fraction, or a derivative \frac{da}{ds}, \frac{\partial f}{\partial x}."""
+    if isinstance(fraction.above, Row) and fraction.above.items[:1] == (PARTIAL,):
+        return _partial_derivative(fraction)
     if not latex(fraction.above).lstrip("{").startswith("d"):
         return Meaning("fraction", (_inside(fraction.above), _inside(fraction.below)))
     above, below = (each.items if isinstance(each, Row) else () for each in (fraction.above, fraction.below))
     if len(above) != 2 or len(below) != 2 or below[0] != Symbol("d"):
         raise Unreadable("a derivative")
     return Meaning("derivative", (read(above[1:]), read(below[1:])))
+
+
+def _partial_derivative(fraction: Fraction) -> Meaning:
+    above, below = (each.items if isinstance(each, Row) else () for each in (fraction.above, fraction.below))
+    if len(above) != 2 or len(below) != 2 or below[0] != PARTIAL:
+        raise Unreadable("a derivative")
+    return Meaning("partial_derivative", (read(above[1:]), read(below[1:])))
 
 
 def _names_of(arguments: tuple[Node, ...]) -> str:

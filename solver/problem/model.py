@@ -37,10 +37,14 @@ class Display:
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """`{from: b, answer: K}`: the answer `answer` of the earlier part `part` (of its first method)."""
+    """`{from: b, answer: K}`: the answer `answer` of the earlier part `part` (of its first method).
+
+    `item` is the number, from 1, of the one that is meant where the answer is a list.
+    """
 
     part: str
     answer: str
+    item: int = 0
 
 
 @dataclass(frozen=True, slots=True)

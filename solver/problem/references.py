@@ -22,7 +22,7 @@ def _reference(option: Option, node: MappingNode, context: Context) -> Reference
     """`{from: b, answer: K}`."""
     if not option.kind.referable:
         raise node.fault(f"'{option.name}' cannot be taken from an earlier part")
-    return read_reference(node, option.answer or option.name, context.earlier)
+    return read_reference(node, option.answer or option.name, context.earlier, option.kind.item)
 
 
 def earlier_part(node: Node, earlier: Earlier) -> tuple[str, Task[Any, Any], str]:
@@ -42,11 +42,15 @@ def answers_of(task: Task[Any, Any], method: str) -> tuple[str, ...]:
     return tuple(name for name, each in task.answers.items() if not each.methods or method in each.methods)
 
 
-def read_reference(node: MappingNode, usual: str, earlier: Earlier) -> Reference:
-    """`{from: b, answer: K}`; without `answer` the usual one. Raises Fault where there is no such part or answer."""
+def read_reference(node: MappingNode, usual: str, earlier: Earlier, item: str = "") -> Reference:
+    """`{from: b, answer: K}`; without `answer` the usual one. Raises Fault where there is no such part or answer.
+
+    `item` is the key that says which one of a list is meant: `{from: b, point: 2}`; the first where it is not there.
+    """
+    known = ["answer", *([item] if item else [])]
     for entry in node:
-        if entry.key.text not in ("from", "answer"):
-            suggestion = did_you_mean(entry.key.text, ["answer"])
+        if entry.key.text not in ("from", *known):
+            suggestion = did_you_mean(entry.key.text, known)
             raise entry.key.fault(f"unknown key '{entry.key.text}' beside 'from'", suggestion=suggestion)
     part, task, method = earlier_part(node["from"], earlier)
     answer = scalar(node["answer"]).text if "answer" in node else usual
@@ -56,4 +60,14 @@ def read_reference(node: MappingNode, usual: str, earlier: Earlier) -> Reference
         note = f"its answers are: {', '.join(given)}" + ("" if "answer" in node else "; name one by 'answer:'")
         at = node.get("answer") or node
         raise at.fault(message, suggestion=did_you_mean(answer, given), note=note)
-    return Reference(part, answer)
+    return Reference(part, answer, _number(node, item) if item else 0)
+
+
+def _number(node: MappingNode, item: str) -> int:
+    """Which one of a list, from 1."""
+    if item not in node:
+        return 1
+    text = scalar(node[item]).text
+    if not (text.isdecimal() and text.isascii() and 0 < len(text) < 4 and int(text)):
+        raise node[item].fault(f"'{item}' is a whole number from 1: the place in the list")
+    return int(text)

@@ -106,12 +106,20 @@ def _option(option: Option) -> Schema:
     """Return the schema of an option with its meaning and default."""
     schema = dict(option.kind.schema)
     if option.kind.referable:
-        schema = {"anyOf": [schema, {"$ref": "#/$defs/Reference"}]}
+        schema = {"anyOf": [schema, _reference(option.kind.item)]}
     of = f" (method {', '.join(option.methods)})" if option.methods else ""
     schema["description"] = option.doc + of
     if isinstance(option.default, (str, int, bool)):
         schema["default"] = option.default
     return schema
+
+
+def _reference(item: str) -> Schema:
+    """The answer of an earlier part; of a list the one whose number stands under the key `item`."""
+    if not item:
+        return {"$ref": "#/$defs/Reference"}
+    number = {"type": "integer", "minimum": 1, "description": "the place in the list"}
+    return {**REFERENCE, "properties": {**REFERENCE["properties"], item: number}}
 
 
 def _tidy(schema: Any) -> Any:

@@ -65,6 +65,11 @@ class Equations:
         """The name of the kind that words it."""
         return "equations"
 
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions of time: unknowns and inputs."""
+        return (*self.unknowns, *self.inputs)
+
     @cached_property
     def parameters(self) -> tuple[Symbol, ...]:
         """The free symbols but the functions of time and their derivatives, sorted by name."""

@@ -1,15 +1,16 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.modelling.branches import Move, NotSolvable, Roots
 from solver.exact.modelling.circuits import CircuitModel, Law, circuit_model, degenerate
 from solver.exact.modelling.collecting import collected, grouped
 from solver.exact.modelling.highest import are_linear_in, solved_linearly
+from solver.exact.modelling.linearized import NotDifferentiable, Partial, Quotient, condition_of, partials_at, put_in
 from solver.exact.modelling.manipulator import Manipulator, christoffel, manipulator_form
 from solver.exact.modelling.nodal import NodalModel, nodal_model
 from solver.exact.modelling.quotients import is_zero, jacobian, normal
+from solver.exact.modelling.roots_of_systems import real_solutions
 from solver.exact.modelling.time_derivatives import time_derivative
 from solver.exact.modelling.turns import Solved, Turn, solved_in_turn
-from solver.exact.modelling.branches import Move, NotSolvable, Roots
-from solver.exact.modelling.roots_of_systems import roots_of
 
 __all__ = [
     "CircuitModel",
@@ -17,7 +18,10 @@ __all__ = [
     "NodalModel",
     "Manipulator",
     "Move",
+    "NotDifferentiable",
     "NotSolvable",
+    "Partial",
+    "Quotient",
     "Roots",
     "Solved",
     "Turn",
@@ -25,6 +29,7 @@ __all__ = [
     "christoffel",
     "circuit_model",
     "collected",
+    "condition_of",
     "degenerate",
     "grouped",
     "is_zero",
@@ -32,7 +37,9 @@ __all__ = [
     "manipulator_form",
     "nodal_model",
     "normal",
-    "roots_of",
+    "partials_at",
+    "put_in",
+    "real_solutions",
     "solved_in_turn",
     "solved_linearly",
     "time_derivative",

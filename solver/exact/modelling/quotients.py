@@ -96,6 +96,8 @@ class Quotients:
         if len(p) < 2:
             return sp.S.One, p.as_expr(*self.variables)
         number, primitive = p.primitive()
+        if all(c < 0 for c in primitive.coeffs()):
+            number, primitive = -number, -primitive
         lowest = [min(powers) for powers in zip(*p.monoms(), strict=True)]
         monomial = self.R({tuple(lowest): self.R.domain.one})
         rest = primitive.exquo(monomial)

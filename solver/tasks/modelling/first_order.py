@@ -74,6 +74,13 @@ def first_order_of(model: Equations) -> Derivation[FirstOrder]:
     return found
 
 
+@lemma("first_order")
+def functions_of(found: FirstOrder) -> Derivation[None]:
+    """The right sides one above the other: f and h."""
+    f, h = (sp.ImmutableMatrix(list(each)) for each in (found.f, found.h))
+    yield Step("functions", unclaimed="the rows found above", f=f, h=h, X=found.X, discrete=found.model.discrete)
+
+
 def _check_inputs(found: FirstOrder) -> None:
     """Derivatives of inputs are taken into the states of linear equations only."""
     model = found.model

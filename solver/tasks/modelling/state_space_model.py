@@ -6,12 +6,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, state_equations
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Task, state_equations
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
-from solver.tasks.modelling.first_order import first_order_of, is_linear
+from solver.tasks.modelling.first_order import first_order_of, functions_of, is_linear
 from solver.tasks.modelling.linear_model import matrices_of
+from solver.tasks.modelling.questions import question_of
 from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
@@ -88,9 +89,8 @@ def by_highest_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> D
         named = {"A": plant.A, "B": plant.B, "C": plant.C, "D": plant.D}
         answers = Answers(**{name: M for name, M in named.items() if M is not None})
     else:
-        f, h = (sp.ImmutableMatrix(list(each)) for each in (found.f, found.h))
-        yield Step("functions", unclaimed="the rows found above", f=f, h=h, X=found.X, discrete=given.system.discrete)
-        answers = Answers(f=f, h=h)
+        yield from functions_of(found)
+        answers = Answers(**{name: sp.ImmutableMatrix(list(rows)) for name, rows in (("f", found.f), ("h", found.h))})
     if found.eliminated:
         answers["eliminated"] = dict(found.eliminated)
     return answers
@@ -99,7 +99,7 @@ def by_highest_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> D
 @state_space_model.verification("A", "B", "C", "D")
 def moves_as_the_equations_say(given: Given[Equations, StateSpaceModelOptions], answers: Answers) -> Iterable[Check]:
     """For random states and inputs the equations, transformed at a random s, have the solution of the model."""
-    question = _question(given.system)
+    question = question_of(given.system)
     found = {name: answers[name] for name in "ABCD" if name in answers}
     if not is_linear(given.system):
         for name in found:
@@ -113,7 +113,7 @@ def moves_as_the_equations_say(given: Given[Equations, StateSpaceModelOptions], 
 @state_space_model.verification("f", "h")
 def are_what_the_equations_say(given: Given[Equations, StateSpaceModelOptions], answers: Answers) -> Iterable[Check]:
     """At random states and inputs the equations, solved by Newton's method, have these derivatives and outputs."""
-    question = _question(given.system)
+    question = question_of(given.system)
     found = {name: list(answers[name]) for name in "fh" if name in answers}
     for name, label, residual in judges.function_residuals(question, found, discrete=given.system.discrete):
         near = 1e-6 if numeric.holds_decimals([question.equations, found]) else NEAR
@@ -123,7 +123,7 @@ def are_what_the_equations_say(given: Given[Equations, StateSpaceModelOptions], 
 @state_space_model.verification("eliminated")
 def hold_along_the_equations(given: Given[Equations, StateSpaceModelOptions], answers: Answers) -> Iterable[Check]:
     """Each eliminated unknown has the value that the equations give it."""
-    question, linear = _question(given.system), is_linear(given.system)
+    question, linear = question_of(given.system), is_linear(given.system)
     for name, value in dict(answers["eliminated"]).items():
         symbol = sp.Symbol(str(name), real=True)
         if linear:
@@ -133,16 +133,3 @@ def hold_along_the_equations(given: Given[Equations, StateSpaceModelOptions], an
         label = Phrase("${symbol}$ put into the equations", symbol=formula(symbol))
         near = 1e-8 if numeric.holds_decimals(value) else EXACT if linear else NEAR
         yield Check.within(label, "numpy.linalg.lstsq" if linear else NEWTON, residual, near)
-
-
-def _question(model: Equations) -> judges.Question:
-    """What is given, as the judges take it."""
-    sides = [left - right for left, right in model.sides]
-    orders = [k for _, k in model.jets.values()]
-    highest = max(orders, default=0) - min([0, *orders])
-    names = (*model.unknowns, *model.inputs)
-    below = {model.symbol((name, k)): (name, k) for name in names for k in range(highest + 1)}
-    jets = {**below, **model.jets}
-    return judges.Question(
-        sides, list(model.outputs), jets, model.unknowns, model.inputs, model.states, model.algebraic
-    )

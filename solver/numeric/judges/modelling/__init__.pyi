@@ -1,8 +1,9 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.modelling.circuits import frequencies_residual, state_residuals, transfer_residual
-from solver.numeric.judges.modelling.equations import Question, eliminated_residual, model_residuals
+from solver.numeric.judges.modelling.equations import Question, eliminated_residual, model_residuals, states_of
 from solver.numeric.judges.modelling.functions import function_residuals, value_residual
+from solver.numeric.judges.modelling.linearized import condition_residual, linear_residuals, shrinking
 from solver.numeric.judges.modelling.motion import (
     Balance,
     energy_of_motion_residual,
@@ -15,6 +16,7 @@ from solver.numeric.judges.modelling.points import missing, substitution_residua
 __all__ = [
     "Balance",
     "Question",
+    "condition_residual",
     "eliminated_residual",
     "energy_of_motion_residual",
     "energy_residual",
@@ -22,9 +24,12 @@ __all__ = [
     "form_residual",
     "frequencies_residual",
     "function_residuals",
+    "linear_residuals",
     "missing",
     "model_residuals",
+    "shrinking",
     "state_residuals",
+    "states_of",
     "substitution_residual",
     "transfer_residual",
     "value_residual",

@@ -6,8 +6,9 @@ derivatives: these are the Taylor coefficients along a motion, by Cauchy's formu
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import factorial
 from random import Random
 from typing import Any
@@ -24,6 +25,8 @@ Jet = tuple[str, int]
 Jets = dict[Jet, complex]
 RADIUS, SAMPLES = 0.01, 16
 """The circle on which derivatives along a motion are taken."""
+APART, TURNS = 1e-3, 6
+"""The circle on which differences are taken."""
 MOVE = 1e-6
 """How far a jet is moved for the slopes of Newton's method; their error only costs a step."""
 ITERATIONS, STARTS, NEAR = 40, 8, 1e-11
@@ -39,12 +42,24 @@ class JetEquations:
     point: Mapping[Any, complex]
     discrete: bool = False
 
-    def solved(self, given: Mapping[Jet, complex], random: Random) -> Jets | None:
-        """Return all jets where some are given; None where no values are found. What is not determined is anything."""
-        rows = [(e, by) for e in self.expressions for by in self._orders(e)]
-        wanted = sorted({jet for e, by in rows for jet in self._inside(e, by)} - set(given))
-        for _ in range(STARTS):
+    @cached_property
+    def _rows(self) -> list[tuple[Any, int]]:
+        """The equations, each with the derivatives (discrete: samples) of it that are used."""
+        return [(e, by) for e in self.expressions for by in self._orders(e)]
+
+    def _wanted(self, given: Iterable[Jet]) -> list[Jet]:
+        return sorted({jet for e, by in self._rows for jet in self._inside(e, by)} - set(given))
+
+    def solved(self, given: Mapping[Jet, complex], random: Random, near: Jets | None = None) -> Jets | None:
+        """Return all jets where some are given; None where no values are found. What is not determined is anything.
+
+        It is looked for `near` known values first.
+        """
+        rows, wanted = self._rows, self._wanted(given)
+        for turn in range(STARTS):
             start = np.array([random.uniform(-1.0, 1.0) for _ in wanted], dtype=complex)
+            if near is not None and turn == 0:
+                start = np.array([near.get(jet, 0.0) for jet in wanted], dtype=complex)
             try:
                 found = self._newton(rows, given, wanted, start)
             except Undefined:
@@ -56,6 +71,32 @@ class JetEquations:
     def values(self, expressions: Sequence[Any], at: Mapping[Jet, complex]) -> Array:
         """Return the values of expressions in the jets; nan where one is not known."""
         return np.array([self._row(e, 0, {k: np.array([v]) for k, v in at.items()})[0] for e in expressions])
+
+    def slopes(self, jets: Jets, given: Sequence[Jet], others: Sequence[Jet]) -> dict[Jet, Array] | None:
+        """Return how each jet moves with each of the given ones, by differences around values that satisfy all.
+
+        The `others` are given too, and kept. None where the equations are not defined around there.
+        """
+        wanted = self._wanted([*given, *others])
+        moved = [*wanted, *given]
+        try:
+            slopes = self.differences([(e, by) for e, by in self._rows], jets, moved)
+        except Undefined:
+            return None
+        n = len(wanted)
+        solved = np.linalg.lstsq(slopes[:, :n], -slopes[:, n:], rcond=1e-12)[0] if n else np.zeros((0, len(given)))
+        return {**dict(zip(wanted, solved, strict=True)), **dict(zip(given, np.eye(len(given)), strict=True))}
+
+    def differences(self, rows: Sequence[tuple[Any, int]], jets: Jets, moved: Sequence[Jet]) -> Array:
+        """Return the partial derivatives of expressions, each with how often it is differentiated, by differences."""
+        turns = APART * np.exp(2j * np.pi * np.arange(TURNS) / TURNS)
+        count = TURNS * len(moved)
+        at = {jet: np.full(count, value, dtype=complex) for jet, value in jets.items()}
+        for j, jet in enumerate(moved):
+            at[jet][TURNS * j : TURNS * (j + 1)] += turns
+        values = np.array([self._row(e, by, at) for e, by in rows]).reshape(len(rows), len(moved), TURNS)
+        found: Array = np.mean(values / turns, axis=2)
+        return found
 
     def _orders(self, expression: Any) -> range:
         """How often an equation is differentiated: not at all, or as often as any unknown if no derivative is in it.

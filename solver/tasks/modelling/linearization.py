@@ -1,0 +1,196 @@
+"""The linear model of a system about a point of equilibrium, by the Jacobians of f and h."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Options,
+    Step,
+    Task,
+    Unsolved,
+    option,
+)
+from solver.derivation.answer_equations import AnswerEquations, Equation
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.numeric.judges import modelling as judges
+from solver.options.point import PointOf
+from solver.stated.calculus import partial_derivative, value_at
+from solver.tasks.modelling.first_order import first_order_of, functions_of
+from solver.tasks.modelling.operating_point import OperatingPoint, operating_point_of, point_of
+from solver.tasks.modelling.questions import question_of
+from solver.words import Phrase
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+    from solver.systems import Equations
+
+
+@dataclass(frozen=True, kw_only=True)
+class LinearizationOptions(Options):
+    """The point."""
+
+    at: Mapping[Symbol, Any] | None = option(
+        PointOf(),
+        "the point: values of states and inputs; a name not given stands for its own value there",
+        answer="points",
+    )
+
+
+NEWTON = "Newton's method and differences"
+linearization: Task[Equations, LinearizationOptions] = Task(
+    "linearization",
+    title="Linearization",
+    doc="The linear model for small deviations from an equilibrium.",
+    needs=("equations",),
+    options=LinearizationOptions,
+    example={"equations": "[\"x'' = sin(x) + u\"]", "at": "{x: 0}"},
+    answers=[
+        AnswerName("A", "A", "∂f/∂x at the point, n×n", earned=("entries",)),
+        AnswerName("B", "B", "∂f/∂u at the point, n×m", optional=True, principal=True),
+        AnswerName("C", "C", "∂h/∂x at the point, p×n"),
+        AnswerName("D", "D", "∂h/∂u at the point, p×m", optional=True, principal=True),
+        AnswerName("conditions", r"\text{conditions}", "what must hold for the point to be an equilibrium",
+                   optional=True),
+    ],
+)  # fmt: skip
+linearization.together(
+    AnswerEquations(
+        "the linear model",
+        (
+            Equation(r"\Delta x", (("A", r"\Delta x"), ("B", r"\Delta u")), motion=True),
+            Equation(r"\Delta y", (("C", r"\Delta x"), ("D", r"\Delta u"))),
+        ),
+        ("A", "B", "C", "D"),
+    )
+)
+
+
+@linearization.method(source="Ogata, Modern Control Engineering, §2–7")
+def by_jacobians(given: Given[Equations, LinearizationOptions]) -> Derivation[Answers]:
+    """Δx' = A Δx + B Δu with the partial derivatives of f and h, each taken and then evaluated at the point."""
+    found = yield from first_order_of(given.system)
+    yield from functions_of(found)
+    point = yield from operating_point_of(found, given.options.at or {})
+    variables, values = [*found.X, *found.U], point.values
+    try:
+        quotients, rows = exact.partials_at([*found.f, *found.h], variables, values)
+    except exact.NotDifferentiable:
+        raise Unsolved("linearization/undefined", values=list(values.items())) from None
+    yield _entries(quotients, rows, variables, values, len(found.f))
+    n, m = len(found.X), len(found.U)
+    J = sp.ImmutableMatrix(len(rows), n + m, [each.value for row in rows for each in row])
+    A, B, C, D = (J[:n, :n], J[:n, n:] if m else None, J[n:, :n], J[n:, n:] if m else None)
+    yield Step("matrices", unclaimed="the entries found above", A=A, B=B, C=C, D=D, discrete=found.model.discrete)
+    named = {"A": A, "B": B, "C": C, "D": D}
+    answers = Answers(**{name: M for name, M in named.items() if M is not None})
+    if point.conditions:
+        answers["conditions"] = list(point.conditions)
+    return answers
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A partial derivative as it is shown: of the function `name` (f or h with its row), at a place of a matrix."""
+
+    name: str
+    variable: Symbol
+    place: str
+    partial: exact.Partial
+    function: Expr
+
+
+def _entries(
+    quotients: Sequence[exact.Quotient],
+    rows: Sequence[Sequence[exact.Partial]],
+    variables: Sequence[Symbol],
+    values: Mapping[Symbol, Expr],
+    n: int,
+) -> Step:
+    """The partial derivatives that are not seen at once, with their values at the point."""
+    shown, claims, split = [], {}, []
+    for i, (quotient, row) in enumerate(zip(quotients, rows, strict=True)):
+        name, number, letters = ("f", i + 1, "ab") if i < n else ("h", i - n + 1, "cd")
+        if quotient.function in variables:
+            continue
+        taken = list(_of_row(quotient, row, variables, (name, number, letters, n)))
+        if any(each.partial.of_numerator for each in taken):
+            split.append((f"{name}_{{{number}}}", number))
+        shown += taken
+        for each in taken:
+            part, x = each.partial, each.variable
+            says = Phrase("the partial derivative of row {i}", i=number)
+            claims[f"partial_{each.place}"] = Claim(partial_derivative(each.function, x), part.formula, says)
+            at = partial_derivative(quotient.function, x)
+            claims[f"value_{each.place}"] = Claim(_at(at, quotient.function, values), part.value, says)
+    return Step("entries", claims=claims, unclaimed="" if claims else "every entry is seen at once", shown=shown,
+                split=split, values=list(values.items()))  # fmt: skip
+
+
+def _of_row(
+    quotient: exact.Quotient,
+    row: Sequence[exact.Partial],
+    variables: Sequence[Symbol],
+    named: tuple[str, int, str, int],
+) -> Iterator[Entry]:
+    name, number, letters, n = named
+    for j, (x, partial) in enumerate(zip(variables, row, strict=True)):
+        if partial.formula != 0:
+            letter, column = (letters[0], j + 1) if j < n else (letters[1], j - n + 1)
+            function = quotient.numerator if partial.of_numerator else quotient.function
+            yield Entry(f"{name}_{{{number}}}", x, f"{letter}_{{{number}{column}}}", partial, function)
+
+
+def _at(stated: Any, function: Expr, values: Mapping[Symbol, Expr]) -> Any:
+    for symbol, value in values.items():
+        if symbol != value and function.has(symbol):
+            stated = value_at(stated, symbol, value)
+    return stated
+
+
+NEAR = 1e-7
+"""What differences leave of a derivative."""
+QUADRATIC = 0.35
+"""An error that shrinks with the square of the deviation is a quarter where that is halved."""
+
+
+@linearization.verification("A", "B", "C", "D")
+def are_differences_of_the_equations(
+    given: Given[Equations, LinearizationOptions], answers: Answers
+) -> Iterable[Check]:
+    """Differences of the equations themselves around the point, and the motions from a small deviation."""
+    model, point = given.system, _point(given)
+    question, values = question_of(model), point.values
+    found = {name: answers[name] for name in "ABCD" if name in answers}
+    for name, label, residual in judges.linear_residuals(question, values, found, discrete=model.discrete):
+        near = 1e-5 if numeric.holds_decimals([question.equations, found]) else NEAR
+        yield Check.within(label, NEWTON, residual, near, answer=name)
+    if "A" in found:
+        shrunk = judges.shrinking(question, values, found["A"], discrete=model.discrete)
+        label = "the error of the linear motion where the deviation is halved"
+        if shrunk is not None:
+            yield Check.within(label, "scipy.integrate.solve_ivp", shrunk, QUADRATIC, answer="A")
+
+
+@linearization.verification("conditions")
+def hold_at_rest(given: Given[Equations, LinearizationOptions], answers: Answers) -> Iterable[Check]:
+    """Where the equations are at rest, the conditions hold."""
+    values, conditions = _point(given).values, list(answers["conditions"])
+    residual = judges.condition_residual(question_of(given.system), values, conditions, discrete=given.system.discrete)
+    yield Check.within("the conditions at points of rest", NEWTON, residual, NEAR)
+
+
+def _point(given: Given[Equations, LinearizationOptions]) -> OperatingPoint:
+    """The point as the question gives it."""
+    model = given.system
+    return point_of(model, judges.states_of(question_of(model)), given.options.at or {})
