@@ -89,6 +89,8 @@ def _names(values: Iterable[Any]) -> Iterator[str]:
     for value in values:
         if isinstance(value, list | tuple):
             yield from _names(value)
+        elif isinstance(value, Mapping):
+            yield from _names([*value, *value.values()])
         elif isinstance(value, Stated):
             yield from _names(value.operands)
         elif isinstance(value, sp.Basic | sp.MatrixBase):

@@ -47,23 +47,12 @@ class Unknowns(OptionKind["tuple[Symbol, ...]"]):
         found: list[Any] = []
         for item in items:
             with report:
-                symbol = (_jet if self.dynamic else _symbol)(scalar(item), context)
+                symbol = _jet(scalar(item), context) if self.dynamic else context.symbol(scalar(item))
                 if symbol in found:
                     raise item.fault(f"'{scalar(item).text[:40]}' is given twice")
                 found.append(symbol)
         report.conclude()
         return tuple(found)
-
-
-def _symbol(node: ScalarNode, context: Context) -> Any:
-    """A name with what is assumed of it."""
-    lexicon = context.lexicon
-    if node.text in lexicon.values:
-        raise node.fault(f"'{node.text[:40]}' has a value in 'parameters'")
-    value = context.expression(node)
-    if not value.is_Symbol:
-        raise node.fault("the name of an unknown is expected here")
-    return value
 
 
 def _jet(node: ScalarNode, context: Context) -> Any:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from solver.derivation import Task
 from solver.problem.equations import EquationReader
-from solver.problem.lexicon import BARRED, Lexicon
+from solver.problem.lexicon import BARRED, Lexicon, name_of
 from solver.problem.matrices import expect_shape, is_flat, read_matrix
 from solver.problem.nodes import Node, ScalarNode
 from solver.problem.poles import read_conjugate_list
@@ -72,10 +72,18 @@ class Context:
         """Return a function of time and the order of its derivative (samples ahead); raises Fault."""
         return EquationReader(self.lexicon, discrete=self.discrete).jet(node)
 
-    def relation(self, node: ScalarNode) -> tuple[sp.Expr, sp.Expr]:
+    def symbol(self, node: ScalarNode) -> sp.Symbol:
+        """Return the symbol of a name that has no value, with what is assumed of it; raises Fault."""
+        name = name_of(node)
+        if name in self.lexicon.values:
+            raise node.fault(f"'{name[:40]}' has a value in 'parameters'")
+        found: sp.Symbol = self.lexicon.symbols.get(name, sp.Symbol(name, real=True))
+        return found
+
+    def relation(self, node: ScalarNode) -> tuple[Any, Any]:
         """Return left and right side of an equation between expressions, or an expression and zero; raises Fault."""
-        left, right, _ = EquationReader(self.lexicon, discrete=False).relation(node, ())
-        return left, right
+        sides: tuple[Any, ...] = EquationReader(self.lexicon, discrete=False).relation(node, ())
+        return sides[0], sides[1]
 
     def conjugate_list(self, node: Node) -> tuple[sp.Expr, ...]:
         """Return complex numbers closed under conjugation; raises Fault."""

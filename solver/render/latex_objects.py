@@ -188,6 +188,19 @@ class ObjectPrinter:
 
     _print_tuple = _print_Tuple = _print_list
 
+    def _print_dict(self, expr: Any) -> Row:
+        """Names with their values, in their order; an unknown that is its own value may have any."""
+        shown = [self._named_value(name, value) for name, value in expr.items()]
+        body = separated(shown, COMMA, Space(r"\;"))
+        return row(Fenced(r"\{", body, r"\}", tall=any(isinstance(each, Fraction) for each in walk(body))))
+
+    _print_Dict = _print_dict
+
+    def _named_value(self, name: Any, value: Any) -> Row:
+        if isinstance(name, str):
+            return row(self._print(name), Text(": "), self._print(value))
+        return row(self._print(name), *((Text(" free"),) if name == value else (Operator("="), self._print(value))))
+
     def _print_FiniteSet(self, expr: Any) -> Row:
         return self._print_list(sorted(expr.args, key=sp.default_sort_key))
 

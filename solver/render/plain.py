@@ -38,6 +38,8 @@ def _data(value: Any) -> Any:
     """Return floats and tuples as sympy has them; the numbers in lists too."""
     if isinstance(value, list | tuple):
         return [_data(item) for item in value]
+    if isinstance(value, dict):
+        return {name: _data(item) for name, item in value.items()}
     if isinstance(value, float):
         return sp.Float(value, DIGITS)
     return value
@@ -91,6 +93,10 @@ class _Printer(StrPrinter):
     def _print_list(self, expr: Any) -> str:
         """Words in a list have quotes, or the list could not be read."""
         return f"[{', '.join(repr(item) if isinstance(item, str) else self._print(item) for item in expr)}]"
+
+    def _print_dict(self, expr: Any) -> str:
+        """Names with their values, in their order."""
+        return f"{{{', '.join(f'{self._print(name)}: {self._print(value)}' for name, value in expr.items())}}}"
 
     def _print_Stated(self, expr: Stated) -> str:
         return f"{expr.operation}({', '.join(self._print(operand) for operand in expr.operands)})"

@@ -75,6 +75,7 @@ def _monotone(name: str) -> Callable[[Any, Any], Any]:
 
 CONSTANTS: dict[Any, Evaluator] = {
     sp.pi: lambda ctx, _values: +ctx.pi,
+    sp.I: lambda ctx, _values: ctx.mpc(0, 1),
     sp.E: lambda ctx, _values: ctx.exp(ctx.mpf(1)),
 }
 FUNCTIONS: dict[str, Callable[..., Any]] = {
@@ -134,9 +135,11 @@ def number_of(expression: Any, digits: int = DIGITS) -> Any:
         return evaluator(expression, [])(mpmath.mp, [])
 
 
-def decimal(value: Any, digits: int = DIGITS) -> sp.Float:
-    """Return a number of mpmath as a decimal."""
-    return sp.Float(value, digits)
+def decimal(value: Any, digits: int = DIGITS) -> Any:
+    """Return a number of mpmath as a decimal; zero where 60 digits leave nothing else."""
+    if isinstance(value, mpmath.mpc):
+        return decimal(value.real, digits) + decimal(value.imag, digits) * sp.I
+    return sp.Float(value, digits) if abs(value) > SMALL else sp.S.Zero
 
 
 def sign_of(expression: Any) -> int | None:

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from solver.exact.modelling.evaluation import is_not_negative, sign_of
 from solver.exact.modelling.quotients import quotients_in
 
 
@@ -76,3 +77,17 @@ def generators(expression: Any, unknowns: set[Any]) -> list[Any]:
     """Return the symbols and functions with unknowns in them of which a polynomial is made."""
     return [g for g in quotients_in([expression]).variables if g.free_symbols & unknowns
             and expression.has(g)]  # fmt: skip
+
+
+def without_known_signs(value: Any) -> Any:
+    """Return an expression of the same sign, without the factors whose signs are known."""
+    parts = factored(value)
+    below = factored(parts.divisor)
+    sign, left = sign_of(parts.constant) or 1, []
+    for f, power in (*zip(parts.factors, parts.powers, strict=True), *zip(below.factors, below.powers, strict=True)):
+        known = sign_of(f)
+        if power % 2 and known is None and not is_not_negative(f):
+            left.append(f)
+        elif power % 2 and known == -1:
+            sign = -sign
+    return sign * sp.Mul(*left)

@@ -204,4 +204,9 @@ def _height(value: Any) -> Any:
     symbols = sorted(value.free_symbols, key=str)
     with mpmath.workdps(DIGITS):
         found = evaluator(value, symbols)(mpmath.mp, random_values(symbols, 0))
-        return round(mpmath.re(found), 30) if mpmath.isfinite(found) else mpmath.inf
+        finite = mpmath.isfinite(found)
+        return (
+            tuple(mpmath.nint(part * 10**30) for part in (mpmath.re(found), mpmath.im(found)))
+            if finite
+            else (mpmath.inf,)
+        )

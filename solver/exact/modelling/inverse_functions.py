@@ -8,6 +8,7 @@ import sympy as sp
 
 from solver.exact.modelling.branches import Outcome, toward
 from solver.exact.modelling.evaluation import is_not_negative, sign_of
+from solver.exact.modelling.factors_of_equations import without_known_signs
 
 
 def inverted(function: Any, value: Any, n: sp.Symbol) -> list[Outcome] | None:
@@ -62,7 +63,8 @@ def _where_positive(value: Any, *, zero: bool = False) -> tuple[bool, tuple[Any,
         return False, ()
     if sign is not None or (zero and is_not_negative(value)):
         return True, ()
-    return True, (sp.Ge(value, 0) if zero else sp.Gt(value, 0),)
+    left = without_known_signs(value)
+    return True, (sp.Ge(left, 0) if zero else sp.Gt(left, 0),)
 
 
 def _exponential(x: Any, value: Any, _n: sp.Symbol) -> list[Outcome]:

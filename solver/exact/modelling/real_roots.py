@@ -8,10 +8,35 @@ import mpmath
 import sympy as sp
 
 from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, is_not_negative, sign_of
+from solver.exact.modelling.factors_of_equations import without_known_signs
 from solver.exact.modelling.quotients import Quotients, quotients_in
 
 Root = tuple[Any, tuple[Any, ...]]
 """A root and the conditions on parameters under which it is real."""
+
+
+def complex_roots(coefficients: list[Any]) -> list[Root] | None:
+    """Return the different roots, also complex ones; None where they can't be told."""
+    n = len(coefficients) - 1
+    if n == 1:
+        return real_roots(coefficients)
+    if n == 2:
+        a, b, c = coefficients
+        D = sp.expand(b**2 - 4 * a * c)
+        middle = quotient(-b, 2 * a)
+        if sign_of(D) == 0:
+            return [(middle, ())]
+        half = square_root(-D) * sp.I if sign_of(D) == -1 else square_root(D)
+        return [(middle + s * half / (2 * a), ()) for s in (-1, 1)]
+    if any(c.free_symbols for c in coefficients):
+        return None
+    if not all(c.is_Rational for c in coefficients):
+        return [(root, ()) for root in _numerical(coefficients, real=False)]
+    found: list[Root] = []
+    for factor, _ in sp.Poly(coefficients, sp.Dummy(), domain=sp.QQ).factor_list()[1]:
+        own = factor.all_coeffs()
+        found += complex_roots(own) or [] if len(own) <= 3 else [(root, ()) for root in _numerical(own, real=False)]
+    return found
 
 
 def real_roots(coefficients: list[Any]) -> list[Root] | None:
@@ -63,7 +88,7 @@ def _quadratic(a: Any, b: Any, c: Any) -> list[Root]:
     if sign == 0:
         return [(quotient(-b, 2 * a), ())]
     root = square_root(D)
-    needs = () if is_not_negative(D) else (sp.Ge(D, 0),)
+    needs = () if is_not_negative(D) else (sp.Ge(without_known_signs(D), 0),)
     middle, half = quotient(-b, 2 * a), root / (2 * a)
     return [(middle + s * half, needs) for s in (-1, 1)]
 
@@ -75,7 +100,7 @@ def _roots_of_square(square: Any, needs: tuple[Any, ...]) -> list[Root]:
         return [(sp.S.Zero, needs)]
     if sign == -1:
         return []
-    more = () if is_not_negative(square) else (sp.Ge(square, 0),)
+    more = () if is_not_negative(square) else (sp.Ge(without_known_signs(square), 0),)
     root = square_root(square)
     return [(s * root, (*needs, *more)) for s in (-1, 1)]
 
@@ -106,7 +131,7 @@ def _pure(a: Any, c: Any, n: int) -> list[Root]:
         return [(sign * (sign * value) ** sp.Rational(1, n), ())]
     if sign == -1:
         return []
-    needs = () if is_not_negative(value) else (sp.Ge(value, 0),)
+    needs = () if is_not_negative(value) else (sp.Ge(without_known_signs(value), 0),)
     root = value ** sp.Rational(1, n)
     return [(-root, needs), (root, needs)]
 
@@ -127,11 +152,17 @@ def _decimals(coefficients: list[Any]) -> list[Root]:
     return found
 
 
-def _numerical(coefficients: list[Any]) -> list[Any]:
+def _numerical(coefficients: list[Any], *, real: bool = True) -> list[Any]:
     with mpmath.workdps(DIGITS + 20):
         values = [evaluator(c, [])(mpmath.mp, []) for c in coefficients]
         roots = mpmath.polyroots(values, maxsteps=400, extraprec=400)
         tiny = mpmath.mpf(10) ** -(DIGITS // 2)
-        real = sorted(mpmath.re(r) for r in roots if abs(mpmath.im(r)) <= tiny * (1 + abs(r)))
-        apart = [r for i, r in enumerate(real) if not i or abs(r - real[i - 1]) > tiny * (1 + abs(r))]
-        return [decimal(r) for r in apart]
+        every = sorted(((mpmath.re(r), mpmath.im(r)) for r in roots), key=lambda r: (r[0], r[1]))
+        every = [(re, im if abs(im) > tiny * (1 + abs(re)) else mpmath.mpf(0)) for re, im in every]
+        every = [each for each in every if not real or not each[1]]
+        apart = [r for i, r in enumerate(every) if not any(_near(r, other, tiny) for other in every[:i])]
+        return [decimal(re) + decimal(im) * sp.I if im else decimal(re) for re, im in apart]
+
+
+def _near(a: Any, b: Any, tiny: Any) -> bool:
+    return bool(abs(a[0] - b[0]) + abs(a[1] - b[1]) <= tiny * (1 + abs(a[0]) + abs(a[1])))

@@ -17,7 +17,7 @@ from sympy.polys.orderings import lex
 from sympy.polys.rings import ring
 
 from solver.exact.modelling.branches import Box, Branch, Move, NotSolvable, Outcome, Point, Roots, integer_names
-from solver.exact.modelling.evaluation import DIGITS, SMALL, evaluator, vanishes
+from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, vanishes
 from solver.exact.modelling.factors_of_equations import factored
 from solver.exact.modelling.families import family, in_order, put_together
 from solver.exact.modelling.rules_of_equations import CIRCLE, CURVE, DIVISION, Rule, rule_for
@@ -35,7 +35,7 @@ MAX_SEARCHED = 4
 """The most unknowns that are searched for together."""
 
 
-def roots_of(
+def real_solutions(
     equations: Sequence[Any], unknowns: Sequence[sp.Symbol], between: Box | None = None, taken: Iterable[str] = (),
     wanted: Sequence[sp.Symbol] | None = None, known: Point | None = None,
 ) -> Roots:  # fmt: skip
@@ -274,8 +274,7 @@ def _settled(value: Any) -> Any:
     """Decimals as they are given."""
     if value.has(sp.Float) and not value.free_symbols:
         with mpmath.workdps(DIGITS):
-            number = evaluator(value, [])(mpmath.mp, [])
-            return sp.Float(number, SHOWN) if abs(number) > SMALL else sp.S.Zero
+            return decimal(evaluator(value, [])(mpmath.mp, []), SHOWN)
     return value.xreplace({f: sp.Float(f, SHOWN) for f in value.atoms(sp.Float)} | _turned(value))
 
 

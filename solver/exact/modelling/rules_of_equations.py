@@ -15,7 +15,7 @@ from solver.exact.modelling.branches import Outcome, toward
 from solver.exact.modelling.evaluation import sign_of, vanishes
 from solver.exact.modelling.factors_of_equations import factored, generators
 from solver.exact.modelling.inverse_functions import inverted, sine_is
-from solver.exact.modelling.real_roots import quotient, real_roots, square_root
+from solver.exact.modelling.real_roots import complex_roots, quotient, real_roots, square_root
 
 VALUE, RELATION, INVERSE, QUADRATIC, WAVE, POLYNOMIAL, DIVISION, CIRCLE, CURVE = range(9)
 
@@ -106,7 +106,7 @@ def _one_generator(p: Any, unknowns: set[Any], n: sp.Symbol) -> Iterator[Rule]:
     coefficients = _coefficients(p, g)
     if coefficients is None or any(c.free_symbols & unknowns for c in coefficients):
         return
-    roots = real_roots(coefficients)
+    roots = (real_roots if g.is_real is not None or not g.is_Symbol else complex_roots)(coefficients)
     if roots is None:
         return
     lead = coefficients[0]

@@ -31,7 +31,7 @@ def solutions_of(
     Raises Unsolved.
     """
     try:
-        found = exact.roots_of(equations, unknowns, between, taken, told, dict(known))
+        found = exact.real_solutions(equations, unknowns, between, taken, told, dict(known))
     except exact.NotSolvable as refusal:
         raise Unsolved(f"solutions/{refusal.kind}", **refusal.values) from None
     moves = list(found.moves)
@@ -101,15 +101,21 @@ def _claims(kind: str, values: Mapping[str, Any], outcomes: Sequence[Any]) -> It
     if kind in ("linear", "roots", "values_of", "division"):
         for i, outcome in enumerate(outcomes, 1):
             put = {a: b for a, b in outcome.shown if b != 0 or kind != "division"}
-            if kind != "division" or outcome.put:
+            decimals = any(value.has(sp.Float) for value in put.values())
+            if not decimals and (kind != "division" or outcome.put):
                 yield f"solved{i}", Claim(values["factor"].xreplace(put), sp.Integer(0), "put into the equation")
     if kind == "wave":
         x = sp.Symbol("x", real=True)
         a, b, R, phase = (values[name] for name in ("a", "b", "amplitude", "phase"))
         yield "wave", Claim(a * sp.sin(x) + b * sp.cos(x), R * sp.sin(x + phase), "one sine with a phase")
-    if kind in ("inverse", "wave", "tangent", "circle"):
+    if kind == "inverse":
+        yield "function", Claim(values["factor"].xreplace({values["of"]: values["value"]}), sp.Integer(0),
+                                "the value of the function put into the equation")  # fmt: skip
+    if kind in ("inverse", "wave", "tangent", "circle") and not (kind == "inverse" and values["of"].is_Pow):
         for i, outcome in enumerate(outcomes, 1):
             ((argument, value),) = outcome.shown
+            if value.has(sp.Float):
+                continue
             put = _in_place(values["factor"], argument, value)
             yield f"solved{i}", Claim(put, sp.Integer(0), "put into the equation")
 

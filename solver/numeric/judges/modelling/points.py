@@ -18,6 +18,7 @@ from solver.numeric.evaluation.values import NotEvaluable
 DIGITS = 30
 TRIALS = 3
 DRAWS = 24
+WHOLE = 6
 STARTS = 240
 STEPS = 60
 REACH = 12
@@ -41,14 +42,36 @@ def substitution_residual(
     source = PointSource([*parameters, *_symbols_of(point, parameters)])
     for _ in range(DRAWS):
         try:
-            numbers = {s: _number(s, v, whole) for s, v in source.draw().items()}
+            drawn = source.draw()
         except NotEvaluable:
             break
-        at = {x: v.xreplace(numbers) for x, v in point.items()}
-        found.append(max((_misfit(e, {**numbers, **at}) for e in equations), default=0.0))
+        residuals = [_at(equations, point, numbers) for numbers in _numbers(drawn, whole)]
+        found.append(max((each for each in residuals if each is not None), default=np.inf))
         if not source.symbols or sum(each < 1e-20 for each in found) == TRIALS:
             break
     return sorted(found)[min(TRIALS, len(found)) - 1] if found else np.inf
+
+
+def _numbers(drawn: Mapping[Any, Any], whole: Random) -> Iterator[dict[Any, Any]]:
+    """Numbers for all symbols: whole numbers of every parity beside the others as they are drawn."""
+    integers = [s for s in drawn if s.is_integer]
+    for i in range(WHOLE if integers else 1):
+        own = {s: sp.Integer(i if j == 0 and i < 2 else whole.randint(-7, 7)) for j, s in enumerate(integers)}
+        yield {s: own[s] if s in own else _number(v) for s, v in drawn.items()}
+
+
+def _at(equations: Sequence[Any], point: Point, numbers: Mapping[Any, Any]) -> float | None:
+    """The worst residual with these numbers; infinite where a value is not what is assumed of its unknown.
+
+    None where an equation is not defined there, as sin(x)/x is not at 0.
+    """
+    at = {x: v.xreplace(dict(numbers)) for x, v in point.items()}
+    if not all(map(_is_allowed, at, at.values())):
+        return np.inf
+    found = [_misfit(e, {**numbers, **at}) for e in equations]
+    return (
+        None if any(each is None for each in found) else max((each for each in found if each is not None), default=0.0)
+    )
 
 
 def _best_of_hidden(equations: Sequence[Any], point: Point, parameters: Sequence[Any], hidden: Sequence[Any]) -> float:
@@ -57,13 +80,14 @@ def _best_of_hidden(equations: Sequence[Any], point: Point, parameters: Sequence
     found = []
     for _ in range(DRAWS):
         try:
-            numbers = {s: _number(s, v, whole) for s, v in source.draw().items()}
+            (numbers, *_) = _numbers(source.draw(), whole)
         except NotEvaluable:
             break
         at = {**numbers, **{x: v.xreplace(numbers) for x, v in point.items()}}
         real = [e.xreplace(at) for e in equations]
         left = [e for e in real if e.free_symbols & set(hidden)]
-        fixed = max((_misfit(e, {}) for e in real if not e.free_symbols), default=0.0)
+        misfits = [_misfit(e, {}) for e in real if not e.free_symbols]
+        fixed = max((np.inf if each is None else each for each in misfits), default=0.0)
         solved = (
             bool(len(_solutions(left, [x for x in hidden if any(e.has(x) for e in left)], {}, 1e9))) if left else True
         )
@@ -78,19 +102,29 @@ def _symbols_of(point: Point, known: Sequence[Any]) -> list[Any]:
     return sorted(inside - set(known), key=str)
 
 
-def _number(symbol: Any, value: Any, whole: Random) -> Any:
-    if symbol.is_integer:
-        return sp.Integer(whole.randint(-7, 7))
+def _number(value: Any) -> Any:
     return sp.Rational(value.real if isinstance(value, complex) else value)
 
 
-def _misfit(equation: Any, numbers: Mapping[Any, Any]) -> float:
+def _is_allowed(unknown: Any, value: Any) -> bool:
+    """Whether a number is what is assumed of the unknown: real, of a sign."""
+    number = value.evalf(DIGITS, maxn=200)
+    if not number.is_number:
+        return False
+    real, imaginary = number.as_real_imag()
+    if unknown.is_real is None:
+        return True
+    signs = not (unknown.is_positive and real <= 0) and not (unknown.is_negative and real >= 0)
+    return bool(abs(imaginary) <= abs(real) * sp.Float(10) ** -20 + sp.Float(10) ** -20 and signs)
+
+
+def _misfit(equation: Any, numbers: Mapping[Any, Any]) -> float | None:
     terms = [_evaluated(term, numbers) for term in sp.Add.make_args(equation)]
-    if any(term is None for term in terms):
-        return np.inf
     whole = _evaluated(equation, numbers)
+    if whole is None or any(term is None for term in terms):
+        return None
     size = max([1.0, *(abs(complex(term)) for term in terms)])
-    return float(abs(complex(whole)) / size) if whole is not None else np.inf
+    return float(abs(complex(whole)) / size)
 
 
 def _evaluated(expression: Any, numbers: Mapping[Any, Any]) -> Any:
@@ -107,14 +141,14 @@ def missing(
     points: Sequence[Point],
     between: Mapping[Any, tuple[Any, Any]],
     hidden: Sequence[Any] = (),
-) -> list[dict[Any, float]]:
+) -> list[dict[Any, Any]]:
     """Return real solutions that Newton's method finds from many starting points, and that are none of the points.
 
     They are searched between the limits given for an unknown, else within ±12; `hidden` are unknowns of the equations
     that points do not tell.
     """
     every = [*unknowns, *hidden]
-    lost: list[dict[Any, float]] = []
+    lost: list[dict[Any, Any]] = []
     for numbers in _draws(equations, every):
         real = [e.xreplace(numbers) for e in equations]
         solutions = _solutions(real, every, between)
@@ -122,7 +156,7 @@ def missing(
         for at in solutions:
             told = at[: len(unknowns)]
             if not any(each.holds(told) for each in own):
-                lost.append(dict(zip(unknowns, map(float, told), strict=True)))
+                lost.append(dict(zip(unknowns, told.tolist(), strict=True)))
         if lost:
             break
     return lost
@@ -148,6 +182,8 @@ def _solutions(
         np.array([float(between[x][i]) if x in between else (-1) ** (i + 1) * reach for x in unknowns]) for i in (0, 1)
     )
     X = _starts(low, high)
+    if any(x.is_real is None for x in unknowns):
+        X = X + 1j * _starts(low, high)[::-1] * np.array([x.is_real is None for x in unknowns])
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
             at = dict(zip(unknowns, X.T, strict=True))
@@ -162,7 +198,9 @@ def _solutions(
         at = dict(zip(unknowns, X.T, strict=True))
         F = _values(values, at, len(X))
         size = np.maximum(1.0, _sizes(equations, at, len(X)))
-        inside = ((low <= X) & (high >= X)).all(axis=1) if len(X) else np.zeros(0, bool)
+        inside = ((low <= X.real) & (high >= X.real)).all(axis=1) if len(X) else np.zeros(0, bool)
+        for i, x in enumerate(unknowns if len(X) else ()):
+            inside &= (X[:, i].real > 0) if x.is_positive else (X[:, i].real < 0) if x.is_negative else True
         return X[(np.abs(F) <= 1e-10 * size).all(axis=1) & inside] if len(X) else X
 
 
@@ -194,6 +232,7 @@ class _Family:
 
     def __init__(self, point: Point, unknowns: Sequence[Any], numbers: Mapping[Any, Any]) -> None:
         self.unknowns = unknowns
+        self.is_complex = any(x.is_real is None for x in unknowns)
         self.values = [point[x].xreplace(dict(numbers)) for x in unknowns]
         inside = {s for v in self.values for s in v.free_symbols}
         self.integers = sorted(inside - set(unknowns), key=str)
@@ -201,7 +240,7 @@ class _Family:
 
     def holds(self, at: Vectors) -> bool:
         """Whether a solution is one of the family."""
-        own = dict(zip(self.unknowns, map(float, at), strict=True))
+        own = dict(zip(self.unknowns, at.tolist(), strict=True))
         zero = self._at({**own, **dict.fromkeys(self.integers, 0.0)})
         if zero is None:
             return False
@@ -209,8 +248,8 @@ class _Family:
             columns = [self._at({**own, **dict.fromkeys(self.integers, 0.0), n: 2.0}) for n in self.integers]
             if any(column is None for column in columns):
                 return False
-            steps = np.array([(column - zero) / 2 for column in columns]).T
-            counts = np.linalg.lstsq(steps, np.asarray(at, float) - zero, rcond=None)[0]
+            steps = np.array([(column - zero).real / 2 for column in columns]).T
+            counts = np.linalg.lstsq(steps, at.real - zero.real, rcond=None)[0]
             near = [round(float(c)) for c in counts]
             for more in _around(len(near)):
                 whole = {n: float(c + d) for n, c, d in zip(self.integers, near, more, strict=True)}
@@ -230,7 +269,7 @@ class _Family:
             except (KeyError, ZeroDivisionError, OverflowError):
                 return None
         real = np.isfinite(values).all() and np.all(np.abs(values.imag) < 1e-9 * (1 + np.abs(values)))
-        return values.real if real else None
+        return values.real if real else values if self.is_complex and np.isfinite(values).all() else None
 
 
 def _around(count: int) -> Iterator[tuple[int, ...]]:
