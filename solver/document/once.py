@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import groupby, takewhile
+from itertools import dropwhile, groupby, takewhile
 from operator import itemgetter
 
 from solver.document.checks import Say, check_rows
@@ -26,10 +26,13 @@ LEAST_LEADING = 40
 """Characters of an introduction under a title that is not told again."""
 
 LONGEST_RESULT = 240
-"""Characters of LaTeX up to which a result that stands above is displayed again, to go on with."""
+"""Characters of LaTeX up to which results that stand above are displayed again, to go on with."""
 
 LEAST_REPEATED = 30
 """Characters of a result that is left to the next step where that one begins with it."""
+
+MANY_SIDES = 3
+"""Sides of a chain of which those between the first and the last lead to the value."""
 
 _DISPLAY = re.compile(r"\$\$.*?\$\$", re.DOTALL)
 _RESULT = re.compile(r"^\$\$\n.*?\$\$", re.DOTALL | re.MULTILINE)
@@ -149,14 +152,14 @@ class _Page:
 
     def _referring(self, part: Work, run: Sequence[WorkStep], rest: Sequence[WorkStep]) -> WorkStep:
         """Return one step for several that stand above: where they do, and the result that the rest goes on with."""
-        result = _last_display(run)
-        value = _value_of(result)
-        goes_on = (rest or not part.found) and len(result) <= LONGEST_RESULT
+        results = _results(run)
+        value = _value_of(results[-1]) if results else ""
+        goes_on = rest or not part.found
         told_next = len(value) >= LEAST_REPEATED and any(value in each.markdown for each in rest[:1])
         return WorkStep(
             run[-1].kind,
             run[-1].title,
-            result if goes_on and not told_next else "",
+            _to_go_on_with(results) if goes_on and not told_next else "",
             covers=tuple(number for step in run for number in step.covers),
             refers=tuple(self._references(part, [self.steps[_key(step)] for step in run])),
         )
@@ -208,27 +211,32 @@ class _Page:
         last = max((i for i, block in enumerate(blocks) if "$$" in block or step.steps), default=-1)
         above = [self.blocks.get((step.kind, block)) for block in blocks[: last + 1]]
         shown: list[str] = []
+        told: list[_Place] = []
         for there, group in groupby(zip(above, blocks, strict=False), key=itemgetter(0)):
             found = [block for _, block in group]
-            left = found if there is None else self._abridged(found, place, there)
+            left = found if there is None else self._abridged(found, place, there, again=there in told)
+            told += [there] if there is not None and left != found and not all(map(_explains, found)) else []
             headed = not shown and len(found) == 1 and _leads_in(found[0])  # then the title of the step leads in
             shown += [] if there is not None and left == found and headed else left
         for block in blocks[: last + 1]:
             self.blocks.setdefault((step.kind, block), place)
         return "\n\n".join(shown + blocks[last + 1 :])
 
-    def _abridged(self, blocks: list[str], place: _Place, above: _Place) -> list[str]:
+    def _abridged(self, blocks: list[str], place: _Place, above: _Place, *, again: bool) -> list[str]:
         """Return less in place of blocks that stand above: explanations need no word, others where they stand.
 
-        A step does not refer to itself, and what was done to other rows is done to these again.
+        A step does not refer to itself, and what was done to other rows is done to these again. What was referred to
+        in this step is not named `again`.
         """
         if all(map(_explains, blocks)):
             return []
         if place == above or any(_OPERATION.search(block) for block in blocks):
             return blocks
-        goes_on = _DISPLAY.findall(blocks[-1])[-1:]
+        goes_on = _to_go_on_with(_at_the_end(blocks) if _RESULT.fullmatch(blocks[-1]) else [])
         there = self._reference(place.part, above.part, [above.number])
-        left = [self.say(Phrase("As in {places}:", places=there.place)), *goes_on]
+        follows = goes_on or not _RESULT.fullmatch(blocks[-1])
+        phrase = Phrase("As in {places}:" if follows else "As in {places}.", places=there.place)
+        left = [*([] if again else [self.say(phrase)]), *([goes_on] if goes_on else [])]
         return left if sum(map(len, left)) + LEAST_SAVED <= sum(map(len, blocks)) else blocks
 
 
@@ -245,14 +253,34 @@ def _leads_in(block: str) -> bool:
     return spoken and len(block) >= LEAST_LEADING
 
 
-def _last_display(run: Sequence[WorkStep]) -> str:
-    """Return the last display of the steps themselves, which has lines of its own; of those below where they have none.
+def _results(run: Sequence[WorkStep]) -> list[str]:
+    """Return the last display of the steps with those beside it, each on lines of its own; else of those below.
 
     A formula on one line of the text is a law, and no result to go on with.
     """
-    own = [display for step in run for display in _RESULT.findall(step.markdown)]
-    below = [display for step in run for each in step.walk() for display in _RESULT.findall(each.markdown)]
-    return (own or below or [""])[-1]
+    own = [found for step in run if (found := _at_the_end(step.markdown.split("\n\n")))]
+    below = [found for step in run for each in step.walk() if (found := _at_the_end(each.markdown.split("\n\n")))]
+    return (own or below or [[]])[-1]
+
+
+def _at_the_end(blocks: Sequence[str]) -> list[str]:
+    """Return the last blocks in a row that are displays; what is said behind them concludes."""
+    backwards = dropwhile(lambda block: not _RESULT.fullmatch(block), reversed(blocks))
+    return list(takewhile(_RESULT.fullmatch, backwards))[::-1]
+
+
+def _to_go_on_with(results: Sequence[str]) -> str:
+    """Return the results, each without what leads to its value; nothing of many, for one alone would mislead."""
+    shown = "\n\n".join(map(_ends_of, results))
+    return shown if len(shown) <= LONGEST_RESULT else ""
+
+
+def _ends_of(display: str) -> str:
+    """Return the first and the last side of a chain on one line."""
+    sides = display.strip("$").strip().split(" = ")
+    if len(sides) < MANY_SIDES or "aligned" in display or any(each.count("{") != each.count("}") for each in sides):
+        return display
+    return f"$$\n{sides[0]} = {sides[-1]}\n$$"
 
 
 def _key(step: WorkStep) -> str:

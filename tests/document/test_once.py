@@ -88,13 +88,42 @@ def test_what_is_told_once_is_not_told_twice(pages):
     assert len(kinds) == len(set(kinds))
 
 
-def test_a_run_of_steps_becomes_one_that_goes_on_with_its_last_result():
+def test_a_run_of_steps_becomes_one_that_goes_on_with_its_last_results():
     first, second = once(work("a", *map(step, "abc")), work("b", *map(step, "abcd")))
     assert [one.refers for one in first.steps] == [(), (), ()]
     referring, last = second.steps
-    assert (referring.title, referring.markdown) == ("Title of c", display("c + 1 = 2"))
+    assert referring.title == "Title of c"
+    assert referring.markdown == "\n\n".join((display("c = 1"), display("c + 1 = 2")))
     assert [(there.numbers, there.place) for there in referring.refers] == [((1, 2, 3), "(a), steps 1–3")]
     assert last.title == "Title of d"
+
+
+def test_of_many_results_none_is_shown_alone():
+    entries = " & ".join("1234567890" * 3)
+    many = step("m", REASON, *(display(f"{name} = [{entries}]") for name in "JNM"))
+    one, two = once(work("a", many), work("b", many, step("z")))
+    assert one.steps[0].markdown.count("$$") == 6
+    assert two.steps[0].markdown == ""
+
+
+def test_a_result_is_shown_without_what_leads_to_it():
+    found = step(
+        "f", REASON, display(r"\det(sI - A) = \det\begin{bmatrix}s & 1 \\ 0 & s\end{bmatrix} = s \cdot s = s^{2}")
+    )
+    _, second = once(work("a", found, step("y")), work("b", found, step("z")))
+    assert second.steps[0].markdown == display(r"\det(sI - A) = s^{2}")
+
+
+def test_a_step_refers_to_a_place_once():
+    long = f"{INTRODUCED[:-1]}, and so on, until all that is known of the matrix stands below each other:"
+
+    def parted(i):
+        blocks = (long, display("A = 1"), display(f"B = {i}"), f"Then {long}", display("C = 1"), display(f"D = {i}"))
+        return step("x", *blocks)
+
+    _, second = once(work("a", parted(1)), work("b", parted(2)))
+    shown = ["As in (a), step 1:", *map(display, ("A = 1", "B = 2", "C = 1", "D = 2"))]
+    assert second.steps[0].markdown == "\n\n".join(shown)
 
 
 def test_a_result_that_the_next_step_shows_is_not_shown_before():
