@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from solver.formula.building import as_factor, is_matrix, over, parenthesized, power, row
-from solver.formula.nodes import Fenced, Row, Table
+from solver.formula.building import as_factor, is_matrix, over, parenthesized, power, row, walk
+from solver.formula.nodes import Fenced, Fraction, Row, Table
 from solver.stated.declaration import Printer, Show, Stated, operation
 
 
@@ -104,10 +104,13 @@ def _partitioned(show: Show, matrix: Any, rows: Any, columns: Any) -> Row:
 
 @operation(inverse)
 def _inverse(show: Show, matrix: Any) -> Row:
-    """Return the matrix with the exponent −1; one entry alone as a fraction."""
+    """Return the matrix with the exponent −1; one entry alone as a fraction, unless it is one itself."""
     if getattr(matrix, "shape", None) != (1, 1):
         return power(show(matrix), row("-1"))
-    return row("1") if matrix[0, 0] == 1 else over(row("1"), show(matrix[0, 0]))
+    entry = show(matrix[0, 0])
+    if any(isinstance(node, Fraction) for node in walk(entry)):
+        return power(entry, row("-1"))
+    return row("1") if matrix[0, 0] == 1 else over(row("1"), entry)
 
 
 @operation(transpose)

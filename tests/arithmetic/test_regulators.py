@@ -55,3 +55,29 @@ def test_roots_of_parameters_are_not_eliminated_with_a_pen():
     plant = system([[0, 1], [0, 0]], B=[[0], [1]])
     result = ask("lqr", plant, "hamiltonian", Q=sp.ImmutableMatrix(sp.diag(q, 0)), R=sp.ImmutableMatrix([[r]]))
     assert "Elimination" not in page(result)
+
+
+def test_a_quadratic_equation_is_divided_first_and_one_without_a_constant_is_a_product():
+    two, half = sp.ImmutableMatrix([[2]]), sp.ImmutableMatrix([[sp.Rational(1, 2)]])
+    hidden = system([[-1, 0], [0, -2]], B=[[0], [1]], C=[[1, 0]])
+    first = sp.ImmutableMatrix(sp.diag(1, 0))
+    shown = page(ask("lqr", hidden, "riccati", Q=first, R=half))
+    assert r"p_{22}(-2p_{22} - 4) = 0" in shown
+    assert r"\pm \sqrt" not in shown
+    shown = page(ask("lqr", hidden, "riccati", Q=Q, R=two))
+    assert r"Divided by $-\frac{1}{2}$:" in shown
+    assert r"p_{22}^{2} + 8p_{22} - 2 = 0" in shown
+
+
+def test_a_linear_equation_is_collected():
+    plant = system([[-1, 0], [0, -2]], B=[[0], [1]], C=[[1, 0]])
+    shown = page(ask("lqr", plant, "riccati", Q=sp.ImmutableMatrix(sp.diag(1, 100)), R=ONE))
+    assert "p_{12} - 3p_{12} = -" in shown
+    assert r"(1 + 2\sqrt{26})p_{12}" in shown or r"(-1 - 2\sqrt{26})p_{12}" in shown
+
+
+def test_the_inverse_of_a_fraction_is_a_power():
+    half = sp.ImmutableMatrix([[sp.Rational(1, 2)]])
+    shown = page(ask("lqr", PLANT, "riccati", Q=Q, R=half))
+    assert r"\left(\frac{1}{2}\right)^{-1}" in shown
+    assert r"\frac{1}{\frac" not in shown

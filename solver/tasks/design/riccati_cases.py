@@ -95,6 +95,7 @@ def _steps(case: Any, told: _Told, known: Mapping[Any, Expr]) -> list[Step]:
     says = Phrase("${x}$ put into its equation", x=formula(x))
     claims = {f"root{i}": Claim(value_at(equation, x, value), sp.Integer(0), says) for i, value in enumerate(values, 1)}
     before = _before(equation, told.rows, known)
+    equation = sp.collect(equation, x)
     if before is not None:
         claims["put_in"] = Claim(before["stated"], equation, says)
     if case.kind == "substitute":
@@ -133,14 +134,21 @@ def _before(equation: Expr, rows: Rows, known: Mapping[Any, Expr]) -> dict[str, 
 
 
 def _quadratic_formula(equation: Expr, x: Any) -> tuple[dict[str, Claim], dict[str, Any]]:
-    """The centre and the radicand of ax² + bx + c = 0, as they come from the numbers."""
+    """Of ax² + bx + c = 0 with a = 1 the centre and the radicand, as they come from the numbers; without c the factors.
+
+    `divided` is the equation where it is divided by another a.
+    """
     coefficients = sp.Poly(equation, x).all_coeffs()
     if len(coefficients) != 3:
         return {}, {"centre": None}
     a, b, c = coefficients
+    if c == 0 and b != 0:
+        return {"product": Claim(equation, product(x, a * x + b), Phrase("a common factor"))}, {"centre": None}
     centre, square, rest = (sp.expand(each) for each in (-b / (2 * a), (b / (2 * a)) ** 2, c / a))
     claim = Claim(difference(square, rest), sp.expand(square - rest), Phrase("the radicand"))
-    return {"radicand": claim}, {"centre": centre}
+    divided = sp.collect(sp.expand(equation / a), x)
+    claims = {} if a == 1 else {"divided": Claim(product(a, divided), equation, Phrase("divided"))}
+    return claims | {"radicand": claim}, {"centre": centre, "divided": None if a == 1 else divided, "by": a}
 
 
 def _constant(equation: Expr, factors: Sequence[Expr]) -> Expr:
