@@ -1,5 +1,6 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
+from solver.numeric.judges.modelling.beginnings import beginning_residual
 from solver.numeric.judges.modelling.circuits import frequencies_residual, state_residuals, transfer_residual
 from solver.numeric.judges.modelling.equations import Question, eliminated_residual, model_residuals, states_of
 from solver.numeric.judges.modelling.functions import function_residuals, value_residual
@@ -16,6 +17,7 @@ from solver.numeric.judges.modelling.points import missing, substitution_residua
 __all__ = [
     "Balance",
     "Question",
+    "beginning_residual",
     "condition_residual",
     "eliminated_residual",
     "energy_of_motion_residual",
