@@ -179,7 +179,30 @@ class Parts:
     alt: str = ""
 
 
-Figure = Plot | Panels | Motion | Plane | Diagram | Chains | Parts
+@dataclass(frozen=True, slots=True)
+class Component:
+    """An element of a circuit: its kind by the letter of its name, its label as LaTeX, the nodes that it joins.
+
+    Of an operational amplifier `inputs` are the nodes of its inputs, plus and minus.
+    """
+
+    letter: str
+    label: str
+    nodes: tuple[str, str]
+    inputs: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Schematic:
+    """The drawing of a circuit; node 0 is the ground. `names` are the elements in a line of text."""
+
+    caption: str
+    components: tuple[Component, ...]
+    names: tuple[str, ...] = ()
+    alt: str = ""
+
+
+Figure = Plot | Panels | Motion | Plane | Diagram | Chains | Parts | Schematic
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,5 +270,5 @@ def _worded(value: Any, say: Callable[[str], str], *, read: bool = False) -> Any
     return value
 
 
-Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts
+Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts | Schematic
 """A figure without expressions."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from solver.derivation.figures import Chains, Diagram, Drawing, DrawnPanels, Parts
+from solver.derivation.figures import Chains, Diagram, Drawing, DrawnPanels, Parts, Schematic
 
 
 def svg(drawing: Drawing) -> str:
@@ -11,15 +11,23 @@ def svg(drawing: Drawing) -> str:
 
     if isinstance(drawing, Diagram | Chains | Parts):
         return diagrams.svg(drawing)
+    if isinstance(drawing, Schematic):
+        from solver.figures import schematics  # noqa: PLC0415 - with it comes schemdraw
+
+        return schematics.svg(drawing)
     return plot_svg.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_svg.drawn(drawing)
 
 
 def tikz(drawing: Drawing) -> str:
-    r"""Return a figure as a tikzpicture (packages tikz and pgfplots)."""
+    r"""Return a figure as a tikzpicture (packages tikz, pgfplots and circuitikz)."""
     from solver.figures import diagrams, plot_tikz  # noqa: PLC0415 - as above
 
     if isinstance(drawing, Diagram | Chains | Parts):
         return diagrams.tikz(drawing)
+    if isinstance(drawing, Schematic):
+        from solver.figures import schematics  # noqa: PLC0415 - as above
+
+        return schematics.tikz(drawing)
     return plot_tikz.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_tikz.drawn(drawing)
 
 

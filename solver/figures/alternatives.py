@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from solver.derivation.figures import Chains, DrawnCurve, DrawnPlot, Parts, Plane
+from solver.derivation.figures import Chains, Component, DrawnCurve, DrawnPlot, Parts, Plane, Schematic
 from solver.figures.layout import Block, Label, Layout
 from solver.figures.planes import Placed, limits_of, placed
 from solver.formula.terminal import flat
@@ -109,6 +109,26 @@ def of_parts(figure: Parts, say: Say) -> str:
         relations += [say(Phrase("acts on the part {name}", name=figure.parts[i].name)) for i in part.acts_on]
         told[-1] += "".join(f"; {each}" for each in relations)
     return _sentences(told)
+
+
+def of_schematic(figure: Schematic, say: Say) -> str:
+    """Tell between which nodes each element lies."""
+    told = [
+        _element(each, say(name) if name else text_of(each.label), say)
+        for each, name in zip(figure.components, figure.names or ("",) * len(figure.components), strict=True)
+    ]
+    return _sentences([say("circuit diagram"), *told])
+
+
+def _element(each: Component, name: str, say: Say) -> str:
+    if each.letter == "O":
+        plus, minus = each.inputs
+        said = Phrase(
+            "{name}: output {a}, inputs {b} (plus) and {c} (minus)", name=name, a=each.nodes[0], b=plus, c=minus
+        )
+        return say(said)
+    first, second = each.nodes
+    return say(Phrase("{name} from node {a} to node {b}", name=name, a=first, b=second))
 
 
 def of_diagram(layout: Layout, say: Say) -> str:

@@ -5,7 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from solver.derivation.figures import Chains, Drawing, DrawnPanels, Figure, Motion, Panels, Parts, Plane, Plot
+from solver.derivation.figures import (
+    Chains,
+    Drawing,
+    DrawnPanels,
+    Figure,
+    Motion,
+    Panels,
+    Parts,
+    Plane,
+    Plot,
+    Schematic,
+)
 from solver.figures import alternatives
 from solver.figures.laid_out import layout_of
 from solver.figures.motions import moved
@@ -27,6 +38,8 @@ def drawing_of(figure: Figure, say: Callable[[str], str] = str) -> Drawing:
         return replace(panels, alt=" ".join(alternatives.of_plot(plot, say) for plot in panels.plots))
     if isinstance(figure, Plane):
         return replace(on_plane(figure, say), alt=alternatives.of_plane(figure, say))
+    if isinstance(figure, Schematic):
+        return replace(figure, alt=alternatives.of_schematic(figure, say))
     if isinstance(figure, Parts):
         return replace(figure, alt=alternatives.of_parts(figure, say))
     chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""

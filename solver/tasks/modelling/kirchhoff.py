@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact, systems
+from solver.tasks.modelling.circuit_figures import schematic_of
 from solver.tasks.modelling.elimination import elimination_of
 from solver.words import Phrase
 
@@ -39,11 +40,14 @@ def equations_of_circuit(circuit: Circuit) -> Derivation[Equations]:
 def _tree(circuit: Circuit) -> Step:
     """The states, and the tree that the equations are written along."""
     tree = circuit.tree
-    return Step("tree", unclaimed="a choice", branches=[each.name for each in tree.branches],
-                links=[each.name for each in tree.links],
-                inductors=[each.name for each in circuit.elements if each.letter == "L"],
-                capacitors=[each.name for each in circuit.elements if each.letter == "C"],
-                states=[systems.symbol_of(name) for name in circuit.states], chosen=circuit.chosen)  # fmt: skip
+    return Step(
+        "tree",
+        unclaimed="a choice",
+        figures=schematic_of(circuit),
+        branches=[each.name for each in tree.branches],
+        links=[each.name for each in tree.links],
+        states=[systems.symbol_of(name) for name in circuit.states],
+    )
 
 
 @lemma("kirchhoff")

@@ -10,6 +10,7 @@ from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.matrices import entry_alone
 from solver.stated.algebra import product
+from solver.tasks.modelling.circuit_figures import schematic_of
 from solver.tasks.modelling.elimination import elimination_of
 from solver.words import Phrase
 
@@ -28,6 +29,8 @@ def transfer_function_of_circuit(circuit: Circuit) -> Derivation[TransferFunctio
     model = exact.nodal_model(circuit, s)
     if model is None:
         raise Unsolved("circuits/no_voltages")
+    yield Step("nodes", unclaimed="names", nodes=[each for each in circuit.nodes if each != "0"],
+               figures=schematic_of(circuit))  # fmt: skip
     stored = [(sp.Symbol(f"Z_{each.name}"), Z) for each, Z in model.impedances if each.letter in "LC"]
     if stored:
         yield Step("impedances", unclaimed="the laws of the elements, transformed", impedances=stored)
