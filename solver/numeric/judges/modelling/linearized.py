@@ -58,9 +58,10 @@ class Around:
             return None
         n, nothing = len(self.states), np.full(len(given), np.nan)
         rows = np.array([slopes.get((name, k + 1), nothing) for name, k in self.states])
-        inside = [jet for jet in self.jets if jet in slopes]
+        told = free_symbols(outputs)
+        inside = [jet for symbol, jet in self.equations.jets.items() if symbol in told and jet in slopes]
         partial = self.equations.differences([(e, 0) for e in outputs], self.jets, inside)
-        through = partial @ np.array([slopes[jet] for jet in inside])
+        through = partial @ np.array([slopes[jet] for jet in inside]).reshape(len(inside), len(given))
         return {"A": rows[:, :n], "B": rows[:, n:], "C": through[:, :n], "D": through[:, n:]}
 
 
