@@ -35,7 +35,9 @@ def equations_of(system: Lagrangian, motion: Motion) -> Equations:
     terms += [(_terms(each), ()) for each in system.constraints]
     sides = tuple((sp.Add(*left), sp.Add(*right)) for left, right in terms)
     unknowns = (*system.coordinates, *system.multipliers)
-    inside = set().union(*(side.free_symbols for pair in sides for side in pair), *(y.free_symbols for y in system.outputs))
+    inside = set().union(
+        *(side.free_symbols for pair in sides for side in pair), *(y.free_symbols for y in system.outputs)
+    )
     known = {jet_symbol((name, k)): (name, k) for name in (*unknowns, *system.inputs) for k in range(4)}
     return Equations(
         sides, unknowns, (*_given_by_constraints(system), *system.multipliers), system.inputs, system.states,

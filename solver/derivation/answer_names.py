@@ -23,7 +23,7 @@ class AnswerName:
     may have, `unit` is "rad/s" or "s" where a number has one. `earned` are the kinds of steps that earn its
     marks beside the one in which its value is found: a key shows them. `told` are the kinds of steps that
     tell it in a form of their own, such as equations under each other, the best first: a page points there where the
-    answer is not asked for.
+    answer is not asked for. The items of a list are expressions that are `zero`: an equation may be written for one.
     """
 
     name: str
@@ -41,6 +41,7 @@ class AnswerName:
     unit: str = ""
     earned: tuple[str, ...] = ()
     told: tuple[str, ...] = ()
+    zero: bool = False
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

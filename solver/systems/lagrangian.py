@@ -96,8 +96,14 @@ class Lagrangian:
     def is_linear(self) -> bool:
         """Whether its equations are linear, as far as the file shows it: energies are sums of squares and products."""
         of_springs = [s.stiffness * (s.length - s.rest) ** 2 / 2 for s in self.springs]
-        heights = [b.mass * self.gravity * b.position[1] for b in self.bodies if b.position and self.gravity is not None]
-        energies = [self.kinetic or sp.S.Zero, self.dissipation or sp.S.Zero, sp.Add(self.potential or 0, *of_springs, *heights)]
+        heights = [
+            b.mass * self.gravity * b.position[1] for b in self.bodies if b.position and self.gravity is not None
+        ]
+        energies = [
+            self.kinetic or sp.S.Zero,
+            self.dissipation or sp.S.Zero,
+            sp.Add(self.potential or 0, *of_springs, *heights),
+        ]
         paths = [each for b in self.bodies for each in (*b.position, *([] if b.angle is None else [b.angle]))]
         linear = [*self.forces.values(), *self.constraints, *self.outputs]
         masses = [each for b in self.bodies for each in (b.mass, b.inertia) if each is not None]
@@ -150,7 +156,8 @@ def _read(reader: Reader) -> Lagrangian:
             reader.complain("states", "states are the coordinates and their velocities", item=i)
     reader.conclude()
     first = jet_symbol((coordinates[0], 0))
-    jets = {**energies.jets, **of_outputs, first: (coordinates[0], 0)}
+    usual = {jet_symbol((name, k)): (name, k) for name in coordinates for k in (0, 1)}
+    jets = {**usual, **energies.jets, **of_outputs}
     return Lagrangian(
         coordinates, inputs=inputs, outputs=outputs or (first,), states=states, initial=initial, jets=jets, **found
     )
@@ -279,11 +286,11 @@ LAGRANGIAN = Kind(
     ),
     read=_read,
     example=(
-        ("lagrangian:", "energies are given as kinetic and potential, or by bodies:"),
-        ("  coordinates: [theta]", ""),
-        ('  bodies: [{mass: m, position: ["l sin(theta)", "-l cos(theta)"]}]', "y is upward"),
-        ("  gravity: g", "along -y"),
-        ("  forces: {theta: tau}", "generalized forces"),
+        (
+            'lagrangian: {coordinates: [theta], bodies: [{mass: m, position: ["l sin(theta)", "-l cos(theta)"]}], '
+            "gravity: g, forces: {theta: tau}}",
+            "y is upward; or kinetic and potential",
+        ),
         ("inputs: [tau]", "every other name is a parameter"),
     ),
 )

@@ -9,7 +9,7 @@ import sympy as sp
 
 from solver.classroom.reading import counts, polynomials, words
 from solver.classroom.reading.expected import Expected
-from solver.classroom.reading.items import items_of, placed, unlabelled
+from solver.classroom.reading.items import as_differences, items_of, placed, unlabelled
 from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.names import symbols_of
@@ -106,6 +106,8 @@ class KindReader:
             return (sp.S.Reals,) * 2
         if isinstance(node, ScalarNode) and words.is_none(node.text, self.expected.name):
             return [], []
+        if self.expected.zero:
+            node = as_differences(node)
         return self._list(node, () if isinstance(ours, sp.Set) else ours)
 
     def _list(self, node: Node, ours: Sequence[Any]) -> Pair:

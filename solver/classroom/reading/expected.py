@@ -15,7 +15,7 @@ class Expected:
     """The answer that a value is submitted for; by default nothing is known of it.
 
     Of an answer that is a `count`, a full one is `most`, where that can be told; a matrix may be made of `vectors`,
-    "columns" or "rows".
+    "columns" or "rows"; the items of a list may be expressions that are `zero`.
     """
 
     name: str = ""
@@ -25,6 +25,7 @@ class Expected:
     count: bool = False
     most: int | None = None
     vectors: str = ""
+    zero: bool = False
 
     @classmethod
     def of(cls, name: str, answers: Mapping[str, AnswerName], given: Given[Any, Any] | None = None) -> Expected:
@@ -32,4 +33,5 @@ class Expected:
         answer = answers[name]
         others = [other for other in answers.values() if other.name != name]
         most = answer.most(given) if answer.most and given else None
-        return cls(name, Labels(answer, others), answer.words, answer.unit, answer.count, most, answer.vectors)
+        labels = Labels(answer, others)
+        return cls(name, labels, answer.words, answer.unit, answer.count, most, answer.vectors, answer.zero)

@@ -19,6 +19,16 @@ def items_of(node: Node, texts: TextReader) -> Sequence[Node]:
     return texts.choices.choose("diagonal", (diagonal, node.items)) if diagonal else node.items
 
 
+def as_differences(node: Node) -> Node:
+    """Return expressions that are zero with left − right in place of an equation left = right."""
+    if isinstance(node, SequenceNode):
+        return SequenceNode(node.place, tuple(map(as_differences, node.items)))
+    if not isinstance(node, ScalarNode) or node.text.count("=") != 1:
+        return node
+    left, right = node.text.split("=")
+    return ScalarNode(node.place, f"({left.strip()}) - ({right.strip()})", "quoted")
+
+
 def unlabelled(items: Sequence[Node], texts: TextReader) -> Sequence[Node]:
     """Return items such as λ_1 = -1 without what names them, as often as they count; nothing where none says such."""
     scalars = [item for item in items if isinstance(item, ScalarNode)]

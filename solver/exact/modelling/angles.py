@@ -24,38 +24,38 @@ def by_differences(expression: sp.Expr) -> sp.Expr:
         first, second, one = found
         number = terms.pop(first)
         del terms[second]
-        key = frozenset(one.items())
-        terms[key] = terms.get(key, sp.S.Zero) + number
-        if not terms[key]:
-            del terms[key]
+        terms[one] = terms.get(one, sp.S.Zero) + number
+        if not terms[one]:
+            del terms[one]
     return sp.Add(*(sp.Mul(number, *(base**k for base, k in term)) for term, number in terms.items()))
 
 
-def _mergers(terms: Mapping[Term, sp.Expr]) -> Iterator[tuple[Term, Term, dict[Any, Any]]]:
+def _mergers(terms: Mapping[Term, sp.Expr]) -> Iterator[tuple[Term, Term, Term]]:
     """Yield two terms that are one, and this: c cos a cos b with ±c sin a sin b, c sin a cos b with ±c cos a sin b."""
     for term, number in terms.items():
         inside = [base for base, k in term if isinstance(base, sp.sin | sp.cos) and k.is_Integer and k > 0]
-        for f, g in combinations(sorted(inside, key=sp.default_sort_key), 2):
-            a, b = f.args[0], g.args[0]
-            if a == b or not isinstance(f, sp.cos | sp.sin):
-                continue
+        ordered = sorted(inside, key=lambda f: (isinstance(f, sp.cos), sp.default_sort_key(f)))
+        for f, g in combinations(ordered, 2):
+            if isinstance(g, sp.sin) or f.args == g.args:
+                continue  # the products of two sines are found with those of the cosines
             rest = _without(term, f, g)
-            alike = type(f) is type(g)
-            if alike and isinstance(f, sp.sin):
-                continue
-            if not alike and isinstance(f, sp.cos):  # sin a cos b leads
-                f, g, a, b = g, f, b, a
-            other = _with(rest, _other(f)(a), _other(g)(b))
+            other = _with(rest, _other(f), _other(g))
             if other in terms and terms[other] in (number, -number):
-                same = terms[other] == number
-                one = sp.cos(a - b if same else a + b) if alike else sp.sin(a + b if same else a - b)
-                sign, bare = one.as_coeff_Mul()
-                if sign == 1:
-                    yield term, other, dict(_with(rest, bare))
+                one = _merged(f, g, same=terms[other] == number)
+                if one.as_coeff_Mul()[0] == 1:
+                    yield term, other, _with(rest, one)
+
+
+def _merged(f: Any, g: Any, *, same: bool) -> sp.Expr:
+    """Cos a cos b ± sin a sin b, or sin a cos b ± cos a sin b, as one."""
+    a, b = f.args[0], g.args[0]
+    if isinstance(f, sp.cos):
+        return sp.cos(a - b if same else a + b)
+    return sp.sin(a + b if same else a - b)
 
 
 def _other(f: Any) -> Any:
-    return sp.cos if isinstance(f, sp.sin) else sp.sin
+    return sp.cos(f.args[0]) if isinstance(f, sp.sin) else sp.sin(f.args[0])
 
 
 def _without(term: Term, *bases: Any) -> dict[Any, Any]:

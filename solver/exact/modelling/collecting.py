@@ -46,7 +46,7 @@ def collected(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> list[sp.Ex
 
 
 def coefficients(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> list[tuple[sp.Expr, sp.Expr]] | None:
-    """Return the monomials in some symbols with their coefficients, those that are not zero; None if it is no polynomial."""
+    """Return the monomials in some symbols with their coefficients that are not zero; None if it is no polynomial."""
     groups: dict[tuple[int, ...], list[sp.Expr]] = {}
     places = {x: i for i, x in enumerate(variables)}
     for term in sp.Add.make_args(_spread(expression, variables)):

@@ -54,7 +54,7 @@ equations_of_motion: Task[Lagrangian, EquationsOfMotionOptions] = Task(
         AnswerName("potential", "V", "the potential energy", earned=("potential",)),
         AnswerName("lagrangian", "L", "the Lagrangian $T - V$", earned=("lagrangian",)),
         AnswerName("equations", r"\text{equations of motion}", "the equations, as expressions that are zero",
-                   principal=True, earned=("lagrangian", "coordinate"), told=("equations", "coordinate")),
+                   principal=True, earned=("lagrangian", "coordinate"), told=("equations", "coordinate"), zero=True),
         AnswerName("M", "M", "the inertia matrix of $M\\ddot{q} + C\\dot{q} + G = Q$", optional=True),
         AnswerName("C", "C", "the matrix of centrifugal and Coriolis terms, by Christoffel symbols", optional=True),
         AnswerName("gravity", "G", "the vector of gravity and springs", optional=True),
@@ -85,13 +85,12 @@ def _manipulator(system: Lagrangian, motion: Motion) -> Derivation[dict[str, Any
     M, C, G = found
     speed, acceleration = sp.ImmutableMatrix(speeds), sp.ImmutableMatrix(system.symbols(2))
     friction = [sp.S.Zero if system.dissipation is None else sp.diff(system.dissipation, v) for v in speeds]
-    pull = [sp.Add(*(sp.Symbol(name, real=True) * sp.diff(c, each)
-                     for name, c in zip(system.multipliers, system.constraints, strict=True))) for each in q]  # fmt: skip
-    left = sp.ImmutableMatrix([
-        each.expression + each.force - drag + bound
-        for each, drag, bound in zip(motion.equations, friction, pull, strict=True)
-    ])  # fmt: skip
-    force = sp.ImmutableMatrix([each.force - drag + bound for each, drag, bound in zip(motion.equations, friction, pull, strict=True)])
+    multipliers = [system.symbol((name, 0)) for name in system.multipliers]
+    bound = sp.Add(*(x * c for x, c in zip(multipliers, system.constraints, strict=True)))
+    drawn = [sp.diff(bound, each) - drag for each, drag in zip(q, friction, strict=True)]
+    pairs = list(zip(motion.equations, drawn, strict=True))
+    left = sp.ImmutableMatrix([each.expression + each.force + other for each, other in pairs])
+    force = sp.ImmutableMatrix([each.force + other for each, other in pairs])
     yield Step("manipulator", claims={
         "whole": Claim(total(product(M, acceleration), product(C, speed), G), left, "the equations of motion"),
         "symmetric": Claim(transpose(M), M, "$M$ is symmetric"),
@@ -207,18 +206,25 @@ def without_inertia(system: System, options: EquationsOfMotionOptions) -> Change
     return replace(system, bodies=tuple(points)), options
 
 
-@equations_of_motion.mistaken_question(Slip("parallel_axis", "a body only turns: the energy ½ m v² of its centre is missing"))
+@equations_of_motion.mistaken_question(
+    Slip("parallel_axis", "the inertia of a body is taken about its centre: the term of the parallel axis is missing")
+)
 def without_parallel_axis(system: System, options: EquationsOfMotionOptions) -> Changed | None:
-    """Bodies that turn without ½ m v²: the term of the parallel axis is lost, the weight kept."""
-    if not isinstance(system, Lagrangian) or system.gravity is None:
+    """Bodies that turn about another point with J in place of J + m l²."""
+    if not isinstance(system, Lagrangian):
         return None
-    turning = [body for body in system.bodies if body.inertia is not None and body.mass is not None]
-    if not turning:
+    lost = [
+        body.mass * sp.diff(each, body.angle) ** 2 * system.symbol((name, 1)) ** 2 / 2
+        for body in system.bodies
+        for name in system.coordinates
+        for each in body.position
+        if body.angle == system.symbol((name, 0))
+    ]
+    if not any(lost):
         return None
-    weights = [body.mass * system.gravity * body.position[1] for body in turning]
-    bodies = [replace(body, mass=None, position=()) if body in turning else body for body in system.bodies]
-    potential = sp.Add(*weights, *([] if system.potential is None else [system.potential]))
-    return replace(system, bodies=tuple(bodies), potential=potential), options
+    return replace(
+        system, kinetic=sp.Add(*([] if system.kinetic is None else [system.kinetic]), *(-e for e in lost))
+    ), options
 
 
 @equations_of_motion.mistaken_question(Slip("exchanged", "sin and cos are exchanged in the positions"))

@@ -163,9 +163,9 @@ def _kinetic_energy(system: Lagrangian, body: Body, number: int) -> Derivation[t
         energy = total(*stated) if len(stated) > 1 else stated[0]
         claims["energy"] = Claim(energy, total(*found), Phrase("kinetic energy of body {i}", i=number))
     only = len(system.bodies) == 1 and system.kinetic is None
-    step = Step("body", claims=claims, unclaimed="" if claims else "it is at rest", number=number, only=only,
-                body=body, moves=bool(stated), plain=len(found) == 1 and all(v.is_Symbol or v == 0 for v in velocity))  # fmt: skip
-    yield step
+    plain = len(found) == 1 and all(rate.is_Symbol or rate == 0 for rate in velocity)
+    yield Step("body", claims=claims, unclaimed="" if claims else "it is at rest", number=number, only=only,
+               body=body, moves=bool(stated), plain=plain)  # fmt: skip
     return stated, found if stated else ()
 
 
@@ -205,12 +205,17 @@ def _equation_of(energies: Energies, name: str) -> Derivation[EquationOfMotion]:
     rate = exact.time_derivative(momentum, moves)
     by_place, restoring = sp.diff(energies.T, q), [sp.diff(term, q) for term in energies.potential]
     friction = sp.S.Zero if system.dissipation is None else sp.diff(system.dissipation, speed)
-    bound = [jet_symbol((each, 0)) * sp.diff(c, q) for each, c in zip(system.multipliers, system.constraints, strict=True)]
+    bound = [
+        jet_symbol((each, 0)) * sp.diff(c, q) for each, c in zip(system.multipliers, system.constraints, strict=True)
+    ]
     dragging = _collected(system, friction)
     terms = (*_collected(system, rate - by_place), *dragging, *(_factored(t) for t in restoring if t != 0),
              *(-term for term in bound if term != 0))  # fmt: skip
     force = system.forces.get(name, sp.S.Zero)
-    rates, places = _collected(system, rate), (*_collected(system, by_place), *(-_factored(t) for t in restoring if t != 0))
+    rates, places = (
+        _collected(system, rate),
+        (*_collected(system, by_place), *(-_factored(t) for t in restoring if t != 0)),
+    )
     claims = {
         "momentum": Claim(partial_derivative(L, speed), _sum(_collected(system, momentum)), formula(speed)),
         "rate": Claim(time_derivative(partial_derivative(L, speed), moves.items()), _sum(rates), formula(speed)),
@@ -244,7 +249,7 @@ def _collected(system: Lagrangian, expression: Expr) -> tuple[Expr, ...]:
     if found is None:
         return tuple(sp.Add.make_args(exact.normal(expression)))
     first = [term for term in found if term.has(*accelerations)] if accelerations else []
-    return tuple([*first, *(term for term in found if term not in first)])
+    return (*first, *(term for term in found if term not in first))
 
 
 def _factored(term: Expr) -> Expr:

@@ -38,7 +38,7 @@ def evaluate(environment: Environment, function: Any, variable: Any, order: Any 
 
 
 def by_cauchy(environment: Environment, m: int, on_circle: Callable[[float], Value]) -> Value:
-    """Return the derivative of order m from the values on circles of a radius: on the largest in which f is analytic."""
+    """Return the derivative of order m from values on circles: on the largest in which f is analytic."""
     arithmetic = environment.arithmetic
     count = points_on(arithmetic)
     roots = unit_roots(count, arithmetic)

@@ -55,8 +55,9 @@ class Mechanics:
         """Whether inputs move bodies or stand in energies, so that energy is not kept by the forces alone."""
         inputs = {self.symbols[name, k] for name in self.system.inputs for k in range(4)}
         s = self.system
-        given = (s.kinetic, s.potential, *(e for b in s.bodies for e in (b.mass, *b.position, b.angle)),
-                 *(e for each in s.springs for e in (each.stiffness, each.length, each.rest)), *s.constraints)  # fmt: skip
+        of_bodies = [e for b in s.bodies for e in (b.mass, *b.position, b.angle)]
+        of_springs = [e for each in s.springs for e in (each.stiffness, each.length, each.rest)]
+        given = (s.kinetic, s.potential, *of_bodies, *of_springs, *s.constraints)
         return bool(inputs & free_symbols([each for each in given if each is not None]))
 
     def value(self, expression: Any, values: Mapping[Any, Array], shape: tuple[int, ...]) -> Array:
@@ -68,7 +69,7 @@ class Mechanics:
         return np.broadcast_to(found, (count,)).reshape(shape)
 
     def path(self, jets: Jets) -> dict[Any, Array]:
-        """Return the functions of time and their velocities on closed paths (P, nodes) with these jets at their start."""
+        """Return the functions of time and their velocities on closed paths (P, nodes) that start with these jets."""
         bends = [float(np.abs(jet[:, 2:]).max(initial=0.0)) for jet in jets.values()]
         self.speed = w = self.least * max(1.0, *np.sqrt(bends))
         sin, cos = np.sin(TIMES) / w, np.cos(TIMES) / w**2
@@ -184,11 +185,10 @@ class Mechanics:
 
     def _jets(self, position: Array, speeds: Array) -> dict[str, Array]:
         still = np.zeros(len(position))
-        moving = {
+        return {
             name: np.stack([position[:, i], speeds[:, i], still], axis=1)
             for i, name in enumerate(self.system.coordinates)
         }
-        return moving
 
     def inertia(self, position: Array) -> Array:
         """M (P, n, n) at positions (P, n): T of sums of unit velocities less that of each."""

@@ -151,7 +151,10 @@ def energy_residual(system: Any, expressions: Sequence[Any]) -> float | None:
             return None
         mechanics.settle(place.jets)
         path = mechanics.path(place.jets)
-        rates = [mechanics.rate(each)[:, 0].real for each in (mechanics.kinetic(path) + mechanics.potential(path), *mechanics.constraints(path))]
+        rates = [
+            mechanics.rate(each)[:, 0].real
+            for each in (mechanics.kinetic(path) + mechanics.potential(path), *mechanics.constraints(path))
+        ]
         speeds = np.stack([place.jets[name][:, 1] for name in system.coordinates], axis=1)
         power = np.sum(mechanics.forces(place.jets) * speeds, axis=1)
         for name, rate in zip(system.multipliers, rates[1:], strict=True):
@@ -191,7 +194,7 @@ def _accelerated(place: _Place, expressions: Sequence[Any]) -> bool:
 
 
 def energy_of_motion_residual(system: Any, name: str, value: Any) -> float:
-    """Return how far a kinetic or potential energy, or their difference, is from that of the bodies; V up to a constant."""
+    """Return how far a kinetic or potential energy, or their difference, is from the bodies'; V up to a constant."""
     worst = 0.0
     for mechanics, random in mechanics_of(system):
         found, wanted = [], []
@@ -214,16 +217,18 @@ def form_residual(system: Any, name: str, value: Any) -> float:
     for mechanics, random in mechanics_of(system):
         place = _place(mechanics, random, 1)
         position, speed = (np.array([place.jets[each][0, k] for each in system.coordinates]) for k in (0, 1))
-        wanted = {
-            "M": lambda at=position, m=mechanics: m.inertia(at[None])[0].real,
-            "C": lambda at=position, v=speed, m=mechanics: m.coriolis(at, v),
-            "gravity": lambda at=position, m=mechanics: m.weight(at)[:, None],
-        }[name]()
+        wanted = _form(mechanics, name, position, speed)
         if tuple(value.shape) not in {wanted.shape, *([(1, n)] if name == "gravity" else [])}:
             return np.inf
         found = np.array([place.value(entry)[0] for entry in value]).reshape(wanted.shape)
         worst = max(worst, _distance(found, wanted))
     return worst if np.isfinite(worst) else np.inf
+
+
+def _form(mechanics: Mechanics, name: str, position: Array, speed: Array) -> Array:
+    if name == "M":
+        return np.asarray(mechanics.inertia(position[None])[0].real)
+    return mechanics.coriolis(position, speed) if name == "C" else mechanics.weight(position)[:, None]
 
 
 def _distance(found: Array, wanted: Array) -> float:
