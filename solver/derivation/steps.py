@@ -103,8 +103,9 @@ class Check:
     """One line of the table of checks: what was checked, by what, and with what result.
 
     `judges` names the answers that the check judges; none for an equality displayed in a step. `step` is the number
-    of the step, counted from 1 among those of the part, that displays the equality; 0 for a check of answers. `sides`
-    are those of an equality that failed.
+    of the step, counted from 1 among those of the part, that displays the equality; 0 for a check of answers. `item` is
+    the number of the item of a list, counted from 1, that the check judges by itself; 0 for the whole. `sides` are
+    those of an equality that failed.
     """
 
     claim: str
@@ -115,6 +116,7 @@ class Check:
     reason: str = ""
     judges: tuple[str, ...] = ()
     step: int = 0
+    item: int = 0
     sides: tuple[Any, Any] | None = field(default=None, compare=False, repr=False)
 
     @staticmethod

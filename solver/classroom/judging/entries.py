@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
 
 from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
+from solver.derivation import Check, CheckStatus
 from solver.lazy import numeric
 
 
@@ -83,6 +84,9 @@ def _same_item(each: Submitted, form: Any, mine: Any) -> bool:
         )
     if is_scalar(form) and is_scalar(mine):
         return _agrees(each, form, mine)
+    if isinstance(form, Mapping) and isinstance(mine, Mapping):
+        own = {str(name): value for name, value in form.items()}
+        return set(own) == set(map(str, mine)) and all(_agrees(each, own[str(x)], v) for x, v in mine.items())
     return bool(form == mine)
 
 
@@ -92,6 +96,16 @@ def _agrees(each: Submitted, form: Any, mine: Any) -> bool:
         form, mine = form - mine, sp.Integer(0)
     decimals = {symbol: (decimal.number, decimal.half_unit) for symbol, decimal in each.decimals.items()}
     return bool(form == mine) or bool(numeric.agrees_to_digits(form, decimals, mine))
+
+
+def by_items(checks: Iterable[Check], entries: Any, value: Any, ours: Any) -> Any:
+    """Entries of a list whose items have checks of their own: one that passes is right, what is missing is wrong."""
+    passed = {check.item: check.status is CheckStatus.PASSED for check in checks if check.item}
+    if not passed or not isinstance(value, list) or not isinstance(entries, list):
+        return entries
+    found = [word_of(passed.get(i, False) or entries[i - 1] == Verdict.CORRECT) for i in range(1, len(value) + 1)]
+    right, left = found.count(str(Verdict.CORRECT)), len(ours) - len(found)
+    return found + [str(Verdict.WRONG)] * max(left, 1 if right == len(found) else 0)
 
 
 def word_of(right: bool) -> str:

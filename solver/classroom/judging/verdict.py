@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.judging.entries import all_right, entrywise, shaped
+from solver.classroom.judging.entries import all_right, by_items, entrywise, shaped
 from solver.classroom.judging.question import Question, checks_of
 from solver.classroom.judging.readings import judged_by_readings
 from solver.classroom.judging.vectors import Vectors
@@ -120,7 +120,7 @@ def _verdict_to_the_digits(name: str, fitting: Mapping[str, Submitted], question
     if failed or crashed or (own and not _some_skipped(own)):
         if each.decimals and free and freely.rounded(fitting, failed):
             return _correct(name, each, TO_THE_DIGITS)
-        entries = freely.entries() if free else entries
+        entries = freely.entries() if free else by_items(own, entries, each.value, question.ours.get(name))
         return AnswerVerdict(name, Verdict.WRONG, each.value, _complaint(each.value, failed), entries=entries)
     if not free and (strange := _strangers(each, question)):
         reason = Reason("marking/unknown_symbols", {"names": strange})

@@ -25,6 +25,7 @@ from solver.classroom.reading.labels import (
 from solver.classroom.reading.likeness import has_step, is_condition, is_like
 from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
+from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import TextReader
@@ -93,7 +94,10 @@ class Reader:
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:
         self.texts = TextReader(self.names, choices, self.expected.unit, discrete=self.discrete)
         kinds = KindReader(self.texts, self.expected, decimal_comma=self.decimal_comma)
-        value, form = kinds.read(self._unlabelled(node, ours), ours)
+        if are_points(ours, node):
+            value, form = PointReader(self.texts, self.expected, ours).read(node)
+        else:
+            value, form = kinds.read(self._unlabelled(node, ours), ours)
         if not has_step(ours):
             later = replaced(value, self.texts.ones)
             self.texts.respelt = self.texts.respelt or later != value

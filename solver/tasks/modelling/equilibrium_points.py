@@ -3,15 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, option
+from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Options, Slip, Step, Task, option
 from solver.derivation.registry import Refusal
 from solver.lazy import sympy as sp
 from solver.options.input_values import InputValues
 from solver.options.intervals import Intervals
 from solver.options.unknowns import Unknowns
+from solver.tasks.modelling.point_mistakes import (
+    ONE_OF_SEVERAL,
+    ONE_TURN,
+    WHOLE_TURNS,
+    meaning_of_points,
+    other_steps,
+    parts_of,
+    single_turns,
+)
 from solver.tasks.modelling.points import point_checks
 from solver.tasks.modelling.rest import Rest, at_rest
 from solver.tasks.modelling.solutions import solutions_of
@@ -112,3 +121,57 @@ def rest_there_and_nowhere_else(given: Given[Equations, EquilibriumPointsOptions
     question = asked(given)
     yield from point_checks(question.rest.equations, question.told, question.every, question.between,
                             answers["points"], "points")  # fmt: skip
+
+
+@equilibrium_points.mistake(ONE_OF_SEVERAL, "points")
+def one_of_several(attempt: Attempt[Equations, EquilibriumPointsOptions]) -> Iterable[Any]:
+    """Some of the points, or families, are not told."""
+    yield from parts_of(attempt.ours)
+
+
+@equilibrium_points.mistake(ONE_TURN, "points")
+def one_turn(attempt: Attempt[Equations, EquilibriumPointsOptions]) -> Iterable[Any]:
+    """The points of a single turn in place of a family."""
+    yield from single_turns(attempt.ours)
+
+
+@equilibrium_points.mistake(WHOLE_TURNS, "points")
+def whole_turns(attempt: Attempt[Equations, EquilibriumPointsOptions]) -> Iterable[Any]:
+    """2nπ in place of nπ, and nπ in place of 2nπ."""
+    yield from other_steps(attempt.ours)
+
+
+@equilibrium_points.mistake(
+    Slip("moving", "In an equilibrium nothing moves: the velocities are zero, they are not free."), "points"
+)
+def moving(attempt: Attempt[Equations, EquilibriumPointsOptions]) -> Iterable[Any]:
+    """Velocities as free as the positions."""
+    zero = asked(attempt.given).rest.zero
+    yield [{x: x if x in zero else value for x, value in point.items()} for point in attempt.ours]
+
+
+@equilibrium_points.mistaken_question(Slip("gravity", "Gravity has the wrong sign."))
+def gravity_reversed(system: Any, options: EquilibriumPointsOptions) -> tuple[Any, EquilibriumPointsOptions] | None:
+    """The equations with −g in place of g."""
+    sides = getattr(system, "sides", ())
+    g = next((s for pair in sides for side in pair for s in side.free_symbols if s.name == "g"), None)
+    if g is None:
+        return None
+    turned = tuple((left.xreplace({g: -g}), right.xreplace({g: -g})) for left, right in sides)
+    return replace(system, sides=turned, written=()), options
+
+
+@equilibrium_points.mistaken_question(Slip("inputs", "The inputs have other values than those the question gives."))
+def without_inputs(system: Any, options: EquilibriumPointsOptions) -> tuple[Any, EquilibriumPointsOptions] | None:
+    """All inputs are zero."""
+    names = getattr(system, "inputs", ())
+    zero = {name: sp.Integer(0) for name in names}
+    return (system, replace(options, inputs=zero)) if names and dict(options.inputs or {}) != zero else None
+
+
+@equilibrium_points.meaning("points")
+def told_and_missing(attempt: Attempt[Equations, EquilibriumPointsOptions]) -> Reason | None:
+    """What is listed is right, but others are not."""
+    return meaning_of_points(
+        list(equilibrium_points.verify(attempt.given, Answers(points=attempt.value))), attempt.value
+    )

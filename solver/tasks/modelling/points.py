@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from solver.derivation import Check
@@ -35,8 +36,8 @@ def point_checks(
     for i, point in enumerate(whole, 1):
         near = NEAR if numeric.holds_decimals(dict(point)) else EXACT
         residual = judges.substitution_residual(equations, point, inside, hidden)
-        yield Check.within(Phrase("point {i} put into the equations", i=i), "sympy.N, 30 digits", residual, near,
-                           answer=answer)  # fmt: skip
+        label = Phrase("point {i} put into the equations", i=i)
+        yield replace(Check.within(label, "sympy.N, 30 digits", residual, near, answer=answer), item=i)
     lost = judges.missing(equations, told, whole, between, hidden)
     yield Check.that("Newton's method from many starting points finds no other point", "numpy.linalg.pinv", not lost,
                      answer=answer)  # fmt: skip

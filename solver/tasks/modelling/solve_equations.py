@@ -6,11 +6,20 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, option
+from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Options, Step, Task, option
 from solver.derivation.registry import Refusal
 from solver.options.intervals import Intervals
 from solver.options.relations import Relations
 from solver.options.unknowns import Unknowns
+from solver.tasks.modelling.point_mistakes import (
+    ONE_OF_SEVERAL,
+    ONE_TURN,
+    WHOLE_TURNS,
+    meaning_of_points,
+    other_steps,
+    parts_of,
+    single_turns,
+)
 from solver.tasks.modelling.points import point_checks
 from solver.tasks.modelling.solutions import solutions_of
 from solver.words import Reason
@@ -87,3 +96,29 @@ def satisfied_there_and_nowhere_else(
     equations = [left - right for left, right in options.equations]
     told = options.unknowns
     yield from point_checks(equations, told, told, options.limits(), answers["solutions"], "solutions")
+
+
+@solve_equations.mistake(ONE_OF_SEVERAL, "solutions")
+def one_of_several(attempt: Attempt[StateSpace, SolveEquationsOptions]) -> Iterable[Any]:
+    """Some of the solutions are not told."""
+    yield from parts_of(attempt.ours)
+
+
+@solve_equations.mistake(ONE_TURN, "solutions")
+def one_turn(attempt: Attempt[StateSpace, SolveEquationsOptions]) -> Iterable[Any]:
+    """The solutions of a single turn in place of a family."""
+    yield from single_turns(attempt.ours)
+
+
+@solve_equations.mistake(WHOLE_TURNS, "solutions")
+def whole_turns(attempt: Attempt[StateSpace, SolveEquationsOptions]) -> Iterable[Any]:
+    """2nπ in place of nπ, and nπ in place of 2nπ."""
+    yield from other_steps(attempt.ours)
+
+
+@solve_equations.meaning("solutions")
+def told_and_missing(attempt: Attempt[StateSpace, SolveEquationsOptions]) -> Reason | None:
+    """What is listed is right, but others are not."""
+    return meaning_of_points(
+        list(solve_equations.verify(attempt.given, Answers(solutions=attempt.value))), attempt.value
+    )
