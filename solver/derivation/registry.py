@@ -292,9 +292,8 @@ class Task(Generic[S, O]):
 
     def title_of(self, options: Mapping[str, Any], written: Collection[str]) -> str:
         """Return the title of a question with these options: by the value of one that the file has written."""
-        named = [name for name in options if name in written and self.options[name].titles]
-        titles = (self.options[name].titles.get(options[name]) for name in named)
-        return next(filter(None, titles), self.title)
+        titled = ((name, each.titles) for name, each in self.options.items() if name in written and each.titles)
+        return next(filter(None, (titles.get(options.get(name)) for name, titles in titled)), self.title)
 
     def options_for(self, method: str) -> dict[str, Option]:
         """Return the options that the method takes."""

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from solver.derivation.options import VALUE, OptionKind, Schema
-from solver.problem.equations import EquationReader
 from solver.problem.nodes import MappingNode, Node
 from solver.problem.source import Report, did_you_mean
 from solver.systems import Equations
@@ -46,12 +45,11 @@ class PointOf(OptionKind["Mapping[Symbol, Any]"]):
         if not isinstance(node, MappingNode):
             raise node.fault(f"'{name}' has values of states and inputs, as {{theta: pi, u: 0}}, not {node.what}")
         known = context.system.functions if isinstance(context.system, Equations) else None
-        reader = EquationReader(context.lexicon, discrete=context.discrete)
         report = Report()
         values: dict[Symbol, Any] = {}
         for entry in node:
             with report:
-                function, order = reader.jet(entry.key)
+                function, order = context.jet(entry.key)
                 plain = function.removesuffix("_dot")
                 if known is not None and function not in known and plain not in known:
                     message = f"'{function[:40]}' is neither an unknown nor an input of the equations"

@@ -186,8 +186,9 @@ def _solved_for_the_highest(model: Equations) -> Derivation[tuple[dict[Symbol, E
     differences = [left - right for left, right in model.sides]
     found = _solved_for(differences, list(wanted), linear=is_linear(model))
     if found is None:
-        reason = "not_solvable" if exact.are_linear_in(differences, list(wanted)) else "highest_not_linear"
-        raise Unsolved(f"equations/{reason}")
+        if exact.are_linear_in(differences, list(wanted)):
+            raise Unsolved("equations/not_solvable")
+        raise Unsolved("equations/highest_not_linear")
     claims = {
         f"equation{i}": Claim(left.xreplace(found), right.xreplace(found), Phrase("equation {i}", i=i))
         for i, (left, right) in enumerate(model.sides, 1)

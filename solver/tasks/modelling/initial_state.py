@@ -97,8 +97,9 @@ def by_observability_matrix(given: Given[WithOutput, InitialStateOptions]) -> De
     O = sp.ImmutableMatrix.vstack(*rows)
     if exact.rank(O) < plant.order:
         whole = exact.rank(sp.ImmutableMatrix.vstack(*_rows(plant, plant.order)[0]))
-        kind = "unobservable" if whole < plant.order else "too_few"
-        raise Unsolved(f"initial_state/{kind}", rank=whole, n=plant.order, given=len(known.y), discrete=plant.discrete)
+        if whole < plant.order:
+            raise Unsolved("initial_state/unobservable", rank=whole, n=plant.order)
+        raise Unsolved("initial_state/too_few", n=plant.order, discrete=plant.discrete)
     Y, forced = sp.ImmutableMatrix.vstack(*known.y), _forced(markov, known)
     free = _tidy(Y - forced)
     yield Step("stacked", claims={"free": Claim(difference(Y, forced), free, "what the state alone gives")}, O=O, Y=Y,

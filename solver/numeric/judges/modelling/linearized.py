@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.expressions import evaluate
-from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
+from solver.numeric.evaluation.points import SEED, PointSource, free_symbols, whole_symbols
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.modelling.equations import Jet, Question, states_of
 from solver.numeric.judges.modelling.jets import JetEquations, Jets
@@ -76,12 +76,15 @@ def resting_points(
     everything = [*question.equations, *question.outputs, *values.values(), *others]
     known = {symbol for symbol in question.jets if symbol not in values or values[symbol] != symbol}
     symbols = sorted(free_symbols(everything) - known, key=str)
-    names, source, done = [s for s in symbols if s in question.jets], PointSource(symbols), 0
+    whole = whole_symbols(symbols=frozenset(symbols))
+    source, done = PointSource(symbols, whole), 0
+    free_ones = [s for s in symbols if s not in whole]
+    names = [s for s in free_ones if s in question.jets]
     complex_ones: list[Around] = []
     for _ in range(ATTEMPTS):
         numbers = dict(source.draw())
         found = _at(question, values, numbers, random, discrete=discrete)
-        for free in (names, symbols) if adjusted else ():
+        for free in (names, free_ones) if adjusted else ():
             if found is not None and _off(found) > REST:
                 found = _adjusted(question, values, numbers, free, random, discrete=discrete) or found
         if found is None or (adjusted and _off(found) > REST):
