@@ -1,4 +1,6 @@
-"""Print the tables of speed targets: `python -m benchmarks [--quick] [exponential|placement|command|class|growth]`.
+"""Print the tables of speed targets: `python -m benchmarks [--quick] [GROUP]`.
+
+The groups are exponential, placement, mechanics, command, class and growth.
 
 `--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
 `--write` puts the tables that were measured into docs/performance.md.
@@ -13,7 +15,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import classroom, command_line, growth, matrix_exponential, pole_placement
+from benchmarks import classroom, command_line, growth, matrix_exponential, mechanics, pole_placement
 from benchmarks.timing import Failure, Row
 
 PAGE = Path(__file__).parents[1] / "docs" / "performance.md"
@@ -26,6 +28,8 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
         yield from matrix_exponential.rows(quick=quick)
     if chosen in (None, "placement"):
         yield from pole_placement.rows()
+    if chosen in (None, "mechanics"):
+        yield from mechanics.rows()
     if chosen in (None, "command"):
         yield from command_line.rows()
     if chosen in (None, "class"):
@@ -55,7 +59,8 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="leave out what takes seconds")
     parser.add_argument("--write", action="store_true", help="put the tables into docs/performance.md")
-    parser.add_argument("group", nargs="?", choices=("exponential", "placement", "command", "class", "growth"))
+    groups = ("exponential", "placement", "mechanics", "command", "class", "growth")
+    parser.add_argument("group", nargs="?", choices=groups)
     parser.add_argument("task", nargs="?", help="of the table of growth, one task only")
     chosen = parser.parse_args()
     print("times in ms: the least processor time (of whole processes: wall time), caches emptied before each run")
