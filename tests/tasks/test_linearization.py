@@ -13,6 +13,7 @@ from solver.engine import solve_problem
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
+from tests.helpers.marked import verdict
 
 CART = """
   equations:
@@ -180,3 +181,34 @@ def test_generated_equations_have_the_jacobian_of_differences(chosen, inertia, c
     for name, wanted in (("A", J[:, :4]), ("B", J[:, 4:])):
         found = np.array(result.answers[name].subs(numbers).evalf().tolist(), dtype=float)
         assert np.allclose(found, wanted, atol=1e-5), name
+
+
+PENDULUM = """
+system:
+  equations: ["m l theta'' = -m g sin(theta) - d l theta' + u cos(theta)"]
+  inputs: [u]
+assume: {m: positive, l: positive, g: positive}
+find:
+  a: state_space_model
+  b: {task: linearization, at: {theta: pi, u: 0}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value", "says"),
+    [
+        ("a", "f", """["theta_dot", "-(g/l) sin(theta) - (d/m) theta_dot + u cos(theta)/(m l)"]""", ""),
+        ("a", "f", """["theta'", "(u cos(theta) - m g sin(theta) - d l theta')/(m l)"]""", ""),
+        ("a", "f", """["theta'", "-(g/l) sin(theta) + (d/m) theta' + u cos(theta)/(m l)"]""", "a term"),
+        ("a", "f", """["theta'", "-(g/l) cos(theta) - (d/m) theta' + u sin(theta)/(m l)"]""", "sine and cosine"),
+        ("b", "A", "[[0, 1], [g/l, -d/m]]", ""),
+        ("b", "A", "[[0, 1], [-g/l, -d/m]]", "about the origin"),
+        ("b", "B", "[0, -1/(m l)]", ""),
+        ("b", "B", "[0, 1/(m l)]", "about the origin"),
+        ("b", "A", "[[0, 1], [0, -d/m]]", "gravity is missing"),
+    ],
+)
+def test_right_and_wrong_models_are_told_apart(part, name, value, says):
+    found = verdict(PENDULUM, part, name, value)
+    assert (found.verdict == "correct") == (not says)
+    assert says in str(found.reason)

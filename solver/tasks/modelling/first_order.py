@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     from solver.systems import Equations
     from solver.systems.equations import Jet
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +49,16 @@ class FirstOrder:
     def is_linear(self) -> bool:
         """Whether f and h are sums of states, inputs and their derivatives with constant factors."""
         return bool(exact.is_linear([*self.f, *self.h], list(self.model.jets)))
+
+
+def result_of(derivation: Derivation[T]) -> T:
+    """Run a derivation whose steps are not shown. Raises Unsolved."""
+    while True:
+        try:
+            next(derivation)
+        except StopIteration as end:
+            found: T = end.value
+            return found
 
 
 def is_linear(model: Equations) -> bool:

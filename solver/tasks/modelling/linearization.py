@@ -25,6 +25,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.options.point import PointOf
 from solver.stated.calculus import partial_derivative, value_at
+from solver.tasks.modelling import linearization_mistakes
 from solver.tasks.modelling.first_order import first_order_of, functions_of
 from solver.tasks.modelling.operating_point import OperatingPoint, operating_point_of, point_of
 from solver.tasks.modelling.questions import question_of
@@ -74,6 +75,8 @@ linearization.together(
         ("A", "B", "C", "D"),
     )
 )
+
+linearization_mistakes.register(linearization)
 
 
 @linearization.method(source="Ogata, Modern Control Engineering, §2–7")
