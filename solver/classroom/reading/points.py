@@ -90,9 +90,8 @@ class PointReader:
         found = []
         for piece in pieces:
             parts = [each.strip() for each in split(piece, _COMMA)]
-            if len(parts) > 1 and all(each[:1] in "([{" for each in parts) and self.unknowns:
-                found += parts
-            elif len(self.unknowns) == 1 and len(parts) > 1:
+            in_brackets = bool(self.unknowns) and all(each[:1] in ("(", "[", "{") for each in parts)
+            if len(parts) > 1 and (in_brackets or len(self.unknowns) == 1):
                 found += parts
             else:
                 found.append(piece)

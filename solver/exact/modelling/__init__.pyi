@@ -1,6 +1,6 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-from solver.exact.modelling.branches import Move, NotSolvable, Roots
+from solver.exact.modelling.branches import Move, Roots
 from solver.exact.modelling.circuits import CircuitModel, Law, circuit_model, degenerate
 from solver.exact.modelling.collecting import collected, grouped
 from solver.exact.modelling.highest import are_linear_in, solved_linearly
@@ -19,7 +19,6 @@ __all__ = [
     "Move",
     "NodalModel",
     "NotDifferentiable",
-    "NotSolvable",
     "Partial",
     "Quotient",
     "Roots",

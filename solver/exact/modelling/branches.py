@@ -75,15 +75,6 @@ class Roots:
     certain: bool = True
 
 
-class NotSolvable(Exception):  # noqa: N818 - a refusal
-    """The equations can't be solved; `kind` says why, `values` with what."""
-
-    def __init__(self, kind: str, **values: Any) -> None:
-        super().__init__(kind)
-        self.kind = kind
-        self.values = values
-
-
 def integer_names(taken: Iterable[str]) -> Iterable[sp.Symbol]:
     """Yield symbols of whole numbers: n, m, n1, n2, ..., none of them a name that is taken."""
     known = set(taken)

@@ -12,25 +12,20 @@ from typing import Any
 
 import mpmath
 import sympy as sp
-from sympy.polys.groebnertools import groebner
-from sympy.polys.orderings import lex
-from sympy.polys.rings import ring
 
-from solver.exact.modelling.branches import Box, Branch, Move, NotSolvable, Outcome, Point, Roots, integer_names
-from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, vanishes
+from solver.exact.linear_algebra.fields import NotExact
+from solver.exact.modelling.branches import Box, Branch, Move, Outcome, Point, Roots, integer_names
+from solver.exact.modelling.cases import allowed, cleared, put_in, settled, with_outcome
+from solver.exact.modelling.evaluation import evaluator, vanishes
 from solver.exact.modelling.factors_of_equations import factored
 from solver.exact.modelling.families import family, in_order, put_together
 from solver.exact.modelling.rules_of_equations import CIRCLE, CURVE, DIVISION, Rule, rule_for
 from solver.exact.modelling.searched_roots import newton_roots, roots_between
+from solver.exact.modelling.triangulation import triangulated
 
 MAX_BRANCHES = 200
-MAX_DEGREE = 12
-MAX_BEZOUT = 200
-"""A bound on the number of solutions of the polynomials that are triangulated."""
 DEFAULT_BOX = (sp.Integer(-100), sp.Integer(100))
 NEAR_INTEGERS = range(-3, 4)
-SHOWN = 15
-"""Digits of decimals in points."""
 MAX_SEARCHED = 4
 """The most unknowns that are searched for together."""
 
@@ -39,7 +34,7 @@ def real_solutions(
     equations: Sequence[Any], unknowns: Sequence[sp.Symbol], between: Box | None = None, taken: Iterable[str] = (),
     wanted: Sequence[sp.Symbol] | None = None, known: Point | None = None,
 ) -> Roots:  # fmt: skip
-    """Return all real solutions of expressions that are zero; raises NotSolvable.
+    """Return all real solutions of expressions that are zero; raises NotExact.
 
     `between` are the intervals in which roots are searched that no formula gives; `taken` are names that whole numbers
     must not have. `wanted` are the unknowns that points tell, where that is not all of them; `known` values of some.
@@ -47,7 +42,7 @@ def real_solutions(
     names = {s.name for e in equations for s in e.free_symbols} | {x.name for x in unknowns} | set(taken)
     solver = _Solver(tuple(unknowns), between or {}, list(integer_names(names)))
     put = known or {}
-    equations = [_put(e, put) for e in equations]
+    equations = [put_in(e, put) for e in equations]
     divisors = [factored(e).divisor for e in equations]
     solver.solve(
         Branch(tuple(equations), found=dict(put), nonzero=tuple(d for d in divisors if d.free_symbols & set(unknowns)))
@@ -74,7 +69,7 @@ class _Solver:
         """Follow a case to its ends."""
         self.branches += 1
         if self.branches > MAX_BRANCHES:
-            raise NotSolvable("too_many_cases")
+            raise NotExact("solutions/too_many_cases")
         left = self._left(branch)
         if left is None:
             return
@@ -150,7 +145,7 @@ class _Solver:
         several = len(rule.outcomes) > 1
         cases = [(*branch.case, i) if several else branch.case for i in range(1, len(rule.outcomes) + 1)]
         inside = replace(branch, equations=rest)
-        after = [_after(replace(inside, case=case), o) for case, o in zip(cases, rule.outcomes, strict=True)]
+        after = [with_outcome(replace(inside, case=case), o) for case, o in zip(cases, rule.outcomes, strict=True)]
         known = (*rest, *rule.outcomes[0].equations) if rule.outcomes else ()
         first = after[0] if len(after) == 1 else None
         changed = [each for each in first.equations if each not in known] if first else []
@@ -184,15 +179,15 @@ class _Solver:
         asked = {s for e in branch.equations for s in e.free_symbols}
         inside = [x for x in self.unknowns if x in asked & unknowns]
         if parameters := sorted(asked - unknowns, key=str):
-            raise NotSolvable("needs_numbers", symbols=parameters, equations=list(branch.equations))
+            raise NotExact("solutions/needs_numbers", symbols=parameters, equations=list(branch.equations))
         if len(branch.equations) < len(inside):
-            raise NotSolvable("curve", equations=list(branch.equations), unknowns=inside)
+            raise NotExact("solutions/curve", equations=list(branch.equations), unknowns=inside)
         if len(inside) > MAX_SEARCHED:
-            raise NotSolvable("too_many_unknowns", unknowns=inside)
+            raise NotExact("solutions/too_many_unknowns", unknowns=inside)
         box = {x: self.box.get(x, DEFAULT_BOX) for x in inside}
         self.searched.append(box)
         limits = [tuple(evaluator(end, [])(mpmath.mp, []) for end in box[x]) for x in inside]
-        functions = [_cleared(e) for e in branch.equations]
+        functions = [cleared(e) for e in branch.equations]
         certain = True
         if len(inside) == 1:
             roots, certain = roots_between(functions[0], inside[0], *limits[0])
@@ -206,8 +201,9 @@ class _Solver:
                    certain=certain, default=[x for x in inside if x not in self.box])  # fmt: skip
         for i, put in enumerate(values, 1):
             case = (*branch.case, i) if len(values) > 1 else branch.case
-            after = _after(replace(branch, equations=branch.equations[len(inside) :], case=case), Outcome(put))
-            if after is not None and _allowed(branch, put):
+            own = replace(branch, equations=branch.equations[len(inside) :], case=case)
+            after = with_outcome(own, Outcome(put))
+            if after is not None and allowed(branch, put):
                 yield after
 
     # ---- the end of a case ----
@@ -223,7 +219,7 @@ class _Solver:
                 kept.append(now)
         for e in branch.nonzero:
             kept += self._apart(e.xreplace(put), branch.integers)
-        point = {x: _settled(put.get(x, x)) for x in self.unknowns}
+        point = {x: settled(put.get(x, x)) for x in self.unknowns}
         self._note(branch, "point", point=point, needs=kept, free=[x for x in self.unknowns if point[x] == x])
         self.ends.append((point, tuple(kept)))
 
@@ -236,78 +232,3 @@ class _Solver:
             (n,) = integers
             return [sp.Ne(n, i, evaluate=False) for i in NEAR_INTEGERS if vanishes(e.xreplace({n: sp.Integer(i)}))]
         return [sp.Ne(f, 0) for f in factored(e).factors if f.free_symbols & open_ and not f.is_nonzero]
-
-
-def _after(branch: Branch, outcome: Outcome) -> Branch | None:
-    """The case with an outcome put into it; None where that contradicts what is assumed, or was said before."""
-    put = outcome.put
-    if any(_forbidden(x, v) for x, v in put.items()):
-        return None
-    found = {x: _put(v, put) for x, v in branch.found.items()} | dict(put)
-    integers = branch.integers + ((outcome.integer,) if outcome.integer is not None else ())
-    others = (_put(e, outcome.known) for e in branch.equations)
-    equations = tuple(_put(e, put) for e in (*outcome.equations, *others))
-    needs = tuple(need.xreplace(put) for need in (*branch.needs, *outcome.needs))
-    nonzero = tuple(_put(e, put) for e in (*branch.nonzero, *outcome.nonzero))
-    if any(vanishes(each) for each in nonzero):
-        return None
-    return replace(branch, equations=equations, found=found, integers=integers, needs=needs, nonzero=nonzero)
-
-
-def _forbidden(x: Any, v: Any) -> bool:
-    """Whether a value contradicts what is assumed of an unknown."""
-    return bool(
-        (x.is_positive and v.is_nonpositive) or (x.is_negative and v.is_nonnegative) or (x.is_nonzero and v.is_zero)
-    )
-
-
-def _allowed(branch: Branch, put: Point) -> bool:
-    """Whether the equations hold as they stand, also where they have been cleared of divisors."""
-    return all(vanishes(_put(e, put)) or e.free_symbols - set(put) for e in branch.equations)
-
-
-def _put(expression: Any, put: Mapping[Any, Any]) -> Any:
-    return expression.xreplace(dict(put)) if put and expression.has(*put) else expression
-
-
-def _settled(value: Any) -> Any:
-    """Decimals as they are given."""
-    if value.has(sp.Float) and not value.free_symbols:
-        with mpmath.workdps(DIGITS):
-            return decimal(evaluator(value, [])(mpmath.mp, []), SHOWN)
-    return value.xreplace({f: sp.Float(f, SHOWN) for f in value.atoms(sp.Float)} | _turned(value))
-
-
-def _turned(value: Any) -> dict[Any, Any]:
-    """(−1)ⁿ in place of its inverse."""
-    powers = [p for p in value.atoms(sp.Pow) if p.base == -1 and p.exp.could_extract_minus_sign()]
-    return {p: sp.S.NegativeOne**-p.exp for p in powers}
-
-
-def _cleared(e: Any) -> Any:
-    """The product of the factors, without divisors."""
-    parts = factored(e)
-    return sp.Mul(*parts.factors) if parts.factors else e
-
-
-def triangulated(polynomials: Sequence[Any], unknowns: Sequence[Any]) -> list[Any] | None:
-    """Return a lexicographic Gröbner basis, the simplest polynomial first; None where that may take too long."""
-    parameters = sorted({s for p in polynomials for s in p.free_symbols} - set(unknowns), key=str)
-    inside = {a for p in polynomials for a in p.atoms(sp.Float, sp.Function, sp.Pow)}
-    others = {a for a in inside if not a.is_Pow or not a.exp.is_Integer}
-    if others or len(parameters) > 4:
-        return None
-    K: Any = sp.QQ.frac_field(*parameters) if parameters else sp.QQ
-    R, *_ = ring(list(unknowns), K, lex)
-    try:
-        elements = [R.from_expr(sp.expand(p)) for p in polynomials]
-    except (ValueError, sp.CoercionFailed):
-        return None
-    degrees = [max(map(sum, p.monoms())) for p in elements]
-    bound = 1
-    for degree in degrees:
-        bound *= degree
-    if max(degrees) > MAX_DEGREE or bound > (12 if parameters else MAX_BEZOUT):
-        return None
-    basis = groebner(elements, R)
-    return [sp.expand(p.primitive()[1].as_expr() if not parameters else p.as_expr()) for p in reversed(basis)]

@@ -13,7 +13,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from solver.exact.modelling.branches import NotSolvable
+from solver.exact.linear_algebra.fields import NotExact
 from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, vanishes
 
 MAX_PIECES = 20_000
@@ -35,7 +35,7 @@ def roots_between(f: Any, x: sp.Symbol, low: Any, high: Any) -> tuple[list[Any],
     while pieces:
         count += 1
         if count > MAX_PIECES:
-            raise NotSolvable("too_many_roots", unknown=x)
+            raise NotExact("solutions/too_many_roots", unknown=x)
         a, b = pieces.pop()
         if not _may_vanish(value, a, b):
             continue

@@ -44,12 +44,19 @@ def point_checks(
 
 
 def _by_symbol(point: Mapping[Any, Any], told: Sequence[Any]) -> dict[Any, Any] | None:
-    """The values by the symbols of the unknowns, whatever kind of symbol names them; None where one is missing."""
+    """The values by the symbols of the unknowns, whatever kind of symbol names them.
+
+    None where one is missing, or given in terms of itself.
+    """
     by_name = {str(key): value for key, value in dict(point).items()}
     if set(by_name) != {str(x) for x in told}:
         return None
     own = {str(x): x for x in told}
-    return {x: _own(by_name[str(x)], own) for x in told}
+    found = {x: _own(by_name[str(x)], own) for x in told}
+    bound = {x: value for x, value in found.items() if value != x}
+    for _ in bound:  # x = y, y = 2 is x = 2
+        bound = {x: value.xreplace(bound) if value.has(*bound) else value for x, value in bound.items()}
+    return {**found, **bound} if not any(value.has(*bound) for value in bound.values()) else None
 
 
 def _own(value: Any, own: Mapping[str, Any]) -> Any:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product
@@ -28,12 +28,9 @@ def solutions_of(
 ) -> Derivation[Roots]:
     """Solve expressions that are zero for unknowns; `told` are those that a solution tells, `known` values of some.
 
-    Raises Unsolved.
+    Raises NotExact.
     """
-    try:
-        found = exact.real_solutions(equations, unknowns, between, taken, told, dict(known))
-    except exact.NotSolvable as refusal:
-        raise Unsolved(f"solutions/{refusal.kind}", **refusal.values) from None
+    found = exact.real_solutions(equations, unknowns, between, taken, told, dict(known))
     moves = list(found.moves)
     for move, following in zip(moves, [*moves[1:], None], strict=True):
         if move.kind != "point":

@@ -5,7 +5,7 @@ Unknowns may be free (a point then has their own symbol), and whole numbers may 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from random import Random
 from typing import Any
 
@@ -14,6 +14,8 @@ import sympy as sp
 
 from solver.numeric.evaluation.points import SEED, PointSource
 from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.modelling.compiled import Function, compiled
+from solver.numeric.judges.modelling.families import Family
 
 DIGITS = 30
 TRIALS = 3
@@ -24,7 +26,6 @@ STEPS = 60
 REACH = 12
 Point = Mapping[Any, Any]
 Vectors = Any
-Function = Callable[[Mapping[Any, Any]], Any]
 
 
 def substitution_residual(
@@ -152,7 +153,7 @@ def missing(
     for numbers in _draws(equations, every):
         real = [e.xreplace(numbers) for e in equations]
         solutions = _solutions(real, every, between)
-        own = [_Family(point, unknowns, numbers) for point in points]
+        own = [Family(point, unknowns, numbers) for point in points]
         for at in solutions:
             told = at[: len(unknowns)]
             if not any(each.holds(told) for each in own):
@@ -225,96 +226,3 @@ def _slopes(functions: Sequence[Sequence[Function]], at: Mapping[Any, Any], coun
 def _sizes(equations: Sequence[Any], at: Mapping[Any, Any], count: int) -> Vectors:
     terms = [[compiled(term) for term in sp.Add.make_args(e)] for e in equations]
     return np.stack([np.max(np.abs(_values(row, at, count)), axis=1) for row in terms], axis=1)
-
-
-class _Family:
-    """A point at numbers of the parameters: values in terms of whole numbers and of what is free."""
-
-    def __init__(self, point: Point, unknowns: Sequence[Any], numbers: Mapping[Any, Any]) -> None:
-        self.unknowns = unknowns
-        self.is_complex = any(x.is_real is None for x in unknowns)
-        self.values = [point[x].xreplace(dict(numbers)) for x in unknowns]
-        inside = {s for v in self.values for s in v.free_symbols}
-        self.integers = sorted(inside - set(unknowns), key=str)
-        self.functions = [compiled(v) for v in self.values]
-
-    def holds(self, at: Vectors) -> bool:
-        """Whether a solution is one of the family."""
-        own = dict(zip(self.unknowns, at.tolist(), strict=True))
-        zero = self._at({**own, **dict.fromkeys(self.integers, 0.0)})
-        if zero is None:
-            return False
-        if self.integers:
-            columns = [self._at({**own, **dict.fromkeys(self.integers, 0.0), n: 2.0}) for n in self.integers]
-            if any(column is None for column in columns):
-                return False
-            steps = np.array([(column - zero).real / 2 for column in columns]).T
-            counts = np.linalg.lstsq(steps, at.real - zero.real, rcond=None)[0]
-            near = [round(float(c)) for c in counts]
-            for more in _around(len(near)):
-                whole = {n: float(c + d) for n, c, d in zip(self.integers, near, more, strict=True)}
-                if self._is_near(self._at({**own, **whole}), at):
-                    return True
-            return False
-        return self._is_near(zero, at)
-
-    @staticmethod
-    def _is_near(value: Any, at: Vectors) -> bool:
-        return value is not None and bool(np.all(np.abs(value - at) <= 1e-5 * (1 + np.abs(at))))
-
-    def _at(self, numbers: Mapping[Any, float]) -> Any:
-        with np.errstate(all="ignore"):
-            try:
-                values = np.array([complex(f(numbers)) for f in self.functions])
-            except (KeyError, ZeroDivisionError, OverflowError):
-                return None
-        real = np.isfinite(values).all() and np.all(np.abs(values.imag) < 1e-9 * (1 + np.abs(values)))
-        return values.real if real else values if self.is_complex and np.isfinite(values).all() else None
-
-
-def _around(count: int) -> Iterator[tuple[int, ...]]:
-    """Whole numbers by which a rounded guess may be wrong."""
-    if count > 2:
-        yield (0,) * count
-        return
-    span = (0, 1, -1, 2, -2)
-    yield from ((i,) for i in span) if count == 1 else ((i, j) for i in span for j in span)
-
-
-NUMPY: dict[str, Callable[..., Any]] = {
-    "Add": lambda *terms: sum(terms), "Mul": lambda *parts: np.prod(np.broadcast_arrays(*parts), axis=0),
-    "sin": np.sin, "cos": np.cos, "tan": np.tan, "exp": np.exp, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh,
-    "Abs": np.abs, "sign": np.sign, "log": lambda x: np.log(_complex(x)), "asin": lambda x: np.arcsin(_complex(x)),
-    "acos": lambda x: np.arccos(_complex(x)), "atan": np.arctan, "asinh": np.arcsinh,
-    "acosh": lambda x: np.arccosh(_complex(x)), "atanh": lambda x: np.arctanh(_complex(x)),
-    "atan2": lambda y, x: np.arctan2(np.real(y), np.real(x)),
-}  # fmt: skip
-
-
-def _complex(x: Any) -> Any:
-    """A number as it is where the function is real there, else as a complex one."""
-    return x if isinstance(x, np.ndarray) else complex(x)
-
-
-def compiled(e: Any) -> Function:
-    """Return the function of the values of symbols, numbers or arrays of them."""
-    if e.is_Symbol:
-        return lambda at: at[e]
-    if e.is_number:
-        number = complex(e.evalf(20))
-        value = number.real if number.imag == 0 else number
-        return lambda _at: value
-    parts = [compiled(each) for each in e.args]
-    if e.is_Pow:
-        return _power(e, *parts)
-    function = NUMPY[e.func.__name__]
-    return lambda at: function(*(part(at) for part in parts))
-
-
-def _power(e: Any, base: Function, exponent: Function) -> Function:
-    if e.exp.is_Integer:
-        n = int(e.exp)
-        return lambda at: base(at) ** n if n > 0 else 1.0 / base(at) ** -n
-    if e.base is sp.S.NegativeOne:
-        return lambda at: np.cos(np.pi * exponent(at))
-    return lambda at: _complex(base(at)) ** exponent(at)
