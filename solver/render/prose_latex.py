@@ -18,7 +18,6 @@ from solver.render.tex_text import escaped
 
 _FIXED = {
     "paragraph_open": "",
-    "paragraph_close": "\n\n",
     "em_open": r"\emph{",
     "em_close": "}",
     "strong_open": r"\textbf{",
@@ -174,12 +173,18 @@ def _nothing(_token: Token, _tokens: Sequence[Token], _index: int) -> str:
     return ""
 
 
+def _paragraph_end(_token: Token, tokens: Sequence[Token], index: int) -> str:
+    """End a paragraph, unless a formula follows, which is displayed in it: TeX keeps both on one page."""
+    return "\n" if [each.type for each in tokens[index + 1 : index + 2]] == ["math_block"] else "\n\n"
+
+
 def _row_end(_token: Token, _tokens: Sequence[Token], _index: int) -> str:
     return " \\\\\n"
 
 
 _WRITERS: dict[str, Callable[[Token, Sequence[Token], int], str]] = {
     "inline": _inline,
+    "paragraph_close": _paragraph_end,
     "text": _text,
     "math_inline": _math,
     "math_inline_double": _math,

@@ -66,6 +66,11 @@ def test_markdown_becomes_latex():
     assert r"\begin{tabular}{lr}" in latex
 
 
+def test_a_formula_is_displayed_in_the_paragraph_that_leads_to_it():
+    latex = to_latex("So\n\n$$\nA = 1\n$$\n\nand\n\nthen\n\n$$\nB = 2\n$$\n")
+    assert latex == "So\n\\display{A = 1}\nand\n\nthen\n\\display{B = 2}"
+
+
 HOSTILE = [
     "<script>alert(1)</script>",
     "</script><svg onload=alert(1)>",
