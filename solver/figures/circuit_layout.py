@@ -18,8 +18,13 @@ CELL, COLUMN, HEIGHT, LANE = 2.6, 2.0, 2.6, 1.3
 AMPLIFIER, PINS, LOW, ROOM = 4.0, 1.0, 1.9, 1.0
 """Width of a gap with an amplifier, distance of its inputs, how far below the row a wire runs to the second one, and
 what more is needed beside a column."""
+BESIDE = 0.35
+"""How far beside a column a wire from below comes to a node."""
 MOST = 6
 """So many nodes are tried in every order, more in the order of the list only."""
+
+STRAIGHT = 2
+"""As many directions has a wire that goes on."""
 
 Point = tuple[float, float]
 
@@ -150,19 +155,21 @@ def _amplifier(plan: _Plan, each: Component) -> bool:
 def _drawn(plan: _Plan) -> CircuitLayout:
     """Give everything its place."""
     layout, (left, right) = CircuitLayout(), _columns(plan)
+    entry, leave = _ends(plan, left, right)
     for k, below in plan.shunts.items():
         for i, each in enumerate(below):
             top = (left[k] + i * COLUMN, HEIGHT)
             foot = (top[0], 0.0)
             layout.placed.append(Placed(each, *((top, foot) if each.nodes[1] == GROUND else (foot, top))))
     for k in range(len(plan.order)):
-        columns = [(left[k] + i * COLUMN, HEIGHT) for i in range(len(plan.shunts.get(k, [])))]
-        layout.wires += list(pairwise(columns))
+        columns = [left[k] + i * COLUMN for i in range(len(plan.shunts.get(k, [])))] or [left[k]]
+        along = dict.fromkeys((entry[k], *columns, leave[k]))
+        layout.wires += pairwise((x, HEIGHT) for x in along)
         layout.names.append(((left[k], HEIGHT), plan.order[k]))
-    _series(layout, plan, left, right)
+    _series(layout, plan, entry, leave)
     _above(layout, plan, left, right)
     for k in plan.amplifiers:
-        _place_amplifier(layout, plan, k, left, right)
+        _place_amplifier(layout, plan, k, entry, leave)
     _rail(layout, plan, left)
     layout.dots = _dots(layout)
     return layout
@@ -178,6 +185,20 @@ def _columns(plan: _Plan) -> tuple[list[float], list[float]]:
         beside = ROOM * bool(plan.shunts.get(k))
         x += AMPLIFIER + beside if k in plan.amplifiers else CELL if k in plan.series or _spanned(plan, k) else COLUMN
     return left, right
+
+
+def _ends(plan: _Plan, left: Sequence[float], right: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Where each node begins and ends: beside its columns where a wire from below comes to it."""
+    entry, leave = list(left), list(right)
+    for k, (each, minus_above) in plan.amplifiers.items():
+        other = each.inputs[0 if minus_above else 1]
+        if other not in (GROUND, each.nodes[0]):
+            place = plan.place(other)
+            if place > k:
+                entry[place] = left[place] - BESIDE
+            else:
+                leave[place] = right[place] + BESIDE
+    return entry, leave
 
 
 def _spanned(plan: _Plan, k: int) -> bool:
@@ -222,7 +243,7 @@ def _place_amplifier(layout: CircuitLayout, plan: _Plan, k: int, left: Sequence[
         layout.wires.append((lower, (pin, lower[1]), (pin, y), (out - 0.5, y), (out - 0.5, tip[1])))
     else:
         place = plan.place(other)
-        at = left[place] - 0.35 if place > k else right[place] + 0.35
+        at = left[place] if place > k else right[place]
         layout.wires.append((lower, (pin, lower[1]), (pin, y), (at, y), (at, HEIGHT)))
 
 
@@ -236,16 +257,19 @@ def _rail(layout: CircuitLayout, plan: _Plan, left: Sequence[float]) -> None:
 
 
 def _dots(layout: CircuitLayout) -> list[Point]:
-    """Where three ends or more meet, or an end meets the midst of a wire."""
-    ends = [p for each in layout.placed for p in (each.start, each.end)]
-    ends += [p for wire in layout.wires for p in (wire[0], wire[-1])]
-    counts = {p: ends.count(p) for p in dict.fromkeys(ends)}
-    inside = [(p, q) for wire in layout.wires for p, q in pairwise(wire)]
-    return [p for p, n in counts.items() if n + 2 * any(_within(p, *segment) for segment in inside) > 2]
+    """Where lines leave in three directions or more."""
+    segments = [(each.start, each.end) for each in layout.placed]
+    segments += [pair for wire in layout.wires for pair in pairwise(wire)]
+    points = dict.fromkeys(p for segment in segments for p in segment)
+    return [p for p in points if len({way for segment in segments for way in _ways(p, *segment)}) > STRAIGHT]
 
 
-def _within(p: Point, a: Point, b: Point) -> bool:
-    """Whether a point lies inside a segment along an axis."""
-    if a[0] == b[0] == p[0]:
-        return min(a[1], b[1]) < p[1] < max(a[1], b[1])
-    return a[1] == b[1] == p[1] and min(a[0], b[0]) < p[0] < max(a[0], b[0])
+def _ways(p: Point, a: Point, b: Point) -> list[Point]:
+    """The directions in which a segment along an axis leaves a point of it."""
+    axis = 0 if a[1] == b[1] else 1
+    low, high = sorted((a[axis], b[axis]))
+    if p[1 - axis] != a[1 - axis] or not low <= p[axis] <= high:
+        return []
+    unit = (1.0, 0.0) if axis == 0 else (0.0, 1.0)
+    forward = [unit] if p[axis] < high else []
+    return forward + ([(-unit[0], -unit[1])] if p[axis] > low else [])

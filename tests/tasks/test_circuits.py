@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -10,15 +11,20 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from solver import figures
 from solver.derivation import CheckStatus, Status
 from solver.engine import given_of, refusals_of, solve_problem
 from solver.exact.modelling.circuits import circuit_model
 from solver.exact.modelling.nodal import nodal_model
+from solver.figures.circuit_layout import layout_of
+from solver.figures.drawing import drawing_of
 from solver.messages import Messages
 from solver.numeric.judges import modelling as judges
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
+from solver.tasks.modelling.circuit_figures import schematic_of
+from tests.helpers.marked import verdict
 
 s = sp.Symbol("s")
 
@@ -338,3 +344,115 @@ def test_corrupted_answers_are_rejected():
                 wrong[i, j] += sp.Rational(1, 50)
                 checks = task.verify(asked, {name: sp.ImmutableMatrix(wrong)})
                 assert any(check.status is CheckStatus.FAILED for check in checks), (name, i, j)
+
+
+MARKED = """
+system: {circuit: ["V1 1 0 v_s", "R1 1 2", "R2 2 3", "L 3 4", "C 4 0"], outputs: [v_C]}
+find: {a: state_space_model, b: {task: transfer_function, method: impedance}}
+"""
+CONTROLLED = """
+system: {circuit: ["V1 1 0 v_s", "R1 1 2", "L 2 0", "H1 3 0 L r", "R2 3 0"], outputs: [v_3]}
+find: {a: {task: transfer_function, method: impedance}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("problem", "part", "name", "value", "says"),
+    [
+        (MARKED, "a", "A", "[[-(R1 + R2)/C, -1/C], [1/L, 0]]", "inductance and capacitance are exchanged"),
+        (MARKED, "a", "A", "[[-(R1 + R2)/L, 1/L], [-1/C, 0]]", "signs of some entries are reversed"),
+        (MARKED, "b", "G", "-1/(L*C*s^2 + (R1 + R2)*C*s + 1)", "sign"),
+        (MARKED, "b", "G", "1/(L*C*s^2 + (R1*R2/(R1 + R2))*C*s + 1)", "resistors in series are taken as parallel"),
+        (CONTROLLED, "a", "G", "-r/(L*s + R1)", "sign"),
+    ],
+)
+def test_usual_mistakes_are_named(problem, part, name, value, says):
+    found = verdict(problem, part, name, f'"{value}"' if name == "G" else value)
+    assert found.verdict == "wrong"
+    assert says in found.reason, found.reason
+
+
+def test_right_answers_of_other_forms_are_right():
+    rows = {"A": "[[-R1/L - R2/L, -1/L], [1/C, 0]]", "B": "[1/L, 0]", "C": "[0, 1]", "D": "0"}
+    for name, value in rows.items():
+        assert verdict(MARKED, "a", name, value).verdict == "correct"
+    assert verdict(MARKED, "b", "G", '"1/(1 + s*C*(R1 + R2 + s*L))"').verdict == "correct"
+
+
+DRAWN = {
+    "series": SERIES,
+    "ladder": LADDER,
+    "inverting": INVERTING,
+    "sallen_key": SALLEN_KEY,
+    "not inverting": ["V1 1 0 v_s", "O1 2 0 1 3", "R2 2 3", "R1 3 0", "C 3 0"],
+    "controlled": ["V1 1 0 v_s", "R1 1 2", "C 2 0", "E1 3 0 2 0 mu", "R2 3 0"],
+    "bridge": ["V1 1 0 v_s", "R1 1 2", "R2 2 0", "R3 1 3", "R4 3 0", "L 2 3"],
+    "parallel": ["I1 0 1 i_s", "R 1 0 2", "L 1 0", "C 1 0 1/2"],
+}
+
+
+def drawing(lines):
+    (figure,) = schematic_of(read(lines).system)
+    return figure
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_a_drawing_joins_what_the_netlist_joins(name):
+    """Ends that wires join are one node, and every element lies between its own."""
+    layout = layout_of(drawing(DRAWN[name]))
+    joined = {}
+
+    def root(p):
+        while joined.get(p, p) != p:
+            p = joined[p]
+        return p
+
+    segments = [pair for wire in layout.wires for pair in pairwise(wire)]
+    points = {p for pair in segments for p in pair} | {p for each in layout.placed for p in (each.start, each.end)}
+    points |= {p for each in layout.amplifiers for p in (each.upper, each.lower, each.output)} | {*layout.grounds}
+    for a, b in segments:
+        for p in points:
+            on = min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
+            if on:
+                joined[root(p)] = root(a)
+    nodes = {}
+    for each in layout.placed:
+        for place, node in zip((each.start, each.end), each.component.nodes, strict=True):
+            nodes.setdefault(node, set()).add(root(place))
+    for each in layout.amplifiers:
+        plus, minus = each.component.inputs
+        above, below = (minus, plus) if each.minus_above else (plus, minus)
+        for place, node in ((each.upper, above), (each.lower, below), (each.output, each.component.nodes[0])):
+            nodes.setdefault(node, set()).add(root(place))
+    grounds = {root(place) for place in layout.grounds}
+    assert nodes.pop("0") <= grounds
+    assert all(len(places) == 1 for places in nodes.values()), nodes
+    assert len({*nodes[next(iter(nodes))]}) == 1
+    assert len(set().union(*nodes.values()) | grounds) == len(nodes) + len(grounds)
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_nothing_in_a_drawing_lies_on_anything_else(name):
+    layout = layout_of(drawing(DRAWN[name]))
+    spans = [(each.start, each.end) for each in layout.placed]
+    middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in spans]
+    assert len(set(middles)) == len(middles)
+    for wire in layout.wires:
+        for (x0, y0), (x1, y1) in pairwise(wire):
+            assert x0 == x1 or y0 == y1
+            low, high = sorted((x0, x1)), sorted((y0, y1))
+            assert not any(low[0] - 0.2 < x < low[1] + 0.2 and high[0] - 0.2 < y < high[1] + 0.2 for x, y in middles)
+
+
+def test_drawings_are_the_same_each_time_and_say_what_is_seen():
+    figure = drawing(SALLEN_KEY)
+    assert figures.svg(figure) == figures.svg(figure)
+    assert "circle" in figures.tikz(drawing(LADDER))
+    told = drawing_of(figure).alt
+    assert "O1: output 4, inputs 3 (plus) and 4 (minus)" in told
+    assert "C1 from node 2 to node 4" in told
+
+
+def test_what_cannot_be_laid_out_well_is_not_drawn():
+    lines = ["I1 0 1 i_s", "R1 1 2", "R2 2 3", "R3 3 4", "C 4 5", "R5 5 0", "O1 4 0 1 3", "O2 2 0 5 3", "R6 1 0"]
+    assert schematic_of(read(lines).system) == ()

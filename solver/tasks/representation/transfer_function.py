@@ -17,6 +17,7 @@ from solver.stated.algebra import power, product, quotient, total
 from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.characteristic_polynomial import recursion_of, shows_its_factors
 from solver.tasks.linear_algebra.resolvent import adjugate_of_pencil
+from solver.tasks.modelling import circuit_mistakes
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.lowest_terms import fractions_of, lowest_terms_of, rows_as_matrix
 from solver.tasks.representation.plants import (
@@ -112,9 +113,12 @@ def by_faddeev_leverrier(given: Given[InputOutput, TransferFunctionOptions]) -> 
 
 
 @transfer_function.method(
-    "impedance", title="Impedances and nodal analysis", source="Desoer and Kuh, Basic Circuit Theory, chapters 7 and 10",
-    system="circuit", needs=("impedances",),
-)  # fmt: skip
+    "impedance",
+    title="Impedances and nodal analysis",
+    source="Desoer and Kuh, Basic Circuit Theory, chapters 7 and 10",
+    system="circuit",
+    needs=("impedances",),
+)
 def by_impedances(given: Given[InputOutput, TransferFunctionOptions]) -> Derivation[Answers]:
     """The quotient that nodal analysis finds, in lowest terms."""
     plant = chosen_channel(given)
@@ -216,6 +220,7 @@ def _fractions(given: Given[InputOutput, TransferFunctionOptions], G: Any) -> ex
 
 
 transfer_function.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
+circuit_mistakes.name_mistakes(transfer_function)
 
 
 @transfer_function.meaning("G")
