@@ -3,6 +3,7 @@
 from solver.exact.modelling.branches import Move, Roots
 from solver.exact.modelling.circuits import CircuitModel, Law, circuit_model, degenerate
 from solver.exact.modelling.collecting import collected, grouped
+from solver.exact.modelling.derivatives import is_nonlinear
 from solver.exact.modelling.highest import are_linear_in, solved_linearly
 from solver.exact.modelling.linearized import NotDifferentiable, Partial, Quotient, condition_of, partials_at, put_in
 from solver.exact.modelling.manipulator import Manipulator, christoffel, manipulator_form
@@ -15,9 +16,9 @@ from solver.exact.modelling.turns import Solved, Turn, solved_in_turn
 __all__ = [
     "CircuitModel",
     "Law",
+    "NodalModel",
     "Manipulator",
     "Move",
-    "NodalModel",
     "NotDifferentiable",
     "Partial",
     "Quotient",
@@ -31,6 +32,7 @@ __all__ = [
     "condition_of",
     "degenerate",
     "grouped",
+    "is_nonlinear",
     "is_zero",
     "jacobian",
     "manipulator_form",

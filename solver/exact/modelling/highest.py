@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from solver.exact.modelling.derivatives import partial
 from solver.exact.modelling.quotients import Polynomial, Quotients, quotients_in
 
 Fraction = tuple[Polynomial, Polynomial]
@@ -13,7 +14,7 @@ Fraction = tuple[Polynomial, Polynomial]
 
 def are_linear_in(expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol]) -> bool:
     """Whether the expressions are sums of the wanted symbols with coefficients free of them, and of a rest."""
-    return not any(sp.diff(e, x).has(*wanted) for e in expressions for x in wanted if e.has(x))
+    return not any(partial(e, x).has(*wanted) for e in expressions for x in wanted if e.has(x))
 
 
 def solved_linearly(expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
@@ -24,7 +25,7 @@ def solved_linearly(expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol])
     n = len(wanted)
     if len(expressions) != n:
         return None
-    coefficients = [[sp.diff(e, x) for x in wanted] for e in expressions]
+    coefficients = [[partial(e, x) for x in wanted] for e in expressions]
     rest = [e.xreplace(dict.fromkeys(wanted, sp.S.Zero)) for e in expressions]
     field = quotients_in([*rest, *(c for row in coefficients for c in row)])
     rows = [[field.of(c) for c in (*row, -r)] for row, r in zip(coefficients, rest, strict=True)]

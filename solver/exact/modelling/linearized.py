@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from solver.exact.modelling.derivatives import partial
 from solver.exact.modelling.quotients import normal
 
 Values = Mapping[sp.Symbol, sp.Expr]
@@ -78,13 +79,13 @@ def partial_at(quotient: Quotient, x: sp.Symbol) -> Partial:
     """Return ∂f/∂x and its value at the point. Raises NotDifferentiable."""
     n, d = quotient.numerator, quotient.denominator
     if not d.has(x):
-        formula = sp.diff(quotient.function, x)
+        formula = partial(quotient.function, x)
         return Partial(formula, put_in(formula, quotient.at))
-    of_n = sp.diff(n, x)
+    of_n = partial(n, x)
     if quotient.above == 0:
         above, below = put_in(of_n, quotient.at), quotient.below
         return Partial(of_n, normal(above / below), True, above, below)
-    of_d = sp.diff(d, x)
+    of_d = partial(d, x)
     above, below = put_in(of_n, quotient.at), quotient.below
     value = normal(above / below - quotient.above * put_in(of_d, quotient.at) / below**2)
     return Partial((of_n * d - n * of_d) / d**2, value)
@@ -114,7 +115,7 @@ def condition_of(residual: sp.Expr, names: Sequence[sp.Symbol]) -> Any:
     named = [f for f in factors if f.has(*names)] if names else []
     rest = sp.Mul(*(named or factors))  # what holds of the names whatever the parameters are
     for name in names:
-        slope = sp.diff(rest, name) if rest.has(name) else sp.S.Zero
+        slope = partial(rest, name) if rest.has(name) else sp.S.Zero
         if slope != 0 and not slope.has(*names) and not slope.has(name):
             return sp.Eq(name, normal(name - rest / slope), evaluate=False)
     return sp.Eq(rest, 0, evaluate=False)

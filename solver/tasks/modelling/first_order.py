@@ -48,7 +48,7 @@ class FirstOrder:
     @property
     def is_linear(self) -> bool:
         """Whether f and h are sums of states, inputs and their derivatives with constant factors."""
-        return bool(exact.is_linear([*self.f, *self.h], list(self.model.jets)))
+        return _are_linear([*self.f, *self.h], self.model)
 
 
 def result_of(derivation: Derivation[T]) -> T:
@@ -63,7 +63,12 @@ def result_of(derivation: Derivation[T]) -> T:
 
 def is_linear(model: Equations) -> bool:
     """Whether every equation and output is a sum of unknowns, inputs and their derivatives with constant factors."""
-    return bool(exact.is_linear([left - right for left, right in model.sides] + list(model.outputs), list(model.jets)))
+    return _are_linear([*(left - right for left, right in model.sides), *model.outputs], model)
+
+
+def _are_linear(expressions: Sequence[Expr], model: Equations) -> bool:
+    jets = list(model.jets)
+    return not exact.is_nonlinear(expressions, jets) and bool(exact.is_linear(expressions, jets))
 
 
 @lemma("first_order")
