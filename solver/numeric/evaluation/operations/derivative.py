@@ -14,7 +14,7 @@ from solver.numeric.evaluation.arithmetic import DOUBLE, Arithmetic, Array
 from solver.numeric.evaluation.contour import unit_roots
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.stated import Oracle
-from solver.numeric.evaluation.values import NotEvaluable, Value, gathered
+from solver.numeric.evaluation.values import Undefined, Value, gathered
 from solver.numeric.evaluation.walk import walk
 
 ORACLE = Oracle(65, "Cauchy's integral formula")
@@ -28,7 +28,7 @@ RADII = (1.0, 0.25, 0.0625, 2.0**-6, 2.0**-8, 2.0**-12, 2.0**-18)
 def evaluate(environment: Environment, function: Any, variable: Any, order: Any = 1) -> Value:
     """dᵐf/dxᵐ by Cauchy's integral formula on the largest of some circles in which f is analytic.
 
-    Raises NotEvaluable where f is not analytic near x.
+    Raises Undefined where f is not analytic near x.
     """
     m = int(order)
     if m == 0:
@@ -53,7 +53,7 @@ def by_cauchy(environment: Environment, m: int, on_circle: Callable[[float], Val
             # the division by scale^m comes last: in doubles it is exact, scale being a power of two
             result = (value * weights).sum(axis=1) / count / scale**m
             return Value(result, magnitude.sum(axis=1) / count * factorial(m) / radius**m)
-    raise NotEvaluable("the function to differentiate is not analytic near the point")
+    raise Undefined("the function to differentiate is not analytic near the point")
 
 
 def points_on(arithmetic: Arithmetic) -> int:
