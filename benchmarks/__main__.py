@@ -15,7 +15,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks import classroom, command_line, growth, matrix_exponential, mechanics, pole_placement
+from benchmarks import classroom, command_line, growth, linearization, matrix_exponential, mechanics, pole_placement
 from benchmarks.timing import Failure, Row
 
 PAGE = Path(__file__).parents[1] / "docs" / "performance.md"
@@ -30,6 +30,7 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
         yield from pole_placement.rows()
     if chosen in (None, "mechanics"):
         yield from mechanics.rows()
+        yield from linearization.rows()
     if chosen in (None, "command"):
         yield from command_line.rows()
     if chosen in (None, "class"):
