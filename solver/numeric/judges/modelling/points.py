@@ -76,26 +76,28 @@ def _at(equations: Sequence[Any], point: Point, numbers: Mapping[Any, Any]) -> f
 
 
 def _best_of_hidden(equations: Sequence[Any], point: Point, parameters: Sequence[Any], hidden: Sequence[Any]) -> float:
-    """The least residual that values of the hidden unknowns leave, by Newton's method with doubles."""
+    """The residual of the third best draw, with the hidden unknowns as Newton's method finds them with doubles."""
     source, whole = PointSource([*parameters, *_symbols_of(point, parameters)]), Random(SEED)  # noqa: S311
-    found = []
+    found: list[float] = []
     for _ in range(DRAWS):
         try:
-            (numbers, *_) = _numbers(source.draw(), whole)
+            drawn = source.draw()
         except NotEvaluable:
             break
-        at = {**numbers, **{x: v.xreplace(numbers) for x, v in point.items()}}
-        real = [e.xreplace(at) for e in equations]
-        left = [e for e in real if e.free_symbols & set(hidden)]
-        misfits = [_misfit(e, {}) for e in real if not e.free_symbols]
-        fixed = max((np.inf if each is None else each for each in misfits), default=0.0)
-        solved = (
-            bool(len(_solutions(left, [x for x in hidden if any(e.has(x) for e in left)], {}, 1e9))) if left else True
-        )
-        found.append(fixed if solved else np.inf)
+        found.append(max(_with_hidden(equations, point, numbers, hidden) for numbers in _numbers(drawn, whole)))
         if sum(each < 1e-20 for each in found) == TRIALS:
             break
     return sorted(found)[min(TRIALS, len(found)) - 1] if found else np.inf
+
+
+def _with_hidden(equations: Sequence[Any], point: Point, numbers: Mapping[Any, Any], hidden: Sequence[Any]) -> float:
+    at = {**numbers, **{x: v.xreplace(dict(numbers)) for x, v in point.items()}}
+    real = [e.xreplace(at) for e in equations]
+    left = [e for e in real if e.free_symbols & set(hidden)]
+    misfits = [_misfit(e, {}) for e in real if not e.free_symbols]
+    fixed = max((np.inf if each is None else each for each in misfits), default=0.0)
+    asked = [x for x in hidden if any(e.has(x) for e in left)]
+    return fixed if not left or len(_solutions(left, asked, {}, 1e9)) else np.inf
 
 
 def _symbols_of(point: Point, known: Sequence[Any]) -> list[Any]:
