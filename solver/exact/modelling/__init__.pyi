@@ -4,7 +4,7 @@ from solver.exact.modelling.branches import Move, Roots
 from solver.exact.modelling.circuits import CircuitModel, Law, circuit_model, degenerate
 from solver.exact.modelling.collecting import collected, grouped
 from solver.exact.modelling.derivatives import is_nonlinear
-from solver.exact.modelling.highest import are_linear_in, solved_linearly
+from solver.exact.modelling.highest import are_linear_in, coefficients_of, solved_linearly
 from solver.exact.modelling.linearized import NotDifferentiable, Partial, Quotient, condition_of, partials_at, put_in
 from solver.exact.modelling.manipulator import Manipulator, christoffel, manipulator_form
 from solver.exact.modelling.nodal import NodalModel, nodal_model
@@ -16,9 +16,9 @@ from solver.exact.modelling.turns import Solved, Turn, solved_in_turn
 __all__ = [
     "CircuitModel",
     "Law",
+    "NodalModel",
     "Manipulator",
     "Move",
-    "NodalModel",
     "NotDifferentiable",
     "Partial",
     "Quotient",
@@ -28,6 +28,7 @@ __all__ = [
     "are_linear_in",
     "christoffel",
     "circuit_model",
+    "coefficients_of",
     "collected",
     "condition_of",
     "degenerate",

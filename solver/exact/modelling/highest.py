@@ -17,6 +17,15 @@ def are_linear_in(expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol]) -
     return not any(partial(e, x).has(*wanted) for e in expressions for x in wanted if e.has(x))
 
 
+def coefficients_of(
+    expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol]
+) -> tuple[sp.ImmutableMatrix, sp.ImmutableMatrix]:
+    """Return M and r of expressions M·wanted − r that are linear in the wanted symbols."""
+    M = sp.ImmutableMatrix([[partial(e, x) for x in wanted] for e in expressions])
+    nothing = dict.fromkeys(wanted, sp.S.Zero)
+    return M, sp.ImmutableMatrix([-e.xreplace(nothing) for e in expressions])
+
+
 def solved_linearly(expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
     """Solve expressions that are zero, linear in the wanted symbols and as many; None where none or many values do.
 

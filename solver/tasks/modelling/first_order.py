@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.modelling.mass_matrix import mass_matrix
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -210,7 +211,9 @@ def _solved_for_the_highest(model: Equations) -> Derivation[tuple[dict[Symbol, E
         f"equation{i}": Claim(left.xreplace(found), right.xreplace(found), Phrase("equation {i}", i=i))
         for i, (left, right) in enumerate(model.sides, 1)
     }
-    yield Step("highest", claims=claims, equations=model.sides, found=list(found.items()), discrete=model.discrete)
+    steps = mass_matrix(differences, list(wanted), found)
+    yield Step("highest", claims=claims, steps=steps, equations=model.sides, found=list(found.items()),
+               discrete=model.discrete)  # fmt: skip
     return found, {symbol: value for symbol, value in found.items() if wanted[symbol] == 0}
 
 
