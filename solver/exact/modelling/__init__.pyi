@@ -16,9 +16,9 @@ from solver.exact.modelling.turns import Solved, Turn, solved_in_turn
 __all__ = [
     "CircuitModel",
     "Law",
-    "NodalModel",
     "Manipulator",
     "Move",
+    "NodalModel",
     "NotDifferentiable",
     "Partial",
     "Quotient",

@@ -53,12 +53,25 @@ def _power(e: Any, places: Mapping[sp.Symbol, int]) -> Evaluator:
         n = int(e.exp)
         return lambda ctx, values: base(ctx, values) ** n if n > 0 else 1 / base(ctx, values) ** -n
     if e.exp == sp.Rational(1, 2):
-        return lambda ctx, values: ctx.sqrt(base(ctx, values))
+        return lambda ctx, values: ctx.sqrt(_not_negative(ctx, base(ctx, values)))
     exponent = _compiled(e.exp, places)
     if e.exp.is_integer and e.base.is_Number:
         number = int(e.base) if e.base.is_Integer else e.base
         return lambda ctx, values: ctx.mpf(number) ** int(exponent(ctx, values))
     return lambda ctx, values: ctx.exp(exponent(ctx, values) * ctx.log(base(ctx, values)))
+
+
+class OutsideError(ArithmeticError):
+    """A function is real nowhere in an interval."""
+
+
+def _not_negative(ctx: Any, x: Any) -> Any:
+    """The part of an interval where roots and logarithms are real; a number as it is."""
+    if ctx is not mpmath.iv:
+        return x
+    if x.b < 0:
+        raise OutsideError
+    return ctx.mpf([max(mpmath.mpf(x.a), mpmath.mpf(0)), x.b])
 
 
 def _monotone(name: str) -> Callable[[Any, Any], Any]:
@@ -81,7 +94,8 @@ CONSTANTS: dict[Any, Evaluator] = {
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "Add": lambda _ctx, *terms: reduce(lambda a, b: a + b, terms),
     "Mul": lambda _ctx, *factors: reduce(lambda a, b: a * b, factors),
-    **{name: (lambda ctx, x, name=name: getattr(ctx, name)(x)) for name in ("sin", "cos", "tan", "exp", "log")},
+    **{name: (lambda ctx, x, name=name: getattr(ctx, name)(x)) for name in ("sin", "cos", "tan", "exp")},
+    "log": lambda ctx, x: ctx.log(_not_negative(ctx, x)),
     **{name: _monotone(name) for name in ("asin", "acos", "atan")},
     "atan2": lambda ctx, y, x: ctx.atan2(y, x),
     "sinh": lambda ctx, x: (ctx.exp(x) - ctx.exp(-x)) / 2,

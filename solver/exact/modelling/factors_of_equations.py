@@ -11,6 +11,9 @@ import sympy as sp
 from solver.exact.modelling.evaluation import is_not_negative, sign_of
 from solver.exact.modelling.quotients import quotients_in
 
+MULTIPLES = 4
+"""The highest multiple of an angle that is written by the angle itself."""
+
 
 @dataclass(frozen=True)
 class Factored:
@@ -47,7 +50,7 @@ def angles_apart(expression: Any) -> Any:
 @lru_cache(maxsize=512)
 def factored(expression: Any) -> Factored:
     """Return the numerator of an expression in irreducible factors."""
-    expression = angles_apart(_inside_expanded(expression))
+    expression = _in_one_angle(angles_apart(_inside_expanded(expression)))
     field = quotients_in([expression])
     above, below = field.of(expression)
     if not above:
@@ -64,6 +67,14 @@ def factored(expression: Any) -> Factored:
     return Factored(
         tuple(f for f, _ in kept), below.as_expr(*field.variables), sp.Mul(*constants), tuple(k for _, k in kept)
     )
+
+
+def _in_one_angle(expression: Any) -> Any:
+    """Sines and cosines of multiples of an angle by those of the angle itself, where both are there."""
+    angles = list(dict.fromkeys(f.args[0] for f in expression.atoms(sp.sin, sp.cos)))
+    ratios = {a: b for a in angles for b in angles if a != b and (a / b).is_Integer and 1 < abs(a / b) <= MULTIPLES}
+    put = {f: sp.expand_trig(f) for f in expression.atoms(sp.sin, sp.cos) if f.args[0] in ratios}
+    return expression.xreplace(put)
 
 
 def _inside_expanded(expression: Any) -> Any:

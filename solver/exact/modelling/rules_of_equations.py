@@ -19,6 +19,8 @@ from solver.exact.modelling.real_roots import complex_roots, quotient, real_root
 
 VALUE, RELATION, INVERSE, QUADRATIC, WAVE, POLYNOMIAL, DIVISION, CIRCLE, CURVE = range(9)
 
+TWO = 2
+
 
 @dataclass(frozen=True)
 class Rule:
@@ -36,6 +38,7 @@ def rule_for(p: Any, unknowns: set[Any], n: sp.Symbol) -> Rule | None:
     rules: list[Callable[[], Iterator[Rule]]] = [
         lambda: _linear(p, inside, unknowns),
         lambda: _one_generator(p, unknowns, n),
+        lambda: _root_and_square(p, unknowns),
         lambda: _wave(p, unknowns, n),
         lambda: _circle(p, unknowns, n),
         lambda: _divided(p, inside),
@@ -127,6 +130,23 @@ def _one_generator(p: Any, unknowns: set[Any], n: sp.Symbol) -> Iterator[Rule]:
         outcomes = tuple(Outcome(equations=(g - root,), needs=needs, nonzero=nonzero, shown=((g, root),))
                          for root, needs in roots)  # fmt: skip
         yield Rule(cost, "values_of", outcomes, values)
+
+
+def _root_and_square(p: Any, unknowns: set[Any]) -> Iterator[Rule]:
+    """A polynomial in an unknown and its root: one in the root alone."""
+    found = generators(p, unknowns)
+    radicals = [g for g in found if g.is_Pow and g.exp.is_Rational and g.exp.p == 1 and g.base.is_Symbol]
+    if len(found) != TWO or len(radicals) != 1 or radicals[0].base not in found:
+        return
+    (g,), y = radicals, sp.Dummy("y")
+    coefficients = _coefficients(sp.expand(p).xreplace({g: y}).xreplace({g.base: y**g.exp.q}), y)
+    if coefficients is None or any(c.free_symbols & unknowns for c in coefficients):
+        return
+    roots = real_roots(coefficients)
+    if roots is not None:
+        outcomes = tuple(Outcome(equations=(g - r,), needs=needs, shown=((g, r),)) for r, needs in roots)
+        values = {"of": g, "roots": [r for r, _ in roots], "degree": len(coefficients) - 1, "polynomial": p}
+        yield Rule(QUADRATIC, "values_of", outcomes, values)
 
 
 def _sine_and_cosine(p: Any, unknowns: set[Any]) -> Any:

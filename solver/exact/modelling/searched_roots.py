@@ -14,9 +14,9 @@ import mpmath
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact
-from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, vanishes
+from solver.exact.modelling.evaluation import DIGITS, OutsideError, decimal, evaluator, vanishes
 
-MAX_PIECES = 20_000
+MAX_PIECES = 6_000
 STARTS = 400
 """Points from which Newton's method starts, for each unknown."""
 NARROW = 1e-9
@@ -54,6 +54,8 @@ def roots_between(f: Any, x: sp.Symbol, low: Any, high: Any) -> tuple[list[Any],
 def _may_vanish(function: Any, a: Any, b: Any) -> bool:
     try:
         image = function(mpmath.iv, [mpmath.iv.mpf([a, b])])
+    except OutsideError:
+        return False
     except (ZeroDivisionError, ValueError, OverflowError, TypeError):
         return True
     low, high = mpmath.mpf(image.a), mpmath.mpf(image.b)
