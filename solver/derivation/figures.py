@@ -79,7 +79,10 @@ class Signals:
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """z' = matrix · z + drive (a column, None for zero) from `start`, in discrete time z(k + 1) = …; numbers all."""
+    """z' = matrix · z + drive (a column, None for zero) from `start`, in discrete time z(k + 1) = …; numbers all.
+
+    `beside` are symbols and functions of them, z' = f(z) from the same start: these curves are dashed.
+    """
 
     caption: str
     matrix: Any
@@ -87,6 +90,7 @@ class Motion:
     panels: tuple[Signals, ...]
     discrete: bool = False
     drive: Any = None
+    beside: tuple[tuple[Any, ...], tuple[Any, ...]] | None = None
 
 
 @dataclass(frozen=True, slots=True)

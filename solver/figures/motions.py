@@ -22,7 +22,9 @@ def moved(motion: Motion) -> DrawnPanels:
     """Return a motion as plots below each other."""
     times, states = _course(motion)
     letter = "k" if motion.discrete else "t"
-    return DrawnPanels(motion.caption, tuple(_panel(each, letter, times, states, motion) for each in motion.panels))
+    others = None if motion.beside is None else _beside(motion, times, states[0])
+    panels = tuple(_panel(each, letter, times, states, motion, others) for each in motion.panels)
+    return DrawnPanels(motion.caption, panels)
 
 
 def _array(matrix: Any) -> Array:
@@ -47,6 +49,25 @@ def _course(motion: Motion) -> tuple[Array, Array]:
     return times[seen], found[seen]
 
 
+def _beside(motion: Motion, times: Array, start: Array) -> Array:
+    """Return the states of the other motion at the moments, as rows, as long as they can be drawn."""
+    from scipy.integrate import solve_ivp  # noqa: PLC0415 - only a motion needs it
+
+    symbols, functions = motion.beside or ((), ())
+
+    def rate(_: float, z: Array) -> Array:
+        at = dict(zip(symbols, map(complex, z), strict=True))
+        return np.array([numeric.evaluate(f, at).real for f in functions])
+
+    if motion.discrete:
+        states = [start]
+        for _ in times[1:]:
+            states.append(rate(0.0, states[-1]))
+        return np.array(states)
+    moved = solve_ivp(rate, (times[0], times[-1]), start, t_eval=times, rtol=1e-6, atol=1e-9)
+    return np.array(moved.y.T)
+
+
 def horizon(eigenvalues: Any) -> float:
     """Five time constants of the slowest mode; where it does not settle, two of the fastest growth."""
     rates = [abs(value.real) for value in eigenvalues if abs(value.real) > SLOW]
@@ -55,7 +76,9 @@ def horizon(eigenvalues: Any) -> float:
     return float(f"{stop:.2g}")
 
 
-def _panel(signals: Signals, letter: str, times: Array, states: Array, motion: Motion) -> DrawnPlot:
+def _panel(
+    signals: Signals, letter: str, times: Array, states: Array, motion: Motion, others: Array | None
+) -> DrawnPlot:
     values = states @ _array(signals.rows).T
     if signals.offset is not None:
         values = values + _array(signals.offset)[:, 0]
@@ -64,6 +87,12 @@ def _panel(signals: Signals, letter: str, times: Array, states: Array, motion: M
     for name, y in zip(signals.names, values.T, strict=True):
         x, shown = (times, y) if motion.discrete else plain(times, y)
         curves.append(DrawnCurve(name, style, tuple(x.tolist()), tuple(shown.tolist())))
+    if others is not None:
+        for name, y in zip(signals.names, (others @ _array(signals.rows).T).T, strict=True):
+            x, shown = plain(times[: len(y)], y)
+            curves.append(
+                DrawnCurve(rf"{name}\ \text{{(nonlinear)}}", "dashed", tuple(x.tolist()), tuple(shown.tolist()))
+            )
     together = named_together(curves)
     if signals.level is not None:
         name, value = signals.level

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -20,19 +20,21 @@ from solver.derivation import (
     option,
 )
 from solver.derivation.answer_equations import AnswerEquations, Equation
+from solver.derivation.figures import Motion, Signals
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
 from solver.options.point import PointOf
 from solver.stated.calculus import partial_derivative, value_at
+from solver.tasks.figures import motion
 from solver.tasks.modelling import linearization_mistakes
-from solver.tasks.modelling.first_order import first_order_of, functions_of
+from solver.tasks.modelling.first_order import FirstOrder, first_order_of, functions_of
 from solver.tasks.modelling.operating_point import OperatingPoint, operating_point_of, point_of
 from solver.tasks.modelling.questions import question_of
-from solver.words import Phrase
+from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
-    from sympy import Expr, Symbol
+    from sympy import Expr, ImmutableMatrix, Symbol
 
     from solver.systems import Equations
 
@@ -94,12 +96,31 @@ def by_jacobians(given: Given[Equations, LinearizationOptions]) -> Derivation[An
     n, m = len(found.X), len(found.U)
     J = sp.ImmutableMatrix(len(rows), n + m, [each.value for row in rows for each in row])
     A, B, C, D = (J[:n, :n], J[:n, n:] if m else None, J[n:, :n], J[n:, n:] if m else None)
-    yield Step("matrices", unclaimed="the entries found above", A=A, B=B, C=C, D=D, discrete=found.model.discrete)
+    yield Step("matrices", unclaimed="the entries found above", A=A, B=B, C=C, D=D, discrete=found.model.discrete,
+               figures=_responses(found, values, A))  # fmt: skip
     named = {"A": A, "B": B, "C": C, "D": D}
     answers = Answers(**{name: M for name, M in named.items() if M is not None})
     if point.conditions:
         answers["conditions"] = list(point.conditions)
     return answers
+
+
+def _responses(found: FirstOrder, values: Mapping[Symbol, Expr], A: ImmutableMatrix) -> tuple[Motion, ...]:
+    """Both motions from a small deviation of one state, where all is numbers; the inputs as at the point."""
+    X = found.X
+    shifted = {x: values[x] + x for x in X} | {u: values[u] for u in found.U}
+    f = [row.xreplace(shifted) - (values[x] if found.model.discrete else 0) for x, row in zip(X, found.f, strict=True)]
+    if any(row.free_symbols - set(X) for row in f):
+        return ()
+    seen = [i for i, (_, k) in enumerate(found.states) if k == 0]
+    first = next((i for i in seen if any(A.col(i))), seen[0])
+    start = sp.ImmutableMatrix([sp.Rational(int(i == first), 10) for i in range(len(X))])
+    rows = sp.ImmutableMatrix([[int(i == j) for j in range(len(X))] for i in seen])
+    names = tuple(rf"\Delta {formula(X[i])}" for i in seen)
+    shown = Signals(r"\Delta x", names, rows)
+    caption = "The linear model and, dashed, the equations themselves, from a deviation of 0.1"
+    drawn = motion(caption, A, start, shown, discrete=found.model.discrete)
+    return tuple(replace(each, beside=(tuple(X), tuple(f))) for each in drawn)
 
 
 @dataclass(frozen=True, slots=True)
