@@ -48,10 +48,17 @@ def real_solutions(
         Branch(tuple(equations), found=dict(put), nonzero=tuple(d for d in divisors if d.free_symbols & set(unknowns)))
     )
     shown = tuple(unknowns if wanted is None else wanted)
-    families = [family(point, shown, needs, solver.names) for point, needs in solver.ends]
+    ends = [end for end in solver.ends if not solver.searched or _within(end[0], between or {})]
+    families = [family(point, shown, needs, solver.names) for point, needs in ends]
     ordered = in_order(put_together(families, solver.names))
     points = tuple(dict(zip(shown, f.values, strict=True)) for f in ordered)
     return Roots(points, tuple(solver.moves), tuple(f.needs for f in ordered), tuple(solver.searched), solver.certain)
+
+
+def _within(point: Point, box: Box) -> bool:
+    """Whether no coordinate that is a number is outside the limits that are given for it."""
+    limits = [(point[x], *ends) for x, ends in box.items() if x in point and not point[x].free_symbols]
+    return all(bool(low <= value) and bool(value <= high) for value, low, high in limits)
 
 
 class _Solver:
@@ -185,7 +192,7 @@ class _Solver:
         if len(inside) > MAX_SEARCHED:
             raise NotExact("solutions/too_many_unknowns", unknowns=inside)
         box = {x: self.box.get(x, DEFAULT_BOX) for x in inside}
-        self.searched.append(box)
+        self.searched.append({**box, **{x: ends for x, ends in self.box.items() if x in branch.found}})
         limits = [tuple(evaluator(end, [])(mpmath.mp, []) for end in box[x]) for x in inside]
         functions = [cleared(e) for e in branch.equations]
         certain = True

@@ -122,13 +122,14 @@ def _apart(roots: Sequence[Any]) -> list[Any]:
 
 
 def _simple(f: Any, x: sp.Symbol, root: Any) -> Any:
-    """The root as a rational number where that is one."""
+    """The root as a rational number, or as such a multiple of π, where that is one."""
     with mpmath.workdps(DIGITS):
-        near = Fraction(str(mpmath.nstr(root, 25))).limit_denominator(SIMPLE)
-        if abs(root - mpmath.mpf(near.numerator) / near.denominator) < mpmath.mpf(10) ** -20:
-            exact = sp.Rational(near.numerator, near.denominator)
-            if vanishes(f.xreplace({x: exact})):
-                return exact
+        for unit, size in ((sp.S.One, mpmath.mpf(1)), (sp.pi, +mpmath.pi)):
+            near = Fraction(str(mpmath.nstr(root / size, 25))).limit_denominator(SIMPLE)
+            if abs(root / size - mpmath.mpf(near.numerator) / near.denominator) < mpmath.mpf(10) ** -20:
+                exact = sp.Rational(near.numerator, near.denominator) * unit
+                if vanishes(f.xreplace({x: exact})):
+                    return exact
         return decimal(root)
 
 
