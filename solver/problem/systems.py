@@ -217,7 +217,8 @@ class SystemReader:
                 start = re.fullmatch(r"(\w+)\(([0-9]+)\)", text) if self.discrete else None
                 jet = (start[1], int(start[2])) if start else self._equations.jet(entry.key)
                 if jet[0] not in functions:
-                    raise entry.key.fault(f"'{text[:40]}' is no unknown of the equations")
+                    meant = did_you_mean(jet[0], functions)
+                    raise entry.key.fault(f"'{text[:40]}' is no unknown of the equations", suggestion=meant)
                 found[jet] = self.lexicon.expression(entry.value, barred=self.barred)
         return found
 

@@ -149,7 +149,8 @@ def _check_numbers(
     for name in lacking:
         key = "algebraic" if name in algebraic else "states"
         at = algebraic.index(name) if name in algebraic else [each for each, _ in states].index(name)
-        reader.complain(key, f"there is no equation for {name}", item=at)
+        others = [other for other in unknowns if other not in lacking]
+        reader.complain(key, f"there is no equation for {name}", item=at, like=others)
     if len(sides) != len(unknowns) and not (idle or twice or lacking):
         counts = ((len(sides), "equation"), (len(unknowns), "unknown"))
         given, wanted = (f"{n} {what}{'s' * (n != 1)}" for n, what in counts)

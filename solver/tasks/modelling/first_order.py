@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, TypeVar
 
@@ -85,11 +85,28 @@ def first_order_of(model: Equations) -> Derivation[FirstOrder]:
     moved = [(symbol, row, symbol in solved) for symbol, row in zip(following, rows, strict=True)]
     yield Step("states", unclaimed="a choice", states=X, following=moved, discrete=model.discrete)
     normal = sp.expand if is_linear(model) else exact.normal
-    outputs = tuple(normal(output.xreplace(solved)) for output in model.outputs)
+    outputs = tuple(normal(_below_the_highest(model, output, solved)) for output in model.outputs)
     found = FirstOrder(model, states, rows, outputs, {**eliminated, **rest}, _initial(model, states))
     if not found.is_linear:
         _check_inputs(found)
     return found
+
+
+def _below_the_highest(model: Equations, output: Expr, solved: Mapping[Symbol, Expr]) -> Expr:
+    """An output in what is below the highest derivatives; higher ones are the derivatives of these."""
+    highest = {model.jets[symbol][0]: symbol for symbol in solved if symbol in model.jets}
+    for _ in range(len(model.jets)):
+        orders = {symbol: jet for symbol, jet in model.jets.items() if output.has(symbol) and jet[0] in highest}
+        above = {symbol: jet for symbol, jet in orders.items() if jet[1] > model.jets[highest[jet[0]]][1]}
+        if not above:
+            break
+        put = {
+            symbol: _advanced(model, solved[highest[name]], k - model.jets[highest[name]][1])
+            for symbol, (name, k) in above.items()
+        }
+        output = output.xreplace(put).xreplace(dict(solved))
+    put_in: Expr = output.xreplace(dict(solved))
+    return put_in
 
 
 @lemma("first_order")

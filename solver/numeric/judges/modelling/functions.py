@@ -12,7 +12,7 @@ from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, Undefined
 from solver.numeric.judges.modelling.equations import Jet, Question, states_of
-from solver.numeric.judges.modelling.jets import JetEquations, Jets
+from solver.numeric.judges.modelling.jets import JetEquations, Jets, further
 
 TRIALS, ATTEMPTS = 3, 12
 SAYS = {
@@ -49,7 +49,9 @@ def _motions(
     done = 0
     for _ in range(ATTEMPTS):
         point = source.draw()
-        equations = JetEquations(question.equations, question.jets, question.unknowns, point, discrete)
+        equations = JetEquations(
+            question.equations, question.jets, question.unknowns, point, discrete, further(question)
+        )
         given = {jet: random.uniform(0.3, 1.4) for jet in [*states, *((name, 0) for name in question.inputs)]}
         rest = {(name, k): random.uniform(-1.0, 1.0) for name in question.inputs for k in range(1, 3 + len(states))}
         jets = equations.solved({**rest, **given}, random)

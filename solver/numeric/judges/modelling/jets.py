@@ -20,6 +20,7 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import free_symbols
 from solver.numeric.evaluation.values import Undefined
+from solver.numeric.judges.modelling.equations import Question
 
 Jet = tuple[str, int]
 Jets = dict[Jet, complex]
@@ -34,13 +35,17 @@ ITERATIONS, STARTS, NEAR = 40, 8, 1e-11
 
 @dataclass(frozen=True)
 class JetEquations:
-    """Expressions that are zero in the symbols of `jets`, at one point of the parameters."""
+    """Expressions that are zero in the symbols of `jets`, at one point of the parameters.
+
+    They are differentiated `further` times, as outputs in higher derivatives need it.
+    """
 
     expressions: Sequence[Any]
     jets: Mapping[Any, Jet]
     unknowns: Sequence[str]
     point: Mapping[Any, complex]
     discrete: bool = False
+    further: int = 0
 
     @cached_property
     def _rows(self) -> list[tuple[Any, int]]:
@@ -106,8 +111,11 @@ class JetEquations:
         later = -min((k for _, k in self._own(expression)), default=0) if self.discrete else 0
         later = max(later, 0)
         if any(k + later for name, k in self._own(expression) if name in self.unknowns):
-            return range(later, later + 1)
-        return range(later, later + 1 + max((k for name, k in self.jets.values() if name in self.unknowns), default=0))
+            return range(later, later + 1 + self.further)
+        return range(
+            later,
+            later + 1 + self.further + max((k for name, k in self.jets.values() if name in self.unknowns), default=0),
+        )
 
     def _own(self, expression: Any) -> set[Jet]:
         symbols = free_symbols(expression)
@@ -167,3 +175,12 @@ class JetEquations:
         numbers = {symbol: np.full(count, value, dtype=complex) for symbol, value in self.point.items()}
         found = value_of(expression, Environment({**numbers, **values}, count)).value
         return np.broadcast_to(np.asarray(found, dtype=complex), (count,))
+
+
+def further(question: Question) -> int:
+    """Return how much higher the derivatives in the outputs are than those in the equations."""
+    orders = []
+    for expressions in (question.outputs, question.equations):
+        inside = free_symbols(list(expressions))
+        orders.append([k for s, (name, k) in question.jets.items() if s in inside and name in question.unknowns])
+    return max(0, max(orders[0], default=0) - max(orders[1], default=0))

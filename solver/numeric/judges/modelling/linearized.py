@@ -15,7 +15,7 @@ from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols, whole_symbols
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.modelling.equations import Jet, Question, states_of
-from solver.numeric.judges.modelling.jets import JetEquations, Jets
+from solver.numeric.judges.modelling.jets import JetEquations, Jets, further
 
 TRIALS, ATTEMPTS, REST = 2, 16, 1e-8
 SAYS = {
@@ -113,7 +113,7 @@ def _at(
     except (NotEvaluable, KeyError):
         return None
     still = {(name, k): given[name, 0] if discrete else 0.0 for name, _ in inputs for k in range(1, 3 + len(states))}
-    equations = JetEquations(question.equations, question.jets, question.unknowns, numbers, discrete)
+    equations = JetEquations(question.equations, question.jets, question.unknowns, numbers, discrete, further(question))
     jets = equations.solved({**still, **given}, random)
     return None if jets is None else Around(equations, states, inputs, numbers, jets)
 
