@@ -12,6 +12,7 @@ import sympy as sp
 from solver.exact.modelling.branches import Branch, Outcome, Point
 from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, vanishes
 from solver.exact.modelling.factors_of_equations import factored
+from solver.exact.modelling.real_roots import in_factors
 
 SHOWN = 15
 """Digits of decimals in points."""
@@ -55,6 +56,8 @@ def settled(value: Any) -> Any:
     if value.has(sp.Float) and not value.free_symbols:
         with mpmath.workdps(DIGITS):
             return decimal(evaluator(value, [])(mpmath.mp, []), SHOWN)
+    if value.free_symbols and not value.has(sp.Float, sp.pi):
+        value = in_factors(value)
     return value.xreplace({f: sp.Float(f, SHOWN) for f in value.atoms(sp.Float)} | _turned(value))
 
 

@@ -68,6 +68,14 @@ def quotient(a: Any, b: Any) -> Any:
     return _product(field, above) / _product(field, below)
 
 
+def in_factors(value: Any) -> Any:
+    """Return an expression as one quotient in factors, where that is shorter."""
+    field = quotients_in([value])
+    above, below = field.of(value)
+    found = _product(field, above) / _product(field, below)
+    return found if found.count_ops() < value.count_ops() else value
+
+
 def _product(field: Quotients, p: Any) -> Any:
     if not p:
         return sp.S.Zero
