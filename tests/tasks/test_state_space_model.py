@@ -326,6 +326,7 @@ def test_the_pendulum_on_a_cart_has_functions_for_its_model():
         ("  equations: [\"m v' = F - c v^2\", 'F = k i^2/v', \"L i' + R i = u\"]\n  inputs: [u]\n  algebraic: [F]\n"
          "  states: [v, i]\n  outputs: [F]", ["(k*i**2/v - c*v**2)/m", "(u - R*i)/L"], ["k*i**2/v"]),
         ("  equations: ['y(k+1) = r y(k)(1 - y(k))']", ["r*y*(1 - y)"], ["y"]),
+        ("  equations: [\"theta_1'' = -sin(theta_1)\"]\n  outputs: [\"theta_1'''\"]", ["w", "-sin(p)"], ["-w*cos(p)"]),
         ("  equations: ['y(k) = y(k-1)^2 + u(k-2) y(k-2)']\n  inputs: [u]", ["z", "z**2 + u*y"], ["y"]),
         ("  equations: [\"theta_1'' = -g sin(theta_1) + r tau\", 'theta_2 = theta_1^2', \"tau = u - theta_2''\"]\n"
          "  inputs: [u]\n  algebraic: [theta_2, tau]\n  outputs: [theta_2]",
@@ -347,3 +348,19 @@ def test_nonlinear_equations_of_all_kinds(system, f, h):
 
 def test_squares_of_derivatives_need_no_parentheses():
     assert Wording.of(Display()).given(nonlinear(CART).system).count(r"\dot{\theta}^{2}") == 1
+
+
+def test_a_name_mistyped_among_states_or_initial_values_gets_a_suggestion():
+    equations = "equations: [\"theta'' = -sin(theta)\"], "
+    for more in ("states: [thta, theta']", "initial: {thet: 1}"):
+        with pytest.raises(InputError) as caught:
+            read(equations + more)
+        assert "theta" in [each.suggestion for each in caught.value.diagnostics]
+
+
+def test_coupled_equations_show_their_mass_matrix():
+    result = solve_problem(nonlinear(CART)).parts[0]
+    (shown,) = result.steps[0].steps
+    assert (shown.kind, shown.detail) == ("mass_matrix", "tutor")
+    assert set(shown.claims) == {"collected", "determinant", "combined0", "combined1"}
+    assert not solved(MASS).steps[0].steps
