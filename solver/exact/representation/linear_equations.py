@@ -44,9 +44,15 @@ def _rest(expression: sp.Expr, jets: Sequence[sp.Symbol]) -> sp.Expr:
 def solved_for(expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
     """Solve expressions that are zero, linear in the wanted symbols, as many as these; None if that is not possible."""
     M = sp.ImmutableMatrix([[sp.diff(e, symbol) for symbol in wanted] for e in expressions])
-    if M.rows != M.cols or determinant(M) == 0:
+    if M.rows != M.cols:
         return None
     rest = sp.ImmutableMatrix([e.subs(dict.fromkeys(wanted, 0)) for e in expressions])
+    if M.is_diagonal():  # each by itself: no determinant of many symbols
+        if any(M[i, i] == 0 for i in range(M.rows)):
+            return None
+        return {symbol: _by_jets(-rest[i] / M[i, i]) for i, symbol in enumerate(wanted)}
+    if determinant(M) == 0:
+        return None
     found = -(inverse(M) * rest)
     return {symbol: _by_jets(value) for symbol, value in zip(wanted, found, strict=True)}
 
