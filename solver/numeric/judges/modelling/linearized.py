@@ -17,7 +17,7 @@ from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.modelling.equations import Jet, Question, states_of
 from solver.numeric.judges.modelling.jets import JetEquations, Jets, further
 
-TRIALS, ATTEMPTS, REST = 2, 16, 1e-8
+TRIALS, ATTEMPTS, REST, LARGE = 2, 24, 1e-8, 20.0
 SAYS = {
     "A": "differences of the equations around the point, in the states",
     "B": "differences of the equations around the point, in the inputs",
@@ -41,6 +41,11 @@ class Around:
     def is_real(self) -> bool:
         """Whether nothing is complex: a square root may be, at random numbers."""
         return all(abs(complex(value).imag) < 1e-8 * max(1.0, abs(value)) for value in self.jets.values())
+
+    @property
+    def size(self) -> float:
+        """The largest of the numbers, which an adjustment may have moved far away."""
+        return max((abs(value) for value in self.numbers.values()), default=0.0)
 
     def moved(self) -> Array:
         """The derivatives of the states (discrete: how far they are from the next ones)."""
@@ -87,7 +92,7 @@ def resting_points(
         for free in (names, free_ones) if adjusted else ():
             if found is not None and _off(found) > REST:
                 found = _adjusted(question, values, numbers, free, random, discrete=discrete) or found
-        if found is None or (adjusted and _off(found) > REST):
+        if found is None or (adjusted and (_off(found) > REST or found.size > LARGE)):
             continue
         if not found.is_real:
             complex_ones.append(found)
@@ -169,7 +174,9 @@ def _apart(M: Any, wanted: Array, numbers: Numbers) -> float:
         own = np.array([evaluate(entry, numbers) for entry in M], dtype=complex).reshape(M.shape)
     except (NotEvaluable, KeyError):
         return np.inf
-    distance = float(np.max(np.abs(own - wanted), initial=0.0) / max(1.0, float(np.max(np.abs(wanted), initial=0.0))))
+    largest = float(np.max(np.abs(wanted), initial=0.0))
+    sizes = np.maximum(1.0, np.abs(wanted)) + 1e-6 * largest  # of each entry, and what the others leave of it
+    distance = float(np.max(np.abs(own - wanted) / sizes, initial=0.0))
     return distance if np.isfinite(distance) else np.inf
 
 
