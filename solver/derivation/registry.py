@@ -293,7 +293,7 @@ class Task(Generic[S, O]):
     def title_of(self, options: Mapping[str, Any], written: Collection[str]) -> str:
         """Return the title of a question with these options: by the value of one that the file has written."""
         titled = ((name, each.titles) for name, each in self.options.items() if name in written and each.titles)
-        return next(filter(None, (titles.get(options.get(name)) for name, titles in titled)), self.title)
+        return next(filter(None, (titles.get(str(options.get(name))) for name, titles in titled)), self.title)
 
     def options_for(self, method: str) -> dict[str, Option]:
         """Return the options that the method takes."""

@@ -18,7 +18,7 @@ Path = tuple[str | int, ...]
 
 MODELS: Mapping[str | int, type[BaseModel]] = {
     **{name: model for name, model in shape.SYSTEMS.items()},  # noqa: C416 - a wider type of key
-    **shape.KEYED,
+    **{name: model for name, model in shape.KEYED.items()},  # noqa: C416
     "<zeros_poles_gain>": shape.ZerosPolesGain,
     "<fraction>": shape.Fraction,
     "<mapping>": shape.DisplayShape,

@@ -18,6 +18,7 @@ def by_differences(expression: sp.Expr) -> sp.Expr:
         return expression
     terms: dict[Term, sp.Expr] = {}
     for each in sp.Add.make_args(sp.expand(expression)):
+        number: sp.Expr
         number, rest = each.as_coeff_Mul()
         terms[frozenset(rest.as_powers_dict().items())] = number
     while (found := next(_mergers(terms), None)) is not None:

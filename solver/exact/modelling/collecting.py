@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import sympy as sp
 
@@ -26,9 +27,9 @@ def scaled(coefficient: sp.Expr, other: sp.Expr) -> sp.Expr:
     return product
 
 
-def _with_positive_sums(product: sp.Expr) -> sp.Expr:
+def _with_positive_sums(product: Any) -> sp.Expr:
     """The product with −(a + b) for each sum −a − b in it."""
-    factors = sp.Mul.make_args(product)
+    factors: Any = sp.Mul.make_args(product)
     turned = [f for f in factors if f.is_Add and all(term.as_coeff_Mul()[0].is_negative for term in f.args)]
     if not turned or len(factors) == 1:
         return product
@@ -48,7 +49,7 @@ def collected(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> list[sp.Ex
 def coefficients(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> list[tuple[sp.Expr, sp.Expr]] | None:
     """Return the monomials in some symbols with their coefficients that are not zero; None if it is no polynomial."""
     groups: dict[tuple[int, ...], list[sp.Expr]] = {}
-    places = {x: i for i, x in enumerate(variables)}
+    places: dict[sp.Expr, int] = {x: i for i, x in enumerate(variables)}
     for term in sp.Add.make_args(_spread(expression, variables)):
         powers, rest = [0] * len(variables), []
         for factor in sp.Mul.make_args(term):
@@ -65,7 +66,7 @@ def coefficients(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> list[tu
     return [(sp.Mul(*(x**k for x, k in zip(variables, p, strict=True))), sums[p]) for p in ordered]
 
 
-def _spread(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> sp.Expr:
+def _spread(expression: Any, variables: Sequence[sp.Symbol]) -> sp.Expr:
     """The expression multiplied out as far as the symbols stand in it: what is free of them is left as it is."""
     if not expression.has(*variables):
         return expression

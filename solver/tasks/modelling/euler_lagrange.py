@@ -105,7 +105,8 @@ def equations_of_motion_of(system: Lagrangian) -> Derivation[Motion]:
 @lemma("euler_lagrange")
 def energies_of(system: Lagrangian) -> Derivation[Energies]:
     """T of the bodies by their velocities, V by their heights and the elongations of springs; L = T − V."""
-    parts, terms_of = [], []
+    parts: list[Any] = []
+    terms_of: list[Any] = []
     for number, body in enumerate(system.bodies, start=1):
         stated, terms = yield from _kinetic_energy(system, body, number)
         parts += terms
@@ -173,12 +174,13 @@ def _kinetic_energy(system: Lagrangian, body: Body, number: int) -> Derivation[t
 def _potential_energy(system: Lagrangian) -> Derivation[tuple[Expr, ...]]:
     """M g y of each body, ½ k (length − rest)² of each spring, and what is given."""
     half, q = sp.Rational(1, 2), system.symbols()
-    heights = [] if system.gravity is None else [
+    heights: list[tuple[Any, Any]] = [] if system.gravity is None else [
         (body.mass, body.position[1]) for body in system.bodies if body.position and body.position[1] != 0
     ]  # fmt: skip
     stated: list[Any] = [product(mass, system.gravity, y) for mass, y in heights]
     moving = [*q, *(jet_symbol((name, 0)) for name in system.inputs)]
-    terms = exact.grouped(sp.Add(*(mass * system.gravity * y for mass, y in heights)), moving) if heights else []
+    g: Any = system.gravity
+    terms = exact.grouped(sp.Add(*(mass * g * y for mass, y in heights)), moving) if heights else []
     for spring in system.springs:
         elongation = spring.length - spring.rest
         stated.append(product(half, spring.stiffness, power(elongation, 2)))
