@@ -10,7 +10,7 @@ from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Opt
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
-from solver.tasks.modelling import circuit_mistakes
+from solver.tasks.modelling import circuit_mistakes, equation_mistakes
 from solver.tasks.modelling.first_order import first_order_of, functions_of, is_linear
 from solver.tasks.modelling.linear_model import matrices_of
 from solver.tasks.modelling.questions import question_of
@@ -69,6 +69,8 @@ state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
 )  # fmt: skip
 state_space_model.together(state_equations())
 circuit_mistakes.name_mistakes(state_space_model)
+equation_mistakes.name_mistakes(state_space_model)
+state_space_model.mistake(equation_mistakes.TERM_REVERSED, "f")(equation_mistakes.term_reversed)
 
 
 @state_space_model.method(
