@@ -22,7 +22,8 @@ def equations_of_circuit(circuit: Circuit) -> Derivation[Equations]:
     tied = exact.degenerate(circuit)
     if tied is not None:
         what, elements = tied
-        raise Unsolved(f"circuits/{what}", names=[element.name for element in elements])
+        names = [element.name for element in elements]
+        raise Unsolved("circuits/loop", names=names) if what == "loop" else Unsolved("circuits/cut", names=names)
     if not circuit.states:
         raise Unsolved("equations/no_states")
     model = exact.circuit_model(circuit)
