@@ -79,9 +79,7 @@ def named_model(node: ScalarNode) -> LibraryModel:
     if found is not None:
         return found
     if node.text in model_names():
-        raise node.fault(
-            f"the model '{node.text}' holds laws, not a system", note="`solve models` lists those with one"
-        )
+        raise node.fault(f"the model '{node.text}' holds laws, not a system", note="`solve models` lists the others")
     close = did_you_mean(node.text, model_names())
     note = "`solve models` lists what there is" if close else f"there are {', '.join(model_names())}"
     raise node.fault(f"there is no model '{node.text[:60]}'", suggestion=close, note=note)

@@ -89,7 +89,7 @@ def test_a_part_has_a_model_of_its_own():
             (1, 43, "the parameter 'mc' occurs nowhere", "m_c", "")]),
         ("system: {model: rlc-series, parameters: {C: 1/0}}\n" + FIND, [(1, 47, "division by zero", "", "")]),
         ("system: {model: general-balances}\n" + FIND, [
-            (1, 17, "the model 'general-balances' holds laws, not a system", "", "`solve models` lists those with one")]),
+            (1, 17, "the model 'general-balances' holds laws, not a system", "", "`solve models` lists the others")]),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_told_at_its_place(text, expected):
