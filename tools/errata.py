@@ -87,6 +87,8 @@ def marked(path: Path) -> tuple[int, list[Line], list[str]]:
 
 def as_written(value: Any) -> str:
     """Return a value as the answer file has it."""
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{name}: {as_written(each)}' for name, each in value.items())}}}"
     return f"[{', '.join(map(as_written, value))}]" if isinstance(value, list) else str(value)
 
 
