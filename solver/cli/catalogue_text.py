@@ -22,7 +22,7 @@ def one(task: Task[Any, Any]) -> str:
     """Return all about a task."""
     needs = ", ".join(OTHER_NAMES.get(need, need) for need in task.needs) if task.needs else "nothing"
     lines = [task.name, f"  {task.title}.", *_wrapped(task.doc, "  "), f"  Needs {needs} of the system.", ""]
-    lines += ["Methods", *_table(_method_rows(task)), ""] if len(task.methods) > 1 else []
+    lines += ["Methods", *_table(_method_rows(task)), ""] if set(task.methods) - {task.name} else []
     lines += ["Options", *_table(map(_option_row, task.options.values())), ""]
     lines += ["Answers", *_table(map(_answer_row, task.answers.values()))]
     lines += ["", "Mistakes, beside those of any task", *_table(map(_slip_row, task.slips))] if task.slips else []

@@ -8,11 +8,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import dropwhile, groupby, takewhile
+from itertools import groupby, takewhile
 from operator import itemgetter
 
 from solver.document.checks import Say, check_rows
 from solver.document.model import CheckRow, Reference, Work, WorkAnswer, WorkStep
+from solver.document.results import RESULT, at_the_end, chains_in, ends_in, results_of, to_go_on_with, value_of
 from solver.render.prose import plain
 from solver.words import Phrase
 
@@ -25,19 +26,9 @@ LEAST_EXPLAINED = 60
 LEAST_LEADING = 40
 """Characters of an introduction under a title that is not told again."""
 
-LONGEST_RESULT = 240
-"""Characters of LaTeX up to which results that stand above are displayed again, to go on with."""
-
 LEAST_REPEATED = 30
 """Characters of a result that is left to the next step where that one begins with it."""
 
-MANY_SIDES = 3
-"""Sides of a chain of which those between the first and the last lead to the value."""
-
-_DISPLAY = re.compile(r"\$\$.*?\$\$", re.DOTALL)
-_RESULT = re.compile(r"^\$\$\n.*?\$\$", re.DOTALL | re.MULTILINE)
-_ALIGNED = r"\begin{aligned}", r"\end{aligned}"
-_LINES = re.compile(r"\\left\[\\begin\{array\}\{[c|]+\}(.*?)\\end\{array\}\\right\]", re.DOTALL)
 _OPERATION = re.compile(r"\\left(right)?arrow ")
 _NO_PARAGRAPH = re.compile(r"\s|[-*+>|#]\s|\d+[.)]\s|\|")
 """How lists, tables, quotations and headings begin."""
@@ -79,7 +70,7 @@ class _Page:
             part, given=self._given(part), source=self._source(part), steps=steps, rows=tuple(self._rows(part, steps))
         )
         for number, step in enumerate(steps, start=1):
-            self.results += [(_Place(told, number), chain) for chain in _chains(step)]
+            self.results += [(_Place(told, number), chain) for chain in chains_in(step)]
         return self._answered(told)
 
     def _steps(self, part: Work) -> tuple[WorkStep, ...]:
@@ -135,7 +126,7 @@ class _Page:
         """Return the last step of a part, by any method or by its own, that ends in the answer."""
         for place, chain in reversed(self.results):
             mine = place.part.anchor == part.anchor if own else (place.part.id, place.part.case) == (part.id, part.case)
-            if mine and _ends_in(chain, answer):
+            if mine and ends_in(chain, answer):
                 return place
         return None
 
@@ -152,14 +143,14 @@ class _Page:
 
     def _referring(self, part: Work, run: Sequence[WorkStep], rest: Sequence[WorkStep]) -> WorkStep:
         """Return one step for several that stand above: where they do, and the result that the rest goes on with."""
-        results = _results(run)
-        value = _value_of(results[-1]) if results else ""
+        results = results_of(run)
+        value = value_of(results[-1]) if results else ""
         goes_on = rest or not part.found
         told_next = len(value) >= LEAST_REPEATED and any(value in each.markdown for each in rest[:1])
         return WorkStep(
             run[-1].kind,
             run[-1].title,
-            _to_go_on_with(results) if goes_on and not told_next else "",
+            to_go_on_with(results) if goes_on and not told_next else "",
             covers=tuple(number for step in run for number in step.covers),
             refers=tuple(self._references(part, [self.steps[_key(step)] for step in run])),
         )
@@ -232,9 +223,9 @@ class _Page:
             return []
         if place == above or any(_OPERATION.search(block) for block in blocks):
             return blocks
-        goes_on = _to_go_on_with(_at_the_end(blocks) if _RESULT.fullmatch(blocks[-1]) else [])
+        goes_on = to_go_on_with(at_the_end(blocks) if RESULT.fullmatch(blocks[-1]) else [])
         there = self._reference(place.part, above.part, [above.number])
-        follows = goes_on or not _RESULT.fullmatch(blocks[-1])
+        follows = goes_on or not RESULT.fullmatch(blocks[-1])
         phrase = Phrase("As in {places}:" if follows else "As in {places}.", places=there.place)
         left = [*([] if again else [self.say(phrase)]), *([goes_on] if goes_on else [])]
         return left if sum(map(len, left)) + LEAST_SAVED <= sum(map(len, blocks)) else blocks
@@ -253,36 +244,6 @@ def _leads_in(block: str) -> bool:
     return spoken and len(block) >= LEAST_LEADING
 
 
-def _results(run: Sequence[WorkStep]) -> list[str]:
-    """Return the last display of the steps with those beside it, each on lines of its own; else of those below.
-
-    A formula on one line of the text is a law, and no result to go on with.
-    """
-    own = [found for step in run if (found := _at_the_end(step.markdown.split("\n\n")))]
-    below = [found for step in run for each in step.walk() if (found := _at_the_end(each.markdown.split("\n\n")))]
-    return (own or below or [[]])[-1]
-
-
-def _at_the_end(blocks: Sequence[str]) -> list[str]:
-    """Return the last blocks in a row that are displays; what is said behind them concludes."""
-    backwards = dropwhile(lambda block: not _RESULT.fullmatch(block), reversed(blocks))
-    return list(takewhile(_RESULT.fullmatch, backwards))[::-1]
-
-
-def _to_go_on_with(results: Sequence[str]) -> str:
-    """Return the results, each without what leads to its value; nothing of many, for one alone would mislead."""
-    shown = "\n\n".join(map(_ends_of, results))
-    return shown if len(shown) <= LONGEST_RESULT else ""
-
-
-def _ends_of(display: str) -> str:
-    """Return the first and the last side of a chain on one line."""
-    sides = display.strip("$").strip().split(" = ")
-    if len(sides) < MANY_SIDES or "aligned" in display or any(each.count("{") != each.count("}") for each in sides):
-        return display
-    return f"$$\n{sides[0]} = {sides[-1]}\n$$"
-
-
 def _key(step: WorkStep) -> str:
     """Return all that a reader sees of a step."""
     return repr((step.title, step.markdown, step.figures, [_key(each) for each in step.steps]))
@@ -292,31 +253,6 @@ def _length(step: WorkStep) -> int:
     """Count what a reader reads of a step."""
     own = len(step.title) + len(step.markdown) + sum(len(each.place) for each in step.refers)
     return own + sum(map(_length, step.steps))
-
-
-def _chains(step: WorkStep) -> Iterator[str]:
-    """Yield the displays of a step, without the signs around them."""
-    for each in step.walk():
-        yield from (display.strip("$").strip() for display in _DISPLAY.findall(each.markdown))
-
-
-def _ends_in(chain: str, answer: WorkAnswer) -> bool:
-    """Whether a display is the equation of an answer, or one from its symbol, of any variable, to its value."""
-    chain = _LINES.sub(_without_lines, chain)
-    lines = chain.removeprefix(_ALIGNED[0]).removesuffix(_ALIGNED[1]).strip()
-    begins = re.match(re.escape(answer.symbol) + r"(\([a-z]\))? &?=", lines)
-    one = all(line.startswith("&") for line in lines.split("\\\\\n")[1:]) if lines != chain else True
-    return chain == answer.equation or (begins is not None and one and lines.endswith(f"= {answer.tex}"))
-
-
-def _without_lines(found: re.Match[str]) -> str:
-    """Return a matrix without the lines between its blocks."""
-    return rf"\begin{{bmatrix}}{found[1]}\end{{bmatrix}}".replace(r"\hline ", "")
-
-
-def _value_of(display: str) -> str:
-    """Return what a display ends in, behind its last sign of equality."""
-    return display.strip("$").rpartition("=")[2].strip()
 
 
 def _listed(numbers: Sequence[int]) -> str:

@@ -97,7 +97,7 @@ def test_of_a_task_that_has_one_method_and_no_mistakes_these_are_not_listed():
     task = Task(
         "turn", title="Turning", doc="It turns.", needs=(), options=Options, answers=[AnswerName("P", "P", "P")]
     )
-    task.method("slow", title="Slowly")(lambda given: given)
+    task.method(title="Slowly")(lambda given: given)
     headings = [line for line in one(task).split("\n") if line and not line.startswith(" ")]
     assert headings == ["turn", "Options", "Answers"]
 

@@ -30,7 +30,7 @@ from solver.tasks.figures import motion
 from solver.tasks.modelling import linearization_mistakes
 from solver.tasks.modelling.first_order import FirstOrder, first_order_of, functions_of
 from solver.tasks.modelling.operating_point import OperatingPoint, operating_point_of, point_of
-from solver.tasks.modelling.questions import question_of
+from solver.tasks.modelling.questions import is_driven, question_of
 from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
@@ -59,10 +59,10 @@ linearization: Task[Equations, LinearizationOptions] = Task(
     options=LinearizationOptions,
     example={"equations": "[\"x'' = sin(x) + u\"]", "at": "{x: 0}"},
     answers=[
-        AnswerName("A", "A", "∂f/∂x at the point, n×n", earned=("entries",)),
-        AnswerName("B", "B", "∂f/∂u at the point, n×m", optional=True, principal=True),
-        AnswerName("C", "C", "∂h/∂x at the point, p×n"),
-        AnswerName("D", "D", "∂h/∂u at the point, p×m", optional=True, principal=True),
+        AnswerName("A", "A", "∂f/∂x at the point, n×n", principal=True, earned=("entries",)),
+        AnswerName("B", "B", "∂f/∂u at the point, n×m", optional=True, principal=is_driven),
+        AnswerName("C", "C", "∂h/∂x at the point, p×n", principal=True),
+        AnswerName("D", "D", "∂h/∂u at the point, p×m", optional=True, principal=is_driven),
         AnswerName("conditions", r"\text{conditions}", "what must hold for the point to be an equilibrium",
                    optional=True),
     ],
@@ -116,7 +116,7 @@ def _responses(found: FirstOrder, values: Mapping[Symbol, Expr], A: ImmutableMat
     first = next((i for i in seen if any(A.col(i))), seen[0])
     start = sp.ImmutableMatrix([sp.Rational(int(i == first), 10) for i in range(len(X))])
     rows = sp.ImmutableMatrix([[int(i == j) for j in range(len(X))] for i in seen])
-    names = tuple(rf"\Delta {formula(X[i])}" for i in seen)
+    names = tuple(rf"\Delta{{{formula(X[i])}}}" for i in seen)
     shown = Signals(r"\Delta x", names, rows)
     caption = "The linear model and, dashed, the equations themselves, from a deviation of 0.1"
     drawn = motion(caption, A, start, shown, discrete=found.model.discrete)

@@ -7,7 +7,12 @@ from typing import TYPE_CHECKING
 from solver.numeric.judges import modelling as judges
 
 if TYPE_CHECKING:
-    from solver.systems import Equations
+    from solver.systems import Equations, System
+
+
+def is_driven(system: System) -> bool:
+    """Whether there are inputs: then B and D are asked for."""
+    return system.size("m") != 0
 
 
 def question_of(model: Equations) -> judges.Question:

@@ -13,7 +13,7 @@ from solver.numeric.judges import modelling as judges
 from solver.tasks.modelling import circuit_mistakes, equation_mistakes
 from solver.tasks.modelling.first_order import first_order_of, functions_of, is_linear
 from solver.tasks.modelling.linear_model import matrices_of
-from solver.tasks.modelling.questions import question_of
+from solver.tasks.modelling.questions import is_driven, question_of
 from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
@@ -44,6 +44,11 @@ def may_have_matrices(system: Equations | Circuit | Lagrangian) -> bool:
     return is_linear(system) if isinstance(system, systems.Equations) else system.is_linear
 
 
+def has_driven_matrices(system: Equations | Circuit | Lagrangian) -> bool:
+    """Whether B and D are asked for: the equations are linear and have inputs."""
+    return may_have_matrices(system) and is_driven(system)
+
+
 def has_functions(system: Equations | Circuit | Lagrangian) -> bool:
     """Whether f and h are asked for: the equations are not linear."""
     return not may_have_matrices(system)
@@ -58,9 +63,9 @@ state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
     answers=[
         AnswerName("A", "A", "the system matrix", free=with_derivatives, optional=True, principal=may_have_matrices,
                    earned=("highest", "matrices", "input_derivatives")),
-        AnswerName("B", "B", "the input matrix", optional=True, free=with_derivatives, principal=may_have_matrices),
+        AnswerName("B", "B", "the input matrix", optional=True, free=with_derivatives, principal=has_driven_matrices),
         AnswerName("C", "C", "the output matrix", optional=True, free=with_derivatives, principal=may_have_matrices),
-        AnswerName("D", "D", "the feedthrough", optional=True, principal=may_have_matrices),
+        AnswerName("D", "D", "the feedthrough", optional=True, principal=has_driven_matrices),
         AnswerName("f", "f(x, u)", "nonlinear: the derivatives of the states (discrete: their next values), n×1",
                    optional=True, principal=has_functions, earned=("highest",)),
         AnswerName("h", "h(x, u)", "nonlinear: the outputs, p×1", optional=True, principal=has_functions),
