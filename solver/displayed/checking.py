@@ -147,8 +147,6 @@ def _give(names: Names, part: Part, quantities: Mapping[str, str]) -> None:
     system = part.system.plant if isinstance(part.system, Loop) else part.system
     if isinstance(system, StateSpace):
         given = {"A": system.A, "B": system.B, "C": system.C, "D": system.D}
-        if {"input", "output"} & {name for name, value in part.options.items() if isinstance(value, int)}:
-            given = {"A": system.A}  # the channel asked about has its own column and row
         names.fixed.update({name: [value] for name, value in given.items() if value is not None})
     elif isinstance(system, TransferFunction | DeadTime):
         value = system.matrix[0] if system.matrix.shape == (1, 1) else system.matrix

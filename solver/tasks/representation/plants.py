@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Given
+from solver.derivation import Derivation, Given, Step, lemma
 from solver.lazy import sympy as sp
 from solver.lazy import systems
 from solver.numeric.judges import representation as judges
@@ -45,6 +45,29 @@ def chosen_channel(given: Given[InputOutput, TransferFunctionOptions]) -> StateS
     _, B, C, D = matrices_of(plant)
     B, C, D = (sp.ImmutableMatrix(M) for M in (B[:, inputs], C[outputs, :], D[outputs, inputs]))
     return replace(plant, B=B, C=C, D=D)
+
+
+@lemma("channel")
+def shown_channel(
+    given: Given[InputOutput, TransferFunctionOptions],
+) -> Derivation[StateSpace | TransferFunction]:
+    """The system from the input asked for to the output asked for; what B, C, D mean from there on is shown."""
+    plant, options = chosen_channel(given), given.options
+    if isinstance(plant, systems.TransferFunction):
+        return plant
+    whole: Any = given.system
+    changed = {name: getattr(plant, name) for name in "BC" if getattr(plant, name) != getattr(whole, name)}
+    if changed:
+        yield Step(
+            "channel",
+            unclaimed="a choice of columns and rows",
+            input=None if options.input is None else options.input + 1,
+            output=None if options.output is None else options.output + 1,
+            B=changed.get("B"),
+            C=changed.get("C"),
+            D=plant.D,
+        )
+    return plant
 
 
 def _picked(channel: int | None) -> slice:

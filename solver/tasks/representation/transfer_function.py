@@ -24,6 +24,7 @@ from solver.tasks.representation.plants import (
     chosen_channel,
     matrices_of,
     numbers_of,
+    shown_channel,
     stated_matrix,
     stated_transfer,
     variable_of,
@@ -69,7 +70,7 @@ transfer_function: Task[InputOutput, TransferFunctionOptions] = Task(
 @transfer_function.method("adjugate", title="Adjugate over determinant", source="Lecture note, equation (1.11.3)")
 def by_adjugate(given: Given[InputOutput, TransferFunctionOptions]) -> Derivation[Answers]:
     """G = (C adj(sI − A) B + det(sI − A) D)/det(sI − A)."""
-    plant = chosen_channel(given)
+    plant = yield from shown_channel(given)
     if isinstance(plant, systems.TransferFunction):
         G = yield from fractions_of(plant)
     else:
@@ -82,7 +83,7 @@ def by_adjugate(given: Given[InputOutput, TransferFunctionOptions]) -> Derivatio
 )
 def by_faddeev_leverrier(given: Given[InputOutput, TransferFunctionOptions]) -> Derivation[Answers]:
     """G = (C N₀ B s^{n−1} + … + C Nₙ₋₁ B)/χ(s) + D, with the Nₖ and χ of the recursion."""
-    plant = chosen_channel(given)
+    plant = yield from shown_channel(given)
     if isinstance(plant, systems.TransferFunction):
         G = yield from fractions_of(plant)
         return (yield from lowest_terms_of(G, given_as_fraction=True))
