@@ -24,6 +24,8 @@ WORDS = (STABLE, "not asymptotically stable")
 RANDOM_POINTS = 40
 PAIRS = 2
 EDGES = 10
+MOST_ENDS = 12
+"""The highest degree of a comparison whose ends are looked for."""
 NEAR = sp.Rational(1, 10**5)
 ROUNDED, DECIMALS = 3, 16
 """Bounds with so many decimals (at least, less than) are taken as rounded."""
@@ -156,7 +158,7 @@ def _points(A: Any, condition: Any, symbols: Sequence[Any], discrete: bool) -> I
     if len(symbols) == 1:
         (k,) = symbols
         exact, rounded = named.get(k, ([], []))
-        values = sorted({*exact, *rounded, *_crossings(A, k, discrete=discrete)})
+        values = sorted({*exact, *rounded, *_ends(condition, k), *_crossings(A, k, discrete=discrete)})
         for value in values:
             if value not in rounded:
                 yield {k: value}
@@ -191,6 +193,26 @@ def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
                     sp.Rational(str(sp.N(right, 30))) if right.has(sp.Float) else right
                 )
     return found
+
+
+def _ends(condition: Any, k: Any) -> Iterable[Any]:
+    """Where comparisons of more than k itself end, as K² ≥ 4 and |K| ≥ 2 do at 2 and -2."""
+    for each in condition.atoms(sp.core.relational.Relational):
+        if not (each.lhs.is_Symbol or each.rhs.is_Symbol):
+            yield from _zeros(each.lhs - each.rhs, k)
+
+
+def _zeros(difference: Any, k: Any) -> Iterable[Any]:
+    """The real roots of the linear and quadratic factors of a polynomial, where |x| may be x and -x."""
+    if absolute := next(iter(difference.atoms(sp.Abs)), None):
+        for sign in (1, -1):
+            yield from _zeros(difference.xreplace({absolute: sign * absolute.args[0]}), k)
+    elif difference.free_symbols == {k} and difference.is_polynomial(k) and sp.degree(difference, k) <= MOST_ENDS:
+        polynomial = sp.Poly(difference, k)
+        factors = polynomial.factor_list()[1] if polynomial.domain in (sp.ZZ, sp.QQ) else [(polynomial, 1)]
+        for factor, _ in factors:
+            if factor.degree() <= 2:
+                yield from (root for root in sp.roots(factor) if root.is_real)
 
 
 def _rounded_bounds(condition: Any) -> Iterable[tuple[Any, Any, Any]]:

@@ -101,6 +101,14 @@ def test_an_edge_that_is_included_is_found_out():
     assert "k = 0" in counterexample(A, k <= 0, discrete=False)
 
 
+@pytest.mark.parametrize("size", [k**2, abs(k) ** 2, abs(k**2)])
+def test_an_edge_that_is_included_is_found_out_where_the_comparison_is_not_of_the_parameter_itself(size):
+    A = sp.ImmutableMatrix([[0, 1], [-1, 2 - k**2]])
+    assert not counterexample(A, size > 2, discrete=False)
+    assert "holds" in counterexample(A, size >= 2, discrete=False)
+    assert counterexample(A, abs(k) >= sp.sqrt(2), discrete=False)
+
+
 @pytest.mark.parametrize(
     ("assumed", "pole", "right", "wrong"),
     [
