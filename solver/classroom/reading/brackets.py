@@ -9,9 +9,10 @@ OPENING, CLOSING = "([{", ")]}"
 _BINARY = "+-*/^±=<>,;&|·×⋅−"
 _SIGNS = "+-−±"
 _NUMBER = re.compile(r"[+−-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?(?:/\d+)?")
-_GOES_ON = re.compile(r"(?:(?:±\s*|\S\s+[+−-]\s+)[ijI]|\bwith|multiplicity)$", re.IGNORECASE)
+_GOES_ON = re.compile(r"(?:(?:±\s*|\S\s+[+−-]\s+)[ijI]|\bwith|multiplicity|vielfachheit|algebraic)$", re.IGNORECASE)
 _REMARK = re.compile(
-    r"\(?(?:double|twice|triple|doppelt|dreifach|with\b|mult)|\(\d+\s*(?:x|×|times|fold)", re.IGNORECASE
+    r"\(?(?:double|twice|triple|doppelt|dreifach|once|simple|einfach|with\b|alg|mult|vielf)|\(\d+\s*(?:x|×|times|fold)",
+    re.IGNORECASE,
 )
 """What ends without an entry of its own, as j in -1 ± j 2, and what belongs to the entry before: 3 (double)."""
 _ROW = re.compile(r"[;\n]")

@@ -14,7 +14,7 @@ from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import flat, is_trivial, labelled, lower, only, rows_of, text_of
-from solver.classroom.reading.prepared import with_powers
+from solver.classroom.reading.prepared import with_powers, without_powers
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import Pair, TextReader
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -135,6 +135,8 @@ class KindReader:
 
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:
         if lower(node) in words.NONE:
+            if ours.cols and not self.expected.vectors and self.expected.name in ("A", "B", "C", "D"):
+                raise node.fault("a matrix is expected here")
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
         if (size := words.whole_space(typed(node))) == ours.rows == ours.cols:
             self.texts.respelt = True
@@ -142,12 +144,15 @@ class KindReader:
         if ours.shape == (1, 1) and (mixed := words.mixed_number(typed(node))):
             node = ScalarNode(node.place, self.texts.choices.choose("mixed", mixed), "quoted")
         node = self._unfolded(node, grid=True)
+        if isinstance(node, MappingNode) and node.entries:
+            node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
         if is_trivial(node):
             return (sp.ImmutableMatrix(ours.rows, 0, []),) * 2
         if isinstance(node, SequenceNode):
             node = placed(node, self.texts) or node
         rows = rows_of(node, ours)
         if self.expected.name == "array":  # Routh's, whose zeros at the end of a row are often left out
+            rows = without_powers(rows)
             rows = [[*row, *[ScalarNode(node.place, "0")] * (ours.cols - len(row))] for row in rows]
         if any(len(row) != len(rows[0]) for row in rows):
             raise node.fault("the rows of a matrix must have the same length")

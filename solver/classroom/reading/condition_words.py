@@ -25,6 +25,12 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
          r"(?:(?:exactly |precisely |genau )?(?:for|if|iff|when|where|as long as|für|wenn|falls)\s+)?(?=\S)", ""),
         (r"^\s*(?:for|für)?\s*(?:all|every|any|alle)\s+(?:real\s+|reellen\s+)?(?:values of\s+)?[A-Za-z]\w*\s*$",
          "always"),
+        (r"^\s*(?:for |für )?(?:no|kein(?:e[mns]?)?)(?: real| reelles?)?(?: values?| werte?)?(?: of| von)?"
+         r" [A-Za-z]\w*\s*$", "never"),
+        (r"^\s*(?:always |immer )?(?:unstable|instabil) (?:for|für) (?:all|every|any|alle|jedes)"
+         r"(?: real| reellen)?(?: values of)? [A-Za-z]\w*\s*$", "never"),
+        (r"^\s*(?:never stable|nie(?:mals)? stabil|always unstable|immer instabil|∅|\{\s*\}|(?:the )?empty set"
+         r"|(?:die )?leere menge)\s*$", "never"),
         (r"^\s*(?:for|if|iff|when|für|wenn|falls)\s+(?=\S)", ""),
         (r"^\s*(?:all|every|any|alle)\s+(?=[A-Za-z]\w*\s)", ""),
         (r"\s*\((?:asymptotically |asymptotisch )?(?:stable|stabil)\)\s*$", ""),
@@ -45,16 +51,19 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (rf"\b(?:is\s+|ist\s+|must be\s+)?{_LESS}(?=\s)", "<"),
         (rf"\b(?:is\s+|ist\s+|must be\s+)?{_MORE}(?=\s)", ">"),
         (r"\s(?:elem|element of|is an element of|is in|lies in|liegt in|ist in|aus)\s+(?=[\[(\]])", " ∈ "),
-        (r"\s*(?:∈|\bin\b)\s*(?:ℝ|\bR\b|reals?)\s*(?:,|$)", ""),
+        (r"^\s*[A-Za-z]\w*\s*(?:∈|\bin\b)\s*(?:ℝ|R\b|reals?)\s*(?:[,;:]|\band\b|\bund\b)\s*(?=\S)", ""),
+        (r"\s*[,;]\s*[A-Za-z]\w*\s*(?:∈|\bin\b)\s*(?:ℝ|R|reals?)\s*$", ""),
+        (r"\s*(?:∈|\bin\b)\s*(?:ℝ|\bR\b|reals?)\s*$", ""),
         (r"\s*,?\s*\b[A-Za-z]\w* (?:real|reell)$", ""),
         (r"\s+but\s+|\s+aber\s+", " and "),
+        (r"∉\s*\[([^\[\](),;]+)[,;]([^\[\](),;]+)\]", r"∈ (-oo, \1) ∪ (\2, oo)"),
         (r"/\\", " and "),
         (r"\\/", " or "),
     )
 )  # fmt: skip
 """What is said in words, and the relation that it is."""
 
-_BARS = re.compile(r"(?<![\w)\]|])\s*\|([^|<>=≤≥≠]+)\|(?=\s*(?:[<>=≤≥≠*/+-]|$))")
+_BARS = re.compile(r"(?<![A-Za-z_)\]|])\s*\|([^|<>=≤≥≠]+)\|(?=\s*(?:[<>=≤≥≠*/+^-]|$))")
 _SOLVED = re.compile(r"(?:\w+\.)*(?:solve|reduce|Reduce|Solve)\s*[(\[]")
 _SUCH_THAT = re.compile(
     r"^\{\s*([^\W\d]\w*)\s*(?:(?:∈|\bin\b)\s*(?:ℝ|R|reals?)\s*)?(?:\||:|\bsuch that\b|\bmit\b)\s*(.*)\}$", re.DOTALL

@@ -43,6 +43,8 @@ class ConditionReader:
         text = text.strip()
         if self.name and text[:1] in tuple("()[]") and _INTERVAL.match(f"{self.name} in {text}"):
             text = f"{self.name} in {text}"
+        if self.name and _RELATION.match(text):  # > 4
+            text = f"{self.name} {text}"
         if text.lower() in YES | NO:
             return sp.true if text.lower() in YES else sp.false
         if depth > MAX_NESTING:

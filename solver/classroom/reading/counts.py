@@ -13,6 +13,10 @@ _NOUNS = {"rank", "rang", "root", "roots", "pole", "poles", "eigenvalue", "eigen
           "eigenwert", "eigenwerte"}  # fmt: skip
 _FILLING = {"there", "is", "are", "it", "has", "the", "lie", "lies", "es", "gibt", "ist", "hat", "der", "liegt",
             "liegen", "="}  # fmt: skip
+_OUT_OF = re.compile(
+    r"\s*(?:rank|rang)?\s*=?\s*(\d{1,3})\s*(?:<|≠|!=|(?:out )?of|von)\s*(\d{1,3})(?:\s*=\s*n)?\s*$", re.IGNORECASE
+)
+"""Less than the full number: 2 < 3, rank 2 of 3."""
 _PLACES = {
     "right_half_plane_roots": re.compile(
         r"(?:in |on )?(?:open |offenen )?(?:right half ?plane|rhp|rechten halbebene)|rechts|unstable|instabile"
@@ -34,6 +38,8 @@ def counted(text: str, name: str, most: int | None) -> str | None:
 
     None where that is not clear: what is full is not known, or is another number; or what is counted lies elsewhere.
     """
+    if (found := _OUT_OF.match(text)) and most is not None and int(found[1]) < int(found[2]) == most:
+        return found[1]
     said = _said(text)
     bare = [word for word in said if word not in _NOUNS | _FULL]
     full = any(word in _FULL for word in said)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.classroom.reading.grids import diagonal_of
-from solver.classroom.reading.labels import by_places, times_over, without_labels
+from solver.classroom.reading.labels import by_places, times_over, twice_named, without_labels
 from solver.classroom.reading.nodes import flat
 from solver.classroom.reading.texts import TextReader
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
@@ -35,6 +35,8 @@ def unlabelled(items: Sequence[Node], texts: TextReader) -> Sequence[Node]:
     if len(scalars) != len(items):
         return []
     written = [each for item in scalars for each in _repeated(item.text, texts)]
+    if name := twice_named(written):
+        raise scalars[0].fault(f"{name} stands for two values")
     found, labelled = without_labels(written)
     if not labelled and len(written) == len(scalars):
         return []

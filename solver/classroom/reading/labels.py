@@ -9,11 +9,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from solver.classroom.reading.brackets import enclosed
 from solver.derivation import AnswerName
 from solver.problem.expressions.notation import GREEK
 from solver.symbols import NOTATIONS
 
-_LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[k\]){1,80}?)\s*(?::=|==|=|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
+_LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[k\]){1,80}?)\s*(?::=|==|=(?!>)|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
 _NAME = re.compile(
     r"\\?[^\W\d](?:[\w\s\\{},*'′](?<![²³⁴⁵⁶⁷⁸⁹]))*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[k\]|[A-Z]\w*(?:\(\w\))?\s*/\s*[A-Z]\w*(?:\(\w\))?",
     re.DOTALL,
@@ -24,13 +25,16 @@ _RANGE = re.compile(
 )
 _MULTIPLE = re.compile(
     r"^(.*?[^\s(,])\s*(?:\(?\s*(?:double(?: root| pole)?|twice|doppelt|triple|dreifach"
-    r"|(?:with )?mult(?:iplicity|\.)?\s*(\d{1,2}))|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
+    r"|once|simple|einfach"
+    r"|(?:with )?(?:(?:algebraic|alg\.?|algebraische?) )?(?:mult(?:iplicity|\.)?|vielfachheit|vfh\.?)\s*(\d{1,2}))"
+    r"|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
     re.IGNORECASE,
 )
 _OPERAND = r"\s*([-+−±\d./√() ]*[ij]?[\d./√() ]*?)\s*"
 _TIMES = re.compile(rf"{_OPERAND}[x×]{_OPERAND}")
 _TIMES_IN_BRACKETS = re.compile(r"\(\s*([x×]\s*\d+|\d+\s*[x×])\s*\)")
 _INVERTED = re.compile(r"\s*[UR]\w*(?:\(\w\))?\s*/\s*[YXE]")
+_SIMPLE = ("once", "simple", "einfach")
 MOST_SIGNS = 60
 MOST_TIMES = 24
 _NUMBERED = re.compile(r"((?:(?![₀-₉])[^\W\d_])+)_?(\d|[₀-₉])")
@@ -64,6 +68,11 @@ class Labels:
         self.own = _spellings(answer) if answer else set()
         self.others = {each for other in others for each in _spellings(other)} - self.own
 
+    def before(self, text: str) -> tuple[str, str]:
+        """Return what stands before a value as its label, where that is not the answer's own name, and the value."""
+        found = _LABEL.match(text)
+        return ("", text) if found is None or _normal(found[1]) in self.own else (found[1], found[2].strip())
+
     def without(self, text: str) -> tuple[str, bool]:
         """Return a text without its label, and whether that was a label of another spelling than the answer's.
 
@@ -72,7 +81,7 @@ class Labels:
         if found := _COLUMNS.match(text):  # [B AB] = [1 2; 3 4]
             return text[found.end() :], True
         found = _LABEL.match(text)
-        if found is None or "=" in found[2].strip("= "):
+        if found is None or "=" in found[2].strip("= ") or enclosed(text.strip(), "{}"):
             return text, False
         label = _normal(found[1])
         if found[1].startswith("lambda "):  # a function of Python
@@ -116,6 +125,16 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
     if len(numbers) == len(items) == len(set(numbers)):
         values = [value for _, value in sorted(zip(numbers, values, strict=True))]
     return values, True
+
+
+def twice_named(items: Sequence[str]) -> str:
+    """Return a name with an index that has two values in a list, k1 = 3, k1 = 4; "" where none has."""
+    known: dict[str, str] = {}
+    for match in filter(None, map(_LABEL.match, items)):
+        name, value = match[1].strip(), match[2].strip()
+        if _INDEX.search(name) and _NAME.fullmatch(name) and known.setdefault(name, value) != value:
+            return name
+    return ""
 
 
 def _without_own_names(named: Sequence[tuple[str, str]]) -> list[str]:
@@ -174,9 +193,14 @@ def _repeated(item: str) -> list[str]:
     if len(names) > 1 and all(_NAME.fullmatch(name.strip()) for name in names):
         return [f"{name} = {value}" for name in names]
     if found := _MULTIPLE.match(item):
-        times = int(found[2] or found[3] or (3 if found[0].rstrip(" )").endswith(("triple", "dreifach")) else 2))
+        times = int(found[2] or found[3] or _times(found[0].rstrip(" )").lower()))
         return [found[1]] * min(times, MOST_TIMES)
     return [item]
+
+
+def _times(said: str) -> int:
+    """How often a value counts that is said to be double, triple or simple."""
+    return 1 if said.endswith(_SIMPLE) else 3 if said.endswith(("triple", "dreifach")) else 2
 
 
 def times_over(item: str) -> tuple[list[str], ...]:

@@ -7,12 +7,23 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading import polynomials
+from solver.classroom.reading.names import symbols_of
+from solver.symbols import POLYNOMIAL
+
+SIGNALS = ("x", "y", "u", "f")
+"""Answers that are functions of time."""
 
 
 def has_step(ours: Any) -> bool:
     """Whether our own answer says when it begins."""
     values = ours if isinstance(ours, list | tuple) else [ours]
     return any(isinstance(each, sp.Basic) and each.has(sp.Heaviside) for each in values)
+
+
+def is_of_time(ours: Any, name: str) -> bool:
+    """Whether our own answer is a function of time, which may be constant where it is a signal."""
+    found = {symbol.name for symbol in symbols_of(ours)}
+    return bool(found & {"t", "k"}) or (name in SIGNALS and not found & POLYNOMIAL)
 
 
 def is_condition(ours: Any) -> bool:

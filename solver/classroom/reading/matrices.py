@@ -29,7 +29,7 @@ _KEYWORD = re.compile(r"\s*[A-Za-z_]\w*\s*=")
 _PAIR = re.compile(r"\s*(?::=|[:=])\s*")
 _VECTOR = re.compile(r"(^|[,;]\s*)[^\W\d]\w*\s*=\s*(?=[\[(].*[,;]\s*[^\W\d]\w*\s*=|[\[(][^=]*$)", re.DOTALL)
 _SPAN = re.compile(r"\s*(?:span|Span|lin|LH)\s*(?=[({\[])")
-_JOINED = re.compile(r"\s+(?:and|und|or|oder|et|ou)\s+", re.IGNORECASE)
+_JOINED = re.compile(r"\s+(?:and|und|or|oder|et|ou|∨)\s+", re.IGNORECASE)
 _SETS = {"∅": "[]", "{ }": "[]"}
 _DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.]|,\d)")
 
@@ -104,6 +104,8 @@ class Unfolding:
                 called = enclosed(inside, "()") and inside[1:-1].lstrip().startswith("[")
                 vectors = self.text(node, f"{{{inside[1:-1]}}}" if called else inside, 1)
                 return vectors if ";" in text else _columns(vectors)
+        while enclosed(text, "()") and enclosed(text[1:-1].strip()):
+            text = text[1:-1].strip()
         tuple_ = enclosed(text, "()") and self._is_tuple(text[1:-1])
         if enclosed(text, "{}") and (mapped := _mapped(node, text[1:-1])):
             return mapped
@@ -217,7 +219,7 @@ def _plain(node: ScalarNode, text: str) -> str:
 def _holds_rows(node: SequenceNode) -> bool:
     """Whether YAML took a matrix of MATLAB apart: [1, 2; 3, 4] has the items 1, "2; 3" and 4."""
     texts = [item for item in node.items if isinstance(item, ScalarNode) and item.style == "plain"]
-    return len(texts) == len(node.items) and any(sign in item.text for item in texts for sign in ";|&")
+    return len(texts) == len(node.items) and any(sign in item.text for item in texts for sign in ";|&■█")
 
 
 def _is_torn(node: SequenceNode) -> bool:

@@ -14,7 +14,7 @@ import sympy as sp
 
 from solver.classroom.reading.brackets import matching
 from solver.classroom.reading.choices import Choices
-from solver.classroom.reading.latex import is_latex, translated
+from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.real_parts import with_real_parts
 from solver.classroom.reading.spelling import respelled
 from solver.problem.expressions import ExpressionError, Names
@@ -31,6 +31,7 @@ _FUNCTION = "|".join(
 )
 _BARE_CALL = re.compile(rf"(?<![A-Za-z_])(?:{_FUNCTION})(?![\w(])(?!\s*\()")
 _POLAR = re.compile(r"((?:(?<![A-Za-z_])e\s*\^|\bexp)\s*\()\s*±\s*([ij])(?![A-Za-z_])\s*\*?")
+_LIST = re.compile(r"(?<![A-Za-z])\[\s*[-+−]?[\d.]+\s+[-+−√\d.]*[\d.]+\s*\]")
 _STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
 """Names of the unit step."""
 
@@ -74,6 +75,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\.(?=[*/^])", ""),  # MATLAB's 2.*t
         (r"(?<=\d)\.(?![\d.])", ""),  # numpy's 1.
         (r"\bexp\s*\^", "e^"),
+        (r"\barc(?=(?:sin|cos|tan)\b)", "a"),
         (r"((?<![A-Za-z_])[a-z]|\))\s+(\d+(?:\.\d+)?\^)", r"\1*\2"),  # k 3^(k-1), (1 + k) 0.5^k
         (rf"(?<![A-Za-z_])({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
         (rf"(?<![A-Za-z_])(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
@@ -81,7 +83,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\}", ")"),
         (r"\[", "("),
         (r"\]", ")"),
-        (r"^\s*\|([^|]*)\|\s*$", r"abs(\1)"),
+        (r"(?<![\w)|])\|([^|]*)\|(?=\s*(?:[-+*/)^]|$))", r"abs(\1)"),
     )
 )
 """What is written elsewhere, and what it is called here."""
@@ -91,6 +93,8 @@ def plain(text: str, names: Names, choices: Choices) -> str:
     """Return the text of an expression in our notation. Raises NotReadableError for LaTeX that is none."""
     if is_latex(text):
         text = translated(text)
+    if _LIST.search(text):
+        raise NotReadableError("a list stands where one value is expected")
     text = respelled(text).strip().rstrip(".;").rstrip()
     for pattern, change in TABLE:
         text = pattern.sub(change, text)
@@ -158,7 +162,7 @@ def _with_derivatives(text: str, names: Names) -> str:
         return found[1] if known and found[1] not in FUNCTIONS else found[0]
 
     text = re.sub(r"([A-Za-z]\w*)(['′″’]+)", derivative, text)
-    return re.sub(r"\b([A-Za-z]\w*)\(\s*[tk]\s*\)", signal, text)
+    return re.sub(r"(?<![A-Za-z_])([A-Za-z]\w*)\(\s*[tk]\s*\)", signal, text)
 
 
 def _with_names(text: str, names: Names) -> str:

@@ -35,7 +35,7 @@ def are_points(ours: Any, node: Node) -> bool:
     if isinstance(ours, list) and ours:
         return isinstance(ours[0], Mapping)
     inside = node.items if isinstance(node, SequenceNode) else (node,)
-    return ours == [] and any(isinstance(each, MappingNode) for each in inside)
+    return ours == [] and any(isinstance(each, MappingNode) and each.entries for each in inside)
 
 
 class PointReader:

@@ -23,6 +23,11 @@ _ROOTS = re.compile(r"(?:\b\w+\.)*\bpoly\s*\((?=\s*\[)")
 _CONVOLVED = re.compile(r"\s*(?:\w+\.)*(?:conv|convolve|polymul)\s*\((.*)\)\s*", re.DOTALL)
 _POLYNOMIAL = re.compile(r"^\s*(?:\w+\.)*(?:Pure)?Poly\s*\(([^,]*)(?:,.*)?\)\s*$", re.DOTALL)
 _LIST = re.compile(r"\[|(?:\w+\.)*(?:poly1d|array|Matrix)\(|\\begin")
+_SAMPLE_TIME = re.compile(r"\s*(?:(?:dt|Ts?)\s*=\s*)?(?:-1|[\d./eE-]*[1-9][\d./eE-]*|True|Ts?)\s*")
+_BAR = re.compile(r"^((?:(?!-{3})[^─—=])*[^-─—=\s])\s*(?:-{3,}|[─—]{2,})\s*([^-─—=\s](?:(?!-{3})[^─—=])*)$", re.DOTALL)
+"""A quotient as MATLAB prints it, with a bar of signs between its lines."""
+_RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+_POWER = re.compile(rf"(?<![^\W\d_])(?:\\?lambda|[szpxλ])\s*(?:(?:\^|\*\*)\s*\{{?(\d{{1,2}})|([{_RAISED}]))")
 _ZERO = re.compile(r"^\s*\+?0(?:\.0*)?\s*$")
 MAX_DEGREE = 40
 MAX_CONVOLVED = 400
@@ -53,11 +58,19 @@ def of_coefficients(coefficients: Sequence[Any], variable: sp.Symbol) -> Any:
 
 
 def one_side(text: str) -> str:
-    """Return p of the equation p = 0, any other text as it is."""
+    """Return p of p = 0, and p - q of p = q where q is of lower degree; any other text as it is."""
     sides = text.split("=")
     if len(sides) == 2 and _ZERO.match(sides[1]) and not _ZERO.match(sides[0]):
         return sides[0]
+    if len(sides) == 2 and _highest(sides[0]) > max(_highest(sides[1]), 1):  # s^2 = -3 s - 2
+        return f"{sides[0]} - ({sides[1]})"
     return sides[1] if len(sides) == 2 and _ZERO.match(sides[0]) else text
+
+
+def _highest(text: str) -> int:
+    """The highest power of a variable in a text; 0 where none is raised to one."""
+    powers = [found[1] or str(_RAISED.index(found[2])) for found in _POWER.finditer(text)]
+    return max((int(each) for each in powers), default=0)
 
 
 def in_variable(read: tuple[Any, Any], variable: sp.Symbol, known: set[sp.Symbol]) -> tuple[Any, Any]:
@@ -71,9 +84,14 @@ def in_variable(read: tuple[Any, Any], variable: sp.Symbol, known: set[sp.Symbol
 
 
 def in_usual_letter(read: tuple[Any, Any], ours: Any, known: set[sp.Symbol]) -> tuple[Any, Any]:
-    """Return a transfer function and its form in our variable, where they are written in p, or another usual letter."""
-    variables = [each for each in ours.free_symbols if each.name in POLYNOMIAL]
-    own = [each for each in read[0].free_symbols - known if each.name in USUAL_LETTERS]
+    """Return a transfer function and its form in our variable, where they are written in p, or another usual letter.
+
+    A sequence in k may be written in n.
+    """
+    sampled = {each.name for each in ours.free_symbols} & {*POLYNOMIAL, "k", "t"} == {"k"}
+    wanted, usual = ({"k"}, {"n"}) if sampled else (POLYNOMIAL, USUAL_LETTERS)
+    variables = [each for each in ours.free_symbols if each.name in wanted]
+    own = [each for each in read[0].free_symbols - known if each.name in usual]
     if len(variables) != 1 or len(own) != 1 or variables[0] in read[0].free_symbols:
         return read
     renamed = {own[0]: variables[0]}
@@ -84,6 +102,7 @@ def with_quotients(text: str, variable: str) -> str:
     """Return a text with tf([1], [1 3 2]), zpk([], [-1 -2], 1) as quotients, Poly(p, s) as p; other calls stay."""
     if found := _POLYNOMIAL.match(text):
         return found[1]
+    text = _BAR.sub(r"(\1)/(\2)", text)
     if found := _NUM_AND_DEN.match(text):
         text = f"tf({found[1]}, {found[2]})"
     text = _with_roots_only(text, variable)
@@ -91,13 +110,18 @@ def with_quotients(text: str, variable: str) -> str:
     while found := _FRACTION.search(text):
         end = matching(text, found.end() - 1)
         arguments = split(text[found.end() : end], ",")
-        if len(arguments) < 2:
+        if len(arguments) < 2 or _is_sampled(arguments[2:], variable):
             return text
         above, below = (_polynomial(each, variable) for each in arguments[:2])
         if not above or not below:
             return text
         text = f"{text[: found.start()]}(({above})/({below})){text[end + 1 :]}"
     return text
+
+
+def _is_sampled(more: Sequence[str], variable: str) -> bool:
+    """Whether a sample time stands behind what makes up a transfer function in s: tf(1, [1 2], 0.1)."""
+    return variable == "s" and any(_SAMPLE_TIME.fullmatch(each) for each in more)
 
 
 def _with_models(text: str) -> str:
@@ -137,7 +161,7 @@ def _with_roots(text: str, variable: str) -> str:
     while found := _ZPK.search(text):
         end = matching(text, found.end() - 1)
         arguments = split(text[found.end() : end], ",")
-        if len(arguments) < 3:
+        if len(arguments) < 3 or _is_sampled(arguments[3:], variable):
             return text
         above, below = (_factors(each, variable) for each in arguments[:2])
         if max(len(above), len(below)) > MAX_DEGREE:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading.brackets import split
+from solver.classroom.reading.brackets import rows, split
 from solver.classroom.reading.nodes import labelled
 from solver.classroom.reading.spelling import typed
 from solver.problem.expressions.notation import GREEK_NAMES
@@ -21,6 +21,7 @@ _NOT_ZERO = re.compile(r"\s*(?:≠|!=|\\neq?\b)\s*0\s*$")
 _PARTS = re.compile(r"^\s*(?:σ|sigma|Re)\s*=[^=]*[,;]\s*(?:ω|omega|ω_d|Im)\s*=[^=]*$")
 _STATED = re.compile(r"\s*([^\W\d]\w*)\s*=[^=]")
 _SQUARE = re.compile(r"(?<![\w.])([spzλ]|lambda)([2-9])(?!\w)")
+_POWER_OF_ROW = re.compile(r"\s*[sz]\s*\^?\s*[({]?[\d⁰¹²³⁴-⁹]{1,2}[)}]?\s*(?:[|:]|$)")
 _SLASH = re.compile(r"\s/\s")
 _WORD = re.compile(r"[a-z]{2,}")
 
@@ -29,17 +30,29 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     """Return the node of an answer without what is not part of its value; raises Fault where it is another quantity."""
     if isinstance(ours, sp.MatrixBase) and isinstance(node, MappingNode):
         node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
+    if isinstance(ours, sp.Expr) and isinstance(node, MappingNode):
+        node = _quotient(node) or node
     text = typed(node)
-    if _RULE.search(text):  # {{k1 -> 22, k2 -> 7}}
+    if _RULE.search(text) and not isinstance(ours, str | bool):  # {{k1 -> 22, k2 -> 7}}
         return ScalarNode(node.place, _RULE.sub(" = ", text.replace("{", "").replace("}", "")), "quoted")
     if not isinstance(node, ScalarNode) or isinstance(ours, str | bool):
         return node
     if isinstance(ours, list | tuple) and _PARTS.match(text):
         raise node.fault("the values themselves are expected, not their real and imaginary parts")
     bare = _own_statement(_NOT_ZERO.sub("", text), name)
+    if name == "array":
+        bare = _without_powers(text)
     if isinstance(ours, sp.MatrixBase) and (found := _TURNED.match(bare)):
         bare = f"{found[1]} = {found[2]}'"
     return node if bare == text else ScalarNode(node.place, bare, "quoted")
+
+
+def _quotient(node: MappingNode) -> Node | None:
+    """{num: [1], den: [1, 2]} as num = [1], den = [1, 2]; None of any other mapping."""
+    entries = {entry.key.text: typed(entry.value) for entry in node}
+    if set(entries) != {"num", "den"}:
+        return None
+    return ScalarNode(node.place, f"num = {entries['num']}, den = {entries['den']}", "quoted")
 
 
 def _own_statement(text: str, name: str) -> str:
@@ -50,11 +63,25 @@ def _own_statement(text: str, name: str) -> str:
     return pieces[stated.index(name)] if own else text
 
 
+def _without_powers(text: str) -> str:
+    """The rows of a Routh array without s^3 | before them; a text of other rows as it is."""
+    lines = rows(text)
+    bare = [_POWER_OF_ROW.sub("", line, count=1) for line in lines]
+    return "\n".join(bare) if len(lines) > 1 and all(map(_POWER_OF_ROW.match, lines)) else text
+
+
 def as_rows(node: Node) -> Node | None:
     """Return -1 / -2 or 0 1 / -2 -3 with the slashes between rows as separators; None where there are none."""
     if not isinstance(node, ScalarNode) or not _SLASH.search(node.text):
         return None
     return ScalarNode(node.place, _SLASH.sub("; ", node.text), "quoted")
+
+
+def without_powers(lines: Sequence[Sequence[Node]]) -> list[Sequence[Node]]:
+    """Return the rows of a Routh array without their powers in the first column, if that holds nothing else."""
+    first = [line[0] for line in lines if len(line) > 1]
+    powers = [each for each in first if isinstance(each, ScalarNode) and _POWER_OF_ROW.fullmatch(each.text)]
+    return [line[1:] for line in lines] if len(powers) == len(lines) else list(lines)
 
 
 def with_powers(text: str, known: Collection[str]) -> str:

@@ -10,10 +10,13 @@ import re
 from solver.classroom.reading.brackets import matching, split
 
 MAX_NESTING = 6
+MOST_ARGUMENTS = 2
+"""A value, and how many digits or which symbol."""
 _ANGLES = str.maketrans("⟨⟩", "<>")
 _ADJACENT = re.compile(r"(?<=\])\s*(?=\[)")
 _BARRED = re.compile(r"[^|&]*(?:\|[^|&]*|(?:&[^|&]*)+)")
-_MADE = re.compile(r"(?<=[*+\-/ )])(?:\w+\.)*(?:[Mm]atrix|array)\((\[[^()]*\])\)")
+_MADE = re.compile(r"(?<=[*+\-/ )])(?:\w+\.)*(?:[Mm]atrix|array)\((?=\[)")
+_WORD = re.compile(r"[\[(]?\s*[■█]\s*\(")
 _IDLE = re.compile(
     r"(?:\w+\.)*(?:simplify|Simplify|FullSimplify|expand|Expand|factor|Factor|evalf|N|vpa|sym|double|float|MatrixForm"
     r"|collect|ratsimp|trigsimp|nsimplify|evalm)\s*[(\[]"
@@ -29,10 +32,32 @@ def in_our_brackets(text: str) -> str:
     text = text.translate(_ANGLES)
     if text.count("<") == text.count(">") > 0 and "=" not in text:
         text = _without_angles(text)
-    text = _MADE.sub(r"\1", text) if _MADE.search(text) and not text.startswith(("Matrix", "matrix")) else text
+    text = _without_makers(_of_word(text))
     if _BARRED.fullmatch(text):
         text = text.replace("|", ",").replace("&", ",")
     return _ADJACENT.sub(", ", text) if text.startswith("[[") and matching(text, 0) == len(text) - 1 else text
+
+
+def _without_makers(text: str) -> str:
+    """A text with the matrices in np.array([…]) behind a factor as they stand."""
+    at = 0
+    while not text.startswith(("Matrix", "matrix")) and (found := _MADE.search(text, at)):
+        end = matching(text, found.end() - 1)
+        inside = text[found.end() : end]
+        if end < len(text) and matching(inside, 0) == len(inside) - 1:
+            text = f"{text[: found.start()]}{inside}{text[end + 1 :]}"
+        at = found.start() + 1
+    return text
+
+
+def _of_word(text: str) -> str:
+    """A text with the matrices of Word, [■(1&2@3&4)], in our brackets."""
+    while found := _WORD.search(text):
+        end = matching(text, found.end() - 1)
+        inside = text[found.end() : end].replace("&", ", ").replace("@", "; ")
+        closed = matching(text, found.start()) if text[found.start()] in "[(" else end
+        text = f"{text[: found.start()]}[{inside}]{text[closed + 1 :]}"
+    return text
 
 
 def inside_idle_call(text: str) -> str | None:
@@ -51,7 +76,7 @@ def _argument(call: re.Pattern[str], text: str) -> str | None:
     if found is None or matching(text, found.end() - 1) != len(text) - 1:
         return None
     arguments = split(text[found.end() : -1], ",")
-    return arguments[0] if arguments else None
+    return arguments[0] if 0 < len(arguments) <= MOST_ARGUMENTS else None
 
 
 def _without_angles(text: str) -> str:

@@ -18,7 +18,7 @@ SYNONYMS = {
     **dict.fromkeys(("source", "quelle", "repelling", "repulsive", "instable"), "unstable"),
     **dict.fromkeys(("instabil", "instabile", "instabiler", "instabiles"), "unstable"),
     **dict.fromkeys(("asymptotic", "asymptotisch", "asymp", "exponentially", "exponentiell"), "asymptotically"),
-    "asymptotiquement": "asymptotically",
+    **dict.fromkeys(("asymptotiquement", "asympt", "strictly"), "asymptotically"),
     **dict.fromkeys(("asymptotischer", "asymptotisches", "exponential"), "asymptotically"),
     **dict.fromkeys(("marginal", "critically", "neutrally"), "marginally"),
     **dict.fromkeys(("grenzstabil", "grenzstabiler"), "marginally stable"),

@@ -16,6 +16,7 @@ from solver.classroom.reading.latex import is_latex, translated
 from solver.classroom.reading.nodes import At, only, text_of
 from solver.classroom.reading.notations import has_bare_call, plain
 from solver.classroom.reading.programs import inside_idle_call
+from solver.classroom.reading.said_twice import agree, sides
 from solver.classroom.reading.spelling import respelled, typed
 from solver.classroom.reading.units import without_unit
 from solver.classroom.reading.words import mixed_number
@@ -23,13 +24,17 @@ from solver.classroom.submitted import Decimal
 from solver.problem.expressions import Doubt, ExpressionError, Names, parse_written
 from solver.problem.expressions.notation import MAX_CHARACTERS
 from solver.problem.nodes import Node, ScalarNode
+from solver.problem.source import Fault
 
 Pair = tuple[Any, Any]
 """A value, and its form with a symbol for each decimal."""
 
 
 class TextReader:
-    """Reads the texts of a value; `decimals` are those met so far, `respelt` tells that a text was read as another."""
+    """Reads the texts of a value; `decimals` are those met so far, `respelt` tells that a text was read as another.
+
+    Where `numbers` are asked for, one may be said twice, π/3 ≈ 1.047.
+    """
 
     def __init__(self, names: Names, choices: Choices, unit: str = "", *, discrete: bool = False) -> None:
         self.names = names
@@ -38,6 +43,7 @@ class TextReader:
         self.discrete = discrete
         self.decimals: dict[sp.Symbol, Decimal] = {}
         self.respelt = False
+        self.numbers = False
 
     def expression(self, node: Node) -> Pair:
         """Return the value of an expression; raises Fault."""
@@ -49,6 +55,9 @@ class TextReader:
     def alternatives(self, node: Node) -> list[Pair]:
         """Return the value, or the two of an expression with ±, each with its form; raises Fault."""
         written = text_of(node)
+        if self.numbers and len(equal := sides(written)) > 1 and (said := self._first_of(node, equal)):
+            self.respelt = True
+            return said
         if mixed := mixed_number(written):
             written = self.choices.choose(("mixed", written), mixed)
         with At(node):
@@ -59,6 +68,24 @@ class TextReader:
             symbols = {place: symbol for place, (symbol, _) in decimals.items()}
             pairs = parse_written(text, self.names, symbols, self._decide)
             return [(self._sampled(value), self._sampled(form)) for value, form in pairs]
+
+    def _first_of(self, node: Node, equal: list[str]) -> list[Pair]:
+        """The first of numbers that are said to be equal; nothing where they are none. Raises Fault if they differ."""
+        found: list[Pair] = []
+        known = [dict(self.decimals)]
+        for text in equal:
+            try:
+                found += self.alternatives(ScalarNode(node.place, text, "quoted"))
+            except Fault:
+                return []
+            known.append(dict(self.decimals))
+        if len(found) != len(equal) or any(value.free_symbols for value, _ in found):
+            return []
+        (_, first), *others = found
+        if not all(agree(first, form, self.decimals) for _, form in others):
+            raise node.fault(f"{' and '.join(each.strip() for each in equal)} are not equal")
+        self.decimals = known[1]
+        return found[:1]
 
     def condition(self, node: Node, name: str = "") -> Any:
         """Return a condition such as "0 < K < 6", True for "always", False for "never"; raises Fault.

@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading import polynomials
+from solver.classroom.reading import polynomials, words
 from solver.classroom.reading.by_kind import KindReader
 from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.expected import Expected
@@ -22,11 +22,12 @@ from solver.classroom.reading.labels import (
     with_own_labels,
     without_range,
 )
-from solver.classroom.reading.likeness import has_step, is_condition, is_like
+from solver.classroom.reading.likeness import has_step, is_condition, is_like, is_of_time
 from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
+from solver.classroom.reading.said_twice import sides
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import TextReader
 from solver.classroom.submitted import Submitted, replaced
@@ -93,15 +94,18 @@ class Reader:
 
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:
         self.texts = TextReader(self.names, choices, self.expected.unit, discrete=self.discrete)
+        self.texts.numbers = not symbols_of(ours)
         kinds = KindReader(self.texts, self.expected, decimal_comma=self.decimal_comma)
         if are_points(ours, node):
             value, form = PointReader(self.texts, self.expected, ours).read(node)
         else:
             value, form = kinds.read(self._unlabelled(node, ours), ours)
-        if not has_step(ours):
+        if not has_step(ours) and is_of_time(ours, self.expected.name):
             later = replaced(value, self.texts.ones)
             self.texts.respelt = self.texts.respelt or later != value
             value, form = later, replaced(form, self.texts.ones)
+        if has_step(value) and not has_step(ours) and not is_of_time(ours, self.expected.name):
+            raise node.fault("a step has no meaning here")
         if word := strange_word(symbols_of(value), [*self.names.symbols, *self.names.variables]):
             raise node.fault(f"the word '{word}' has no meaning here")
         return Submitted(value, form, dict(self.texts.decimals), typed(node), self.texts.respelt)
@@ -117,9 +121,22 @@ class Reader:
         if polynomials.variable_of(ours) is not None:
             text = polynomials.one_side(text)
             self.texts.respelt = self.texts.respelt or text != node.text
+        if isinstance(ours, bool):
+            label, value = self.expected.labels.before(text)
+            if label and (len(value) < 2 or not words.is_name(label, self.expected.name)):  # rank = n is no "n"
+                return node
         try:
+            if isinstance(ours, sp.Expr) and not isinstance(ours, sp.MatrixBase) and not symbols_of(ours):
+                text = self._said_twice(text)
             text, foreign = self.expected.labels.without(text)
         except ForeignLabelError as error:
             raise node.fault(str(error)) from None
         self.texts.respelt = self.texts.respelt or foreign
         return node if text == node.text else ScalarNode(node.place, text, "quoted")
+
+    def _said_twice(self, text: str) -> str:
+        """t_p = π/3 = 1.047 without the label before two equal numbers; any other text as it is."""
+        first, *equal = sides(text)
+        if len(equal) < 2 or self.expected.labels.without(f"{first} = 0")[0] != "0":
+            return text
+        return text[text.index("=") + 1 :]

@@ -15,8 +15,10 @@ NONE = ("none", "never", "no", "[]", "empty", "trivial", "only the zero vector",
         "leere menge", "aucun", "aucune")  # fmt: skip
 _REASONED = re.compile(r"\w+\s*[,;:.(–-]")
 _REASON = re.compile(r"\s*[,;(–]|\s+(?:since|because|as|da|weil|denn)\s")
-_HENCE = re.compile(r"(.+?)(?:\s*[,;.:]|\s)\s*(?:so|hence|therefore|thus|also|daher|folglich|⇒)\s*(?:it is |is )?(.+)")
-_WHOLLY = {"completely", "fully", "vollständig", "is", "ist", "it", "es", "system", "the", "das", "matrix"}
+_HENCE = re.compile(
+    r"(.+?)(?:\s*[,;.:]|\s)\s*(?:so|hence|therefore|thus|also|daher|folglich|⇒|⟹|→|[=-]>)\s*(?:it is |is )?(.+)"
+)
+_WHOLLY = {"completely", "fully", "state", "vollständig", "is", "ist", "it", "es", "system", "the", "das", "matrix"}
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
 _FINITE = {"finite", "endlichen", "such", "transmission", "invariant"}
 
@@ -29,7 +31,9 @@ def truth(text: str, name: str = "") -> bool | None:
     said = [word for word in _words(text.replace("isable", "izable")) if word not in _WHOLLY]
     words = " ".join(said)
     if words in YES | NO or (said and _REASONED.match(text.strip()) and said[0] in YES | NO):
-        return said[0] in YES
+        yes = said[0] in YES
+        denied = truth(" ".join(said[1:]), name) is (not yes)  # "yes, it is unobservable" says both
+        return None if denied else yes
     own = name.replace("_", " ").lower()
     if own == "diagonalizable" and words.endswith(("defective", "defekt")):
         return bool({"not", "nicht"} & set(said))
@@ -44,6 +48,13 @@ def truth(text: str, name: str = "") -> bool | None:
     return truth(claim, name) if reason and own and not _DENIED & set(_words(reason[0])) else None
 
 
+def is_name(label: str, name: str) -> bool:
+    """Whether what stands before a colon or a sign = may name a yes or no, and says nothing of it: no "No: …"."""
+    said = set(_words(label))
+    reasons = _REASON.search(label) is not None  # "controllable since rank = n" names nothing
+    return not reasons and not said & (YES | NO | _DENIED) and truth(label, name) is not False
+
+
 def fitting(text: str, known: Sequence[str]) -> list[str]:
     """Return the words of a list that a text may mean: the one that it is, else those that say all that it says."""
     spoken = " ".join(SYNONYMS.get(word, word) for word in _words(text) if word not in IGNORED)
@@ -54,6 +65,8 @@ def fitting(text: str, known: Sequence[str]) -> list[str]:
         spoken = spoken if words in known else spoken.replace(words, part)
     parts = set(spoken.split())
     same = [each for each in known if parts == set(each.split())]
+    if not same and (found := _HENCE.fullmatch(text)) and not _DENIED & set(_words(found[1])):
+        return [] if fitting(found[1], known) else fitting(found[2], known)
     claim, *reason = _REASON.split(text, maxsplit=1)
     if not same and reason and claim.strip() and not _DENIED & set(_words(reason[0])):
         return fitting(claim, known)

@@ -158,3 +158,31 @@ def test_no_zeros_is_an_empty_list(text):
 def test_nothing_of_something_else_is_no_empty_list(text):
     with pytest.raises(Fault, match="has no meaning here"):
         read(text, [a], expected("transfer_function", "zeros"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "yes, it is unobservable", "No: observable", "not observable: yes", "unobservable: no", "'rank = n'", "M = n",
+        "observable, rank 2 → not observable",
+    ],
+)  # fmt: skip
+def test_yes_and_no_at_once_is_neither(text):
+    with pytest.raises(Fault):
+        read(f"'{text}'" if "'" not in text else text, True, expected("observability", "observable"))
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("Observable since rank = n", True),
+        ("observable = yes", True),
+        ("The system is: observable", True),
+        ("det ≠ 0 → observable", True),
+        ("rank 1 => not observable", False),
+        ("No: the last column is zero", False),
+        ("not completely state observable", False),
+    ],
+)
+def test_a_property_with_what_it_follows_from(text, value):
+    assert read(f"'{text}'", True, expected("observability", "observable")).value is value
