@@ -4,6 +4,7 @@ import numpy as np
 import sympy as sp
 from scipy.integrate import quad_vec
 from scipy.linalg import expm
+from scipy.optimize import brentq
 
 from tests.classroom.corpus.judges.registry import MOMENTS, SAMPLES, difference, judge, matrix
 from tests.classroom.corpus.meanings import Meaning
@@ -88,3 +89,38 @@ def final_value(point: Point, meant: Meaning):
     u = _inputs(point, 60.0)
     rest = np.linalg.inv((np.eye(len(A)) - A) if point.discrete else -A)
     return np.ravel(meant()) - np.ravel(C @ rest @ B @ u + D @ u)
+
+
+_PEAKS: dict[str, tuple[float, float]] = {}
+
+
+def _peak(point: Point) -> tuple[float, float]:
+    """When the first output is largest, and how large: where its derivative changes its sign beside the best sample."""
+    key = repr(point.question)
+    if key not in _PEAKS:
+        _PEAKS[key] = _found_peak(point)
+    return _PEAKS[key]
+
+
+def _found_peak(point: Point) -> tuple[float, float]:
+    A, B, C, _ = matrices(point)
+
+    def slope(now: float) -> float:
+        driven = point.option("kind", "complete") != "zero_input"
+        change = A @ _states(point, now)[0] + (B @ _inputs(point, now) if driven else 0)
+        return float(np.real((C @ change)[0, 0]))
+
+    moments = np.linspace(0.01, 6, 60)
+    largest = max(range(len(moments)), key=lambda i: abs(_states(point, moments[i])[1][0, 0]))
+    best = brentq(slope, moments[largest - 1], moments[largest + 1], xtol=1e-13)
+    return best, float(np.real(_states(point, best)[1][0, 0]))
+
+
+@judge("response", "t_peak")
+def time_of_peak(point: Point, meant: Meaning):
+    return np.ravel(meant()) - _peak(point)[0]
+
+
+@judge("response", "y_peak")
+def height_of_peak(point: Point, meant: Meaning):
+    return np.ravel(meant()) - _peak(point)[1]
