@@ -43,7 +43,7 @@ def equations_of(system: Lagrangian, motion: Motion) -> Equations:
         sides, unknowns, (*_given_by_constraints(system), *system.multipliers), system.inputs, system.states,
         system.outputs, system.initial, {symbol: jet for symbol, jet in known.items() if symbol in inside},
         written=tuple(terms),
-    )  # fmt: skip
+    ).assuming(system.assumed)  # fmt: skip
 
 
 def _terms(expression: Expr) -> tuple[Expr, ...]:

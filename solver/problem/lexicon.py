@@ -47,7 +47,8 @@ class Lexicon:
 
     `symbols` are declared ones with their assumptions, `values` what is put in place of a name; `found` all symbols
     that occur in what was read, by name. `assumed` are the words that `assume` has for names. `conditions` are those on
-    the symbols, `condition_nodes` where they stand.
+    the symbols, `condition_nodes` where they stand;
+    `assume_nodes` where the words of `assumed` stand.
     """
 
     symbols: dict[str, sp.Symbol] = field(default_factory=dict)
@@ -58,6 +59,7 @@ class Lexicon:
     decimals: bool = False
     conditions: list[tuple[Sided, Chain]] = field(default_factory=list)
     condition_nodes: tuple[Node, ...] = ()
+    assume_nodes: dict[str, Node] = field(default_factory=dict)
 
     def took_decimals(self) -> bool:
         """Whether a decimal was typed in what was read since this was asked last."""
@@ -169,6 +171,7 @@ def read_lexicon(given: Declarations, report: Report, around: Lexicon | None = N
         with report:
             name = _declared(entry.key, lexicon.symbols)
             lexicon.assumed[name] = scalar(entry.value).text
+            lexicon.assume_nodes[name] = entry.value
             lexicon.symbols[name] = sp.Symbol(name, **ASSUMPTIONS[lexicon.assumed[name]])
     own = set(lexicon.symbols)
     if around is not None:

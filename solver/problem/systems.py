@@ -222,6 +222,22 @@ class SystemReader:
                 found[jet] = self.lexicon.expression(entry.value, barred=self.barred)
         return found
 
+    def assumed(self, functions: Sequence[str]) -> dict[str, Any]:
+        """Return the symbols of those functions of time of which more is assumed than that they are real, by name."""
+        found: dict[str, Any] = {}
+        for name in functions:
+            symbol, word = self.lexicon.symbols.get(name), self.lexicon.assumed.get(name, "")
+            if symbol is None or word == "real":
+                continue
+            if word in ("complex", "integer"):
+                with self.report:
+                    message = f"'{name}' is a function of time, which is real"
+                    note = "positive, negative or nonzero may be assumed"
+                    raise self.lexicon.assume_nodes[name].fault(message, note=note)
+            else:
+                found[name] = symbol
+        return found
+
     def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
         """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
         with self.report:

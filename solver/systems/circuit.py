@@ -23,7 +23,8 @@ class Circuit:
     """`elements` in the order of the list; `states` are names of inductor currents and capacitor voltages.
 
     `outputs` are expressions in voltages and currents (v_NAME, i_NAME, v_NODE) and inputs; `initial` are values of
-    states at the beginning. `chosen` tells that the file names the states.
+    states at the beginning. `chosen` tells that the file names the states; what is `assumed` of states and
+    inputs holds of its equations.
     """
 
     elements: tuple[Element, ...]
@@ -33,6 +34,7 @@ class Circuit:
     chosen: bool = False
     discrete: bool = False
     sample_time: Expr | None = None
+    assumed: Mapping[str, Symbol] = field(default_factory=dict)
 
     @property
     def kind(self) -> str:
@@ -142,11 +144,12 @@ def _read(reader: Reader) -> Circuit:
     for item, message in floating(elements, sorted(seen)):
         reader.complain(KEY, message, item=item)
     initial = reader.initial("initial", states)
+    assumed = reader.assumed((*states, *inputs))
     reader.conclude()
     if not outputs:
         last = next(node for node in reversed(nodes_of(elements)) if node != GROUND)
         outputs = (symbol_of(states[0] if states else f"v_{last}"),)
-    return Circuit(elements, outputs, states, initial, reader.gives("states"))
+    return Circuit(elements, outputs, states, initial, reader.gives("states"), assumed=assumed)
 
 
 def _misnamed(elements: Sequence[Element], inputs: Sequence[str]) -> Iterator[tuple[int, str]]:

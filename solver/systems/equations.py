@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from solver.conditions import assumed_of
 from solver.lazy import sympy as sp
 from solver.stated.algebra import total
 from solver.systems.kind import Key, Kind, ListOf, MappingTo, Reader, Value, Values
@@ -15,15 +17,22 @@ if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
 DOTS = {0: "", 1: "_dot", 2: "_ddot", 3: "_dddot"}
+NOTHING: Mapping[str, Any] = MappingProxyType({})
 Jet = tuple[str, int]
 """A function of time and the order of its derivative (discrete: the number of samples ahead)."""
 
 
-def jet_symbol(jet: Jet, *, discrete: bool = False) -> Symbol:
-    """Return the symbol of a derivative: x, x_dot, x_ddot, x_dddot, x_d4; discrete: x(k), x(k+1), x(k-1)."""
+def jet_symbol(jet: Jet, *, discrete: bool = False, assumed: Mapping[str, Symbol] = NOTHING) -> Symbol:
+    """Return the symbol of a derivative: x, x_dot, x_ddot, x_dddot, x_d4; discrete: x(k), x(k+1), x(k-1).
+
+    What is `assumed` of a function by its name holds of its value at any time; a derivative is real.
+    """
     name, order = jet
     if discrete:
-        return sp.Symbol(f"{name}(k{order:+d})" if order else f"{name}(k)", real=True)
+        known = assumed_of(assumed[name]) if name in assumed else {"real": True}
+        return sp.Symbol(f"{name}(k{order:+d})" if order else f"{name}(k)", **known)
+    if name in assumed and not order:
+        return assumed[name]
     return sp.Symbol(name + DOTS.get(order, f"_d{order}"), real=True)
 
 
@@ -34,6 +43,7 @@ class Equations:
     `unknowns` are the functions asked for in their order, `algebraic` those among them that are to be eliminated,
     `inputs` the given ones; `states` are as named (none: the usual ones); `outputs` are expressions in the jets,
     `initial` the values of jets at the beginning. `written` are the terms of the sides in the order of the file.
+    `assumed` are the symbols of functions of which something is assumed, by their names.
     """
 
     sides: tuple[tuple[Expr, Expr], ...]
@@ -47,6 +57,7 @@ class Equations:
     discrete: bool = False
     sample_time: Expr | None = None
     written: tuple[tuple[tuple[Expr, ...], ...], ...] = ()
+    assumed: Mapping[str, Symbol] = field(default_factory=dict)
 
     @property
     def as_written(self) -> Sequence[tuple[Any, Any]]:
@@ -79,7 +90,21 @@ class Equations:
 
     def symbol(self, jet: Jet) -> Symbol:
         """Return the symbol of a derivative."""
-        return jet_symbol(jet, discrete=self.discrete)
+        return jet_symbol(jet, discrete=self.discrete, assumed=self.assumed)
+
+    def assuming(self, assumed: Mapping[str, Symbol]) -> Equations:
+        """Return the equations in symbols of which something is assumed, in place of those that are only real."""
+        if not assumed:
+            return self
+        mine = replace(self, assumed=assumed)
+        put: dict[Any, Any] = {symbol: mine.symbol(jet) for symbol, jet in self.jets.items()}
+        return replace(
+            mine,
+            sides=tuple((left.xreplace(put), right.xreplace(put)) for left, right in self.sides),
+            outputs=tuple(output.xreplace(put) for output in self.outputs),
+            jets={put[symbol]: jet for symbol, jet in self.jets.items()},
+            written=tuple(tuple(tuple(t.xreplace(put) for t in side) for side in pair) for pair in self.written),
+        )
 
     @property
     def provides(self) -> frozenset[str]:
@@ -114,15 +139,17 @@ def _read(reader: Reader) -> Equations:
     initial = reader.initial("initial", functions)
     reader.conclude()
     _check_numbers(reader, sides, jets, unknowns, tuple(states), algebraic)
+    assumed = reader.assumed(functions)
     reader.conclude()
     if not outputs:
         first = jet_symbol((unknowns[0], 0), discrete=reader.discrete)
         outputs, of_outputs = (first,), {first: (unknowns[0], 0)}
     known = {**jets, **of_outputs}
-    return Equations(
+    found = Equations(
         tuple(sides), unknowns, algebraic, inputs, tuple(states), tuple(outputs), initial, known,
         reader.discrete, reader.sample_time, reader.written("equations", functions),
     )  # fmt: skip
+    return found.assuming(assumed)
 
 
 def _check_numbers(

@@ -181,6 +181,9 @@ class Reader(Protocol):
     def initial(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], Expr]:
         """Return the values of derivatives at the beginning."""
 
+    def assumed(self, functions: Sequence[str]) -> dict[str, Any]:
+        """Return the symbols of those functions of time of which more is assumed than that they are real, by name."""
+
     def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
         """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
 

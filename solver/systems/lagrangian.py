@@ -40,7 +40,8 @@ class Lagrangian:
 
     `kinetic` and `potential` are those given as expressions, beside which bodies and springs add theirs; `dissipation`
     is Rayleigh's function, `forces` are the generalized ones by coordinate, `constraints` are zero. `states`, `outputs`
-    and `initial` are those of its equations; `jets` has every derivative that occurs by its symbol.
+    and `initial` are those of its equations; `jets` has every derivative that occurs by its symbol; what is
+    `assumed` of functions holds of its equations.
     """
 
     coordinates: tuple[str, ...]
@@ -59,6 +60,7 @@ class Lagrangian:
     jets: Mapping[Symbol, Jet] = field(default_factory=dict)
     discrete: bool = False
     sample_time: Expr | None = None
+    assumed: Mapping[str, Symbol] = field(default_factory=dict)
 
     @property
     def kind(self) -> str:
@@ -154,13 +156,15 @@ def _read(reader: Reader) -> Lagrangian:
     for i, (name, order) in enumerate(states):
         if name not in coordinates or order > 1:
             reader.complain("states", "states are the coordinates and their velocities", item=i)
+    assumed = reader.assumed(energies.functions)
     reader.conclude()
     first = jet_symbol((coordinates[0], 0))
     usual = {jet_symbol((name, k)): (name, k) for name in coordinates for k in (0, 1)}
     jets = {**usual, **energies.jets, **of_outputs}
     return Lagrangian(
-        coordinates, inputs=inputs, outputs=outputs or (first,), states=states, initial=initial, jets=jets, **found
-    )
+        coordinates, inputs=inputs, outputs=outputs or (first,), states=states, initial=initial, jets=jets,
+        assumed=assumed, **found,
+    )  # fmt: skip
 
 
 class _Energies:

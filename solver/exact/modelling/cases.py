@@ -9,6 +9,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
+from solver.exact.linear_algebra.signs import possible_signs
 from solver.exact.modelling.branches import Branch, Outcome, Point
 from solver.exact.modelling.evaluation import DIGITS, decimal, evaluator, vanishes
 from solver.exact.modelling.factors_of_equations import factored
@@ -36,9 +37,17 @@ def with_outcome(branch: Branch, outcome: Outcome) -> Branch | None:
 
 def _forbidden(x: Any, v: Any) -> bool:
     """Whether a value contradicts what is assumed of an unknown."""
+    signs = possible_signs(_with_real_roots(v)) if x.is_positive or x.is_negative or x.is_nonzero else None
     return bool(
-        (x.is_positive and v.is_nonpositive) or (x.is_negative and v.is_nonnegative) or (x.is_nonzero and v.is_zero)
+        signs is not None
+        and ((x.is_positive and 1 not in signs) or (x.is_negative and -1 not in signs) or not signs - {0})
     )
+
+
+def _with_real_roots(v: Any) -> Any:
+    """A value that is real with its square roots as what they then are: numbers that are not negative."""
+    roots = [p for p in v.atoms(sp.Pow) if p.exp == sp.S.Half and p.base.free_symbols and not p.is_nonnegative]
+    return v.xreplace({root: sp.Dummy("r", nonnegative=True) for root in roots}) if roots else v
 
 
 def allowed(branch: Branch, put: Point) -> bool:

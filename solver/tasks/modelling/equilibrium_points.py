@@ -75,9 +75,10 @@ def asked(given: Given[Equations, EquilibriumPointsOptions]) -> Asked:
     """Return what is asked for."""
     options, model = given.options, given.system
     rest = at_rest(model, options.inputs or {})
-    told = options.unknowns or rest.states
+    own = {str(model.symbol((name, 0))): model.symbol((name, 0)) for name in model.functions}
+    told = [own.get(str(x), x) for x in options.unknowns or rest.states]
     others = [x for x in (*rest.zero, *(a for a, _ in rest.same), *rest.hidden) if x not in told]
-    limits = {sp.Symbol(name, real=True): ends for name, ends in (options.between or {}).items()}
+    limits = {own.get(name, sp.Symbol(name, real=True)): ends for name, ends in (options.between or {}).items()}
     return Asked(rest, tuple(told), (*told, *others), limits)
 
 

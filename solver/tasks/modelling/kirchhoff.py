@@ -89,4 +89,5 @@ def _equations(model: CircuitModel) -> Equations:
     jets |= {systems.jet_symbol((name, 1)): (name, 1) for name in circuit.states}
     sides = tuple((rate.factor * rate.derivative, rate.value) for rate in model.rates)
     states = tuple((name, 0) for name in circuit.states)
-    return systems.Equations(sides, circuit.states, (), circuit.inputs, states, model.outputs, circuit.initial, jets)
+    found = systems.Equations(sides, circuit.states, (), circuit.inputs, states, model.outputs, circuit.initial, jets)
+    return found.assuming(circuit.assumed)

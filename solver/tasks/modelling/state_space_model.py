@@ -134,7 +134,7 @@ def hold_along_the_equations(given: Given[Equations, StateSpaceModelOptions], an
     """Each eliminated unknown has the value that the equations give it."""
     question, linear = question_of(given.system), is_linear(given.system)
     for name, value in dict(answers["eliminated"]).items():
-        symbol = sp.Symbol(str(name), real=True)
+        symbol = next((x for x in question.jets if str(x) == str(name)), sp.Symbol(str(name), real=True))
         if linear:
             residual = judges.eliminated_residual(question.equations, question.jets, symbol, value)
         else:

@@ -53,6 +53,7 @@ def _motions(
             question.equations, question.jets, question.unknowns, point, discrete, further(question)
         )
         given = {jet: random.uniform(0.3, 1.4) for jet in [*states, *((name, 0) for name in question.inputs)]}
+        given |= {jet: -given[jet] for symbol, jet in question.jets.items() if jet in given and symbol.is_negative}
         rest = {(name, k): random.uniform(-1.0, 1.0) for name in question.inputs for k in range(1, 3 + len(states))}
         jets = equations.solved({**rest, **given}, random)
         if jets is None:

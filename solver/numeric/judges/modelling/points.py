@@ -118,6 +118,7 @@ def _is_allowed(unknown: Any, value: Any) -> bool:
     if unknown.is_real is None:
         return True
     signs = not (unknown.is_positive and real <= 0) and not (unknown.is_negative and real >= 0)
+    signs = signs and not (unknown.is_nonzero and real == 0)
     return bool(abs(imaginary) <= abs(real) * sp.Float(10) ** -20 + sp.Float(10) ** -20 and signs)
 
 
@@ -204,6 +205,9 @@ def _solutions(
         inside = ((low <= X.real) & (high >= X.real)).all(axis=1) if len(X) else np.zeros(0, bool)
         for i, x in enumerate(unknowns if len(X) else ()):
             inside &= (X[:, i].real > 0) if x.is_positive else (X[:, i].real < 0) if x.is_negative else True
+            if x.is_nonzero:  # Newton's method comes near to a multiple root only
+                at_zero = _values(values, {**at, x: np.zeros_like(X[:, i])}, len(X))
+                inside &= ~((np.abs(at_zero) <= 1e-10 * size).all(axis=1) & (np.abs(X[:, i]) < 1e-3))
         return X[(np.abs(F) <= 1e-10 * size).all(axis=1) & inside] if len(X) else X
 
 
