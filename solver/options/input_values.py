@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation.options import VALUE, OptionKind, Schema
+from solver.options.functions_of_time import check_assumed
 from solver.problem.nodes import MappingNode, Node
 from solver.problem.source import Report, did_you_mean
 
@@ -48,5 +49,7 @@ class InputValues(OptionKind[Mapping[str, Any]]):
                     note = f"its inputs are: {', '.join(known)}"
                     raise entry.key.fault(message, suggestion=did_you_mean(own, known), note=note)
                 values[own] = context.expression(entry.value)
+                if own in context.lexicon.symbols:
+                    check_assumed(context.lexicon.symbols[own], values[own], entry.value)
         report.conclude()
         return values

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation.options import VALUE, OptionKind, Schema
-from solver.problem.nodes import MappingNode, Node, SequenceNode
+from solver.options.functions_of_time import known_jet
+from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.problem.source import Report
 from solver.systems.equations import jet_symbol
 
@@ -17,7 +18,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Intervals(OptionKind[Mapping[str, Any]]):
-    """An interval [a, b] for each of some names, by the names of their symbols."""
+    """An interval [a, b] for each of some names, by the names of their symbols; `dynamic` ones are of a system."""
+
+    dynamic: bool = False
 
     @property
     def words(self) -> str:
@@ -43,13 +46,13 @@ class Intervals(OptionKind[Mapping[str, Any]]):
         values: dict[str, Any] = {}
         for entry in node:
             with report:
-                values[_name(entry.key, context)] = _ends(entry.value, context)
+                values[self._name(entry.key, context)] = _ends(entry.value, context)
         report.conclude()
         return values
 
-
-def _name(node: Any, context: Context) -> str:
-    return str(jet_symbol(context.jet(node), discrete=context.discrete))
+    def _name(self, node: ScalarNode, context: Context) -> str:
+        jet = known_jet(node, context) if self.dynamic else context.jet(node)
+        return str(jet_symbol(jet, discrete=context.discrete))
 
 
 def _ends(node: Node, context: Context) -> tuple[Any, Any]:

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from solver.derivation.options import VALUE, OptionKind, Schema
+from solver.options.functions_of_time import check_assumed, known_jet, symbol_of
 from solver.problem.nodes import MappingNode, Node
-from solver.problem.source import Report, did_you_mean
-from solver.systems import Equations
-from solver.systems.equations import jet_symbol
+from solver.problem.source import Report
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -44,17 +43,12 @@ class PointOf(OptionKind["Mapping[Symbol, Any]"]):
         """Return the values by the symbols that they are for."""
         if not isinstance(node, MappingNode):
             raise node.fault(f"'{name}' has values of states and inputs, as {{theta: pi, u: 0}}, not {node.what}")
-        known = context.system.functions if isinstance(context.system, Equations) else None
         report = Report()
         values: dict[Symbol, Any] = {}
         for entry in node:
             with report:
-                function, order = context.jet(entry.key)
-                plain = function.removesuffix("_dot")
-                if known is not None and function not in known and plain not in known:
-                    message = f"'{function[:40]}' is neither an unknown nor an input of the equations"
-                    raise entry.key.fault(message, suggestion=did_you_mean(function, known))
-                symbol = jet_symbol((function, order), discrete=context.discrete)
+                symbol = symbol_of(known_jet(entry.key, context), context)
                 values[symbol] = context.expression(entry.value)
+                check_assumed(symbol, values[symbol], entry.value)
         report.conclude()
         return values

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation.options import VALUES, OptionKind, Schema
+from solver.options.functions_of_time import known_jet, symbol_of
 from solver.problem.nodes import Node, ScalarNode, SequenceNode, scalar
-from solver.problem.source import Report, did_you_mean
-from solver.systems import Equations
-from solver.systems.equations import jet_symbol
+from solver.problem.source import Report
 
 if TYPE_CHECKING:
     from sympy import Symbol
@@ -47,24 +46,12 @@ class Unknowns(OptionKind["tuple[Symbol, ...]"]):
         found: list[Any] = []
         for item in items:
             with report:
-                symbol = _jet(scalar(item), context) if self.dynamic else context.symbol(scalar(item))
+                symbol = self._symbol(scalar(item), context)
                 if symbol in found:
                     raise item.fault(f"'{scalar(item).text[:40]}' is given twice")
                 found.append(symbol)
         report.conclude()
         return tuple(found)
 
-
-def _jet(node: ScalarNode, context: Context) -> Any:
-    """A state or an input; what is neither is refused where the system is known."""
-    system = context.system
-    function, order = context.jet(node)
-    plain = function
-    for ending in ("_dot", "_ddot", "_dddot"):
-        plain = plain.removesuffix(ending)
-    if isinstance(system, Equations):
-        known = (*system.unknowns, *system.inputs)
-        if function not in known and plain not in known:
-            message = f"'{function[:40]}' is neither a state nor an input"
-            raise node.fault(message, suggestion=did_you_mean(function, known))
-    return jet_symbol((function, order), discrete=context.discrete)
+    def _symbol(self, node: ScalarNode, context: Context) -> Any:
+        return symbol_of(known_jet(node, context), context) if self.dynamic else context.symbol(node)

@@ -67,6 +67,11 @@ class Circuit:
         return not any(slope.has(*signals) for slope in slopes) and not any(rests)
 
     @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions of time that its equations are about: states and inputs."""
+        return (*self.states, *self.inputs)
+
+    @property
     def nodes(self) -> tuple[str, ...]:
         """The nodes in the order in which they occur."""
         return nodes_of(self.elements)
@@ -202,7 +207,8 @@ def _outputs(reader: Reader, elements: Sequence[Element], inputs: Sequence[str])
             continue
         strange = [name for name in names if name not in signals and name not in values]
         for name in strange[:1]:
-            near = (get_close_matches(name, signals, n=1) or [""])[0]
+            alike = [signal for signal in signals if signal.lower() == name.lower()]
+            near = (alike or get_close_matches(name, signals, n=1) or [""])[0]
             text = reader.texts("outputs")[item]
             span = (max(text.find(name), 0), len(name) if name in text else len(text))
             message = f"{name} is no voltage and no current of the circuit (v_NAME, i_NAME, v_NODE)"

@@ -139,6 +139,7 @@ def _read(reader: Reader) -> Equations:
     initial = reader.initial("initial", functions)
     reader.conclude()
     _check_numbers(reader, sides, jets, unknowns, tuple(states), algebraic)
+    check_outputs(reader, outputs, of_outputs, functions)
     assumed = reader.assumed(functions)
     reader.conclude()
     if not outputs:
@@ -150,6 +151,15 @@ def _read(reader: Reader) -> Equations:
         reader.discrete, reader.sample_time, reader.written("equations", functions),
     )  # fmt: skip
     return found.assuming(assumed)
+
+
+def check_outputs(
+    reader: Reader, outputs: Sequence[Expr], jets: Mapping[Symbol, Jet], functions: Sequence[str]
+) -> None:
+    """An output changes with time: a mistyped name would be a parameter."""
+    for i, output in enumerate(outputs):
+        if not output.free_symbols & set(jets):
+            reader.complain("outputs", "no unknown and no input occurs in this output", item=i, like=functions)
 
 
 def _check_numbers(

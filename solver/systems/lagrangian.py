@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from solver.lazy import sympy as sp
-from solver.systems.equations import Jet, jet_symbol
+from solver.systems.equations import Jet, check_outputs, jet_symbol
 from solver.systems.kind import Key, Keyed, Kind, ListOf, MappingTo, Reader, Value, Values
 
 if TYPE_CHECKING:
@@ -124,6 +124,11 @@ class Lagrangian:
         """The names of the multipliers of the constraints."""
         return tuple(f"lambda{i}" for i in range(1, len(self.constraints) + 1))
 
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions of time: coordinates, multipliers and inputs."""
+        return (*self.coordinates, *self.multipliers, *self.inputs)
+
     def symbol(self, jet: Jet) -> Symbol:
         """Return the symbol of a function of time, or of its derivative."""
         return jet_symbol(jet)
@@ -155,7 +160,9 @@ def _read(reader: Reader) -> Lagrangian:
     initial, states = reader.initial("initial", energies.functions), reader.jets("states")
     for i, (name, order) in enumerate(states):
         if name not in coordinates or order > 1:
-            reader.complain("states", "states are the coordinates and their velocities", item=i)
+            like = coordinates if name not in coordinates else ()
+            reader.complain("states", "states are the coordinates and their velocities", item=i, like=like)
+    check_outputs(reader, outputs, of_outputs, energies.functions)
     assumed = reader.assumed(energies.functions)
     reader.conclude()
     first = jet_symbol((coordinates[0], 0))

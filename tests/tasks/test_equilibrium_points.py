@@ -195,7 +195,7 @@ def test_circles_through_two_points_meet_there(a, b, c, d):
     [
         ("inputs: {v: 0}", "'v' is no input of the system"),
         ("inputs: 3", "values by name"),
-        ("unknowns: [thetta]", "'thetta' is neither a state nor an input"),
+        ("unknowns: [thetta]", "'thetta' is neither an unknown nor an input of the system"),
         ("unknowns: [theta, theta]", "given twice"),
         ("between: {theta: 3}", "[a, b]"),
         ("between: {theta: [3, 1]}", "below the second"),

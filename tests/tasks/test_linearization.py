@@ -117,7 +117,7 @@ def test_a_point_at_which_there_is_no_model_is_unsolved(system, at, says):
 @pytest.mark.parametrize(
     ("at", "says"),
     [
-        ("{phi: 0}", "'phi' is neither an unknown nor an input of the equations"),
+        ("{phi: 0}", "'phi' is neither an unknown nor an input of the system"),
         ("{thet: 0}", "did you mean 'theta'?"),
         ("[0, 1]", "has values of states and inputs"),
         ("{from: b, point: 1}", "'b' is not an earlier part"),

@@ -43,7 +43,7 @@ class EquilibriumPointsOptions(Options):
         Unknowns(dynamic=True), "what is asked for: the states, or an input in place of one"
     )
     between: Mapping[str, Any] | None = option(
-        Intervals(), "where roots are searched that no formula gives (default: −100 to 100 for each)"
+        Intervals(dynamic=True), "where roots are searched that no formula gives (default: −100 to 100 for each)"
     )
 
 
@@ -153,7 +153,7 @@ def moving(attempt: Attempt[Equations, EquilibriumPointsOptions]) -> Iterable[An
     yield [{x: x if x in zero else value for x, value in point.items()} for point in attempt.ours]
 
 
-@equilibrium_points.mistaken_question(Slip("gravity", "Gravity has the wrong sign."))
+@equilibrium_points.mistaken_question(Slip("gravity_sign", "Gravity has the wrong sign."))
 def gravity_reversed(system: Any, options: EquilibriumPointsOptions) -> tuple[Any, EquilibriumPointsOptions] | None:
     """The equations with −g in place of g."""
     sides = getattr(system, "sides", ())
