@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -32,6 +32,8 @@ def example_of(ours: Any, *, sized: bool = False) -> str:
     kind = kind_of(ours)
     if kind == "a matrix":
         return _matrix(ours) if sized else FREE_MATRIX
+    if kind == "a list" and ours and isinstance(ours[0], Mapping):
+        return _points(ours)
     if kind == "a list":
         return next(text for text, value in LISTS if not isinstance(ours, list | tuple) or list(ours) != value)
     if kind == "an expression":
@@ -43,6 +45,13 @@ LISTS: tuple[tuple[str, list[Any]], ...] = (
     ("[-9, 7 ± 5j]", [sp.Integer(-9), 7 + 5 * sp.I, 7 - 5 * sp.I]),
     ("[-11, 13/2]", []),
 )
+
+
+def _points(ours: Sequence[Mapping[Any, Any]]) -> str:
+    """Return a list of one point with the names of ours, all of whose values are none of ours."""
+    taken = {value for point in ours for value in point.values()}
+    number = next(n for n in range(7, 8 + len(taken)) if sp.Integer(n) not in taken)
+    return "[{" + ", ".join(f"{name}: {number}" for name in ours[0]) + "}]"
 
 
 def _variable(ours: Any) -> str:

@@ -26,6 +26,11 @@ QUICK = EXAMPLES[::5]
 MOST = 3
 """Changed values of each answer that are tried."""
 
+SETS = {"conditions", "points", "solutions"}
+"""Lists in which an item may stand twice."""
+
+UP_TO_A_CONSTANT = {"potential", "lagrangian"}
+
 SCALABLE = {"equations"}
 """Lists of expressions that are zero: any factor is right."""
 
@@ -103,8 +108,10 @@ def is_right(part, question, name, ours, value, what):
     """Whether a changed value is still right; None where only the solver's own oracles could tell."""
     if name in SCALABLE and ("halved" in what or "reversed" in what):
         return True
-    if what == "an item twice" and name == "conditions":
+    if what == "an item twice" and name in SETS:
         return True
+    if name in UP_TO_A_CONSTANT and isinstance(value, sp.Expr):
+        return not sp.expand(value - ours).free_symbols  # up to a constant
     if question.task.answers[name].is_free(question.given) or (part.task, name) == ("stability", "array"):
         return True if same(ours, value) else still_right(part.task, name, question.given, ours, value)
     if part.task == "parameter_condition" and any(str(x) == "n" for each in ours for x in each.free_symbols):

@@ -72,7 +72,7 @@ WRONG = [
     (NOTE, "[[0, 0]]", "one_of_several", ["correct", "wrong"]),
     (NOTE, "[[0, 0], [0.86, 1.69]]", "", ["correct", "wrong"]),
     (CART, "{x: 0, theta: n pi}", "", ["correct", "wrong"]),
-    (SPRING, '"x = -m g/k"', "gravity", ["wrong"]),
+    (SPRING, '"x = -m g/k"', "gravity_sign", ["wrong"]),
 ]
 
 

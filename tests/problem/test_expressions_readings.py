@@ -165,7 +165,7 @@ def test_decimals_are_noticed():
 
 
 @pytest.mark.parametrize(
-    ("written", "plain"), [("ω_n", "omega_n"), ("lambda", "lamda"), ("λ1", "lamda1"), ("x_1", "x_1"), ("Ω", "Omega")]
+    ("written", "plain"), [("ω_n", "omega_n"), ("lambda", "lamda"), ("λ1", "lambda1"), ("x_1", "x_1"), ("Ω", "Omega")]
 )
 def test_names_have_one_plain_spelling(written, plain):
     assert canonical_name(written) == plain

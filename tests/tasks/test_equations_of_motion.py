@@ -183,7 +183,7 @@ def test_a_constraint_has_its_multiplier_and_follows_the_equations():
     assert result.answers["equations"] == [
         m * x2 - 2 * lambda1 * x, m * y2 + m * g - 2 * lambda1 * y, x**2 + y**2 - l**2
     ]  # fmt: skip
-    assert not rejected(BOUND, equations=[m * x2 - 2 * sp.Symbol("lamda1") * x, *result.answers["equations"][1:]])
+    assert not rejected(BOUND, equations=[m * x2 - 2 * sp.Symbol("lambda1") * x, *result.answers["equations"][1:]])
 
 
 def test_what_moves_a_body_stands_in_its_equation():
@@ -298,7 +298,7 @@ def test_right_equations_are_marked_right_as_they_are_written(written):
     ("first", "second", "mistake"),
     [
         (FIRST.replace("= u", "= -u"), SECOND, "force_sign"),
-        (FIRST, SECOND.replace(" - m_p g l sin(theta)", ""), "gravity"),
+        (FIRST, SECOND.replace(" - m_p g l sin(theta)", ""), "no_gravity"),
         (FIRST, SECOND.replace("- m_p g", "+ m_p g"), "gravity_sign"),
         (FIRST, SECOND.replace("J + ", ""), "rotational_inertia"),
         (FIRST, SECOND.replace("(J + m_p l^2)", "J"), "parallel_axis"),

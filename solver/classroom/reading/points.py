@@ -86,6 +86,8 @@ class PointReader:
     def _pieces(self, text: str) -> list[str]:
         """The texts of points: between semicolons or words, or in brackets one after the other."""
         text = _REMARK.sub("", text).strip()
+        if enclosed(text, "[]") and text[1:].lstrip()[:1] in ("(", "[", "{"):  # a list of points
+            text = text[1:-1].strip()
         pieces = [each.strip() for each in split(text, _APART) if each.strip()]
         found = []
         for piece in pieces:
@@ -107,13 +109,15 @@ class PointReader:
         name = text.strip().replace("’", "'").replace("′", "'")
         for sign, ending in _PRIMES.items():
             name = name.replace(sign, ending)
+        own = {str(x): x for x in self.unknowns} | {str(x).removesuffix("(k)"): x for x in self.unknowns}
+        if name.replace(" ", "") in own:
+            return own[name.replace(" ", "")]
         try:
             (value, _), *_ = self.texts.alternatives(ScalarNode(Place(), name, "quoted"))
             name = str(value)
         except (TypeError, ValueError, ArithmeticError):
             name = name.strip()
         plain = {str(x).replace("_", "").replace("{", "").lower(): x for x in self.unknowns}
-        own = {str(x): x for x in self.unknowns} | {str(x).removesuffix("(k)"): x for x in self.unknowns}
         return own.get(name) if name in own else plain.get(name.replace("_", "").lower())
 
     def _point(self, node: Node) -> list[Pair]:
@@ -163,7 +167,7 @@ class PointReader:
             return
         inner = text.strip()
         if inner[:1] in "([{" and any(enclosed(inner, each) for each in ("()", "[]", "{}")):
-            inner = inner[1:-1]
+            inner = inner[1:-1].replace(":", "=") if inner[0] == "{" else inner[1:-1]
         pieces = [each.strip() for each in split(inner, _COMMA) if each.strip() and not _INTEGER.fullmatch(each)]
         if not _EQUALS.search(inner):
             yield from self._in_order(node, [ScalarNode(node.place, each, "quoted") for each in pieces])

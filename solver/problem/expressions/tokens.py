@@ -28,6 +28,8 @@ _LETTERS = "".join(GREEK)
 _NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _NAME = re.compile(rf"(?:[A-Za-z][A-Za-z0-9]*|[{_LETTERS}][0-9]*)(?:_[A-Za-z0-9{_LETTERS}]+)*")
 _LAMBDA = re.compile(r"(?<![A-Za-z])lambda(?![A-Za-z])")
+_MULTIPLIER = re.compile(r"lamda(?=\d+\Z)")
+"""λ with a number is spelled as multipliers are, `lambda1`."""
 _SUPERSCRIPT = re.compile(r"⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 
 
@@ -124,6 +126,7 @@ def _name(text: str, at: int, end: int) -> Token:
     if len(written) > MAX_NAME:
         raise ExpressionError(f"a name has at most {MAX_NAME} characters", at, end - at)
     name = _LAMBDA.sub("lamda", "".join(GREEK.get(sign, sign) for sign in written))
+    name = _MULTIPLIER.sub("lambda", name)
     if iskeyword(name) or name in RESERVED:
         raise ExpressionError(f"{written} is a reserved word and cannot be a name", at, end - at, f"{name}_1")
     return Token(Kind.NAME, name, at, end)
