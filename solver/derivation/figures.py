@@ -9,6 +9,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any
 
+from solver.derivation.mechanisms import Mechanism
+
 
 @dataclass(frozen=True, slots=True)
 class Curve:
@@ -206,7 +208,7 @@ class Schematic:
     alt: str = ""
 
 
-Figure = Plot | Panels | Motion | Plane | Diagram | Chains | Parts | Schematic
+Figure = Plot | Panels | Motion | Plane | Diagram | Chains | Parts | Schematic | Mechanism
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,7 +250,7 @@ class DrawnPanels:
 GAINS = {"K": r"\sym{K}", "L": r"\sym{L}"}
 """What stands in the blocks of the gains where a diagram says nothing else."""
 
-WORDS = {"caption", "label", "name", "names", "x_label", "y_label"}
+WORDS = {"caption", "label", "name", "names", "x_label", "y_label", "gravity"}
 """Fields that are read."""
 
 
@@ -274,5 +276,5 @@ def _worded(value: Any, say: Callable[[str], str], *, read: bool = False) -> Any
     return value
 
 
-Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts | Schematic
+Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts | Schematic | Mechanism
 """A figure without expressions."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from solver.derivation.figures import Chains, Diagram, Drawing, DrawnPanels, Parts, Schematic
+from solver.derivation.mechanisms import Mechanism
 
 
 def svg(drawing: Drawing) -> str:
@@ -15,6 +16,10 @@ def svg(drawing: Drawing) -> str:
         from solver.figures import schematics  # noqa: PLC0415 - with it comes schemdraw
 
         return schematics.svg(drawing)
+    if isinstance(drawing, Mechanism):
+        from solver.figures import mechanisms  # noqa: PLC0415 - only where one is drawn
+
+        return mechanisms.svg(drawing)
     return plot_svg.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_svg.drawn(drawing)
 
 
@@ -28,6 +33,10 @@ def tikz(drawing: Drawing) -> str:
         from solver.figures import schematics  # noqa: PLC0415 - as above
 
         return schematics.tikz(drawing)
+    if isinstance(drawing, Mechanism):
+        from solver.figures import mechanisms  # noqa: PLC0415 - only where one is drawn
+
+        return mechanisms.tikz(drawing)
     return plot_tikz.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_tikz.drawn(drawing)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 from solver.derivation.figures import (
     Chains,
@@ -17,11 +18,20 @@ from solver.derivation.figures import (
     Plot,
     Schematic,
 )
+from solver.derivation.mechanisms import Mechanism
 from solver.figures import alternatives
 from solver.figures.laid_out import layout_of
 from solver.figures.motions import moved
 from solver.figures.planes import on_plane
 from solver.figures.sampling import sampled
+from solver.figures.told_mechanisms import of_mechanism
+
+TOLD: dict[type, Callable[[Any, Callable[[str], str]], str]] = {
+    Schematic: alternatives.of_schematic,
+    Parts: alternatives.of_parts,
+    Mechanism: of_mechanism,
+}
+"""Who tells what is seen in figures that are drawn from their data as they are."""
 
 
 def drawing_of(figure: Figure, say: Callable[[str], str] = str) -> Drawing:
@@ -38,10 +48,8 @@ def drawing_of(figure: Figure, say: Callable[[str], str] = str) -> Drawing:
         return replace(panels, alt=" ".join(alternatives.of_plot(plot, say) for plot in panels.plots))
     if isinstance(figure, Plane):
         return replace(on_plane(figure, say), alt=alternatives.of_plane(figure, say))
-    if isinstance(figure, Schematic):
-        return replace(figure, alt=alternatives.of_schematic(figure, say))
-    if isinstance(figure, Parts):
-        return replace(figure, alt=alternatives.of_parts(figure, say))
+    if isinstance(figure, Schematic | Parts | Mechanism):
+        return replace(figure, alt=TOLD[type(figure)](figure, say))
     chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""
     return replace(figure, alt=f"{chains} ".lstrip() + alternatives.of_diagram(layout_of(figure), say))
 

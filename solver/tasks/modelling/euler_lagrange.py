@@ -13,6 +13,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, total
 from solver.stated.calculus import denoted, partial_derivative, time_derivative
 from solver.systems.equations import jet_symbol
+from solver.tasks.modelling.mechanism_figures import mechanism_of
 from solver.words import Phrase, formula
 
 if TYPE_CHECKING:
@@ -166,7 +167,8 @@ def _kinetic_energy(system: Lagrangian, body: Body, number: int) -> Derivation[t
     only = len(system.bodies) == 1 and system.kinetic is None
     plain = len(found) == 1 and all(rate.is_Symbol or rate == 0 for rate in velocity)
     yield Step("body", claims=claims, unclaimed="" if claims else "it is at rest", number=number, only=only,
-               body=body, moves=bool(stated), plain=plain)  # fmt: skip
+               body=body, moves=bool(stated), plain=plain,
+               figures=mechanism_of(system) if number == 1 else ())  # fmt: skip
     return stated, found if stated else ()
 
 
