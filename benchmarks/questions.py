@@ -31,7 +31,7 @@ find:
 def asked() -> Iterator[tuple[str, str, str]]:
     """Every task, each of its methods, and every kind of plant that they are asked about."""
     for task, declared in catalogue().items():
-        for method in declared.methods:
+        for method in (each.name for each in declared.methods.values() if not each.system):
             for kind in ("dense", "companion", *(("random",) if task in REGULATORS else ())):
                 yield task, method, kind
 

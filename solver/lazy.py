@@ -76,11 +76,12 @@ _KERNELS = Kernels("solver.exact")
 if TYPE_CHECKING:
     import sympy
 
-    from solver import exact, numeric, systems
+    from solver import conditions, exact, numeric, systems
 else:
     sympy = LazyModule("sympy")
     exact = _KERNELS
     numeric = LazyModule("solver.numeric")
     systems = LazyModule("solver.systems")
+    conditions = LazyModule("solver.conditions")
 
-__all__ = ["Call", "exact", "noted_calls", "numeric", "sympy", "systems"]
+__all__ = ["Call", "conditions", "exact", "noted_calls", "numeric", "sympy", "systems"]

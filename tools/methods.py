@@ -209,8 +209,13 @@ class _Reader:
         """Return the kind of a step as it is written, or what its name was given in this function."""
         if not isinstance(kind, ast.Name) or self.owner is None:
             return [kind]
-        given = (each for each in ast.walk(self.owner) if isinstance(each, ast.Assign))
-        return [each.value for each in given if any(ast.unparse(target) == kind.id for target in each.targets)]
+        inside = list(ast.walk(self.owner))
+        given = (each for each in inside if isinstance(each, ast.Assign))
+        loops = (each for each in inside if isinstance(each, ast.For))
+        return [
+            *(each.value for each in given if any(ast.unparse(target) == kind.id for target in each.targets)),
+            *(each.iter for each in loops if ast.unparse(each.target) == kind.id),
+        ]
 
     def named(self, name: str) -> Node:
         """Return the steps of a function, of any function of a table; nothing for other names."""
@@ -254,7 +259,7 @@ def _may_end(statement: ast.stmt) -> bool:
 
 
 def _entries(table: ast.expr) -> Iterable[ast.expr]:
-    return [each for each in ast.walk(table) if isinstance(each, ast.Name | ast.Attribute)]
+    return [each for each in ast.walk(table) if isinstance(each, ast.Name | ast.Attribute | ast.Lambda)]
 
 
 def _lemma(function: Function) -> str:

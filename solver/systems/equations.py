@@ -8,7 +8,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from solver.conditions import assumed_of
+from solver.lazy import conditions
 from solver.lazy import sympy as sp
 from solver.stated.algebra import total
 from solver.systems.kind import Key, Kind, ListOf, MappingTo, Reader, Value, Values
@@ -29,7 +29,7 @@ def jet_symbol(jet: Jet, *, discrete: bool = False, assumed: Mapping[str, Symbol
     """
     name, order = jet
     if discrete:
-        known = assumed_of(assumed[name]) if name in assumed else {"real": True}
+        known = conditions.assumed_of(assumed[name]) if name in assumed else {"real": True}
         return sp.Symbol(f"{name}(k{order:+d})" if order else f"{name}(k)", **known)
     if name in assumed and not order:
         return assumed[name]

@@ -88,7 +88,12 @@ PLANTED = {
         ' I + A", v.pencil',
     ),
     "the value of a macro": ("polynomial", "lemmas/determinant", "v.pencil) }}", "2 * v.pencil) }}"),
-    "the prefix of a claim": ("polynomial", "lemmas/determinant", '{{ claim(c.stated, "', '{{ claim(c.stated, "2'),
+    "the prefix of a claim": (
+        "polynomial",
+        "lemmas/determinant",
+        '{{ eq("\\\\det(" ~ v.x|tex ~ " I - A)", c.stated.left,',
+        '{{ eq("2\\\\det(" ~ v.x|tex ~ " I - A)", c.stated.left,',
+    ),
     "the prefix of another claim": ("closed", "lemmas/closed_loop", 'claim(c.loop, "A - B"', 'claim(c.loop, "A + B"'),
     "a line further down": (
         *("polynomial", "lemmas/arithmetic/determinants", 'else "", c.value.right) }}'),
@@ -260,8 +265,8 @@ PLANTED = {
     "a matrix explained behind an equation": (
         "hidden",
         "lemmas/hidden_part",
-        'note="\\\\qquad H = " ~ v.H|tex',
-        'note="\\\\qquad H = 2" ~ v.H|tex',
+        'note=",\\\\qquad H = " ~ (',
+        'note=",\\\\qquad H = 2" ~ (',
     ),
     "a product with a hidden basis": (
         "hidden",

@@ -83,7 +83,7 @@ def test_a_note_that_states_something_goes_on_with_the_last_side(templates):
     written = [[getattr(side, "latex", side) for side in each.sides] for each in displayed]
     assert written[0][0] == "a"
     assert written[0][-1].endswith(" = 2")
-    assert written[1:] == [["a", "b > 0"], ["a", "b"], []]
+    assert written[1:] == [["a", "b > 0"], ["a", "b"]]
     assert displayed[0].sides[-1].values == (lamda,)
 
 

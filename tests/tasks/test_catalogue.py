@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import re
 import subprocess
 import sys
 from importlib import import_module
@@ -35,12 +36,16 @@ def kinds_of(module) -> set[str]:
             found |= words_in(node.args[0])
         if isinstance(node, ast.Assign) and getattr(node.targets[0], "id", "") == "kind":
             found |= words_in(node.value)
+        if isinstance(node, ast.For) and getattr(node.target, "id", "") == "kind":
+            found |= words_in(node.iter)
     return found
 
 
 def words_in(node: ast.expr) -> set[str]:
     if isinstance(node, ast.IfExp):
         return words_in(node.body) | words_in(node.orelse)
+    if isinstance(node, ast.Tuple):
+        return set().union(*map(words_in, node.elts))
     return {node.value} if isinstance(node, ast.Constant) and isinstance(node.value, str) else set()
 
 
@@ -70,6 +75,8 @@ def test_every_step_kind_has_a_macro_and_every_macro_a_step_kind(module):
 def test_every_wording_file_belongs_to_a_method_or_lemma():
     used = set().union(*(wordings_of(module) for module in MODULES)) | {f"{name}/question" for name in catalogue()}
     used |= {f"systems/{kind.name}" for kind in kinds().values()}
+    texts = [path.read_text(encoding="utf-8") for path in WORDING.rglob("*.md.jinja")]
+    used |= {name for text in texts for name in re.findall(r'from "([\w/]+)\.md\.jinja" import', text)}
     files = {path.relative_to(WORDING).as_posix().removesuffix(".md.jinja") for path in WORDING.rglob("*.md.jinja")}
     others = (
         "reasons/",

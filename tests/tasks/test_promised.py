@@ -10,7 +10,7 @@ SPECIFIED = "overshoot settling_time peak_time rise_time damping_ratio natural_f
 # task: group, methods in order (empty: one only), options, answers
 PROMISED = {
     "realization": (ANALYSIS, "", "form convention", "A B C D"),
-    "transfer_function": (ANALYSIS, "adjugate faddeev_leverrier", "input output", "G poles zeros cancelled"),
+    "transfer_function": (ANALYSIS, "adjugate faddeev_leverrier impedance", "input output", "G poles zeros cancelled"),
     "similarity_transformation": (ANALYSIS, "", "T", "A B C D"),
     "characteristic_polynomial": (ANALYSIS, "determinant faddeev_leverrier", "", "polynomial"),
     "resolvent": (ANALYSIS, "adjugate faddeev_leverrier", "", "resolvent polynomial"),

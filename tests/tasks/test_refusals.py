@@ -27,7 +27,7 @@ FROM_THE_FILE = [
     ("eigenstructure", WIDE, {}, "square"),
     ("routh_hurwitz", WIDE, {}, "needs a polynomial; the matrix is not square"),
     ("state_space_model", STABLE, {}, "needs equations; the system has only A, B, C and D"),
-    ("state_space_model", {"equations": ["x' = x^2"]}, {}, "linearization first"),
+    ("stability", {"equations": ["x' = x^2"]}, {}, "linearization first"),
     ("controllability", {"equations": ["x' = -x"]}, {}, "needs B; the system is given by its equations, without"),
     ("routh_hurwitz", {"polynomial": "5"}, {}, "a constant has no roots"),
     ("routh_hurwitz", {"polynomial": "1/s"}, {}, "a polynomial is expected here, not a quotient"),

@@ -123,7 +123,7 @@ def _enclosed(positive: list[sp.Expr]) -> list[sp.Symbol]:
     symbols: set[Any] = set().union(*(each.free_symbols for each in positive))
     for x in sorted(symbols, key=str):
         solved = [_solved(each, [x]) for each in positive if x in each.free_symbols]
-        bounds = [each for each in solved if each.lhs == x]
+        bounds = [each for each in solved if isinstance(each, sp.Rel) and each.lhs == x]
         if len({type(each) for each in bounds}) == 2 == len(solved) and any(each.rhs.free_symbols for each in bounds):
             return [x]
     return []

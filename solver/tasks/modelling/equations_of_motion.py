@@ -53,7 +53,7 @@ equations_of_motion: Task[Lagrangian, EquationsOfMotionOptions] = Task(
         AnswerName("kinetic", "T", "the kinetic energy", earned=("body", "kinetic")),
         AnswerName("potential", "V", "the potential energy", earned=("potential",)),
         AnswerName("lagrangian", "L", "the Lagrangian $T - V$", earned=("lagrangian",)),
-        AnswerName("equations", r"\text{equations of motion}", "the equations, as expressions that are zero",
+        AnswerName("equations", r"\text{equations of motion}", "the equations of motion",
                    principal=True, earned=("lagrangian", "coordinate"), told=("equations", "coordinate"), zero=True),
         AnswerName("M", "M", "the inertia matrix of $M\\ddot{q} + C\\dot{q} + G = Q$", optional=True),
         AnswerName("C", "C", "the matrix of centrifugal and Coriolis terms, by Christoffel symbols", optional=True),
@@ -169,7 +169,7 @@ def force_reversed(system: System, options: EquationsOfMotionOptions) -> Changed
     return replace(system, forces={name: -force for name, force in system.forces.items()}), options
 
 
-@equations_of_motion.mistaken_question(Slip("gravity", "gravity is missing"))
+@equations_of_motion.mistaken_question(Slip("no_gravity", "gravity is missing"))
 def without_gravity(system: System, options: EquationsOfMotionOptions) -> Changed | None:
     """No weights."""
     if not isinstance(system, Lagrangian) or system.gravity is None:

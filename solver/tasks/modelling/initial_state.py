@@ -28,6 +28,7 @@ from solver.options.expression_list import ExpressionList
 from solver.stated.algebra import difference, power, product
 from solver.stated.matrices import inverse
 from solver.tasks.plant_options import PlantOptions
+from solver.tasks.representation.plants import matrices_of
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
@@ -130,7 +131,7 @@ def _solution(O: ImmutableMatrix, right: ImmutableMatrix) -> tuple[list[int], Im
 
 def _rows(plant: Any, count: int) -> tuple[list[ImmutableMatrix], list[ImmutableMatrix]]:
     """C Aᵏ, and the Markov parameters D, C B, C A B, …, both for k below `count`."""
-    rows, markov = [plant.C], [plant.D] if plant.B is not None else []
+    rows, markov = [plant.C], [matrices_of(plant)[3]] if plant.B is not None else []
     for _ in range(count - 1):
         if plant.B is not None:
             markov.append(sp.ImmutableMatrix(exact.multiply(rows[-1], plant.B)))
@@ -173,10 +174,14 @@ def begins_with_these_outputs(given: Given[WithOutput, InitialStateOptions], ans
     """The motion from x0, as numbers, has the outputs and derivatives (samples) that are given."""
     plant, known = given.system, _known(given.system, given.options)
     residual = judges.beginning_residual(
-        (plant.A, plant.B, plant.C, plant.D), answers["x0"], known.y, known.u, discrete=plant.discrete
+        (plant.A, plant.B, plant.C, matrices_of(plant)[3] if plant.B is not None else None),
+        answers["x0"],
+        known.y,
+        known.u,
+        discrete=plant.discrete,
     )
     near = 1e-6 if numeric.holds_decimals([plant.A, plant.C, answers["x0"]]) else 1e-9
-    oracle = "the recursion x(k+1) = A x(k) + B u(k)" if plant.discrete else "numpy, Taylor series of the motion"
+    oracle = "recursion" if plant.discrete else "numpy, Taylor series of the motion"
     yield Check.within("the outputs at the beginning of the motion from $x(0)$", oracle, residual, near)
 
 

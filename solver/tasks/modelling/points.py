@@ -27,7 +27,7 @@ def point_checks(
     """Every point satisfies the equations; Newton's method, from many starting points, finds no other."""
     hidden = [x for x in every if x not in told]
     named = [_by_symbol(point, told) for point in points]
-    yield Check.that("each point names every unknown, and nothing else", "the question",
+    yield Check.that("each point names every unknown, and nothing else", "compared",
                      all(each is not None for each in named), answer=answer)  # fmt: skip
     whole = [each for each in named if each is not None]
     if len(whole) < len(named):

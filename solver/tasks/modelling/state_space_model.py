@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Task, state_equations
+from solver.derivation.answer_equations import state_functions
 from solver.lazy import numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import modelling as judges
@@ -73,6 +74,7 @@ state_space_model: Task[Equations, StateSpaceModelOptions] = Task(
     ],
 )  # fmt: skip
 state_space_model.together(state_equations())
+state_space_model.together(state_functions())
 circuit_mistakes.name_mistakes(state_space_model)
 equation_mistakes.name_mistakes(state_space_model)
 state_space_model.mistake(equation_mistakes.TERM_REVERSED, "f")(equation_mistakes.term_reversed)
@@ -89,7 +91,7 @@ def by_kirchhoff(given: Given[Equations, StateSpaceModelOptions]) -> Derivation[
     return (yield from by_highest_derivatives(given))
 
 
-@state_space_model.method(source="Ogata, Modern Control Engineering, §§2–4 and 2–5")
+@state_space_model.method(title="Highest derivatives", source="Ogata, Modern Control Engineering, §§2–4 and 2–5")
 def by_highest_derivatives(given: Given[Equations, StateSpaceModelOptions]) -> Derivation[Answers]:
     """Solve for the highest derivatives and choose the lower ones as states; of linear equations read off the rows."""
     found = yield from first_order_of(given.system)
