@@ -235,8 +235,14 @@ def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
     if value.item:
         if not isinstance(found, list) or value.item > len(found):
             raise Unsolved("engine/missing_item", item=value.item, answer=value.answer, part=value.part)
-        return exactly(found[value.item - 1])
+        point = found[value.item - 1]
+        return exactly({**_held(source), **point} if isinstance(point, dict) else point)
     return _as_printed(found) if isinstance(found, sp.MatrixBase) else found
+
+
+def _held(source: PartResult) -> dict[Any, Any]:
+    """Return the values of what a part keeps constant, which every point that it finds has beside its own."""
+    return {name: value for step in source.steps if step.kind == "rest" for name, value in step.values["inputs"]}
 
 
 def exactly(value: Any) -> Any:

@@ -46,6 +46,12 @@ def state_equations(x: str = "x", answers: str = "ABCD") -> AnswerEquations:
     return AnswerEquations("the state equations", lines, tuple(answers))
 
 
+def state_functions() -> AnswerEquations:
+    """Return the equations of a system with the answers f and h: x' = f, y = h."""
+    lines = Equation("x", (("f", ""),), motion=True), Equation("y", (("h", ""),))
+    return AnswerEquations("the state equations", lines, ("f", "h"))
+
+
 def control_law(*terms: Term) -> AnswerEquations:
     """Return u = the sum of the terms, beside the gains themselves."""
     return AnswerEquations("the control law", (Equation("u", terms),))

@@ -225,8 +225,8 @@ def _answers(
             wording.answer(value),
             wording.say(declared[name].doc),
             sympy_text(value) if data else "",
-            wording.equation(symbol, value),
-            wording.equation(symbol, value, narrow=True),
+            wording.equation(symbol, value, zero=declared[name].zero),
+            wording.equation(symbol, value, narrow=True, zero=declared[name].zero),
             marks=NumberFormat("decimal", 3).text(marks[name]) if name in marks else "",
             numeric=numbers_of(value) if data else None,
             asked=name in asked,
@@ -246,11 +246,15 @@ def _equations(
         found = {name: result.answers[name] for name in each.answers if name in result.answers}
         if not found or not found.keys() <= answers.keys() - derived.keys():
             continue
-        tex = wording.equations(each, found, discrete=part.system.discrete)
+        moved = next(
+            (step.values["following"] for step in result.steps if step.kind == "functions" and "f" in found), None
+        )
+        tex = wording.equations(each, found, discrete=part.system.discrete, moved=moved)
+        narrow = wording.equations(each, found, discrete=part.system.discrete, moved=moved, narrow=True) or tex
         earned = sum(marks.get(name, 0) for name in each.instead if name in found)
         told = NumberFormat("decimal", 3).text(earned) if earned else ""
         if tex:
-            yield WorkAnswer("", "", tex, wording.say(each.doc), "", tex, tex, marks=told, instead=each.instead)
+            yield WorkAnswer("", "", tex, wording.say(each.doc), "", tex, narrow, marks=told, instead=each.instead)
 
 
 def _number(marks: Any) -> float:

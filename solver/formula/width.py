@@ -87,13 +87,13 @@ def width(node: n.Node) -> float:
 
 
 def broken(formula: n.Row, room: float = LINE) -> list[n.Row]:
-    """Break a long sum before its signs, a long product of matrices before a matrix; a short formula is one line.
+    """Break a long list behind its commas, a long sum before its signs, a long product of matrices before a matrix.
 
     The lines fit into `room` where they can. Each line but the first begins with the sign it was broken at.
     """
     if width(formula) <= room:
         return [formula]
-    lines = _filled(list(_terms(formula)), room)
+    lines = [line for item in _filled(list(_items(formula)), room) for line in _filled(list(_terms(item)), room)]
     return [piece for line in lines for piece in _filled(list(_factors(line)), room, TIMES)]
 
 
@@ -111,6 +111,16 @@ def _filled(pieces: Sequence[n.Row], room: float, *seam: n.Node) -> list[n.Row]:
             lines[-1] += piece.items
             filled += more
     return [n.Row(tuple(line)) for line in lines]
+
+
+def _items(formula: n.Row) -> Iterator[n.Row]:
+    """Cut a list behind its commas."""
+    start = 0
+    for place, item in enumerate(formula.items):
+        if isinstance(item, n.Operator) and item.sign == ",":
+            yield n.Row(formula.items[start : place + 1])
+            start = place + 1
+    yield n.Row(formula.items[start:])
 
 
 def _terms(formula: n.Row) -> Iterator[n.Row]:

@@ -18,10 +18,29 @@ from solver.render.displays import EQUALS, NOTHING, READABLE, aligned
 Show = Callable[[Any], Row]
 
 
-def formula_of(equations: AnswerEquations, values: Mapping[str, Any], show: Show, *, discrete: bool) -> Row | None:
-    """Return the equations with these values; none where one is too wide to be read, or says nothing."""
+def formula_of(
+    equations: AnswerEquations,
+    values: Mapping[str, Any],
+    show: Show,
+    *,
+    discrete: bool,
+    moved: Any = None,
+    narrow: bool = False,
+) -> Row | None:
+    """Return the equations with these values; none where one is too wide to be read, or says nothing.
+
+    `moved` are the derivatives, or next values, of the states by name: they stand in place of that of x,
+    and where the whole is wide, or has to be `narrow`, each has an equation of its own.
+    """
     lines = [_sides(each, values, show, discrete=discrete) for each in equations.lines]
+    if moved is not None:
+        named = show(entry_alone(moved))
+        lines = [(named if e.motion else left, right) for e, (left, right) in zip(equations.lines, lines, strict=True)]
     told = [(left, right) for left, right in lines if right.items]
+    if moved is not None and told and (narrow or max(width(row(*pair)) for pair in told) > LINE):
+        return aligned(
+            [(left, row(EQUALS, right)) for left, right in _one_by_one(equations, values, show, moved, told)]
+        )
     if not told or any(_is_empty(value) for value in values.values()):
         return None
     shown = [row(left, EQUALS, right) for left, right in told]
@@ -29,6 +48,15 @@ def formula_of(equations: AnswerEquations, values: Mapping[str, Any], show: Show
         return None
     together = separated(shown, *GAP.items)
     return together if width(together) <= LINE else aligned([(left, row(EQUALS, right)) for left, right in told])
+
+
+def _one_by_one(
+    equations: AnswerEquations, values: Mapping[str, Any], show: Show, moved: Any, told: list[tuple[Row, Row]]
+) -> list[tuple[Row, Row]]:
+    """Return an equation for each state, but where it says that a state is the derivative of another, and the rest."""
+    names = [each.terms[0][0] for each in equations.lines if each.motion]
+    rows = [(show(d), show(f)) for name in names for d, f in zip(moved, values[name], strict=True) if d != f]
+    return [*rows, *(pair for pair, each in zip(told, equations.lines, strict=True) if not each.motion)]
 
 
 def _is_empty(value: Any) -> bool:
@@ -44,7 +72,7 @@ def _sides(line: Equation, values: Mapping[str, Any], show: Show, *, discrete: b
         value = entry_alone(values.get(name.removeprefix("-"), 0) if name else sp.S.One)
         if _is_zero(value):
             continue
-        minus, factor = _signed(value, show, minus=name.startswith("-"))
+        minus, factor = _signed(value, show, minus=name.startswith("-"), alone=not on)
         sign = row("-") if minus else row("+") if right.items else NOTHING
         right = row(right, sign, factor, f"{on}{now}" if on else NOTHING)
     return left, right
@@ -54,9 +82,9 @@ def _is_zero(value: Any) -> bool:
     return value is None or bool(value.is_zero_matrix if isinstance(value, sp.MatrixBase) else value == 0)
 
 
-def _signed(value: Any, show: Show, *, minus: bool) -> tuple[bool, Row]:
-    """Return whether there is a minus before a factor, and the factor; nothing for one."""
-    if isinstance(value, sp.MatrixBase):
+def _signed(value: Any, show: Show, *, minus: bool, alone: bool) -> tuple[bool, Row]:
+    """Return whether there is a minus before a factor, and the factor; nothing for one unless it stands `alone`."""
+    if isinstance(value, sp.MatrixBase) or (alone and not minus):
         return minus, show(value)
     if not value.is_Add and value.could_extract_minus_sign():
         minus, value = not minus, -value

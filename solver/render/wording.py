@@ -30,8 +30,7 @@ from solver.derivation import AnswerEquations, AnswerName, Step
 from solver.derivation.displayed import Displayed
 from solver.derivation.figures import Figure, worded_figure
 from solver.formula import MathProblem, latex
-from solver.formula.building import row
-from solver.formula.nodes import Row, Text
+from solver.formula.nodes import Row
 from solver.markup import math_problems
 from solver.messages import Messages
 from solver.notation import answer_symbol
@@ -39,6 +38,7 @@ from solver.problem.model import Chain, Display, Part
 from solver.render.displaying import Displaying, word_of
 from solver.render.equations import formula_of
 from solver.render.latex import DEFAULT, answer_formula, formula
+from solver.render.listed import equations_that_are_zero, told_behind
 from solver.render.macros import Macros, environment_of, macros_of
 from solver.render.numbers import NumberFormat
 from solver.stated.algebra import quotient
@@ -244,18 +244,31 @@ class Wording:
         """Return a display a = b = ... that was worded, as LaTeX."""
         return latex(self._displaying.again(displayed))
 
-    def equation(self, symbol: str, value: Any, *, narrow: bool = False) -> str:
-        """Return an answer as `symbol = value`, or `word: value`, laid out for a page; a matrix by entry if narrow."""
+    def equation(self, symbol: str, value: Any, *, narrow: bool = False, zero: bool = False) -> str:
+        """Return an answer as `symbol = value`, or `word: value`, laid out for a page; a matrix by entry if narrow.
+
+        What is `zero` is told so, each expression of a list on a line of its own.
+        """
+        if zero and isinstance(value, list | tuple):
+            return latex(equations_that_are_zero(value, self._answer))
         word = word_of(symbol)
         if word:
-            return latex(row(Text(f"{word}:"), r"\quad", self._answer(value)))
+            return latex(told_behind(word, value, self._answer, narrow=narrow))
         shown = self.answer(value) if isinstance(value, str) else value  # words, not LaTeX
         return latex(self._displaying.laid_out([symbol, shown], self._answer, narrow=narrow))
 
-    def equations(self, equations: AnswerEquations, values: Mapping[str, Any], *, discrete: bool) -> str:
+    def equations(
+        self,
+        equations: AnswerEquations,
+        values: Mapping[str, Any],
+        *,
+        discrete: bool,
+        moved: Any = None,
+        narrow: bool = False,
+    ) -> str:
         """Return answers as equations; empty where they are too wide to be read so."""
         spelt = replace(equations, lines=tuple(each.spelled(self.notation) for each in equations.lines))
-        found = formula_of(spelt, values, self.formula, discrete=discrete)
+        found = formula_of(spelt, values, self.formula, discrete=discrete, moved=moved, narrow=narrow)
         return latex(found) if found is not None else ""
 
 

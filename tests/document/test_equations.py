@@ -106,3 +106,20 @@ def test_single_answers_stay_in_json_and_their_marks_are_those_of_the_equations(
 def test_equations_wait_for_all_their_answers():
     found = told("{task: realization, answers: [A]}", "{transfer_function: 1/((s+1)(s+2))}", "key").parts[0].found
     assert [each.name for each in found] == ["A"]
+
+
+def _answers(system, task):
+    text = f"title: T\nsystem: {{{system}}}\nfind: {{a: {task}}}\n"
+    solved = solve_problem(read_problem(Source("file.yaml", text), catalogue()))
+    return [each.equation for each in document_of(solved, Presentation("full")).parts[0].found]
+
+
+def test_equations_of_motion_are_told_as_equations():
+    system = 'lagrangian: {coordinates: [x], kinetic: "m x\'^2/2", potential: "k x^2/2"}'
+    assert any(each.endswith("= 0") for each in _answers(system, "equations_of_motion"))
+
+
+def test_nonlinear_state_equations_name_the_derivatives():
+    first, *others = _answers("equations: [\"x'' = sin(x) + u\"], inputs: [u]", "state_space_model")
+    assert r"\begin{bmatrix}\dot{x} \\ \ddot{x}\end{bmatrix} = " in first
+    assert not any("f(x, u)" in each for each in (first, *others))

@@ -212,3 +212,27 @@ def test_right_and_wrong_models_are_told_apart(part, name, value, says):
     found = verdict(PENDULUM, part, name, value)
     assert (found.verdict == "correct") == (not says)
     assert says in str(found.reason)
+
+
+def test_a_point_of_an_earlier_part_has_the_inputs_that_this_part_keeps_constant():
+    text = """
+system:
+  equations: ["x1' = 7x1 + 2 sin(x2) - x2^4 + u^3", "x2' = exp(x1) - 3x2 - 1 + 5x1^2 + sin(u)"]
+  inputs: [u]
+  outputs: ["exp(x1)"]
+find:
+  a: {task: equilibrium_points, inputs: {u: 0}, between: {x1: [-3, 3], x2: [-3, 3]}}
+  b: {task: linearization, at: {from: a, point: 2}}
+"""
+    found, linear = solve_problem(read_problem(Source("file.yaml", text), catalogue())).parts
+    assert linear.status is Status.VERIFIED
+    assert "conditions" not in linear.answers
+    assert linear.answers["B"] == sp.Matrix([0, 1])
+    value = sp.exp(next(v for x, v in found.answers["points"][1].items() if str(x) == "x1"))
+    assert linear.answers["C"][0].is_Float  # not e^0.858...
+    assert abs(linear.answers["C"][0] - value) < 1e-12
+
+
+def test_a_point_in_few_decimals_that_is_none_is_still_refused():
+    result = solved('  equations: ["x\' = 1 - x^2"]', "{x: 1.000001}")
+    assert result.status is Status.UNSOLVED

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sp
@@ -14,6 +14,10 @@ from solver.exact.modelling.quotients import normal
 Values = Mapping[sp.Symbol, sp.Expr]
 CORNERS = (sp.Abs, sp.sign, sp.Heaviside, sp.Min, sp.Max)
 """Functions with a corner or a jump where an argument vanishes."""
+LONG = 10**9
+"""Denominators that only decimals with many digits have."""
+DIGITS = 15
+"""Digits of a value that decimals give."""
 
 
 class NotDifferentiable(Exception):  # noqa: N818 - no error: the function has no derivative at the point
@@ -97,8 +101,15 @@ def partials_at(
     """Return functions as quotients, and the rows of their partial derivatives. Raises NotDifferentiable."""
     quotients = [quotient_at(f, at) for f in functions]
     nothing = Partial(sp.S.Zero, sp.S.Zero)
-    rows = [[partial_at(q, x) if q.function.has(x) else nothing for x in variables] for q in quotients]
+    rows = [[_short(partial_at(q, x)) if q.function.has(x) else nothing for x in variables] for q in quotients]
     return quotients, rows
+
+
+def _short(found: Partial) -> Partial:
+    """The value as a decimal where it is a function of decimals, which no one reads as such: 2.36 for e^0.8585…."""
+    value = found.value
+    long = value.is_number and not value.is_Rational and any(each.q > LONG for each in value.atoms(sp.Rational))
+    return replace(found, value=sp.Float(value.evalf(DIGITS), DIGITS)) if long else found
 
 
 def condition_of(residual: sp.Expr, names: Sequence[sp.Symbol]) -> Any:

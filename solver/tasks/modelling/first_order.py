@@ -113,7 +113,9 @@ def _below_the_highest(model: Equations, output: Expr, solved: Mapping[Symbol, E
 def functions_of(found: FirstOrder) -> Derivation[None]:
     """The right sides one above the other: f and h."""
     f, h = (sp.ImmutableMatrix(list(each)) for each in (found.f, found.h))
-    yield Step("functions", unclaimed="the rows found above", f=f, h=h, X=found.X, discrete=found.model.discrete)
+    following = sp.ImmutableMatrix([found.model.symbol((name, k + 1)) for name, k in found.states])
+    yield Step("functions", unclaimed="the rows found above", f=f, h=h, X=found.X, following=following,
+               discrete=found.model.discrete)  # fmt: skip
 
 
 def _check_inputs(found: FirstOrder) -> None:
@@ -204,8 +206,11 @@ def _eliminated(model: Equations) -> Derivation[tuple[Equations, dict[Symbol, Ex
         f"relation{i}": Claim(model.sides[i][0].xreplace(put), model.sides[i][1].xreplace(put), "the relation")
         for i in used
     }
-    yield Step("eliminated", claims=claims, relations=[model.sides[i] for i in used], found=list(found.items()))
-    kept = [tuple(side.xreplace(put) for side in pair) for i, pair in enumerate(model.sides) if i not in used]
+    others = [pair for i, pair in enumerate(model.sides) if i not in used]
+    kept = [tuple(side.xreplace(put) for side in pair) for pair in others]
+    later = [(x, put[x]) for x in put if x not in found and any(side.has(x) for pair in others for side in pair)]
+    yield Step("eliminated", claims=claims, relations=[model.sides[i] for i in used], found=list(found.items()),
+               later=later, kept=kept)  # fmt: skip
     left = _with_jets(model, kept, [output.xreplace(put) for output in model.outputs])
     names = tuple(name for name in model.unknowns if name not in wanted)
     return replace(left, unknowns=names, algebraic=tuple(n for n in model.algebraic if n not in wanted)), found

@@ -20,6 +20,12 @@ if TYPE_CHECKING:
     from solver.systems.equations import Jet
 
 
+LONG = 10**9
+"""Denominators that only decimals with many digits have."""
+ROUNDING = 1e-10
+"""What decimals of 15 digits leave of terms that add up to zero."""
+
+
 @dataclass(frozen=True, slots=True)
 class OperatingPoint:
     """A value for every state and input, its own name where none is given, and `conditions` for an equilibrium.
@@ -109,7 +115,8 @@ def _conditions(found: FirstOrder, point: OperatingPoint) -> tuple[Any, ...]:
     conditions: dict[Any, None] = {}
     for residual in _residuals(found, values):
         try:
-            condition = exact.condition_of(exact.put_in(residual, values), names)
+            left = exact.put_in(residual, values)
+            condition = sp.true if _is_rounding(left, residual, values) else exact.condition_of(left, names)
         except exact.NotDifferentiable:
             raise Unsolved("linearization/undefined", values=list(values.items())) from None
         if condition is sp.false:
@@ -118,6 +125,19 @@ def _conditions(found: FirstOrder, point: OperatingPoint) -> tuple[Any, ...]:
         if condition is not sp.true:
             conditions[condition] = None
     return tuple(conditions)
+
+
+def _is_rounding(left: Expr, residual: Expr, values: Mapping[Symbol, Expr]) -> bool:
+    """Whether a residual is what a point in decimals leaves, which an earlier part found: small beside its terms."""
+    if left.free_symbols or left == 0 or not any(map(_is_long, values.values())):
+        return False
+    terms = [abs(sp.N(term.xreplace(dict(values)))) for term in sp.Add.make_args(residual)]
+    return bool(abs(sp.N(left)) < ROUNDING * max(terms))
+
+
+def _is_long(value: Expr) -> bool:
+    """Whether a value is a fraction that stands for a decimal with many digits."""
+    return bool(value.is_Rational and sp.fraction(value)[1] > LONG)
 
 
 def _residuals(found: FirstOrder, values: Mapping[Symbol, Expr]) -> Sequence[Expr]:

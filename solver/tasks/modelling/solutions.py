@@ -58,6 +58,7 @@ def _step(move: Move, point: Mapping[Any, Any] | None, told: Sequence[Symbol]) -
     shown = [list(outcome.shown) for outcome in outcomes]
     needs = [list(outcome.needs) for outcome in outcomes]
     claims = dict(_claims(move.kind, move.values, outcomes))
+    is_told = bool(move.case) or any(point[x] == x for x in told) if point is not None else False
     return STEPS[move.kind](
         claims=claims,
         unclaimed="" if claims else "the equations as they stand, or a case of them",
@@ -66,7 +67,7 @@ def _step(move: Move, point: Mapping[Any, Any] | None, told: Sequence[Symbol]) -
         inside=f"{'.'.join(map(str, move.case))}." if move.case else "",
         outcomes=shown,
         needed=needs,
-        point=[(x, point[x]) for x in told] if point is not None else [],
+        point=[(x, point[x]) for x in told] if point is not None and is_told else [],
         **{name: list(value.items()) if isinstance(value, Mapping) else value for name, value in values.items()
            if name != "found"},
         found=[list(each.items()) for each in values.get("found", ())],
