@@ -38,9 +38,10 @@ def reduced(A: sp.ImmutableMatrix, f: ScalarFunction) -> tuple[sp.ImmutableMatri
     own = sp.Poly(numerator, x), sp.Poly(denominator, x)
     _check_size(A, max(each.degree() for each in own))
     entries = sp.ImmutableMatrix([[*A.flat(), *dict.fromkeys(c for p in own for c in p.all_coeffs())]])
-    K = domain_matrix(entries, real=False).domain
+    over = domain_matrix(entries, real=False)
+    K, element = over.domain, dict(zip(entries.flat(), over.to_list_flat(), strict=True))
     chi = sp.Poly([K.convert(c, fl.domain) for c in fl.chi], x, domain=K)
-    p, q = (sp.Poly([K.from_sympy(c) for c in each.all_coeffs()], x, domain=K) for each in own)
+    p, q = (sp.Poly([element[c] for c in each.all_coeffs()], x, domain=K) for each in own)
     common = q.gcd(chi)
     if common.degree() > 0:
         raise NotExact("functions/division_by_zero", factor=common.as_expr().subs(x, sp.Symbol("lamda")))

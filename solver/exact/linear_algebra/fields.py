@@ -7,7 +7,7 @@ lowest power first. So one exact computation serves all conjugate roots of p at 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -31,7 +31,7 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
     """Return M over the smallest field K found for its entries; raises NotExact if there is none.
 
     Entries must be real, where it is not said that they need not. Sines and cosines of an angle θ are written as
-    rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K.
+    rational functions of tan(θ/2), so that sin² + cos² = 1 holds in K; a root √a is a generator whose square is a.
     """
     if real and M.has(sp.I):
         raise NotExact("linear_algebra/not_real")
@@ -44,21 +44,88 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
     return matrix
 
 
+def side_by_side(*matrices: sp.MatrixBase, real: bool = True) -> tuple[DomainMatrix, ...]:
+    """The matrices over one field, found for the entries of all of them; raises NotExact.
+
+    Fields found one by one may take a and √a for independent of each other.
+    """
+    found = [domain_matrix(M, real=real) for M in matrices]
+    if any(_has_roots(each.domain) for each in found):
+        flat = sp.Matrix([[entry for M in matrices for entry in M.flat()]])
+        whole = domain_matrix(flat, real=real)
+        entries, K, start = whole.to_list_flat(), whole.domain, 0
+        for at, M in enumerate(matrices):
+            rows = [entries[start + i * M.cols : start + (i + 1) * M.cols] for i in range(M.rows)]
+            found[at], start = DomainMatrix(rows, M.shape, K), start + M.rows * M.cols
+        return tuple(found)
+    return tuple(found[0].unify(*found[1:]))
+
+
+def _has_roots(K: Any) -> bool:
+    """Whether a generator of K is a root of a parameter, or another function of some."""
+    return bool(K.is_Composite) and any(not symbol.is_Symbol for symbol in K.symbols)
+
+
 def _over_surds_and_parameters(M: sp.MatrixBase) -> DomainMatrix:
-    """M over QQ<√d, …>(parameters, tangents), which sympy does not find by itself."""
+    """M over QQ<√d, …>(parameters, roots of them, tangents, exponentials), which sympy does not find by itself."""
+    M, generators = _generators(M)
     surds = sorted(
         (power for power in M.atoms(sp.Pow) if power.base.is_Rational and power.exp == sp.Rational(1, 2)), key=str
     )
     surds += [sp.I] * M.has(sp.I)
-    tangents = sorted(M.atoms(sp.tan), key=str)
-    outside = M.xreplace({tangent: sp.Integer(1) for tangent in tangents})
+    own = {*generators}
     try:
         numbers = sp.QQ.algebraic_field(*surds) if surds else sp.QQ
-        K = numbers.frac_field(*sorted(outside.free_symbols, key=str), *tangents)
-        rows = [[K.from_sympy(sp.expand(M[i, j])) for j in range(M.cols)] for i in range(M.rows)]
+        plain: list[Any] = [x for x in sorted(M.free_symbols, key=str) if x not in own]
+        K = numbers.frac_field(*plain, *generators)
+        named = numbers.frac_field(*plain, *generators.values())
+        rows = [[_renamed(K.from_sympy(sp.expand(M[i, j])), named) for j in range(M.cols)] for i in range(M.rows)]
     except (sp.CoercionFailed, ValueError, NotImplementedError) as failure:
         raise NotExact("linear_algebra/mixed") from failure
-    return DomainMatrix(rows, M.shape, K)
+    return DomainMatrix(rows, M.shape, named)
+
+
+def _renamed(element: Any, K: Any) -> Any:
+    """The same quotient of polynomials in the generators of K."""
+    above, below = (K.field.ring.from_dict(dict(part)) for part in (element.numer, element.denom))
+    return K.field.raw_new(above, below)
+
+
+def _generators(M: sp.MatrixBase) -> tuple[sp.MatrixBase, dict[sp.Symbol, sp.Expr]]:
+    """M with symbols in place of functions of parameters, and what they stand for; raises NotExact.
+
+    Generators must be independent: √a stands for itself, and a for its square; exponentials are those of products of
+    parameters, one for all its rational multiples.
+    """
+    put: dict[Any, Any] = {}
+    stand: dict[sp.Symbol, sp.Expr] = {}
+    for tangent in sorted(M.atoms(sp.tan), key=str):
+        put[tangent] = sp.Dummy("t")
+        stand[put[tangent]] = tangent
+    M = M.xreplace(put)
+    M = M.applyfunc(lambda e: e.expand(deep=False, basic=False, power_exp=True)) if M.has(sp.exp) else M
+    shares: dict[sp.Expr, list[tuple[sp.Expr, sp.Rational]]] = {}
+    for each in sorted(M.atoms(sp.exp), key=str):
+        number, product = each.args[0].as_coeff_Mul()
+        powers = product.as_powers_dict()
+        if not product.free_symbols or not all(x.is_Symbol and k.is_Integer for x, k in powers.items()):
+            raise NotExact("linear_algebra/mixed")
+        shares.setdefault(product, []).append((each, number))
+    put = {}
+    for product, several in shares.items():
+        step = sp.Rational(1, sp.ilcm(*(number.q for _, number in several), 1))
+        symbol = sp.Dummy("e")
+        stand[symbol] = sp.exp(step * product)
+        put |= {each: symbol ** (number / step) for each, number in several}
+    M = M.xreplace(put)
+    roots = {p.base for p in M.atoms(sp.Pow) if p.base.is_Symbol and p.exp.is_Rational and p.exp.q == 2}
+    put = {}
+    for base in sorted(roots, key=str):
+        symbol = sp.Dummy("r", positive=True)
+        stand[symbol] = sp.sqrt(base)
+        put[base] = symbol**2
+    inside = {p: put[p.base] ** p.exp for p in M.atoms(sp.Pow) if p.base in put}
+    return M.xreplace(inside).xreplace(put) if put else M, stand
 
 
 @lru_cache(maxsize=64)
@@ -72,12 +139,31 @@ def is_real_field(K: Any) -> bool:
 
 
 def _half_angles(M: sp.MatrixBase) -> sp.MatrixBase:
+    """M with rational functions of tangents in place of sines and cosines; multiples of an angle in terms of it."""
+    shares: dict[sp.Expr, list[sp.Rational]] = {}
     angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}
+    for angle in angles:
+        number, product = angle.as_coeff_Mul()
+        shares.setdefault(product, []).append(number)
+    several = {product: numbers for product, numbers in shares.items() if len(numbers) > 1}
+    if several:
+        M = M.xreplace({f: of for product, numbers in several.items() for f, of in _in_one_angle(product, numbers)})
+        angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}
     substitution: dict[sp.Expr, sp.Expr] = {}
     for angle in angles:
         u = sp.tan(angle / 2)
         substitution |= {sp.cos(angle): (1 - u**2) / (1 + u**2), sp.sin(angle): 2 * u / (1 + u**2)}
     return M.xreplace(substitution) if substitution else M
+
+
+def _in_one_angle(product: sp.Expr, numbers: Sequence[sp.Rational]) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """Sines and cosines of rational multiples of a product, in those of the largest angle that measures all."""
+    step = sp.Rational(sp.igcd(*(number.p for number in numbers), 0), sp.ilcm(*(number.q for number in numbers), 1))
+    d = sp.Dummy("d", real=True)
+    for number in numbers:
+        if number != step:
+            for f in (sp.sin, sp.cos):
+                yield f(number * product), sp.expand_trig(f(number / step * d)).xreplace({d: step * product})
 
 
 def expression(K: Any, element: Element) -> sp.Expr:

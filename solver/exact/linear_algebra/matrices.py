@@ -8,13 +8,13 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
-from solver.exact.linear_algebra.fields import domain_matrix, expression, matrix_of
+from solver.exact.linear_algebra.fields import domain_matrix, expression, matrix_of, side_by_side
 from solver.matrices import entries
 
 
 def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
     """A B, exact."""
-    left, right = domain_matrix(A, real=False).unify(domain_matrix(B, real=False))
+    left, right = side_by_side(A, B, real=False)
     return matrix_of(left * right)
 
 

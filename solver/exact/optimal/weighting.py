@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from solver.exact.linear_algebra.fields import domain_matrix, matrix_of
+from solver.exact.linear_algebra.fields import domain_matrix, matrix_of, side_by_side
 
 
 def weighted_input(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
     """G = B R⁻¹ Bᵀ (n×n)."""
-    left, right = domain_matrix(B).unify(domain_matrix(weighted_transpose(B, R)))
+    left, right = side_by_side(B, weighted_transpose(B, R))
     return matrix_of(left * right)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from solver.exact.linear_algebra.fields import domain_matrix, matrix_of
+from solver.exact.linear_algebra.fields import domain_matrix, matrix_of, side_by_side
 from solver.exact.linear_algebra.integers import are_rational, integer_rows, times
 from solver.matrices import entries
 
@@ -16,7 +16,7 @@ def controllability_matrix(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMa
     flat_A, flat_B = entries(A), entries(B)
     if are_rational(flat_A) and are_rational(flat_B):
         return _integer_controllability_matrix(flat_A, flat_B, B.cols)
-    M, block = domain_matrix(A).unify(domain_matrix(B))
+    M, block = side_by_side(A, B)
     blocks = [block]
     for _ in range(A.rows - 1):
         blocks.append(M * blocks[-1])

@@ -17,7 +17,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.functions.closed_forms import exponential
-from solver.exact.linear_algebra.fields import collected, domain_matrix, matrix_of
+from solver.exact.linear_algebra.fields import collected, matrix_of, side_by_side
 from solver.exact.structure.controllability import controllability_matrix
 
 
@@ -179,7 +179,7 @@ def _powers_of_conjugate(sigma: sp.Expr, omega: sp.Expr, m: int) -> tuple[sp.Exp
 
 def discrete_gramian(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, steps: int) -> sp.ImmutableMatrix:
     """Σ_{k<N} Aᵏ B Bᵀ (Aᵀ)ᵏ (n×n), N = `steps`."""
-    M, block = domain_matrix(A).unify(domain_matrix(B))
+    M, block = side_by_side(A, B)
     total: DomainMatrix = block * block.transpose()
     for _ in range(steps - 1):
         block = M * block

@@ -13,7 +13,7 @@ import sympy as sp
 from sympy.polys.groebnertools import groebner
 from sympy.polys.matrices import DomainMatrix
 
-from solver.exact.linear_algebra.fields import domain_matrix, expression, in_sines
+from solver.exact.linear_algebra.fields import domain_matrix, in_sines, whole_angles
 from solver.exact.linear_algebra.signs import is_not_zero
 from solver.exact.linear_algebra.special_values import special_values
 from solver.exact.structure.minors import diagonal_product, minors_of, polynomials_of, without_constants
@@ -43,10 +43,10 @@ def rank_conditions(M: sp.ImmutableMatrix) -> tuple[sp.Basic, ...]:
         divisor = reduce(lambda f, g: f.gcd(g), minors)
         rest = [minor.exquo(divisor) for minor in minors]
     for f, _ in divisor.factor_list()[1]:
-        if _can_vanish(f, D.domain):
-            found += _where_it_vanishes(f, D.domain)
+        if _can_vanish(f):
+            found += _where_it_vanishes(f)
     if rest and not any(minor.is_ground for minor in rest):
-        found += [sp.And(*(_vanishes(f, D.domain) for f in case)) for case in _cases(rest, D.domain)]
+        found += [sp.And(*(_vanishes(f) for f in case)) for case in _cases(rest)]
     undefined = _undefined(D)
     return tuple(condition for condition in dict.fromkeys(found) if not condition.atoms(sp.Eq) & undefined)
 
@@ -56,7 +56,7 @@ def _undefined(D: DomainMatrix) -> set[sp.Basic]:
     K: Any = D.domain
     R = K.field.ring.clone(domain=K.field.ring.domain.get_field())
     denominators = {a.denom.set_ring(R) for row in D.to_list() for a in row}
-    return {_vanishes(f, K) for below in denominators for f, _ in below.factor_list()[1]}
+    return {_vanishes(f) for below in denominators for f, _ in below.factor_list()[1]}
 
 
 def _at_half_turns(M: sp.ImmutableMatrix, generic: int) -> list[sp.Basic]:
@@ -66,16 +66,16 @@ def _at_half_turns(M: sp.ImmutableMatrix, generic: int) -> list[sp.Basic]:
     return [sp.Eq(sp.cos(angle) + 1, 0) for angle, N in turned if domain_matrix(N).rank() < generic]
 
 
-def _shown(f: Any, K: Any) -> sp.Expr:
+def _shown(f: Any) -> sp.Expr:
     """The polynomial, times a factor that is never zero, as an expression in the parameters, sines and cosines."""
-    shown = sp.factor(in_sines(expression(K, K.from_sympy(f.as_expr()))))
+    shown = sp.factor(in_sines(whole_angles(f.as_expr())))
     above: sp.Expr = sp.fraction(shown)[0].primitive()[1]
     return -above if above.free_symbols and sp.Poly(above).LC().is_negative else above
 
 
-def _vanishes(f: Any, K: Any) -> sp.Eq:
+def _vanishes(f: Any) -> sp.Eq:
     """The equation that says so: solved for the parameter where it is linear with one parameter only."""
-    shown = _shown(f, K)
+    shown = _shown(f)
     if len(shown.free_symbols) == 1 and shown.is_polynomial():
         (x,) = shown.free_symbols
         p = sp.Poly(shown, x)
@@ -84,16 +84,16 @@ def _vanishes(f: Any, K: Any) -> sp.Eq:
     return sp.Eq(shown, 0, evaluate=False)
 
 
-def _where_it_vanishes(f: Any, K: Any) -> list[sp.Basic]:
+def _where_it_vanishes(f: Any) -> list[sp.Basic]:
     """The equations that say so: one for each root of a quadratic polynomial in one parameter, a = √2 and a = −√2."""
-    equation = _vanishes(f, K)
+    equation = _vanishes(f)
     roots = special_values(equation.lhs) if equation.rhs == 0 and len(equation.free_symbols) == 1 else ()
     return [sp.Eq(x, value, evaluate=False) for x, value in roots] or [equation]
 
 
-def _can_vanish(f: Any, K: Any) -> bool:
+def _can_vanish(f: Any) -> bool:
     """Whether a polynomial can be zero for real parameters that are as assumed; if in doubt, yes."""
-    shown = _shown(f, K)
+    shown = _shown(f)
     if not shown.free_symbols or is_not_zero(shown):
         return False
     if len(shown.free_symbols) == 1 and shown.is_polynomial() and f.ring.domain.is_QQ:
@@ -105,7 +105,7 @@ def _can_vanish(f: Any, K: Any) -> bool:
     return True
 
 
-def _cases(equations: Sequence[Any], K: Any, depth: int = 6) -> Iterator[tuple[Any, ...]]:
+def _cases(equations: Sequence[Any], depth: int = 6) -> Iterator[tuple[Any, ...]]:
     """The common zeros of polynomials as systems of irreducible equations: a Gröbner basis, split at its factors."""
     R = equations[0].ring
     basis = groebner(list(dict.fromkeys(equations)), R)
@@ -115,8 +115,8 @@ def _cases(equations: Sequence[Any], K: Any, depth: int = 6) -> Iterator[tuple[A
         factors = [g for g, _ in f.factor_list()[1]]
         if factors[0] != f.monic() and depth:
             for g in factors:
-                if _can_vanish(g, K):
-                    yield from _cases([*(h for h in basis if h != f), g], K, depth - 1)
+                if _can_vanish(g):
+                    yield from _cases([*(h for h in basis if h != f), g], depth - 1)
             return
-    if all(_can_vanish(f, K) for f in basis):
+    if all(_can_vanish(f) for f in basis):
         yield tuple(basis)

@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.exact.linear_algebra.fields import Algebraic, Modulus, domain_matrix, expression, matrix_of
+from solver.exact.linear_algebra.fields import Algebraic, Modulus, domain_matrix, expression, matrix_of, side_by_side
 from solver.exact.linear_algebra.instances import element_at
 from solver.exact.linear_algebra.multiples import Vector, cleared
 from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
@@ -68,7 +68,7 @@ def hidden_part(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> HiddenPart | No
     N = sp.ImmutableMatrix(null_basis(controllability_matrix(A, B).T).T)
     if N.rows == 0:
         return None
-    D, M = domain_matrix(N).unify(domain_matrix(A))
+    D, M = side_by_side(N, A)
     columns = row_reduce(tuple(map(tuple, D.to_list()))).pivots
     chosen = D.extract(list(range(N.rows)), list(columns))
     H = (D * M).extract(list(range(N.rows)), list(columns)) * chosen.inv()
