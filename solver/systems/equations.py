@@ -158,7 +158,7 @@ def check_outputs(
 ) -> None:
     """An output changes with time: a mistyped name would be a parameter."""
     for i, output in enumerate(outputs):
-        if not output.free_symbols & set(jets):
+        if output.free_symbols and not output.free_symbols & set(jets):
             reader.complain("outputs", "no unknown and no input occurs in this output", item=i, like=functions)
 
 

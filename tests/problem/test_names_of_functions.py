@@ -58,3 +58,8 @@ def test_a_value_that_contradicts_what_is_assumed(asked):
     system = """system: {equations: ["x' = 4 - x^2 + u"], inputs: [u]}"""
     text = f"assume: {{x: positive, u: negative}}\n{system}\nfind: {{a: {{task: {asked}}}}}\n"
     assert all("contradicts what is assumed" in str(each) for each in faults(text))
+
+
+def test_an_output_that_is_a_number_is_no_mistyped_name():
+    text = "system: {equations: [\"x' = -x\"], outputs: [0 x]}\nfind: {a: state_space_model}\n"
+    assert read_problem(Source("f.yaml", text), catalogue()).parts
