@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import Any
 
+from solver.decimals import as_printed, exactly, short_again
 from solver.derivation import (
     Answers,
     Check,
@@ -42,14 +43,6 @@ Earlier = Mapping[str, PartResult]
 
 Runner = Callable[[Problem], Iterator[list[PartResult]]]
 """Solves the parts of a problem in order, one list of results (one a method) for each part."""
-
-
-DIGITS = 15
-"""Significant digits of decimals that a later part takes from an earlier one."""
-
-
-LONG = 10**9
-"""A fraction of larger numbers, where decimals went in, is a decimal again in what comes out."""
 
 
 @dataclass(frozen=True)
@@ -135,7 +128,7 @@ def found_by(
     given = given_of(part, method, earlier, done)
     answers = yield_into(done, catalogue()[part.task].methods[method].derive(given))
     if _rests_on_decimals(part, earlier):
-        answers = Answers(**{name: _short_again(value) for name, value in answers.items()})
+        answers = Answers(**{name: short_again(value) for name, value in answers.items()})
     return given, answers
 
 
@@ -237,27 +230,12 @@ def _resolved(option: str, value: Any, earlier: Earlier) -> Any:
             raise Unsolved("engine/missing_item", item=value.item, answer=value.answer, part=value.part)
         point = found[value.item - 1]
         return exactly({**_held(source), **point} if isinstance(point, dict) else point)
-    return _as_printed(found) if isinstance(found, sp.MatrixBase) else found
+    return as_printed(found) if isinstance(found, sp.MatrixBase) else found
 
 
 def _held(source: PartResult) -> dict[Any, Any]:
     """Return the values of what a part keeps constant, which every point that it finds has beside its own."""
-    return {name: value for step in source.steps if step.kind == "rest" for name, value in step.values["inputs"]}
-
-
-def exactly(value: Any) -> Any:
-    """Return expressions and matrices with decimals as exact numbers, also in a list or mapping; else the same."""
-    if isinstance(value, list):
-        return [exactly(each) for each in value]
-    if isinstance(value, dict):
-        return {name: exactly(each) for name, each in value.items()}
-    return _as_printed(value) if isinstance(value, (sp.MatrixBase, sp.Expr)) else value
-
-
-def _as_printed(matrix: Any) -> Any:
-    """Return a matrix with its decimals taken as exact numbers of 15 digits, so that exact algebra goes on."""
-    exactly = {each: sp.Rational(str(sp.Float(each, DIGITS))) for each in matrix.atoms(sp.Float)}
-    return matrix.xreplace(exactly) if exactly else matrix
+    return {name: value for step in source.steps for name, value in step.values.get("held", ())}
 
 
 def _rests_on_decimals(part: Part, earlier: Earlier) -> bool:
@@ -275,25 +253,11 @@ def _listed(value: Any) -> list[Any]:
     return [part for each in value for part in _listed(each)] if isinstance(value, list) else [value]
 
 
-def _short_again(value: Any) -> Any:
-    """Return an answer with decimals in place of the long fractions that exact algebra made of decimals."""
-    if isinstance(value, list):
-        return [_short_again(each) for each in value]
-    if isinstance(value, dict):
-        return {name: _short_again(each) for name, each in value.items()}
-    if not isinstance(value, (sp.MatrixBase, sp.Basic)):
-        return value
-    long = [each for each in value.atoms(sp.Rational) if max(abs(each.p), each.q) > LONG]
-    decimals: Any = {each: sp.Float(each, DIGITS) for each in long}
-    return value.xreplace(decimals) if long else value  # type: ignore[no-untyped-call]
-
-
 __all__ = [
     "Earlier",
     "Runner",
     "Solution",
     "Task",
-    "exactly",
     "given_of",
     "refusals_of",
     "resolved",

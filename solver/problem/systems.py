@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from solver.problem.context import Earlier
-from solver.problem.equations import EquationReader
+from solver.problem.functions_of_time import FunctionsOfTime
 from solver.problem.lexicon import BARRED, Lexicon, name_of
 from solver.problem.library import moved, named_model
 from solver.problem.matrices import counted, expect_shape, is_flat, read_matrix
@@ -42,7 +41,7 @@ def read_system(
     return system
 
 
-class SystemReader:
+class SystemReader(FunctionsOfTime):
     """Reads what stands under the keys of a system; keeps faults until all of them are raised."""
 
     def __init__(self, node: MappingNode, lexicon: Lexicon, earlier: Earlier, times: Collection[str]) -> None:
@@ -147,96 +146,6 @@ class SystemReader:
         if number is not None and len(names) != number:
             raise listed.fault(f"{counted(number, key[:-1], key)} but {counted(len(names), 'name', 'names')}")
         return names
-
-    @property
-    def _equations(self) -> EquationReader:
-        return EquationReader(self.lexicon, discrete=self.discrete)
-
-    def _scalars(self, key: str) -> list[ScalarNode]:
-        """The texts under a key: none, one or a list."""
-        node = self.node.get(key)
-        items = _items(node) if isinstance(node, SequenceNode) else (() if node is None else (node,))
-        found: list[ScalarNode] = []
-        for item in items:
-            with self.report:
-                found.append(scalar(item))
-        return found
-
-    def dynamic_names(self, key: str) -> list[str]:
-        """Return the names that occur with a derivative (discrete: at a sample), in the order of the file."""
-        names: dict[str, None] = {}
-        for item in self._scalars(key):
-            with self.report:
-                names.update(dict.fromkeys(self._equations.dynamic_names(item)))
-        return list(names)
-
-    def jets(self, key: str) -> tuple[tuple[str, int], ...]:
-        """Return functions of time with the orders of their derivatives; each may stand once."""
-        found: list[tuple[str, int]] = []
-        for item in self._scalars(key):
-            with self.report:
-                jet = self._equations.jet(item)
-                if jet in found:
-                    raise item.fault(f"'{item.text}' is given twice")
-                found.append(jet)
-        return tuple(found)
-
-    def relations(
-        self, key: str, functions: Sequence[str]
-    ) -> tuple[tuple[tuple[sp.Expr, sp.Expr], ...], dict[Any, Any]]:
-        """Return the sides of each equation, and the derivatives that occur by their symbols."""
-        sides, jets = [], {}
-        for item in self._scalars(key):
-            with self.report:
-                left, right, inside = self._equations.relation(item, functions)
-                sides.append((left, right))
-                jets.update(inside)
-        return tuple(sides), jets
-
-    def written(self, key: str, functions: Sequence[str]) -> tuple[tuple[tuple[sp.Expr, ...], ...], ...]:
-        """Return the terms of the sides of each equation, in the order of the text; of equations that can be read."""
-        return tuple(self._equations.written(item, functions) for item in self._scalars(key))
-
-    def formulas(self, key: str, functions: Sequence[str]) -> tuple[tuple[sp.Expr, ...], dict[Any, Any]]:
-        """Return expressions in functions of time, and the derivatives that occur by their symbols."""
-        found, jets = [], {}
-        for item in self._scalars(key):
-            with self.report:
-                value, inside = self._equations.formula(item, functions)
-                found.append(value)
-                jets.update(inside)
-        return tuple(found), jets
-
-    def initial(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], sp.Expr]:
-        """Return the values of derivatives at the beginning: {x: 0, "x'": 1}, discrete {"y(0)": 0, "y(1)": 1}."""
-        node = self.node.get(key)
-        found: dict[tuple[str, int], sp.Expr] = {}
-        for entry in node if isinstance(node, MappingNode) else ():
-            with self.report:
-                text = entry.key.text
-                start = re.fullmatch(r"(\w+)\(([0-9]+)\)", text) if self.discrete else None
-                jet = (start[1], int(start[2])) if start else self._equations.jet(entry.key)
-                if jet[0] not in functions:
-                    meant = did_you_mean(jet[0], functions)
-                    raise entry.key.fault(f"'{text[:40]}' is no unknown of the equations", suggestion=meant)
-                found[jet] = self.lexicon.expression(entry.value, barred=self.barred)
-        return found
-
-    def assumed(self, functions: Sequence[str]) -> dict[str, Any]:
-        """Return the symbols of those functions of time of which more is assumed than that they are real, by name."""
-        found: dict[str, Any] = {}
-        for name in functions:
-            symbol, word = self.lexicon.symbols.get(name), self.lexicon.assumed.get(name, "")
-            if symbol is None or word == "real":
-                continue
-            if word in ("complex", "integer"):
-                with self.report:
-                    message = f"'{name}' is a function of time, which is real"
-                    note = "positive, negative or nonzero may be assumed"
-                    raise self.lexicon.assume_nodes[name].fault(message, note=note)
-            else:
-                found[name] = symbol
-        return found
 
     def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
         """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""

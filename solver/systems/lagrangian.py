@@ -8,30 +8,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from solver.lazy import sympy as sp
+from solver.systems.bodies import Body, Spring
 from solver.systems.equations import Jet, check_outputs, jet_symbol
 from solver.systems.kind import Key, Keyed, Kind, ListOf, MappingTo, Reader, Value, Values
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
-
-
-@dataclass(frozen=True)
-class Body:
-    """A body in the plane, y upward: its mass and the position of its centre, its inertia about it and its angle."""
-
-    mass: Expr | None = None
-    position: tuple[Expr, ...] = ()
-    inertia: Expr | None = None
-    angle: Expr | None = None
-
-
-@dataclass(frozen=True)
-class Spring:
-    """A spring: stiffness, length, and the length at which it is at rest."""
-
-    stiffness: Expr
-    length: Expr
-    rest: Expr
 
 
 @dataclass(frozen=True)

@@ -61,5 +61,5 @@ def test_a_value_that_contradicts_what_is_assumed(asked):
 
 
 def test_an_output_that_is_a_number_is_no_mistyped_name():
-    text = "system: {equations: [\"x' = -x\"], outputs: [0 x]}\nfind: {a: state_space_model}\n"
+    text = 'system: {equations: ["x\' = -x"], outputs: [0 x]}\nfind: {a: state_space_model}\n'
     assert read_problem(Source("f.yaml", text), catalogue()).parts

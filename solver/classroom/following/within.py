@@ -12,8 +12,8 @@ from solver.classroom.following.trivial import trivial
 from solver.classroom.judging.entries import entrywise
 from solver.classroom.judging.question import STRANGE, Question
 from solver.classroom.submitted import Submitted
+from solver.decimals import exactly
 from solver.derivation.consequences import Consequence
-from solver.engine import exactly
 from solver.words import Told
 
 MOST_VALUES = 4

@@ -7,7 +7,7 @@ lowest power first. So one exact computation serves all conjugate roots of p at 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -16,6 +16,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.assembly import linear_combination
+from solver.exact.linear_algebra.generators import generators_in, half_angles
 from solver.exact.linear_algebra.signs import is_not_zero
 from solver.words import Told
 
@@ -35,7 +36,7 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
     """
     if real and M.has(sp.I):
         raise NotExact("linear_algebra/not_real")
-    written = _half_angles(M)
+    written = half_angles(M)
     matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
     if matrix.domain.is_EXRAW or matrix.domain.is_EX:
         matrix = _over_surds_and_parameters(written)
@@ -68,7 +69,10 @@ def _has_roots(K: Any) -> bool:
 
 def _over_surds_and_parameters(M: sp.MatrixBase) -> DomainMatrix:
     """M over QQ<√d, …>(parameters, roots of them, tangents, exponentials), which sympy does not find by itself."""
-    M, generators = _generators(M)
+    try:
+        M, generators = generators_in(M)
+    except ValueError as failure:
+        raise NotExact("linear_algebra/mixed") from failure
     surds = sorted(
         (power for power in M.atoms(sp.Pow) if power.base.is_Rational and power.exp == sp.Rational(1, 2)), key=str
     )
@@ -91,43 +95,6 @@ def _renamed(element: Any, K: Any) -> Any:
     return K.field.raw_new(above, below)
 
 
-def _generators(M: sp.MatrixBase) -> tuple[sp.MatrixBase, dict[sp.Symbol, sp.Expr]]:
-    """M with symbols in place of functions of parameters, and what they stand for; raises NotExact.
-
-    Generators must be independent: √a stands for itself, and a for its square; exponentials are those of products of
-    parameters, one for all its rational multiples.
-    """
-    put: dict[Any, Any] = {}
-    stand: dict[sp.Symbol, sp.Expr] = {}
-    for tangent in sorted(M.atoms(sp.tan), key=str):
-        put[tangent] = sp.Dummy("t")
-        stand[put[tangent]] = tangent
-    M = M.xreplace(put)
-    M = M.applyfunc(lambda e: e.expand(deep=False, basic=False, power_exp=True)) if M.has(sp.exp) else M
-    shares: dict[sp.Expr, list[tuple[sp.Expr, sp.Rational]]] = {}
-    for each in sorted(M.atoms(sp.exp), key=str):
-        number, product = each.args[0].as_coeff_Mul()
-        powers = product.as_powers_dict()
-        if not product.free_symbols or not all(x.is_Symbol and k.is_Integer for x, k in powers.items()):
-            raise NotExact("linear_algebra/mixed")
-        shares.setdefault(product, []).append((each, number))
-    put = {}
-    for product, several in shares.items():
-        step = sp.Rational(1, sp.ilcm(*(number.q for _, number in several), 1))
-        symbol = sp.Dummy("e")
-        stand[symbol] = sp.exp(step * product)
-        put |= {each: symbol ** (number / step) for each, number in several}
-    M = M.xreplace(put)
-    roots = {p.base for p in M.atoms(sp.Pow) if p.base.is_Symbol and p.exp.is_Rational and p.exp.q == 2}
-    put = {}
-    for base in sorted(roots, key=str):
-        symbol = sp.Dummy("r", positive=True)
-        stand[symbol] = sp.sqrt(base)
-        put[base] = symbol**2
-    inside = {p: put[p.base] ** p.exp for p in M.atoms(sp.Pow) if p.base in put}
-    return M.xreplace(inside).xreplace(put) if put else M, stand
-
-
 @lru_cache(maxsize=64)
 def is_real_field(K: Any) -> bool:
     """Whether K has no imaginary unit in it."""
@@ -136,34 +103,6 @@ def is_real_field(K: Any) -> bool:
     except sp.CoercionFailed:
         return True
     return False
-
-
-def _half_angles(M: sp.MatrixBase) -> sp.MatrixBase:
-    """M with rational functions of tangents in place of sines and cosines; multiples of an angle in terms of it."""
-    shares: dict[sp.Expr, list[sp.Rational]] = {}
-    angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}
-    for angle in angles:
-        number, product = angle.as_coeff_Mul()
-        shares.setdefault(product, []).append(number)
-    several = {product: numbers for product, numbers in shares.items() if len(numbers) > 1}
-    if several:
-        M = M.xreplace({f: of for product, numbers in several.items() for f, of in _in_one_angle(product, numbers)})
-        angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}
-    substitution: dict[sp.Expr, sp.Expr] = {}
-    for angle in angles:
-        u = sp.tan(angle / 2)
-        substitution |= {sp.cos(angle): (1 - u**2) / (1 + u**2), sp.sin(angle): 2 * u / (1 + u**2)}
-    return M.xreplace(substitution) if substitution else M
-
-
-def _in_one_angle(product: sp.Expr, numbers: Sequence[sp.Rational]) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """Sines and cosines of rational multiples of a product, in those of the largest angle that measures all."""
-    step = sp.Rational(sp.igcd(*(number.p for number in numbers), 0), sp.ilcm(*(number.q for number in numbers), 1))
-    d = sp.Dummy("d", real=True)
-    for number in numbers:
-        if number != step:
-            for f in (sp.sin, sp.cos):
-                yield f(number * product), sp.expand_trig(f(number / step * d)).xreplace({d: step * product})
 
 
 def expression(K: Any, element: Element) -> sp.Expr:

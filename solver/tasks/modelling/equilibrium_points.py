@@ -94,7 +94,7 @@ def by_rest(given: Given[Equations, EquilibriumPointsOptions]) -> Derivation[Ans
         equations=[pair for pair in rest.sides if pair[0] != pair[1]],
         zero=list(rest.zero),
         same=list(rest.same),
-        inputs=[(model.symbol((name, 0)), value) for name, value in (given.options.inputs or {}).items()],
+        held=[(model.symbol((name, 0)), value) for name, value in (given.options.inputs or {}).items()],
         kept=[u for u in rest.inputs if str(u) not in (given.options.inputs or {}) and u not in question.told],
         unknowns=list(question.told),
         discrete=model.discrete,

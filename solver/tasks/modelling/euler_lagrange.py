@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from solver.stated import Stated
     from solver.systems import Lagrangian
-    from solver.systems.lagrangian import Body
+    from solver.systems.bodies import Body
 
 MOST_ORDER = 3
 """Inputs that move a body occur with up to so many derivatives."""

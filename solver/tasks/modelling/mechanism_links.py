@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
     from solver.systems import Lagrangian
-    from solver.systems.lagrangian import Body, Spring
+    from solver.systems.bodies import Body, Spring
 
 Vector = tuple["Expr", "Expr"]
 
