@@ -39,8 +39,7 @@ def _bend(expression: Any, symbols: Sequence[Any], *, affine: bool) -> float:
         together = [a + b for a, b in zip(first, second, strict=True)]
         places = [first, second, together, *([[sp.S.Zero] * len(own)] if affine else [])]
         values = [sp.N(expression.xreplace(point | dict(zip(own, place, strict=True))), 30) for place in places]
-        if all(value.is_Number or value.is_comparable for value in map(abs, values)):
+        if all(value.is_number and value.is_finite for value in values):
             bend = abs(values[0] + values[1] - values[2] - (values[3] if affine else 0))
-            size = 1 + max(map(abs, values))
-            worst = max(worst, float(bend / size))
+            worst = max(worst, float(bend / (1 + sum(map(abs, values)))))
     return worst
