@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation.options import VALUE, OptionKind, Schema
-from solver.options.functions_of_time import known_jet
+from solver.problem.named_functions import known_jet
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.problem.source import Report
 from solver.systems.equations import jet_symbol

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from solver.derivation.options import VALUE, OptionKind, Schema
-from solver.options.functions_of_time import check_assumed, known_jet, symbol_of
+from solver.problem.named_functions import check_assumed, known_jet, symbol_of
 from solver.problem.nodes import MappingNode, Node
 from solver.problem.source import Report
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation.options import VALUES, OptionKind, Schema
-from solver.options.functions_of_time import known_jet, symbol_of
+from solver.problem.named_functions import known_jet, symbol_of
 from solver.problem.nodes import Node, ScalarNode, SequenceNode, scalar
 from solver.problem.source import Report
 
