@@ -50,9 +50,26 @@ def question(task: str, method: str, n: int, kind: str) -> str:
     discrete = not declared.methods[method].serves(discrete=False)
     if discrete and task in DISCRETE_OPTIONS:
         given |= DISCRETE_OPTIONS[task]
-    system = equations(n, kind) if "equations" in declared.needs else matrices(task, method, n, kind)
+    system = _system(task, method, n, kind)
     time = {"time": "discrete"} if discrete else {}
     return QUESTION.format(task=task, system=_lines(time | system, 2), options=_lines(chosen | given, 4))
+
+
+def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
+    """The system of a question in the kind that the task needs."""
+    needs = catalogue()[task].needs
+    if "lagrangian" in needs:
+        return chain_of_masses(n)
+    return equations(n, kind) if "equations" in needs else matrices(task, method, n, kind)
+
+
+def chain_of_masses(n: int) -> dict[str, str]:
+    """Masses in a row, each tied to the one before it by a spring, the first to a wall; the last one is pushed."""
+    q = [f"q{i}" for i in range(1, n + 1)]
+    bodies = ", ".join(f"{{mass: {i}, position: [{x}, 0]}}" for i, x in enumerate(q, 1))
+    springs = ", ".join(f'{{stiffness: 2, length: "{b} - {a}"}}' for a, b in zip(["0", *q], q, strict=False))
+    inside = f"{{coordinates: [{', '.join(q)}], bodies: [{bodies}], springs: [{springs}], forces: {{{q[-1]}: u}}}}"
+    return {"lagrangian": inside, "inputs": "[u]"}
 
 
 def plant(n: int, kind: str) -> tuple[sp.MatrixBase, sp.MatrixBase, sp.MatrixBase]:
@@ -109,6 +126,9 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "pole_placement": lambda n: {"poles": poles(n)},
     "reference_tracking": lambda n: {"poles": poles(n)},
     "servo": lambda n: {"poles": poles(n + 1)},
+    "initial_state": lambda n: {"y": str([1] * n)},
+    "linearization": lambda _: {"at": "{}"},
+    "solve_equations": lambda _: {"equations": '["x^2 + y = 3", "x - y = 1"]', "unknowns": "[x, y]"},
     "model_matching": lambda n: {"target": f"1/(s + 20)^{n}"},
     "observer": lambda n: {"poles": poles(n)},
     "reduced_observer": lambda n: {"poles": poles(n - 1)},
