@@ -141,7 +141,7 @@ def joined(factors: Sequence[Row]) -> Row:
         if not factor.items:
             continue
         first = factor.items[0]
-        twice = items[-1:] == [first] and is_atom(factor)
+        twice = items[-1:] == [_base_of_power(first)] and (is_atom(factor) or len(factor.items) == 1)
         indexed = isinstance(first, Root) and first.index is not None
         if items and (_numbers_meet(items[-1], first) or indexed or twice):
             items.append(TIMES)
@@ -149,6 +149,11 @@ def joined(factors: Sequence[Row]) -> Row:
             items.append(THIN_SPACE)
         items.extend(factor.items)
     return Row(tuple(items))
+
+
+def _base_of_power(node: Node) -> Node:
+    """What is raised to a power; the node itself where it is none."""
+    return node.base if isinstance(node, Scripts) and node.below is None else node
 
 
 def _first_base(node: Node, kind: type[Node]) -> bool:

@@ -56,10 +56,21 @@ def operating_point_of(found: FirstOrder, at: Mapping[Any, Any]) -> Derivation[O
     residuals = list(found.f) if not model.discrete else [f - x for f, x in zip(found.f, found.X, strict=True)]
     if not conditions:
         for i, residual in enumerate(residuals, 1):
-            claims[f"rest{i}"] = Claim(_put_in(residual, values), sp.S.Zero, Phrase("row {i} at the point", i=i))
+            claims[f"rest{i}"] = _at_rest(residual, values, Phrase("row {i} at the point", i=i))
     yield Step("point", claims=claims, unclaimed="" if claims else "conditions, which the verification judges",
                values=kept, conditions=conditions, free=point.free, discrete=model.discrete)  # fmt: skip
     return OperatingPoint(values, conditions, point.free)
+
+
+def _at_rest(residual: Expr, values: Mapping[Symbol, Expr], says: Phrase) -> Claim:
+    """A row is zero at the point; in decimals its largest term is what the others add up to."""
+    sums: list[Any] = [each for each in sp.Mul.make_args(sp.fraction(residual)[0]) if each.is_Add]
+    if sums and any(map(_is_long, values.values())):
+        sizes = {term: sp.N(term.xreplace(dict(values))) for term in sums[0].args}
+        if all(size.is_number and size.is_finite for size in sizes.values()):
+            largest = max(sums[0].args, key=lambda term: abs(sizes[term]))
+            return Claim(_put_in(largest, values), _put_in(largest - sums[0], values), says)
+    return Claim(_put_in(residual, values), sp.S.Zero, says)
 
 
 def point_of(model: Equations, states: Sequence[Jet], at: Mapping[Any, Any]) -> OperatingPoint:
