@@ -59,7 +59,7 @@ linearization: Task[Equations, LinearizationOptions] = Task(
     options=LinearizationOptions,
     example={"equations": "[\"x'' = sin(x) + u\"]", "at": "{x: 0}"},
     answers=[
-        AnswerName("A", "A", "∂f/∂x at the point, n×n", principal=True, earned=("entries",)),
+        AnswerName("A", "A", "∂f/∂x at the point, n×n", principal=True, earned=("entries", "matrices")),
         AnswerName("B", "B", "∂f/∂u at the point, n×m", optional=True, principal=is_driven),
         AnswerName("C", "C", "∂h/∂x at the point, p×n", principal=True),
         AnswerName("D", "D", "∂h/∂u at the point, p×m", optional=True, principal=is_driven),
