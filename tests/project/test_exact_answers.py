@@ -31,6 +31,7 @@ NOT_SEEN = {
     ("stability_range", "condition"): "a bound of a few decimals may be a rounded one",
     ("response", "x"): "integrals and derivatives are known to ten digits, an integer may have fifteen",
     **{("linearization", name): "it is judged by differences of the equations, to seven digits" for name in "ABCD"},
+    ("linearization", "conditions"): "it is judged by differences of the equations, to seven digits",
     **{("state_space_model", name): "derivatives in doubles are compared by the largest" for name in "ABCD"},
     **{("state_space_model", name): "the equations are solved by Newton's method" for name in ("f", "h", "eliminated")},
     **{
@@ -51,6 +52,7 @@ NOT_SEEN_IN = dict.fromkeys(
     ],
     LATE,
 )
+NOT_SEEN_IN |= {("ch6-text-qtank-instance", "zeros"): "roots of polynomials with integers of twenty digits, in doubles"}
 """The same of single problems."""
 
 
