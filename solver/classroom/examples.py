@@ -32,7 +32,7 @@ def example_of(ours: Any, *, sized: bool = False) -> str:
     kind = kind_of(ours)
     if kind == "a matrix":
         return _matrix(ours) if sized else FREE_MATRIX
-    if kind == "a list" and ours and isinstance(ours[0], Mapping):
+    if isinstance(ours, list | tuple) and ours and isinstance(ours[0], Mapping):
         return _points(ours)
     if kind == "a list":
         return next(text for text, value in LISTS if not isinstance(ours, list | tuple) or list(ours) != value)

@@ -212,6 +212,24 @@ def hold_at_rest(given: Given[Equations, LinearizationOptions], answers: Answers
     values, conditions = _point(given).values, list(answers["conditions"])
     residual = judges.condition_residual(question_of(given.system), values, conditions, discrete=given.system.discrete)
     yield Check.within("the conditions at points of rest", NEWTON, residual, NEAR)
+    yield from _are_enough(given.system, values, conditions)
+
+
+def _are_enough(model: Equations, values: Mapping[Symbol, Expr], conditions: Sequence[Any]) -> Iterator[Check]:
+    """With the conditions put in the equations hold at rest; judged where these are solved for names."""
+    solved = {each.lhs: each.rhs for each in conditions if getattr(each.lhs, "is_Symbol", False)}
+    if len(solved) < len(conditions) or numeric.holds_decimals([*values.values(), *solved.values()]):
+        return
+    rest = {
+        symbol: sp.S.Zero if k and not model.discrete else values.get(model.symbol((name, 0)), symbol)
+        for symbol, (name, k) in model.jets.items()
+        if name in (*model.unknowns, *model.inputs)
+    }
+    for left, right in model.sides:
+        there = (left - right).xreplace(rest | {x: v for x, v in values.items() if v != x})
+        if not any(there.has(model.symbol((name, 0))) for name in model.algebraic):
+            claim = Claim(there.xreplace(solved).xreplace(solved), sp.S.Zero)
+            yield numeric.check_claim(claim, "the conditions are enough for a point of rest")
 
 
 def _point(given: Given[Equations, LinearizationOptions]) -> OperatingPoint:
