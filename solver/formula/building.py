@@ -141,7 +141,8 @@ def joined(factors: Sequence[Row]) -> Row:
         if not factor.items:
             continue
         first = factor.items[0]
-        twice = items[-1:] == [_base_of_power(first)] and (is_atom(factor) or len(factor.items) == 1)
+        base = _base_of_power(first)
+        twice = items[-1:] == [base] and (is_atom(factor) if base == first else is_atom(row(base)))
         indexed = isinstance(first, Root) and first.index is not None
         if items and (_numbers_meet(items[-1], first) or indexed or twice):
             items.append(TIMES)
