@@ -4,8 +4,10 @@ from solver.exact.design import *
 from solver.exact.functions import *
 from solver.exact.linear_algebra import *
 from solver.exact.modelling import *
+from solver.exact.multivariable import *
 from solver.exact.optimal import *
 from solver.exact.representation import *
 from solver.exact.stability import *
 from solver.exact.structure import *
 from solver.exact.time_response import *
+from solver.exact.variations import *

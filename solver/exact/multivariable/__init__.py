@@ -1,0 +1,1 @@
+"""Matrices of polynomials and of rational functions: minors, Smith forms, zeros, decoupling."""

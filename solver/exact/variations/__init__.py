@@ -1,0 +1,1 @@
+"""Functionals: Euler-Lagrange equations and their solutions, conditions on extrema, finite horizons."""

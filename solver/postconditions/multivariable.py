@@ -1,0 +1,1 @@
+"""What must hold of what the kernels of several inputs and outputs find."""

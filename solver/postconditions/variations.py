@@ -1,0 +1,1 @@
+"""What must hold of what the kernels of variations and finite horizons find."""
