@@ -180,17 +180,22 @@ def of_boundary_roots(found: Sequence[Any], coefficients: Sequence[Any], *, disc
         if is_apart or not any(apart):
             seen = [z for z in roots if _is_told(z, roots, discrete=discrete)]
             named = [complex(root.xreplace(point)) for root in found]
-            compared = [z for z in named if abs(abs(z) - 1 if discrete else z.real) < NEAR]
+            compared = [z for z in named if abs(abs(z) - 1 if discrete else z.real) < _near(z)]
             holds = all(_is_among(z, seen) for z in compared) and all(_is_among(z, named) for z in seen)
             yield Check.that("roots on the boundary", "numpy.roots", holds)
 
 
+def _near(z: complex) -> float:
+    """How far off a root of this size may be."""
+    return NEAR * max(1.0, abs(z))
+
+
 def _is_simple(z: complex, roots: Sequence[complex]) -> bool:
-    return sum(abs(z - each) < 100 * NEAR for each in roots) == 1
+    return sum(abs(z - each) < 100 * _near(z) for each in roots) == 1
 
 
 def _is_among(z: complex, others: Sequence[complex]) -> bool:
-    return any(abs(z - each) < NEAR for each in others)
+    return any(abs(z - each) < _near(z) for each in others)
 
 
 def _is_told(z: complex, roots: Sequence[complex], *, discrete: bool) -> bool:
@@ -199,5 +204,5 @@ def _is_told(z: complex, roots: Sequence[complex], *, discrete: bool) -> bool:
     if discrete:
         return simple and abs(abs(z) - 1) < NEAR and (abs(z.imag) < NEAR or (len(roots) == 2 and z.imag > 0))
     square = abs(z) ** 2
-    rational = abs(square - float(Fraction(square).limit_denominator(100))) < NEAR / 1000
-    return simple and abs(z.real) < NEAR and z.imag > -NEAR and rational
+    rational = abs(square - float(Fraction(square).limit_denominator(100))) < max(NEAR / 1000, 1e-13 * square)
+    return simple and abs(z.real) < _near(z) and z.imag > -_near(z) and rational

@@ -20,7 +20,6 @@ UNSOLVED = {
     "poles-impossible": "above 1 the formula",
     "servo-zero-at-origin": "zero at the origin",
     "lqr-not-stabilizable": "not stabilizable",
-    "sampled-motor": "no exact arithmetic",
 }
 """Questions of textbooks without an answer, and words of the reason."""
 

@@ -94,7 +94,7 @@ def _where_it_vanishes(f: Any) -> list[sp.Basic]:
 def _can_vanish(f: Any) -> bool:
     """Whether a polynomial can be zero for real parameters that are as assumed; if in doubt, yes."""
     shown = _shown(f)
-    if not shown.free_symbols or is_not_zero(shown):
+    if not shown.free_symbols or is_not_zero(shown) or _exponential_is_not(shown):
         return False
     if len(shown.free_symbols) == 1 and shown.is_polynomial() and f.ring.domain.is_QQ:
         (x,) = shown.free_symbols
@@ -103,6 +103,20 @@ def _can_vanish(f: Any) -> bool:
         interval = (0, None) if x.is_positive or x.is_nonnegative else (None, 0) if x.is_negative else (None, None)
         return bool(sp.Poly(shown, x).count_roots(*interval))
     return True
+
+
+def _exponential_is_not(shown: sp.Expr) -> bool:
+    """Whether f = u e^a + v with numbers u, v is not zero: e^a is positive, and 1 for a = 0 alone."""
+    exponentials = shown.atoms(sp.exp)
+    if len(exponentials) != 1:
+        return False
+    (power,) = exponentials
+    E = sp.Dummy("E")
+    p = shown.xreplace({power: E})
+    if not p.is_polynomial(E) or p.free_symbols != {E} or sp.degree(p, E) != 1:
+        return False
+    value = -p.coeff(E, 0) / p.coeff(E, 1)
+    return bool(value.is_nonpositive or (value.is_positive and is_not_zero(power.args[0] - sp.log(value))))
 
 
 def _cases(equations: Sequence[Any], depth: int = 6) -> Iterator[tuple[Any, ...]]:

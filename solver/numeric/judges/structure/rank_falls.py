@@ -17,6 +17,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.environment import Environment, Point
+from solver.numeric.evaluation.exponential_zeros import exponential_zeros
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
@@ -92,8 +93,10 @@ def _root(f: Any, x: Any) -> Any:
 
 
 def roots_of(f: Any, x: Any) -> list[Any]:
-    """The distinct roots of the numerator of a rational function, with 60 digits."""
+    """The distinct roots of the numerator of a rational function, with 60 digits; with exponentials the real ones."""
     above, _ = sp.fraction(sp.together(f))
+    if above.has(sp.exp):
+        return exponential_zeros(above, x, DIGITS + 10)
     if not above.is_polynomial(x):
         raise NotEvaluable(Phrase("the condition is not rational in {x}", x=str(x)))
     p = sp.Poly(above, x)
@@ -164,7 +167,7 @@ def _falls(M: Any, r: int, tau: Any, line: Mapping[Any, Any]) -> Iterator[dict[A
     U = DomainMatrix.from_Matrix(sp.Matrix(r, M.rows, [random.randint(-9, 9) for _ in range(r * M.rows)]))
     W = DomainMatrix.from_Matrix(sp.Matrix(M.cols, r, [random.randint(-9, 9) for _ in range(r * M.cols)]))
     on_line = sp.Matrix(M).xreplace(dict(line))
-    if not all(entry.is_rational_function(tau) for entry in on_line.flat()):
+    if not all(_is_judged(entry, tau) for entry in on_line.flat()):
         raise NotEvaluable("the entries are not rational in the parameters")
     D = DomainMatrix.from_Matrix(on_line, extension=True)
     U, D, W = (each.convert_to(D.domain) for each in (U, D, W))
@@ -175,6 +178,12 @@ def _falls(M: Any, r: int, tau: Any, line: Mapping[Any, Any]) -> Iterator[dict[A
         point = {y: sp.N(value.xreplace({tau: sp.re(root)}), DIGITS + 10) for y, value in line.items()}
         if is_admissible(point) and rank_at(M, {y: number(value) for y, value in point.items()}) < r:
             yield point
+
+
+def _is_judged(entry: Any, x: Any) -> bool:
+    """Whether an entry is rational in x and in exponentials of x."""
+    named = {f: sp.Dummy() for f in entry.atoms(sp.exp)}
+    return bool(entry.xreplace(named).is_rational_function(x, *named.values()))
 
 
 def is_admissible(point: Mapping[Any, Any]) -> bool:

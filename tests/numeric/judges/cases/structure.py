@@ -50,6 +50,12 @@ CASES = [
         ([sp.Eq(a, 1)], [sp.Eq(a, -1)], [], [sp.Eq(a, 1), sp.Eq(a, 2)]),
     ),
     Case(
+        "every_fall_is_named",
+        lambda conditions: (M([[a, 1], [sp.exp(a) - 2, sp.exp(-a)]]), conditions),
+        ([sp.Eq(a * sp.exp(-a) + 2 - sp.exp(a), 0)],),
+        ([sp.Eq(a * sp.exp(-a) + 2 + sp.exp(a), 0)], [], [sp.Eq(a, 1)]),
+    ),
+    Case(
         "hidden_polynomial_residual",
         lambda modes: ("controllable", PLANT, modes),
         ([-2], [sp.Float(-2)]),
