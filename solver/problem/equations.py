@@ -22,11 +22,12 @@ BINDING = ("*", "/", "^")
 
 
 class EquationReader:
-    """Reads texts in which some names are functions of time."""
+    """Reads texts in which some names are functions of time; where it is `timed`, t may stand by itself."""
 
-    def __init__(self, lexicon: Lexicon, *, discrete: bool) -> None:
+    def __init__(self, lexicon: Lexicon, *, discrete: bool, timed: bool = False) -> None:
         self.lexicon = lexicon
         self.discrete = discrete
+        self.timed = timed
         self.time = sp.Symbol("k" if discrete else "t", **({"integer": True} if discrete else {"real": True}))
 
     def dynamic_names(self, node: ScalarNode) -> Iterator[str]:
@@ -101,9 +102,11 @@ class EquationReader:
                 put[each] = jet_symbol(jet, discrete=self.discrete)
                 jets[put[each]] = jet
             found = found.xreplace(put)
-        if self.time in found.free_symbols and not self.discrete:
+        if self.timed:
+            found = found.xreplace({self.time: sp.Symbol("t")})
+        elif self.time in found.free_symbols and not self.discrete:
             raise node.fault("the time t cannot stand in the equations of a system by itself")
-        for symbol in found.free_symbols - set(jets):
+        for symbol in found.free_symbols - {*jets, *([sp.Symbol("t")] if self.timed else [])}:
             self.lexicon.found[str(symbol)] = symbol
         return found
 

@@ -10,8 +10,9 @@ import sympy as sp
 
 from solver.problem.equations import EquationReader
 from solver.problem.lexicon import Lexicon
-from solver.problem.nodes import MappingNode, ScalarNode, SequenceNode, scalar
+from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode, scalar
 from solver.problem.source import Report, did_you_mean
+from solver.systems.ends import End
 
 
 class FunctionsOfTime:
@@ -21,6 +22,7 @@ class FunctionsOfTime:
     lexicon: Lexicon
     report: Report
     discrete: bool
+    timed: bool = False
 
     @property
     def barred(self) -> Mapping[str, str]:
@@ -29,7 +31,7 @@ class FunctionsOfTime:
 
     @property
     def _equations(self) -> EquationReader:
-        return EquationReader(self.lexicon, discrete=self.discrete)
+        return EquationReader(self.lexicon, discrete=self.discrete, timed=self.timed)
 
     def _scalars(self, key: str) -> list[ScalarNode]:
         """The texts under a key: none, one or a list."""
@@ -100,6 +102,33 @@ class FunctionsOfTime:
                     raise entry.key.fault(f"'{text[:40]}' is no unknown of the equations", suggestion=meant)
                 found[jet] = self.lexicon.expression(entry.value, barred=self.barred)
         return found
+
+    def ends(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], tuple[End, ...]]:
+        """Return what is asked at both ends of functions and their derivatives: values, free, or a curve."""
+        node = self.node.get(key)
+        found: dict[tuple[str, int], tuple[End, ...]] = {}
+        for entry in node if isinstance(node, MappingNode) else ():
+            with self.report:
+                jet = self._equations.jet(entry.key)
+                if jet[0] not in functions:
+                    meant = did_you_mean(jet[0], functions)
+                    raise entry.key.fault(f"'{entry.key.text[:40]}' is none of the functions", suggestion=meant)
+                items = entry.value.items if isinstance(entry.value, SequenceNode) else ()
+                if len(items) != 2:
+                    raise entry.value.fault("two ends are expected here: what holds at the first and at the last time")
+                found[jet] = tuple(self._end(item) for item in items)
+        return found
+
+    def _end(self, node: Node) -> End:
+        if isinstance(node, MappingNode):
+            return End(curve=self._equations.formula(scalar(node["on"]), ())[0])
+        item = scalar(node)
+        if item.text == "free":
+            return End()
+        value = self._equations.formula(item, ())[0]
+        if value.has(sp.Symbol("t")):
+            raise item.fault("a value at an end is no function of t", note="a curve is written {on: 2 - t}")
+        return End(value=value)
 
     def assumed(self, functions: Sequence[str]) -> dict[str, Any]:
         """Return the symbols of those functions of time of which more is assumed than that they are real, by name."""

@@ -12,7 +12,8 @@ from pydantic import TypeAdapter
 
 from solver.derivation import Option, Task
 from solver.derivation.options import Schema
-from solver.problem.shape import MAX_PARTS, PART_ID, Matrix, ProblemShape, Values
+from solver.problem.elements import Matrix, Values
+from solver.problem.shape import MAX_PARTS, PART_ID, ProblemShape
 
 MATRIX: Schema = TypeAdapter(Matrix).json_schema()
 VALUES: Schema = TypeAdapter(Values).json_schema()

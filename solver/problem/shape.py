@@ -13,6 +13,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Fiel
 from pydantic import WithJsonSchema as Schema
 from pydantic_core import PydanticCustomError
 
+from solver.problem.elements import AtEnd, Matrix, Rational, Row, Shape, Value, Values, either, optional
 from solver.problem.library import model_names
 from solver.problem.source import did_you_mean
 from solver.systems import kind, kinds
@@ -22,16 +23,9 @@ MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
 RESERVED = (
-    "circuit", "functional", "polynomial_matrix", "signal_flow", "op_amp",
+    "circuit", "polynomial_matrix", "signal_flow", "op_amp",
 )  # fmt: skip
 """Kinds of system that are known but can't be read yet."""
-
-
-def kind_of_value(value: Any) -> str | None:
-    """Return "<value>", "<list>" or "<mapping>"; None for anything else."""
-    if isinstance(value, str):
-        return "<value>"
-    return "<list>" if isinstance(value, list) else "<mapping>" if isinstance(value, dict) else None
 
 
 def kind_of_system(value: Any) -> str | None:
@@ -41,40 +35,22 @@ def kind_of_system(value: Any) -> str | None:
     return next((f"<{kinds()[key].name}>" for key in value if key in kinds()), "<state_space>")
 
 
-def _either(expected: str) -> Discriminator:
-    """Choose among alternatives by the kind of value; say what is expected where none fits."""
-    return Discriminator(kind_of_value, custom_error_type="expected", custom_error_message=expected)
-
-
 YES_OR_NO = ("yes", "no", True, False)
 YesOrNo = Annotated[Literal["yes", "no", True, False], Schema({"enum": [*YES_OR_NO]})]
 Text = Annotated[str, Schema({"type": ["string", "number"]})]
-Value = Annotated[str, Schema({"type": ["number", "string"]})]
-Values = Annotated[
-    Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
-    _either("a value or a list of values"),
-]
 Marks = Annotated[
     Annotated[Value, Tag("<value>")] | Annotated[dict[str, Value], Tag("<mapping>")],
-    _either("a number, or the marks of each answer, as in {K: 2, polynomial: 1},"),
+    either("a number, or the marks of each answer, as in {K: 2, polynomial: 1},"),
 ]
 Rule = Literal["entries", "none", "named"]
 Costs = dict[str, Value]
 PartialOfAnswer = Annotated[
     Annotated[Value, Tag("<value>")] | Annotated[Costs, Tag("<mapping>")],
-    _either("entries, none, named, or what a mistake costs, as in {sign: 1},"),
+    either("entries, none, named, or what a mistake costs, as in {sign: 1},"),
 ]
 Partial = Annotated[
     Annotated[Rule, Tag("<value>")] | Annotated[dict[str, PartialOfAnswer], Tag("<mapping>")],
-    _either("entries, none, named, or a mapping such as {K: none, sign: 1},"),
-]
-Row = Annotated[
-    Annotated[Value, Tag("<value>")] | Annotated[list[Value], Tag("<list>")],
-    _either("a row of numbers or expressions"),
-]
-Matrix = Annotated[
-    Annotated[Value, Tag("<value>")] | Annotated[list[Row], Tag("<list>"), Field(min_length=1)],
-    _either("a matrix: a list of rows [[..], [..]]"),
+    either("entries, none, named, or a mapping such as {K: none, sign: 1},"),
 ]
 
 
@@ -91,61 +67,17 @@ Taken = Annotated[
     Annotated[Value, Tag("<value>")]
     | Annotated[list[Row], Tag("<list>")]
     | Annotated[dict[str, Text], Tag("<mapping>")],
-    _either("a matrix, or {from: part},"),
+    either("a matrix, or {from: part},"),
 ]
 Parameters = Annotated[
     Annotated[Value, Tag("<value>")]
     | Annotated[list[Value], Tag("<list>")]
     | Annotated[dict[str, Value], Tag("<mapping>")],
-    _either("a mapping (name: value)"),
+    either("a mapping (name: value)"),
 ]
-
-
-def optional(description: str) -> Any:
-    """Return a field that may be absent."""
-    return Field(default=None, description=description)
-
-
-class Shape(BaseModel):
-    """A mapping with known keys only."""
-
-    model_config = ConfigDict(extra="forbid", strict=True)
 
 
 S = TypeVar("S", bound=Shape)
-
-
-class ZerosPolesGain(Shape):
-    """G = gain (s − z₁)…/((s − p₁)…)."""
-
-    zeros: Values = optional("zeros; none if absent")
-    poles: Values = optional("poles; none if absent")
-    gain: Value = optional("the factor in front; 1 if absent")
-
-
-class Fraction(Shape):
-    """Coefficients, the highest power first."""
-
-    numerator: Values = Field(description="coefficients of the numerator, highest power first")
-    denominator: Values = Field(description="coefficients of the denominator, highest power first")
-
-
-def _kind_of_transfer_function(value: Any) -> str | None:
-    if isinstance(value, dict):
-        return "<fraction>" if "numerator" in value or "denominator" in value else "<zeros_poles_gain>"
-    return "<value>" if isinstance(value, str) else None
-
-
-Rational = Annotated[
-    Annotated[Value, Tag("<value>")]
-    | Annotated[ZerosPolesGain, Tag("<zeros_poles_gain>")]
-    | Annotated[Fraction, Tag("<fraction>")],
-    Discriminator(
-        _kind_of_transfer_function,
-        custom_error_type="expected",
-        custom_error_message="an expression, {zeros, poles, gain} or {numerator, denominator}",
-    ),
-]
 
 
 class AnySystem(Shape):
@@ -177,6 +109,7 @@ def _annotation(shape: kind.Shape) -> Any:
                 kind.Fraction: Rational,
                 kind.Gain: Taken,
                 kind.ModelName: ModelName,
+                kind.AtEnd: AtEnd,
             }[type(shape)]
 
 
@@ -270,11 +203,11 @@ class DisplayShape(Shape):
 
 Display = Annotated[
     Annotated[Literal["exact", "decimals", "both"], Tag("<value>")] | Annotated[DisplayShape, Tag("<mapping>")],
-    _either("exact, both or {decimals: 4}"),
+    either("exact, both or {decimals: 4}"),
 ]
 Find = Annotated[
     Annotated[Text, Tag("<value>")] | Annotated[PartShape, Tag("<mapping>")],
-    _either("a task's name or a mapping {task: .., ..}"),
+    either("a task's name or a mapping {task: .., ..}"),
 ]
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from solver.problem import shape
+from solver.problem import elements, shape
 from solver.problem.nodes import MappingNode, Node, SequenceNode
 from solver.problem.source import Diagnostic, did_you_mean
 from solver.systems import kinds
@@ -19,8 +19,9 @@ Path = tuple[str | int, ...]
 MODELS: Mapping[str | int, type[BaseModel]] = {
     **{name: model for name, model in shape.SYSTEMS.items()},  # noqa: C416 - a wider type of key
     **{name: model for name, model in shape.KEYED.items()},  # noqa: C416
-    "<zeros_poles_gain>": shape.ZerosPolesGain,
-    "<fraction>": shape.Fraction,
+    "<zeros_poles_gain>": elements.ZerosPolesGain,
+    "<fraction>": elements.Fraction,
+    "<end>": elements.EndShape,
     "<mapping>": shape.DisplayShape,
     "show": shape.ShowShape,
 }

@@ -97,6 +97,7 @@ class SystemReader(FunctionsOfTime):
     def _reads(self, node: MappingNode) -> SystemReader:
         inner = SystemReader(node, self.lexicon, *self.given)
         inner.report, inner.discrete, inner.sample_time = self.report, self.discrete, self.sample_time
+        inner.timed = self.timed
         return inner
 
     def complain(

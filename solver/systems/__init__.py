@@ -9,6 +9,7 @@ from pathlib import Path
 from solver.systems.circuit import Circuit, signals_of, symbol_of
 from solver.systems.earlier_part import EarlierPart
 from solver.systems.equations import Equations, jet_symbol
+from solver.systems.functional import Functional
 from solver.systems.kind import Kind, System
 from solver.systems.lagrangian import Lagrangian
 from solver.systems.late_input import LateInput
@@ -32,6 +33,7 @@ __all__ = [
     "DeadTime",
     "EarlierPart",
     "Equations",
+    "Functional",
     "Kind",
     "Lagrangian",
     "LateInput",

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Poly, Symbol
 
+    from solver.systems.ends import End
+
 
 @dataclass(frozen=True, slots=True)
 class Value:
@@ -46,6 +48,11 @@ class ModelName:
 
 
 @dataclass(frozen=True, slots=True)
+class AtEnd:
+    """A value, the word free, or `{on: curve}`."""
+
+
+@dataclass(frozen=True, slots=True)
 class ListOf:
     """A list of one item at least."""
 
@@ -67,7 +74,7 @@ class Keyed:
     keys: tuple[Key, ...]
 
 
-Shape = Value | Values | Matrix | Fraction | Gain | ModelName | ListOf | MappingTo | Keyed
+Shape = Value | Values | Matrix | Fraction | Gain | ModelName | AtEnd | ListOf | MappingTo | Keyed
 """What may stand under a key, before it is known what the values mean."""
 
 
@@ -139,6 +146,8 @@ class Reader(Protocol):
 
     discrete: bool
     sample_time: Expr | None
+    timed: bool
+    """Whether the time t may stand in formulas by itself."""
 
     def gives(self, key: str) -> bool:
         """Whether the key is there."""
@@ -180,6 +189,9 @@ class Reader(Protocol):
 
     def initial(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], Expr]:
         """Return the values of derivatives at the beginning."""
+
+    def ends(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], tuple[End, ...]]:
+        """Return what is asked at both ends of functions and their derivatives: values, free, or a curve."""
 
     def assumed(self, functions: Sequence[str]) -> dict[str, Any]:
         """Return the symbols of those functions of time of which more is assumed than that they are real, by name."""
