@@ -60,8 +60,8 @@ def lowest_terms_of(G: exact.TransferMatrix, *, given_as_fraction: bool = False)
     yield Step(
         "poles_zeros",
         claims={
-            **({"poles": Claim(G.poles_factored, _from_roots(x, poles), "poles")} if poles else {}),
-            **({"zeros": Claim(G.zeros_factored, _from_roots(x, zeros), "zeros")} if zeros else {}),
+            **({"poles": Claim(G.poles_factored, from_roots(x, poles), "poles")} if poles else {}),
+            **({"zeros": Claim(G.zeros_factored, from_roots(x, zeros), "zeros")} if zeros else {}),
         },
         unclaimed="" if poles or zeros else "there are no roots to put into a product",
         x=x,
@@ -95,6 +95,6 @@ def _factored_fraction(G: exact.TransferMatrix) -> Any:
     return quotient(G.numerator_factored, G.chi_factored)
 
 
-def _from_roots(x: Symbol, roots: Sequence[Expr]) -> Stated:
+def from_roots(x: Symbol, roots: Sequence[Expr]) -> Stated:
     distinct = dict.fromkeys(roots)
     return product(*(power(difference(x, root), list(roots).count(root)) for root in distinct))
