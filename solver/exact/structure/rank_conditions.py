@@ -76,10 +76,11 @@ def _shown(f: Any) -> sp.Expr:
 def _vanishes(f: Any) -> sp.Eq:
     """The equation that says so: solved for the parameter where it is linear with one parameter only."""
     shown = _shown(f)
-    if len(shown.free_symbols) == 1 and shown.is_polynomial():
+    if len(shown.free_symbols) == 1:
         (x,) = shown.free_symbols
-        p = sp.Poly(shown, x)
-        if p.degree() == 1:
+        exponent, value = _by_exponential(shown) or (shown, sp.Integer(1))
+        p = sp.Poly(exponent - sp.log(value), x) if exponent.is_polynomial(x) and value.is_positive else None
+        if p and p.degree() == 1:
             return sp.Eq(x, -p.nth(0) / p.nth(1), evaluate=False)
     return sp.Eq(shown, 0, evaluate=False)
 
@@ -105,18 +106,26 @@ def _can_vanish(f: Any) -> bool:
     return True
 
 
-def _exponential_is_not(shown: sp.Expr) -> bool:
-    """Whether f = u e^a + v with numbers u, v is not zero: e^a is positive, and 1 for a = 0 alone."""
+def _by_exponential(shown: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+    """The exponent a and the number v for which u e^a + w with numbers u, w is zero where e^a = v."""
     exponentials = shown.atoms(sp.exp)
     if len(exponentials) != 1:
-        return False
+        return None
     (power,) = exponentials
     E = sp.Dummy("E")
     p = shown.xreplace({power: E})
-    if not p.is_polynomial(E) or p.free_symbols != {E} or sp.degree(p, E) != 1:
+    if p.free_symbols != {E} or not p.is_polynomial(E) or sp.degree(p, E) != 1:
+        return None
+    return power.args[0], -p.coeff(E, 0) / p.coeff(E, 1)
+
+
+def _exponential_is_not(shown: sp.Expr) -> bool:
+    """Whether u e^a + w cannot be zero: e^a is positive, and a not everywhere."""
+    found = _by_exponential(shown)
+    if found is None:
         return False
-    value = -p.coeff(E, 0) / p.coeff(E, 1)
-    return bool(value.is_nonpositive or (value.is_positive and is_not_zero(power.args[0] - sp.log(value))))
+    exponent, value = found
+    return bool(value.is_nonpositive or (value.is_positive and is_not_zero(exponent - sp.log(value))))
 
 
 def _cases(equations: Sequence[Any], depth: int = 6) -> Iterator[tuple[Any, ...]]:

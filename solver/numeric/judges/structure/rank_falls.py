@@ -141,14 +141,14 @@ def every_fall_is_named(M: Any, conditions: Sequence[Any], along: Any = None) ->
 
 
 def _lines(M: Any, along: Any) -> Iterator[tuple[Any, dict[Any, Any]]]:
-    """Lines p + qτ with rational p, q."""
+    """Lines p + qτ with rational p, q; where exponents are products of parameters, one moves at a time."""
     symbols = sorted(free_symbols(M), key=str)
     tau, random = sp.Dummy("tau"), Random(SEED)  # noqa: S311 - nothing secret
     moving = symbols if along is None else [along] if isinstance(along, sp.Basic) else list(along)
-    if len(moving) < 2:
-        x = moving[0] if moving else tau
-        others = {y: sp.Rational(random.randint(10, 40), random.randint(7, 13)) for y in symbols if y != x}
-        yield tau, {**{y: _as_assumed(y, v) for y, v in others.items()}, x: tau}
+    if len(moving) < 2 or any(sp.Poly(f.args[0], *moving).total_degree() > 1 for f in M.atoms(sp.exp)):
+        for x in moving or [tau]:
+            others = {y: sp.Rational(random.randint(10, 40), random.randint(7, 13)) for y in symbols if y != x}
+            yield tau, {**{y: _as_assumed(y, v) for y, v in others.items()}, x: tau}
         return
     for _ in range(LINES):
         starts = [sp.Rational(random.randint(-30, 30), 7) for _ in symbols]
