@@ -1,23 +1,65 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-from solver.exact.multivariable.rational_minors import Minor, RationalMinors, rational_minors
+from solver.exact.multivariable.decoupling import (
+    Channel,
+    DecouplingLaw,
+    HiddenMotion,
+    Interaction,
+    decoupling_law,
+    dynamically_decouplable,
+    hidden_motion,
+    interaction,
+    interaction_conditions,
+)
+from solver.exact.multivariable.generic import changed_where
+from solver.exact.multivariable.polynomial_matrices import determinantal_divisors
+from solver.exact.multivariable.rational_minors import (
+    Minor,
+    RationalMinors,
+    parameter_exceptions,
+    rational_determinant,
+    rational_minors,
+)
 from solver.exact.multivariable.rosenbrock import (
     PolynomialMinor,
     SystemMatrix,
     common_decoupling_polynomial,
+    in_factors,
     system_matrix,
 )
+from solver.exact.multivariable.smith import Division, SmithForm, SmithStage, smith_form
+from solver.exact.multivariable.smith_mcmillan import SmithMcMillan, smith_mcmillan
 from solver.exact.multivariable.zero_directions import Directions, null_directions, zero_directions
 
 __all__ = [
+    "Channel",
+    "DecouplingLaw",
     "Directions",
+    "Division",
+    "HiddenMotion",
+    "Interaction",
     "Minor",
     "PolynomialMinor",
     "RationalMinors",
+    "SmithForm",
+    "SmithMcMillan",
+    "SmithStage",
     "SystemMatrix",
+    "changed_where",
     "common_decoupling_polynomial",
+    "decoupling_law",
+    "determinantal_divisors",
+    "dynamically_decouplable",
+    "hidden_motion",
+    "in_factors",
+    "interaction",
+    "interaction_conditions",
     "null_directions",
+    "parameter_exceptions",
+    "rational_determinant",
     "rational_minors",
+    "smith_form",
+    "smith_mcmillan",
     "system_matrix",
     "zero_directions",
 ]

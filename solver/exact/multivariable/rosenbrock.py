@@ -61,7 +61,7 @@ class SystemMatrix:
     @cached_property
     def determinant(self) -> sp.Poly:
         """The determinant of P, where it is square and not zero."""
-        return _determinant([list(row) for row in self.rows])
+        return polynomial_determinant([list(row) for row in self.rows])
 
     @cached_property
     def deciding(self) -> tuple[PolynomialMinor, ...]:
@@ -85,7 +85,7 @@ class SystemMatrix:
         """The minors of normal rank that are not zero, those first that keep all of xI − A."""
         for rows in _kept_first(len(self.rows), self.rank, self.order):
             for columns in _kept_first(len(self.rows[0]), self.rank, self.order):
-                value = _determinant([[self.rows[i][j] for j in columns] for i in rows])
+                value = polynomial_determinant([[self.rows[i][j] for j in columns] for i in rows])
                 if not value.is_zero:
                     yield PolynomialMinor(rows, columns, value)
 
@@ -142,7 +142,7 @@ def _kept_first(size: int, chosen: int, n: int) -> list[tuple[int, ...]]:
     return sorted(combinations(range(size), chosen), key=lambda each: sum(i < n for i in each), reverse=True)
 
 
-def _determinant(rows: Rows) -> sp.Poly:
+def polynomial_determinant(rows: Rows) -> sp.Poly:
     """The determinant of a square matrix of polynomials, by Bareiss's elimination, whose quotients leave no rest."""
     M, sign = [list(row) for row in rows], 1
     before = M[0][0] ** 0
