@@ -1,4 +1,4 @@
-"""Row operations as formulas."""
+"""Row operations, and those of columns, as formulas."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from solver.formula.nodes import Row
 
 
 def row_operation(operation: Any, show: Callable[[Any], Row]) -> Row:
-    """Return a row operation (`exact.row_reduction`: Swap, Scale or Add); rows are counted from 1."""
-    changed = row(f"R_{{{operation.i + 1}}}")
+    """Return an operation (`exact.row_reduction`: Swap, Scale or Add) on rows R or columns C, counted from 1."""
+    changed = row(f"{operation.line}_{{{operation.i + 1}}}")
     if not hasattr(operation, "factor"):
-        return row(changed, rf"\leftrightarrow R_{{{operation.j + 1}}}")
+        return row(changed, rf"\leftrightarrow {operation.line}_{{{operation.j + 1}}}")
     if not hasattr(operation, "j"):
         return row(changed, r"\leftarrow", _multiple(show(operation.factor), changed))
-    other = _multiple(show(operation.factor), row(f"R_{{{operation.j + 1}}}"))
+    other = _multiple(show(operation.factor), row(f"{operation.line}_{{{operation.j + 1}}}"))
     return row(changed, r"\leftarrow", summed([changed, other]))
 
 

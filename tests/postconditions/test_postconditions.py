@@ -21,6 +21,7 @@ TURNING = sp.ImmutableMatrix([[0, 1], [-5, -2]])
 SINGULAR = sp.ImmutableMatrix([[0, 2, 2], [1, 1, 0], [2, 4, 2]])
 ROW = sp.ImmutableMatrix([[1, 0, 0]])
 G = exact.transfer_matrix(TURNING, sp.ImmutableMatrix([0, 1]), sp.ImmutableMatrix([[1, 0]]), None, s)
+SMITH = sp.ImmutableMatrix([[s * (s + 1), 0], [0, s * (s + 2)]])
 FACTOR = exact.spectrum(TURNING).factors[0]
 TINY = sp.Rational(1, 10**12)
 TWO = sp.ImmutableMatrix([[1, 0], [0, 1], [1, 1]])
@@ -77,6 +78,9 @@ CALLS = {
     "attainable_eigenvectors": [(A, TWO, sp.Integer(-4)), (A, TWO, -1 + 2 * sp.I), (A, B.row_join(B), sp.Integer(-3))],
     "nearest_eigenvector": list(zip(SPACES, VECTORS, strict=True)),
     "parts_of_columns": [(VECTORS[1],)],
+    "smith_form": [(SMITH, s), (sp.ImmutableMatrix([[s, 1, s], [s**2, s, s**2]]), s)],
+    "smith_mcmillan": [(G,), (exact.transfer_matrix(A, TWO, TWO.T, None, s),)],
+    "determinantal_divisors": [(SMITH, s)],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
 TIMED = (
@@ -95,6 +99,8 @@ TIMED = (
 """Kernels that want to know whether time is discrete."""
 
 FREE = {
+    "smith_form": (".stages", ".leads", ".figures", ".rows", ".shape"),
+    "smith_mcmillan": (".smith.stages", ".smith.leads", ".smith.figures", ".smith.rows", ".G.", ".form", ".shape"),
     "kalman_decomposition": (".hidden_modes", ".reached", ".unseen"),
     "controllable_decomposition": (".hidden_modes", ".reached", ".unseen"),
     "observable_decomposition": (".hidden_modes", ".reached", ".unseen"),

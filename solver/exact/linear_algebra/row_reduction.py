@@ -15,27 +15,30 @@ Rows = tuple[tuple[Any, ...], ...]
 
 @dataclass(frozen=True, slots=True)
 class Swap:
-    """R_i ↔ R_j."""
+    """R_i ↔ R_j; of columns where `line` is "C"."""
 
     i: int
     j: int
+    line: str = "R"
 
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """R_i ← c R_i."""
+    """R_i ← c R_i; of columns where `line` is "C"."""
 
     i: int
     factor: Any
+    line: str = "R"
 
 
 @dataclass(frozen=True, slots=True)
 class Add:
-    """R_i ← R_i + c R_j."""
+    """R_i ← R_i + c R_j; of columns where `line` is "C"."""
 
     i: int
     j: int
     factor: Any
+    line: str = "R"
 
 
 Operation = Swap | Scale | Add
@@ -99,7 +102,7 @@ def row_reduce(rows: Rows) -> RowReduction:
     pivots: list[int] = []
 
     def apply(operation: Operation) -> None:
-        _carry_out(M, operation)
+        carry_out(M, operation)
         operations.append(operation)
         stages.append(_frozen(M))
 
@@ -136,7 +139,8 @@ def _frozen(M: list[list[Any]]) -> Rows:
     return tuple(tuple(row) for row in M)
 
 
-def _carry_out(M: list[list[Any]], operation: Operation) -> None:
+def carry_out(M: list[list[Any]], operation: Operation) -> None:
+    """Do the operation to the rows of M, which are changed."""
     match operation:
         case Swap(i, j):
             M[i], M[j] = M[j], M[i]

@@ -1,0 +1,83 @@
+"""Matrices of polynomials over the field K of their coefficients: rows of `Poly`, minors and the gcds of minors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import combinations
+from typing import Any
+
+import sympy as sp
+
+from solver.exact.linear_algebra.fields import domain_matrix, expression
+from solver.exact.representation.polynomials import expanded
+
+Rows = tuple[tuple[sp.Poly, ...], ...]
+
+
+@lru_cache(maxsize=64)
+def polynomial_rows(M: sp.ImmutableMatrix, x: sp.Symbol) -> Rows:
+    """The matrix (p×m, entries polynomials in x) over the smallest field of its coefficients; raises NotExact."""
+    listed = [sp.Poly(entry, x).all_coeffs() for entry in M.flat()]
+    flat = domain_matrix(sp.Matrix([[c for coefficients in listed for c in coefficients]]))
+    supply = iter(flat.to_list_flat())
+    found = [sp.Poly([next(supply) for _ in coefficients], x, domain=flat.domain) for coefficients in listed]
+    return tuple(tuple(found[i : i + M.cols]) for i in range(0, len(found), M.cols))
+
+
+def matrix_of_rows(rows: Sequence[Sequence[sp.Poly]]) -> sp.ImmutableMatrix:
+    """The matrix of expressions, each entry by falling powers."""
+    return sp.ImmutableMatrix([[expanded(p) for p in row] for row in rows])
+
+
+def minors(rows: Rows, k: int) -> Iterator[sp.Poly]:
+    """The k×k minors, rows before columns."""
+    for of_rows in combinations(range(len(rows)), k):
+        for of_columns in combinations(range(len(rows[0])), k):
+            yield _determinant(rows, of_rows, of_columns)
+
+
+def _determinant(rows: Rows, of_rows: tuple[int, ...], of_columns: tuple[int, ...]) -> sp.Poly:
+    """The minor of these rows and columns, by Laplace along its first row."""
+    first, *rest = of_rows
+    if not rest:
+        return rows[first][of_columns[0]]
+    found = rows[0][0].zero
+    for at, j in enumerate(of_columns):
+        if not rows[first][j].is_zero:
+            others = of_columns[:at] + of_columns[at + 1 :]
+            term = rows[first][j] * _determinant(rows, tuple(rest), others)
+            found = found - term if at % 2 else found + term
+    return found
+
+
+def determinantal_divisors(M: sp.ImmutableMatrix, x: sp.Symbol) -> tuple[sp.Poly, ...]:
+    """d₁, d₂, …, d_r of a polynomial matrix of rank r: d_k is the monic gcd of its k×k minors; raises NotExact."""
+    rows, found = polynomial_rows(M, x), []
+    for k in range(1, min(M.shape) + 1):
+        d = rows[0][0].zero
+        for minor in minors(rows, k):
+            d = d.gcd(minor)
+            if not d.is_zero and d.degree() == 0:
+                break
+        if d.is_zero:
+            break
+        found.append(d.monic())
+    return tuple(found)
+
+
+def coefficients_in(p: sp.Poly) -> list[sp.Expr]:
+    """The coefficients as expressions, the highest power first."""
+    return [expression(p.domain, c) for c in p.rep.to_list()]
+
+
+def size_of(p: sp.Poly) -> tuple[Any, ...]:
+    """How long a polynomial is to write: by its parameters, then by its figures."""
+    K, coefficients = p.domain, p.rep.to_list()
+    if K.is_QQ:
+        return 0, sum(len(str(c.numerator)) + 2 * len(str(c.denominator)) - 2 for c in coefficients if c)
+    if K.is_FractionField:
+        terms = [len(K.numer(c)) + 2 * len(K.denom(c)) - 2 for c in coefficients if c]
+        plain = all(K.numer(c).is_ground and K.denom(c).is_ground for c in coefficients)
+        return int(not plain), sum(terms)
+    return 0, sum(len(str(c)) for c in coefficients)
