@@ -59,6 +59,18 @@ class Trial:
     values: tuple[sp.Expr, ...]
     exceptions: tuple[sp.Expr, ...]
 
+    def derivative(self, order: int, t: sp.Symbol) -> sp.Expr:
+        """A derivative of the trial function, the exponential in front."""
+        cosines = [letter for letter in self.letters if letter.name[0] == self.letters[0].name[0]]
+        sines = self.letters[len(cosines) :]
+        monomial = [sp.S.Zero] * order + [sp.S.One]
+        taylor = _taylor(monomial, self.exponent, self.angle)
+        rows = _compared(taylor, self.resonance, cosines, sines, t)
+        waves = (sp.cos(self.angle * t), sp.sin(self.angle * t)) if sines else (sp.S.One,)
+        parts = [sp.Add(*(sp.collect(c, self.letters) * t**n for n, c in rows[i].items())) for i in range(len(waves))]
+        inner = sp.Add(*(part * wave for part, wave in zip(parts, waves, strict=True)))
+        return sp.exp(self.exponent * t) * inner
+
     @property
     def solution(self) -> sp.Expr:
         """The trial function with the values put in."""
@@ -73,8 +85,17 @@ def fundamental_system(coefficients: Sequence[sp.Expr], t: sp.Symbol) -> Fundame
     """Solutions of Σ cᵢ x⁽ⁱ⁾ = 0, cₙ = 1; raises NotExact for an irreducible factor of degree ≥ 3 with parameters."""
     n = len(coefficients) - 1
     found = spectrum(sp.ImmutableMatrix(n, n, lambda i, j: -coefficients[j] if i == n - 1 else sp.Integer(j == i + 1)))
-    functions = [each for root in found.roots for each in _functions(root, t)]
-    return FundamentalSystem(found.factors, tuple(functions), found.exceptions)
+    factors = _slowest_first(found.factors)
+    functions = [each for factor in factors for root in factor.roots for each in _functions(root, t)]
+    return FundamentalSystem(factors, tuple(functions), found.exceptions)
+
+
+def _slowest_first(factors: Sequence[Factor]) -> tuple[Factor, ...]:
+    """What grows before what decays, as sums are written; as they stand where parameters decide."""
+    firsts = [factor.roots[0].value for factor in factors]
+    if any(value.free_symbols for value in firsts):
+        return tuple(factors)
+    return tuple(sorted(factors, key=lambda factor: -max(sp.re(sp.N(root.value)) for root in factor.roots)))
 
 
 def _functions(root: Root, t: sp.Symbol) -> Iterator[sp.Expr]:
@@ -82,7 +103,7 @@ def _functions(root: Root, t: sp.Symbol) -> Iterator[sp.Expr]:
     paired = root.kind in ("complex", "symbolic") or (root.kind == "decimal" and root.shift != 0)
     if paired and _is_second(root):
         return
-    for j in range(root.multiplicity):
+    for j in reversed(range(root.multiplicity)):
         if not paired:
             yield t**j * sp.exp(root.value * t)
             continue

@@ -1,0 +1,94 @@
+"""Lemma: ordinary differential equations solved step by step, for whatever task meets them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.stated.algebra import quotient
+from solver.stated.calculus import derivative
+from solver.tasks.variations.constant_coefficients import by_characteristic_equation
+from solver.tasks.variations.unknowns import Constants, Family, Unknown, unknown_of
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+BEYOND = ""
+"""The way of an equation that is not solved here."""
+
+
+def way_of(equations: Sequence[Expr], unknowns: Sequence[str], t: Symbol) -> str:
+    """How equations would be solved, as "integrated", "constant_coefficients"; empty where they are beyond."""
+    if len(unknowns) != 1 or len(equations) != 1:
+        return BEYOND
+    return _way(equations[0], unknown_of(unknowns[0], equations), t)[0]
+
+
+def _way(equation: Expr, unknown: Unknown, t: Symbol) -> tuple[str, exact.LinearForm | None]:
+    """The way of one equation, and the sum that it is, where it is linear."""
+    factors = exact.factors_that_vanish(equation, unknown.jets)
+    form = exact.linear_form(factors[0], unknown.jets) if len(factors) == 1 else None
+    if form is None or form.order == 0:
+        return BEYOND, form
+    if form.lowest == form.order:
+        return ("integrated" if exact.integrated(form.right, t, form.order) else BEYOND), form
+    return ("constant_coefficients" if form.is_constant(t) else BEYOND), form
+
+
+@lemma("ordinary_equations")
+def solved(
+    equations: Sequence[Expr], unknowns: Sequence[str], t: Symbol, constants: Sequence[Symbol] = ()
+) -> Derivation[list[Family]]:
+    """The general solution of equations (expressions that are zero, as many as unknowns), branch by branch.
+
+    Derivatives are the symbols of `jet_symbol`; `constants` stand in the equations and are constants of integration.
+    Raises Unsolved for what is beyond, with the equation.
+    """
+    (name,), (equation,) = unknowns, equations
+    numbering = Constants.beside(constants, equations)
+    function = yield from solution_of(equation, unknown_of(name, equations), t, numbering)
+    return [Family({name: function}, tuple(numbering.found))]
+
+
+@lemma("ordinary_equations")
+def solution_of(equation: Expr, unknown: Unknown, t: Symbol, constants: Constants) -> Derivation[Expr]:
+    """The general solution of one equation; its constants are added to those there are."""
+    way, form = _way(equation, unknown, t)
+    if not way or form is None:
+        raise Unsolved("ordinary_equations/beyond", equation=equation)
+    yield from _standard_form(equation, unknown, form, t)
+    if way == "integrated":
+        return (yield from _by_integration(form, unknown, t, constants))
+    return (yield from by_characteristic_equation(form, unknown, t, constants))
+
+
+@lemma("ordinary_equations")
+def _standard_form(equation: Expr, unknown: Unknown, form: exact.LinearForm, t: Symbol) -> Derivation[None]:
+    """The equation divided by the factor of its highest derivative, where it is not yet so."""
+    left = form.of(unknown.jets)
+    if sp.expand(equation - left + form.right) == 0:
+        return
+    divisor = sp.factor(equation / (left - form.right))
+    claim = Claim(quotient(equation, divisor), left - form.right, "the equation divided by a factor")
+    yield Step("standard_form", claims={"divided": claim}, left=left, right=form.right, divisor=divisor,
+               varies=divisor.has(t, *unknown.jets))  # fmt: skip
+
+
+@lemma("ordinary_equations")
+def _by_integration(form: exact.LinearForm, unknown: Unknown, t: Symbol, constants: Constants) -> Derivation[Expr]:
+    """x⁽ⁿ⁾ = f(t) integrated n times, each time with a constant."""
+    n, own = form.order, []
+    lines: list[tuple[Any, Expr]] = [(unknown.jets[n], form.right)]
+    claims = {}
+    for times, primitive in enumerate(exact.integrated(form.right, t, n) or (), 1):
+        own.append(constants.new())
+        parts = [c * t ** (times - i) / sp.factorial(times - i) for i, c in enumerate(own, 1)]
+        claims[f"slope{times}"] = Claim(
+            derivative(sp.Add(primitive, *parts), t), lines[-1][1], "the derivative of what was found"
+        )
+        lines.append((unknown.jets[n - times], sp.Add(primitive, *parts)))
+    yield Step("integrated", claims=claims, lines=lines, n=n, zero=form.right == 0, x=unknown.symbol)
+    return lines[-1][1]
