@@ -200,23 +200,34 @@ class SystemReader(FunctionsOfTime):
 
     def polynomial(self, key: str) -> Sequence[sp.Expr]:
         """Return the coefficients of a polynomial, the highest power first; none if it is wrong."""
+        return self._polynomial(self.node[key])
+
+    def _polynomial(self, node: Node) -> tuple[sp.Expr, ...]:
         with self.report:
-            found = read_transfer_function(self.node[key], self.lexicon, self.discrete, proper=False)
+            found = read_transfer_function(node, self.lexicon, self.discrete, proper=False)
             if found.denominator.degree():
-                raise self.node[key].fault("a polynomial is expected here, not a quotient")
+                raise node.fault("a polynomial is expected here, not a quotient")
             scaled = found.numerator.quo_ground(found.denominator.LC())
             return tuple(scaled.all_coeffs())
         return ()
 
+    def polynomials(self, key: str) -> list[list[tuple[sp.Expr, ...]]]:
+        """Return the coefficients of a matrix of polynomials, row by row; none for one that is wrong."""
+        return [[self._polynomial(item) for item in items] for items in self._rows(key)]
+
     def quotients(self, key: str) -> list[list[Rational]]:
         """Return a matrix of proper quotients of polynomials; a wrong one is missing in its row."""
+        lists = self._rows(key)
+        return [[entry for item in items if (entry := self._quotient(item)) is not None] for items in lists]
+
+    def _rows(self, key: str) -> list[tuple[Node, ...]]:
+        """The items of each row; complains of rows that have not the length of the first."""
         lists = [row.items for row in _items(self.node[key]) if isinstance(row, SequenceNode)]
-        rows = [[entry for item in items if (entry := self._quotient(item)) is not None] for items in lists]
         for row, items in zip(_items(self.node[key]), lists, strict=True):
             if len(items) != len(lists[0]):
                 message = f"this row has {counted(len(items), 'entry', 'entries')}, row 1 has {len(lists[0])}"
                 self.report.diagnostics.append(row.diagnostic(message))
-        return rows
+        return lists
 
 
 def _items(node: Node) -> tuple[Node, ...]:

@@ -15,6 +15,7 @@ from solver.systems.lagrangian import Lagrangian
 from solver.systems.late_input import LateInput
 from solver.systems.loops import OutputFeedback, StateFeedback
 from solver.systems.polynomial import Polynomial
+from solver.systems.polynomial_matrix import PolynomialMatrix
 from solver.systems.state_space import StateSpace
 from solver.systems.transfer_function import DeadTime, TransferFunction
 
@@ -39,6 +40,7 @@ __all__ = [
     "LateInput",
     "OutputFeedback",
     "Polynomial",
+    "PolynomialMatrix",
     "StateFeedback",
     "StateSpace",
     "System",

@@ -169,6 +169,9 @@ class Reader(Protocol):
     def polynomial(self, key: str) -> Sequence[Expr]:
         """Return the coefficients of a polynomial, the highest power first; none if it is wrong."""
 
+    def polynomials(self, key: str) -> Sequence[Sequence[Sequence[Expr]]]:
+        """Return the coefficients of a matrix of polynomials, row by row, the highest power first."""
+
     def quotients(self, key: str) -> Sequence[Sequence[Quotient]]:
         """Return a matrix of proper quotients of polynomials."""
 
