@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.render.symbols import natural
+from solver.render.symbols import VARIED, natural
 from solver.symbols import POLYNOMIAL, TIME
 
 
@@ -218,9 +218,11 @@ def has_variable(expression: Any) -> bool:
 def factor_rank(base: Any) -> tuple[Any, ...]:
     """Return a key that puts the factors of a product in order: parameters, s, t, powers, sums, e^…, cos, sin.
 
-    Of the parameters masses come first (m g l), and velocities behind sums: (m_1 + m_2) ẋ.
+    Of the parameters masses come first (m g l), and velocities behind sums: (m_1 + m_2) ẋ; variations come last.
     """
     if base.is_Symbol:
+        if VARIED.fullmatch(base.name):
+            return (7, natural(base.name))
         place = 2 if base.name in POLYNOMIAL else 3 if base.name == "t" else 1.5 if _VELOCITY.search(base.name) else 0
         return (place, not _MASS.fullmatch(base.name), natural(base.name))
     if base.is_Add:

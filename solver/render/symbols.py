@@ -26,6 +26,8 @@ GREEK = {
 _WITH_DIGITS = re.compile(r"([A-Za-z]+?)(\d+)\Z")
 _DERIVED = re.compile(r"(\w+?)_(dot|ddot|dddot|d[4-9]|d1[0-2])")
 """Names of derivatives: x_dot, x_ddot, x_dddot, x_d4."""
+VARIED = re.compile(rf"d((?!t\b)([A-Za-z]|{'|'.join(GREEK)})(\d*)(_\w+)?)")
+"""Names of variations: dx, dx1, dtheta_dot."""
 _SAMPLE = re.compile(r"(\w+)\((k(?:[+-]\d+)?)\)")
 """Names of samples: y(k+1)."""
 _CHUNKS = re.compile(r"(\d+)")
@@ -33,7 +35,9 @@ _CHUNKS = re.compile(r"(\d+)")
 
 @lru_cache(maxsize=2048)
 def named(name: str) -> Row:
-    r"""Return a name as it is written: `x10` x_{10}, `omega_n` \omega_n, `Vin` \mathrm{Vin}, `K_co` K_{\mathrm{co}}."""
+    r"""Return a name as it is written: `x10` x_{10}, `omega_n` \omega_n, `K_co` K_{\mathrm{co}}, `dx` \delta x."""
+    if varied := VARIED.fullmatch(name):
+        return row(Symbol(r"\delta"), *named(varied[1]).items)
     sample, derived = _SAMPLE.fullmatch(name), _DERIVED.fullmatch(name)
     if sample:
         return row(*named(sample[1]).items, *read(f"({sample[2]})").items)

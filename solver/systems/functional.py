@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.lazy import sympy as sp
 from solver.stated.algebra import total
-from solver.stated.calculus import integral
+from solver.stated.calculus import integral, value_at
 from solver.systems.ends import End, IntegralConstraint
 from solver.systems.equations import Jet, jet_symbol
 from solver.systems.kind import AtEnd, Key, Keyed, Kind, ListOf, MappingTo, Reader, Value, Values
@@ -71,7 +71,7 @@ class Functional:
     def cost(self) -> Any:
         """The functional as it is written: the terminal cost and the integral."""
         whole = integral(self.integrand, self.t, self.start, self.end_time)
-        return whole if self.terminal_cost == 0 else total(self.terminal_cost, whole)
+        return whole if self.terminal_cost == 0 else total(value_at(self.terminal_cost, self.t, self.end_time), whole)
 
     @property
     def integrals(self) -> list[tuple[Any, Expr]]:
