@@ -1,3 +1,22 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
-__all__: list[str] = []
+from solver.numeric.judges.multivariable.decoupling import Acting, acting_inputs, channel_polynomials, system_matrix_of
+from solver.numeric.judges.multivariable.zeros import (
+    directions_residual,
+    normal_rank,
+    pole_polynomial_residual,
+    zero_polynomial_residual,
+    zeros_residual,
+)
+
+__all__ = [
+    "Acting",
+    "acting_inputs",
+    "channel_polynomials",
+    "directions_residual",
+    "normal_rank",
+    "pole_polynomial_residual",
+    "system_matrix_of",
+    "zero_polynomial_residual",
+    "zeros_residual",
+]
