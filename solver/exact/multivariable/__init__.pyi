@@ -11,12 +11,12 @@ from solver.exact.multivariable.decoupling import (
     interaction,
     interaction_conditions,
 )
+from solver.exact.multivariable.exceptions import parameter_exceptions
 from solver.exact.multivariable.generic import changed_where
-from solver.exact.multivariable.polynomial_matrices import determinantal_divisors
+from solver.exact.multivariable.polynomial_matrices import MinorOf, determinantal_divisors, minors_in_factors
 from solver.exact.multivariable.rational_minors import (
     Minor,
     RationalMinors,
-    parameter_exceptions,
     rational_determinant,
     rational_minors,
 )
@@ -39,6 +39,7 @@ __all__ = [
     "HiddenMotion",
     "Interaction",
     "Minor",
+    "MinorOf",
     "PolynomialMinor",
     "RationalMinors",
     "SmithForm",
@@ -54,6 +55,7 @@ __all__ = [
     "in_factors",
     "interaction",
     "interaction_conditions",
+    "minors_in_factors",
     "null_directions",
     "parameter_exceptions",
     "rational_determinant",

@@ -14,7 +14,7 @@ from math import comb
 
 import sympy as sp
 
-from solver.exact.linear_algebra.fields import NotExact, vanishing_factors
+from solver.exact.linear_algebra.fields import NotExact
 from solver.exact.multivariable.rosenbrock import polynomial_determinant
 from solver.exact.representation.polynomials import factored_form, factors_of, in_lowest_terms, least_common_multiple
 from solver.exact.representation.transfer import TransferMatrix
@@ -92,12 +92,12 @@ class RationalMinors:
         """Each irreducible factor of the pole polynomial, its power, and the first minor that has that power."""
         listed = [minor for order in self.orders for minor in order]
         return tuple(
-            (factored_form([(p, 1)]), m, next(minor for minor in listed if _power_in(minor.bottom, p) == m))
+            (factored_form([(p, 1)]), m, next(minor for minor in listed if power_in(minor.bottom, p) == m))
             for p, m in factors_of(self.pole_polynomial)
         )
 
 
-def _power_in(q: sp.Poly, p: sp.Poly) -> int:
+def power_in(q: sp.Poly, p: sp.Poly) -> int:
     """How often q has the factor p."""
     found = 0
     while q.degree() > 0 and q.rem(p).is_zero:
@@ -110,7 +110,7 @@ def rational_minors(G: TransferMatrix) -> RationalMinors:
     p, m = G.shape
     if comb(p + m, m) - 1 > MOST_MINORS:
         raise NotExact("multivariable/too_many_minors", count=sp.Integer(comb(p + m, m) - 1))
-    entries = [[_reduced(t, b) for t, b in zip(*row, strict=True)] for row in zip(G.tops, G.bottoms, strict=True)]
+    entries = [[in_lowest(t, b) for t, b in zip(*row, strict=True)] for row in zip(G.tops, G.bottoms, strict=True)]
     d = least_common_multiple(bottom for row in entries for _, bottom in row)
     factors = factors_of(d)
     over_d = [[top * d.quo(bottom) for top, bottom in row] for row in entries]
@@ -155,7 +155,7 @@ def _minor(place: Place, top: sp.Poly, d: sp.Poly, factors: tuple[tuple[sp.Poly,
     return Minor(*place, top, bottom, factors)
 
 
-def _reduced(top: sp.Poly, bottom: sp.Poly) -> tuple[sp.Poly, sp.Poly]:
+def in_lowest(top: sp.Poly, bottom: sp.Poly) -> tuple[sp.Poly, sp.Poly]:
     """The quotient in lowest terms, the denominator monic."""
     if top.is_zero:
         return top, sp.Poly([top.domain.one], top.gen, domain=top.domain)
@@ -163,55 +163,9 @@ def _reduced(top: sp.Poly, bottom: sp.Poly) -> tuple[sp.Poly, sp.Poly]:
     return top.quo(shared), bottom.quo(shared)
 
 
-def parameter_exceptions(minors: RationalMinors) -> tuple[sp.Eq, ...]:
-    """Where parameters change the poles, the zeros or the rank: they meet, become multiple, vanish or go to infinity.
-
-    Necessary conditions: at such values the question is to be asked anew.
-    """
-    if not minors.G.domain.is_FractionField or not minors.rank:
-        return ()
-    values = [*_meetings(minors.pole_polynomial, minors.zero_polynomial), *_lost_poles(minors), *_lost_zeros(minors)]
-    found = [factor for value in values for factor in vanishing_factors(sp.sympify(value))]
-    return tuple(dict.fromkeys(sp.Eq(factor, 0) for factor in found))
-
-
-def _meetings(poles: sp.Poly, zeros: sp.Poly) -> list[sp.Expr]:
-    """Discriminants and resultants of the irreducible factors."""
-    listed = [p for p, _ in [*factors_of(poles), *factors_of(zeros)]]
-    listed = list(dict.fromkeys(listed))
-    found = [p.discriminant() for p in listed if p.degree() > 1]
-    return [*found, *(p.resultant(q) for p, q in combinations(listed, 2))]
-
-
-def _lost_poles(minors: RationalMinors) -> list[sp.Expr]:
-    """For each pole what must vanish so that every minor with its highest power has a lower one."""
-    found = []
-    listed = [minor for order in minors.orders for minor in order if not minor.top.is_zero]
-    for p, m in factors_of(minors.pole_polynomial):
-        carrying = [minor.top for minor in listed if _power_in(minor.bottom, p) == m]
-        found.append(_common([top.rem(p).resultant(p) if p.degree() > 1 else top.rem(p) for top in carrying]))
-    return found
-
-
-def _lost_zeros(minors: RationalMinors) -> list[sp.Expr]:
-    """The leading coefficients, which vanish where zeros go to infinity; what must vanish so that others appear."""
-    rest = [top.quo(minors.zero_polynomial) for top in minors.over_the_poles]
-    leading = [top.LC() for top in minors.over_the_poles]
-    return [
-        _common(leading),
-        _common([p.resultant(q) for p, q in combinations(rest, 2) if p.degree() + q.degree() > 0]),
-    ]
-
-
-def _common(values: list[sp.Expr]) -> sp.Expr:
-    """The greatest common divisor of the numerators."""
-    tops = [sp.numer(sp.together(value.as_expr() if isinstance(value, sp.Poly) else value)) for value in values]
-    return reduce(sp.gcd, tops) if tops else sp.Integer(1)
-
-
 def rational_determinant(G: TransferMatrix) -> sp.Expr:
     """The determinant of a square G in lowest terms, by elimination without fractions."""
-    entries = [[_reduced(t, b) for t, b in zip(*row, strict=True)] for row in zip(G.tops, G.bottoms, strict=True)]
+    entries = [[in_lowest(t, b) for t, b in zip(*row, strict=True)] for row in zip(G.tops, G.bottoms, strict=True)]
     d = least_common_multiple(bottom for row in entries for _, bottom in row)
     top = polynomial_determinant([[top * d.quo(bottom) for top, bottom in row] for row in entries])
     size = len(entries)

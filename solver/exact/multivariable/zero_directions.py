@@ -11,7 +11,7 @@ from solver.exact.linear_algebra.fields import Algebraic, Modulus
 from solver.exact.linear_algebra.instances import element_at
 from solver.exact.linear_algebra.multiples import cleared
 from solver.exact.linear_algebra.row_reduction import null_space, row_reduce
-from solver.exact.linear_algebra.spectrum import Root
+from solver.exact.linear_algebra.spectrum import Root, split_over
 from solver.exact.representation.polynomials import Rows, least_common_multiple, roots_of
 from solver.exact.representation.transfer import TransferMatrix
 
@@ -29,9 +29,10 @@ def null_directions(rows: Sequence[Sequence[sp.Poly]], p: sp.Poly) -> tuple[Dire
 
     Raises NotExact where p has no roots in a usable form.
     """
-    found, spectrum = [], roots_of(p)
-    for factor in spectrum.factors if spectrum is not None else ():
-        modulus = factor.modulus
+    found, spectrum, K = [], roots_of(p), rows[0][0].domain
+    whole = spectrum.factors if spectrum is not None else ()
+    for factor in (each for listed in whole for each in split_over(listed, K)):
+        modulus = Modulus(tuple(K.convert(c, factor.modulus.domain) for c in factor.modulus.low), K)
         at_root = tuple(tuple(_at_root(entry, modulus) for entry in row) for row in rows)
         one = Algebraic([modulus.domain.one, *[modulus.domain.zero] * (modulus.degree - 1)], modulus)
         vectors = [cleared(v) for v in null_space(row_reduce(at_root), one)]
@@ -64,5 +65,4 @@ def over_the_denominator(G: TransferMatrix) -> Rows:
 
 def _at_root(entry: sp.Poly, p: Modulus) -> Algebraic:
     """The polynomial at the root of p, an element of L."""
-    low = [p.domain.convert(c, entry.domain) for c in reversed(entry.rep.to_list())]
-    return Algebraic(p.reduce(low), p)
+    return Algebraic(p.reduce(list(reversed(entry.rep.to_list()))), p)

@@ -45,7 +45,7 @@ def fractions_of(system: Any) -> Derivation[exact.TransferMatrix]:
 def lowest_terms_of(G: exact.TransferMatrix, *, given_as_fraction: bool = False) -> Derivation[Answers]:
     """Common factors cancelled and named; poles and zeros."""
     x, siso = G.variable, G.shape == (1, 1)
-    uncancelled = _over_chi(G)
+    uncancelled = over_chi(G)
     common = None if given_as_fraction and not siso else G.cancelled_factored
     yield Step(
         "cancel",
@@ -82,7 +82,8 @@ def lowest_terms_of(G: exact.TransferMatrix, *, given_as_fraction: bool = False)
     return Answers(G=entry_alone(G.matrix), **{name: value for name, value in found.items() if value is not None})
 
 
-def _over_chi(G: exact.TransferMatrix) -> Any:
+def over_chi(G: exact.TransferMatrix) -> Any:
+    """G before anything is cancelled, over the common denominator where the entries have it."""
     same = len({q for row in G.denominators for q in row}) == 1
     if same:
         return quotient(entry_alone(rows_as_matrix(G.numerators)), G.chi)
@@ -96,5 +97,6 @@ def _factored_fraction(G: exact.TransferMatrix) -> Any:
 
 
 def from_roots(x: Symbol, roots: Sequence[Expr]) -> Stated:
+    """The product of x − r over the roots, as powers."""
     distinct = dict.fromkeys(roots)
     return product(*(power(difference(x, root), list(roots).count(root)) for root in distinct))

@@ -138,10 +138,13 @@ def _realized_part(part: exact.PolePart, number: int, x: Any) -> Derivation[Stat
 
 
 @lemma("minimal_parts")
-def kept_part_of(A: Any, B: Any, C: Any, part: str, *, number: int = 0, companion: bool = False) -> Derivation[State]:
+def kept_part_of(
+    A: Any, B: Any, C: Any, part: str, *, number: int | str = 0, companion: bool = False
+) -> Derivation[State]:
     """The controllable (observable) part, which is all that the transfer function needs.
 
-    `number` is that of the block, if it is one; of a `companion` form it is known that the other part is whole.
+    `number` is that of the block, if it is one, or an index that the matrices of the part get; of a `companion` form
+    it is known that the other part is whole.
     """
     controllable, n = part == "controllable", A.rows
     found = exact.reached_in_echelon(A, B, C) if controllable else exact.seen_in_echelon(A, B, C)

@@ -48,14 +48,14 @@ def _zeros_at(plant: tuple[Array, Array, Array, Array], zeros: list[Any]) -> flo
     quotients, worst = [], 0.0
     for _ in range(1 if square else 2):
         mixed = (A, B, C, D) if square else _squared(A, B, C, D, rank, random)
-        quotient, left = _divided(_system_polynomial(*mixed), zeros)
+        quotient, left = divided(_system_polynomial(*mixed), zeros)
         if left > 1e-9:
             return left
         worst = max(worst, left)
         quotients.append(quotient)
     if square:
         return worst if len(quotients[0]) == 1 else float("inf")
-    return worst if rank == 0 or _coprime(*quotients) else float("inf")
+    return worst if rank == 0 or coprime(*quotients) else float("inf")
 
 
 def _normal_rank(A: Array, B: Array, C: Array, D: Array) -> int:
@@ -63,10 +63,10 @@ def _normal_rank(A: Array, B: Array, C: Array, D: Array) -> int:
     x = MANY.number(complex(0.7312, 1.1173)) * (1 + length(A.reshape(-1)))
     n = len(A)
     pencil = np.vstack([np.hstack([x * np.eye(n, dtype=int).astype(object) - A, -B]), np.hstack([C, D])])
-    return _rank(pencil) - n
+    return rank_of(pencil) - n
 
 
-def _rank(M: Array) -> int:
+def rank_of(M: Array) -> int:
     """The rank by orthogonalization, the largest column first."""
     columns = [M[:, j] for j in range(M.shape[1])]
     largest = max((length(column) for column in columns), default=0)
@@ -112,7 +112,7 @@ def _system_polynomial(A: Array, B: Array, C: Array, D: Array) -> list[Any]:
     return [c / radius**i for i, c in enumerate(scaled)]
 
 
-def _divided(p: list[Any], zeros: list[Any]) -> tuple[list[Any], float]:
+def divided(p: list[Any], zeros: list[Any]) -> tuple[list[Any], float]:
     """The quotient of p by Π(x − zᵢ), and the size of what is left over relative to the terms of p.
 
     Zeros at the origin come first, while the coefficients there are exactly zero.
@@ -132,7 +132,7 @@ def _divided(p: list[Any], zeros: list[Any]) -> tuple[list[Any], float]:
     return p, worst
 
 
-def _coprime(p: list[Any], q: list[Any]) -> bool:
+def coprime(p: list[Any], q: list[Any]) -> bool:
     """Whether two polynomials (not constant both) have no common root: Sylvester's matrix has full rank."""
     m, n = len(p) - 1, len(q) - 1
     if m < 0 or n < 0:
@@ -142,4 +142,4 @@ def _coprime(p: list[Any], q: list[Any]) -> bool:
     zero = MANY.number(0)
     rows = [[zero] * i + p + [zero] * (n - 1 - i) for i in range(n)]
     rows += [[zero] * i + q + [zero] * (m - 1 - i) for i in range(m)]
-    return _rank(np.array(rows, dtype=object).T) == m + n
+    return rank_of(np.array(rows, dtype=object).T) == m + n
