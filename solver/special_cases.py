@@ -48,7 +48,7 @@ def special_cases(part: Part, result: PartResult, earlier: Earlier) -> list[Spec
     parameters = _parameters(asked)
     zeros = {(x, value): f for f, x, value in _special_values(result, parameters) if _is_asked_at(asked, x, value)}
     cases = (_solved(asked, result, f, *each) for each, f in zeros.items()) if len(zeros) <= MOST else ()
-    return [case for case in cases if not _is_the_same(case, result)]
+    return [case for case in cases if not _is_refused(case) and not _is_the_same(case, result)]
 
 
 def _is_a_condition(answer: Any) -> bool:
@@ -119,6 +119,12 @@ def _at(value: Any, there: Mapping[Any, Any]) -> Any:
     if is_dataclass(value) and not isinstance(value, type):
         return replace(value, **{each.name: _at(getattr(value, each.name), there) for each in fields(value)})
     return value.xreplace(there) if there.keys() & getattr(value, "free_symbols", set()) else value
+
+
+def _is_refused(case: SpecialCase) -> bool:
+    """Whether nobody may ask that: a horizon of no length, a weight that is not positive."""
+    reason = case.result.reason
+    return reason is not None and getattr(reason, "kind", "") == "engine/refused"
 
 
 def _is_the_same(case: SpecialCase, general: PartResult) -> bool:

@@ -69,8 +69,13 @@ def input_response(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, t: sp.Symbol) -
 
 
 @lru_cache(maxsize=16)
-def finite_gramian(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, T: sp.Expr) -> sp.ImmutableMatrix:
-    """∫₀ᵀ e^{At} B Bᵀ e^{Aᵀt} dt (n×n) in closed form; raises NotExact where the spectrum of A has none."""
+def finite_gramian(
+    A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, T: sp.Expr, V: sp.ImmutableMatrix | None = None
+) -> sp.ImmutableMatrix:
+    """∫₀ᵀ e^{At} B V Bᵀ e^{Aᵀt} dt (n×n) in closed form, V symmetric (m×m; None: the identity).
+
+    Raises NotExact where the spectrum of A has no closed form.
+    """
     t = sp.Dummy("t")
     response = input_response(A, B, t)
     modes = [list(_modes(function, t)) for function in response.functions]
@@ -78,7 +83,7 @@ def finite_gramian(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, T: sp.Expr) -> 
     entries: list[dict[sp.Expr, sp.Expr]] = [{} for _ in range(n * n)]
     for i, (first, G) in enumerate(zip(modes, response.coefficients, strict=True)):
         for j, (second, H) in enumerate(zip(modes[: i + 1], response.coefficients, strict=False)):
-            weight = (G * H.T).applyfunc(sp.expand)
+            weight = (G * H.T if V is None else G * V * H.T).applyfunc(sp.expand)
             weight = weight if i == j else weight + weight.T
             for function, c in _integral(first, second, T).items():
                 for at, w in enumerate(weight.flat()):
