@@ -8,7 +8,7 @@ greatest common divisor of the numerators of the minors of normal rank, brought 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import cached_property, lru_cache, reduce
 from itertools import combinations
 from math import comb
 
@@ -105,6 +105,7 @@ def power_in(q: sp.Poly, p: sp.Poly) -> int:
     return found
 
 
+@lru_cache(maxsize=32)
 def rational_minors(G: TransferMatrix) -> RationalMinors:
     """All minors of G; raises NotExact where they are too many. Each order comes from the one before it."""
     p, m = G.shape

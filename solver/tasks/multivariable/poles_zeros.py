@@ -28,7 +28,7 @@ MOST_WRITTEN = 3
 def poles_and_zeros_of(found: Found, *, discrete: bool, by_minors: bool = False) -> Derivation[Answers]:
     """The roots of both polynomials, the determinant, directions; remarks."""
     G, x = found.G, found.G.variable
-    poles, zeros = (_roots(p) for p in (found.poles, found.zeros))
+    poles, zeros = (roots_of(p) for p in (found.poles, found.zeros))
     yield _listed(found, poles, zeros, discrete)
     answers: dict[str, Any] = {
         "pole_polynomial": found.poles.as_expr(),
@@ -53,14 +53,22 @@ def poles_and_zeros_of(found: Found, *, discrete: bool, by_minors: bool = False)
     return Answers(**answers)
 
 
-def _roots(p: Poly) -> list[Expr] | None:
+def roots_of(p: Poly) -> list[Expr] | None:
     """The roots of a monic polynomial with multiplicity; None where they have no usable form."""
     if p.degree() == 0:
         return []
     try:
-        return exact.spectrum(companion_of(p)).eigenvalues
+        found = exact.spectrum(companion_of(p)).roots
     except exact.NotExact:
         return None
+    return [_written(root) for root in found for _ in range(root.multiplicity)]
+
+
+def _written(root: exact.Root) -> Expr:
+    """The root, what stands before the square root over one denominator."""
+    if not root.sigma.free_symbols or root.shift == 0:
+        return root.value
+    return sp.factor(root.sigma) + (root.value - root.sigma)
 
 
 def companion_of(p: Poly) -> ImmutableMatrix:

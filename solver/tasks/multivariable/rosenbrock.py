@@ -9,7 +9,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, quotient
 from solver.stated.matrices import determinant, rank
-from solver.tasks.multivariable.poles_zeros import companion_of
+from solver.tasks.multivariable.poles_zeros import roots_of
 from solver.tasks.representation.lowest_terms import from_roots
 from solver.tasks.representation.plants import matrices_of, variable_of
 from solver.tasks.structure.hidden_part import hidden_modes_of
@@ -115,7 +115,7 @@ def hidden_zeros_of(plant: StateSpace, poles: Expr) -> Derivation[dict[str, Any]
         input_polynomial=hidden["input"],
         output_polynomial=hidden["output"],
         both_polynomial=both,
-        both=_roots_of(both, x),
+        both=roots_of(sp.Poly(both, x).monic()),
         chi=chi,
         poles=poles,
     )
@@ -139,7 +139,7 @@ def _test_of(pair: Pair, name: str, hidden: int) -> Step:
 def invariant_zeros_of(found: exact.SystemMatrix, *, transmission: bool) -> Derivation[list[Any] | None]:
     """The roots of the zero polynomial of P; `transmission`: nothing is hidden, so that they are those of G."""
     x, p = found.variable, exact.in_factors(found.zero_polynomial)
-    zeros = _roots_of(found.zero_polynomial.as_expr(), x)
+    zeros = roots_of(found.zero_polynomial)
     yield Step(
         "invariant_zeros",
         claims={"zeros": Claim(p, from_roots(x, zeros), "invariant zeros")} if zeros else {},
@@ -150,17 +150,6 @@ def invariant_zeros_of(found: exact.SystemMatrix, *, transmission: bool) -> Deri
         transmission=transmission,
     )
     return zeros
-
-
-def _roots_of(p: Expr, x: Symbol) -> list[Any] | None:
-    """The roots of a polynomial with multiplicity; None where they have no usable form."""
-    polynomial = sp.Poly(p, x)
-    if polynomial.degree() == 0:
-        return []
-    try:
-        return exact.spectrum(companion_of(polynomial.monic())).eigenvalues
-    except exact.NotExact:
-        return None
 
 
 @lemma("rosenbrock")

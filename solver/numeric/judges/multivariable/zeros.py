@@ -43,14 +43,14 @@ def zeros_residual(plant: Quadruple, zeros: Sequence[Any], kind: Kind) -> float:
     return with_many_digits(worst, *plant, zeros)
 
 
-def zero_polynomial_residual(plant: Quadruple, polynomial: Any, x: Any) -> float:
-    """Return 0 for the monic polynomial of the transmission zeros, else what is left over when it is divided out."""
+def zero_polynomial_residual(plant: Quadruple, polynomial: Any, x: Any, kind: Kind = "transmission") -> float:
+    """Return 0 for the monic polynomial of the zeros of a kind, else what is left over when it is divided out."""
     worst = 0.0
     for point in points_of(plant, polynomial.xreplace({x: 1})):
         coefficients = _coefficients(polynomial, x, point)
         if coefficients is None or abs(coefficients[-1] - 1) > LOST:
             return float("inf")
-        found = _left_over(quadruple_at(plant, point), "transmission", coefficients, None)
+        found = _left_over(quadruple_at(plant, point), kind, coefficients, None)
         worst = worst_of((worst, found))
     return with_many_digits(worst, *plant, polynomial)
 
