@@ -1,6 +1,7 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.variations.conjugate import conjugate_residual, legendre_residual
+from solver.numeric.judges.variations.equations import Adjoined, stationary_equations
 from solver.numeric.judges.variations.extremals import (
     constraints_residual,
     ends_residual,
@@ -23,6 +24,7 @@ from solver.numeric.judges.variations.transfers import (
 from solver.numeric.judges.variations.varied import first_variation_residual, nature_holds
 
 __all__ = [
+    "Adjoined",
     "End",
     "Path",
     "Problem",
@@ -41,6 +43,7 @@ __all__ = [
     "orthogonality_residual",
     "paths",
     "reaches_everything",
+    "stationary_equations",
     "stationary_residual",
     "value_residual",
     "variation_residual",

@@ -1,0 +1,127 @@
+"""Extremals of functionals by the equation of Euler and Lagrange."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, Unsolved
+from solver.lazy import numeric
+from solver.numeric.judges import variations as judges
+from solver.systems.equations import jet_symbol
+from solver.tasks.variations import extremal_checks
+from solver.tasks.variations.constants import fitted_of
+from solver.tasks.variations.end_conditions import end_conditions_of, is_open
+from solver.tasks.variations.euler_equations import adjoined_of, constrained, euler_equations_of
+from solver.tasks.variations.extremal_value import chosen, value_of
+from solver.tasks.variations.first_integrals import general_solution_of, keeps
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+    from solver.systems import Functional
+    from solver.tasks.variations.constants import Fitted
+    from solver.tasks.variations.euler_equations import Stationary
+    from solver.tasks.variations.unknowns import Family
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExtremalOptions(Options):
+    """There are none."""
+
+
+NEAR = 1e-7
+"""What doubles leave of the first variation."""
+ORACLE = "the functional along random functions, changed within a short time, by quadrature"
+NATURES = ("minimum", "maximum", "neither", "undecided")
+extremal: Task[Functional, ExtremalOptions] = Task(
+    "extremal",
+    title="Extremal of a functional",
+    doc="The extremals of a functional, its value there, and whether it is a minimum or a maximum.",
+    needs=("functional",),
+    options=ExtremalOptions,
+    answers=[
+        AnswerName("equations", r"\text{equations}", "the equations of Euler and Lagrange, then the constraints",
+                   principal=True, earned=("equation",), told=("equations", "equation"), zero=True),
+        AnswerName("x", "x", "the extremal, a function of $t$", principal=True, earned=("functions",)),
+        AnswerName("value", "J", "the value of the functional along it, the terminal cost included", optional=True),
+        AnswerName("t_f", "t_f", "the end of the time, where it is free", optional=True),
+    ],
+)  # fmt: skip
+
+
+@extremal.method(
+    "euler_lagrange", title="Euler–Lagrange", source="Gelfand and Fomin, Calculus of Variations; Kirk, chapter 4"
+)
+def by_euler_lagrange(given: Given[Functional, ExtremalOptions]) -> Derivation[Answers]:
+    """The equations, their general solution, what holds at the ends, the constants, the value."""
+    system = given.system
+    adjoined = yield from adjoined_of(system)
+    found = yield from euler_equations_of(adjoined)
+    answers = Answers(equations=found.expressions)
+    conditions = yield from end_conditions_of(found) if not is_open(system) else _nothing_asked()
+    families = yield from general_solution_of(found)
+    families = [family for family in families if keeps(family, found)]
+    if is_open(system):
+        answers["x"] = _functions(system, _only(families).functions)
+        return answers
+    fitted = yield from fitted_of(found, families, conditions)
+    values: dict[int, Expr] = {}
+    for number, each in enumerate(fitted):
+        values[number] = yield from value_of(system, each, number + 1 if len(fitted) > 1 else 0)
+    which = chosen(values)
+    if len(fitted) > 1:
+        yield _several(found, fitted, values, which)
+    answers.update(x=_functions(system, fitted[which].functions), value=values[which])
+    if system.stop is None:
+        answers["t_f"] = fitted[which].t_f
+    return answers
+
+
+@extremal.verification("equations")
+def make_the_functional_stationary(given: Given[Functional, ExtremalOptions], answers: Answers) -> Iterable[Check]:
+    """The equations are what the first variation asks along random functions, up to factors and order."""
+    near = 1e-6 if numeric.holds_decimals(list(answers["equations"])) else NEAR
+    system = given.system
+    number = len(system.constraints)
+    adjoined = judges.Adjoined(
+        extremal_checks.problem_of(system),
+        [constrained(sides) for sides in system.constraints],
+        system.multipliers[:number],
+        [jet_symbol((name, 0)) for name in system.multipliers[number:]],
+    )
+    residuals, complete = judges.stationary_equations(adjoined, list(answers["equations"]))
+    yield Check.that("as many independent equations as the functional gives", ORACLE, complete, answer="equations")
+    label = "the equations against the first variation along random functions"
+    yield Check.within(label, ORACLE, max(residuals, default=float("inf")), near, answer="equations")
+
+
+def _nothing_asked() -> Derivation[list[Any]]:
+    """Nothing is said of the ends: the constants stay."""
+    yield Step("open", unclaimed="no ends are given")
+    return []
+
+
+def _only(families: list[Family]) -> Family:
+    if len(families) != 1:
+        raise Unsolved("extremal/branches", number=len(families))
+    return families[0]
+
+
+def _functions(system: Functional, functions: Mapping[str, Expr]) -> Any:
+    """One function, or several by their names."""
+    if len(system.functions) == 1:
+        return functions[system.functions[0]]
+    return {jet_symbol((name, 0)): functions[name] for name in system.functions}
+
+
+def _several(found: Stationary, fitted: list[Fitted], values: Mapping[int, Expr], which: int) -> Step:
+    """Which of several extremals has the least value."""
+    names = [jet_symbol((name, 0)) for name in found.system.functions]
+    shown = [([each.functions[name] for name in found.system.functions], values[i]) for i, each in enumerate(fitted)]
+    return Step("several", unclaimed="a comparison", names=names, shown=shown, which=which,
+                decided=all(value.is_number for value in values.values()))  # fmt: skip
+
+
+extremal_checks.register(extremal)

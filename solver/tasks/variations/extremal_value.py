@@ -1,0 +1,49 @@
+"""Lemma: the value of a functional along an extremal."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.stated.algebra import total
+from solver.stated.calculus import integral
+from solver.tasks.variations.constants import jets_along
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+    from solver.systems import Functional
+    from solver.tasks.variations.constants import Fitted
+
+
+@lemma("extremal_value")
+def value_of(system: Functional, fitted: Fitted, number: int = 0) -> Derivation[Expr]:
+    """The integrand along the extremal, its integral, and the terminal cost; `number` tells which of several."""
+    t = system.t
+    jets = jets_along(fitted.functions, t, max(system.orders.values()))
+    put = system.integrand.xreplace(jets)
+    integrand = exact.along(put, t)
+    found = exact.definite_integral(integrand, t, system.start, fitted.t_f)
+    if found is None:
+        raise Unsolved("extremal/value", integrand=integrand, variable=t)
+    claims = {}
+    if put != integrand:
+        claims["along"] = Claim(put, integrand, "the integrand along the extremal")
+    claims["integral"] = Claim(integral(integrand, t, system.start, fitted.t_f), found, "the integral")
+    cost = system.terminal_cost.xreplace(jets).xreplace({t: fitted.t_f})
+    whole: Expr = sp.expand(found + cost)
+    if system.terminal_cost != 0:
+        claims["whole"] = Claim(total(cost, found), whole, "the integral with the terminal cost")
+    yield Step("value", claims=claims, number=number, put=put, integrand=integrand, cost=system.terminal_cost,
+               time=fitted.t_f, names=list(system.symbols()))  # fmt: skip
+    return whole
+
+
+def chosen(values: Mapping[int, Expr]) -> int:
+    """Return which of several extremals has the least value, the first where that is not known."""
+    if any(not value.is_number for value in values.values()):
+        return 0
+    return min(values, key=lambda i: sp.N(values[i]))

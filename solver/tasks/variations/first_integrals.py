@@ -1,0 +1,76 @@
+"""Lemma: first integrals of the equation of Euler and Lagrange, where they shorten the work."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from solver.derivation import Claim, Derivation, Step, lemma
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.stated.algebra import difference, product
+from solver.stated.calculus import denoted, partial_derivative
+from solver.systems.equations import jet_symbol
+from solver.tasks.variations.euler_equations import PHI
+from solver.tasks.variations.ordinary_equations import solved, way_of
+
+if TYPE_CHECKING:
+    from sympy import Expr, Symbol
+
+    from solver.tasks.variations.euler_equations import Stationary
+    from solver.tasks.variations.unknowns import Family
+
+INTEGRATED = "integrated"
+
+
+@lemma("first_integrals")
+def general_solution_of(found: Stationary) -> Derivation[list[Family]]:
+    """The extremals with constants: of the equations, or of a first integral where that is shorter."""
+    t = found.system.t
+    integral = _integral(found)
+    if integral is None:
+        return (yield from solved(found.expressions, found.functions, t))
+    constant = sp.Symbol("C1", real=True)
+    (name,) = found.functions
+    if integral == "cyclic":
+        momentum = found.by_name[name].momenta[0]
+        yield Step("cyclic", unclaimed="the equation integrated once", momentum=momentum, constant=constant,
+                   x=jet_symbol((name, 0)), rate=jet_symbol((name, 1)))  # fmt: skip
+        return (yield from solved([momentum - constant], [name], t, (constant,)))
+    value = yield from _beltrami(found, name, constant)
+    return (yield from solved([value - constant], [name], t, (constant,)))
+
+
+def _integral(found: Stationary) -> str | None:
+    """The first integral by which to go: "cyclic" without x, "beltrami" without t; None: by the equation itself."""
+    if len(found.functions) != 1 or max(found.system.orders.values()) != 1:
+        return None
+    (name,), (equation,), t = found.functions, found.expressions, found.system.t
+    way = way_of([equation], [name], t)
+    x, rate = jet_symbol((name, 0)), jet_symbol((name, 1))
+    if way == INTEGRATED or not found.phi.has(rate):
+        return None
+    if not found.phi.has(x):
+        return "cyclic"
+    return None if way or found.phi.has(t) else "beltrami"
+
+
+@lemma("first_integrals")
+def _beltrami(found: Stationary, name: str, constant: Symbol) -> Derivation[Expr]:
+    """φ − x' ∂φ/∂x' is constant where t does not occur in φ."""
+    x, rate = jet_symbol((name, 0)), jet_symbol((name, 1))
+    phi = denoted(PHI, found.phi)
+    value: Expr = sp.factor(sp.together(found.phi - rate * found.by_name[name].momenta[0]))
+    stated = difference(phi, product(rate, partial_derivative(phi, rate)))
+    yield Step("beltrami", claims={"beltrami": Claim(stated, value, "Beltrami's integral")}, x=x, rate=rate,
+               constant=constant)  # fmt: skip
+    return value
+
+
+def keeps(family: Family, found: Stationary) -> bool:
+    """Whether a branch satisfies the equations themselves: a first integral has constants that they have not."""
+    t = found.system.t
+    put: dict[Symbol, Expr] = {}
+    highest = 2 * max(found.system.orders.values())
+    for name, function in family.functions.items():
+        put |= {jet_symbol((name, k)): sp.diff(function, t, k) for k in range(highest + 1)}
+    return all(exact.is_zero(each.xreplace(put).rewrite(sp.exp)) for each in found.expressions)
