@@ -47,6 +47,11 @@ extremal: Task[Functional, ExtremalOptions] = Task(
         AnswerName("x", "x", "the extremal, a function of $t$", principal=True, earned=("functions",)),
         AnswerName("value", "J", "the value of the functional along it, the terminal cost included", optional=True),
         AnswerName("t_f", "t_f", "the end of the time, where it is free", optional=True),
+        AnswerName("legendre", r"\varphi_{\dot{x}\dot{x}}", "the second derivative of the integrand by $\\dot{x}$ along "
+                   "the extremal", optional=True),
+        AnswerName("conjugate_point", r"t^*", "the first conjugate point after the beginning", optional=True),
+        AnswerName("nature", r"\text{nature}", "what the extremal is, of a weak extremum", optional=True, principal=True,
+                   words=NATURES),
     ],
 )  # fmt: skip
 
