@@ -10,6 +10,7 @@ from solver.numeric.judges.variations.extremals import (
 )
 from solver.numeric.judges.variations.paths import Path, paths, variation_residual
 from solver.numeric.judges.variations.problem import End, Problem
+from solver.numeric.judges.variations.second_variations import end_residual, first_variation_residual, nature_holds
 from solver.numeric.judges.variations.transfers import (
     Transfer,
     arrival_residual,
@@ -21,7 +22,6 @@ from solver.numeric.judges.variations.transfers import (
     reaches_everything,
     weighted_gramian_residual,
 )
-from solver.numeric.judges.variations.varied import first_variation_residual, nature_holds
 
 __all__ = [
     "Adjoined",
@@ -33,6 +33,7 @@ __all__ = [
     "conjugate_residual",
     "constraints_residual",
     "costate_residual",
+    "end_residual",
     "ends_residual",
     "energy_residual",
     "first_variation_residual",

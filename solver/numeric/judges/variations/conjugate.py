@@ -14,8 +14,9 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.values import NotEvaluable, Undefined
-from solver.numeric.judges.variations.problem import Along, Jet, Problem, motions, numbers
+from solver.numeric.evaluation.values import Undefined
+from solver.numeric.judges.variations.direct import worst
+from solver.numeric.judges.variations.problem import Along, Jet, Problem, numbers
 
 TIMES = 9
 DEGREE = 30
@@ -25,7 +26,7 @@ BEYOND = 1.02
 """How far beyond a point that is told it is looked, relative to its distance."""
 
 
-def legendre_residual(problem: Problem, x: Mapping[str, Any], found: Any, t_f: Any = None) -> float:
+def legendre_residual(problem: Problem, x: Mapping[str, Any] | None, found: Any, t_f: Any = None) -> float:
     """Return how far second derivatives by the highest derivatives (a matrix for several functions) are from `found`.
 
     Relative to the largest of them, at several times.
@@ -42,10 +43,10 @@ def legendre_residual(problem: Problem, x: Mapping[str, Any], found: Any, t_f: A
         told = np.array([along.at_times(entry, times) for entry in entries]).T.reshape(-1, n, n)
         return float(np.max(np.abs(told - wanted)) / max(float(np.max(np.abs(wanted))), 1e-9))
 
-    return _worst(judge, problem, x, t_f)
+    return worst(problem, x, t_f, judge)
 
 
-def conjugate_residual(problem: Problem, x: Mapping[str, Any], point: Any, t_f: Any = None) -> float:
+def conjugate_residual(problem: Problem, x: Mapping[str, Any] | None, point: Any, t_f: Any = None) -> float:
     """Return the distance of a point from the first one conjugate to the start, relative to the distance from there.
 
     None as the point says that there is none: 0 where none is found in a long time, else infinite.
@@ -60,7 +61,7 @@ def conjugate_residual(problem: Problem, x: Mapping[str, Any], point: Any, t_f: 
         found = first_conjugate(along, along.start + BEYOND * (told.real - along.start))
         return np.inf if found is None else abs(found - told.real) / (told.real - along.start)
 
-    return _worst(judge, problem, x, t_f)
+    return worst(problem, x, t_f, judge)
 
 
 def first_conjugate(along: Along, until: float) -> float | None:
@@ -124,17 +125,3 @@ def _jacobi(along: Along, begin: float, end: float) -> Any:
         return np.concatenate([slope.ravel(), (P @ U + Q @ slope).ravel()])
 
     return right
-
-
-def _worst(judge: Any, problem: Problem, x: Mapping[str, Any], t_f: Any) -> float:
-    if not {*problem.functions} <= {*x}:
-        return np.inf
-    found = []
-    for along in motions(problem, x, t_f):
-        try:
-            found.append(float(judge(along)))
-        except (KeyError, np.linalg.LinAlgError, Undefined):
-            found.append(np.inf)
-    if not found:
-        raise NotEvaluable("no values of the parameters were found for which the time has an end after its start")
-    return max(found) if np.all(np.isfinite(found)) else np.inf

@@ -15,8 +15,8 @@ import numpy as np
 from scipy.integrate import quad
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.evaluation.values import NotEvaluable, Undefined
-from solver.numeric.judges.variations.problem import Along, Jet, Problem, motions, numbers
+from solver.numeric.judges.variations.direct import worst
+from solver.numeric.judges.variations.problem import Along, Jet, Problem, numbers
 
 TIMES = 9
 DEGREE = 14
@@ -24,49 +24,51 @@ DEGREE = 14
 TIMES_OF_MULTIPLIERS = 40
 
 
-def stationary_residual(problem: Problem, x: Mapping[str, Any], t_f: Any = None) -> float:
+def stationary_residual(problem: Problem, x: Mapping[str, Any] | None, t_f: Any = None) -> float:
     """Return how far the equations of Euler and Lagrange, and the natural conditions at free ends, are from holding.
 
     Relative to the terms in them, at several times; `t_f` is the end where that is free. Infinite where a function is
     missing or is no function of t alone.
     """
-    return _worst(problem, x, t_f, lambda along: _Conditions(along).residual())
+    return worst(problem, x, t_f, lambda along: _Conditions(along).residual())
 
 
-def ends_residual(problem: Problem, x: Mapping[str, Any], t_f: Any = None) -> float:
+def ends_residual(problem: Problem, x: Mapping[str, Any] | None, t_f: Any = None) -> float:
     """Return how far values and derivatives at the ends are from what is asked of them, on a curve from the curve."""
 
     def judge(along: Along) -> float:
-        worst = 0.0
+        apart = 0.0
         for (name, k), pair in problem.ends.items():
             for end, time in zip(pair, (along.start, along.stop), strict=True):
                 if end.free:
                     continue
                 at = np.array([time], dtype=complex)
                 wanted = along.at_times(end.value if end.curve is None else end.curve, at)[0]
-                found = along.derivatives(lambda when, name=name: along.at_times(x[name], when), at, k)[k][0]
-                worst = max(worst, abs(found - wanted) / max(1.0, abs(wanted)))
-        return worst
+                found = along.derivatives(along.x[name], at, k)[k][0]
+                apart = max(apart, abs(found - wanted) / max(1.0, abs(wanted)))
+        return apart
 
-    return _worst(problem, x, t_f, judge)
+    return worst(problem, x, t_f, judge)
 
 
-def constraints_residual(problem: Problem, x: Mapping[str, Any], t_f: Any = None) -> float:
+def constraints_residual(problem: Problem, x: Mapping[str, Any] | None, t_f: Any = None) -> float:
     """Return how far constraints, at some times and under integrals, are from holding."""
 
     def judge(along: Along) -> float:
-        times, worst = along.inner(TIMES), 0.0
+        times, apart = along.inner(TIMES), 0.0
         for constraint in problem.constraints:
-            worst = max(worst, float(np.max(np.abs(along.of(constraint, times)))) / _size(along, times))
+            apart = max(apart, float(np.max(np.abs(along.of(constraint, times)))) / _size(along, times))
         for integrand, value in problem.integrals:
             wanted = numbers(value, along.point, 1)[0]
-            worst = max(worst, abs(integral_along(along, integrand) - wanted) / max(1.0, abs(wanted)))
-        return worst
+            apart = max(apart, abs(integral_along(along, integrand) - wanted) / max(1.0, abs(wanted)))
+        return apart
 
-    return _worst(problem, x, t_f, judge)
+    return worst(problem, x, t_f, judge)
 
 
-def value_residual(problem: Problem, x: Mapping[str, Any], value: Any, t_f: Any = None, *, cost: bool = True) -> float:
+def value_residual(
+    problem: Problem, x: Mapping[str, Any] | None, value: Any, t_f: Any = None, *, cost: bool = True
+) -> float:
     """Return the relative difference of a value and of the integral by quadrature, with the terminal `cost` or not."""
 
     def judge(along: Along) -> float:
@@ -77,7 +79,7 @@ def value_residual(problem: Problem, x: Mapping[str, Any], value: Any, t_f: Any 
         found = numbers(value, along.point, 1)[0]
         return float(abs(found - total) / max(abs(total), 1e-3 * typical))
 
-    return _worst(problem, x, t_f, judge)
+    return worst(problem, x, t_f, judge)
 
 
 def integral_along(along: Along, integrand: Any) -> complex:
@@ -89,21 +91,6 @@ def integral_along(along: Along, integrand: Any) -> complex:
 
     imaginary = along.of(integrand, along.inner(3)).imag
     return complex(part(np.real), part(np.imag) if np.any(np.abs(imaginary) > 1e-9) else 0.0)
-
-
-def _worst(problem: Problem, x: Mapping[str, Any], t_f: Any, judge: Any) -> float:
-    if not {*problem.functions} <= {*x}:
-        return np.inf
-    found = []
-    for along in motions(problem, x, t_f):
-        try:
-            residual = float(judge(along))
-        except (KeyError, Undefined):  # a name that has no value, or no value at some time
-            residual = np.inf
-        found.append(residual if np.isfinite(residual) else np.inf)
-    if not found:
-        raise NotEvaluable("no values of the parameters were found for which the time has an end after its start")
-    return max(found)
 
 
 def _size(along: Along, times: Array) -> float:
@@ -214,7 +201,7 @@ class _Conditions:
             name, k = jet
             end = self.problem.end(jet, 1)
             p = self.at_end(f, weight, jet, along.stop)
-            slope = along.derivatives(lambda at, name=name: along.at_times(along.x[name], at), last, k + 1)[k + 1][0]
+            slope = along.derivatives(along.x[name], last, k + 1)[k + 1][0]
             yield -slope * p
             if end.curve is not None:
                 rate = along.derivatives(lambda at, end=end: along.at_times(end.curve, at), last, 1)[1][0]

@@ -6,7 +6,7 @@ formula): nothing is differentiated by formulas.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import factorial
@@ -25,7 +25,7 @@ TRIALS, ATTEMPTS = 2, 16
 NODES = 24
 RADIUS = 0.04
 """The circles in time, relative to the time that there is."""
-APART, TURNS = 1e-2, 12
+APART, TURNS, FEWER = 1e-2, 12, 8
 """The circles in a derivative, relative to its size or one."""
 
 
@@ -86,12 +86,16 @@ def numbers(expression: Any, values: Mapping[Any, Any], count: int) -> Array:
     return np.broadcast_to(np.asarray(value_of(expression, Environment(full, count)).value, dtype=complex), (count,))
 
 
+Function = Callable[[Array], Array]
+"""A function of an array of (complex) times."""
+
+
 @dataclass(frozen=True)
 class Along:
     """Functions of time at one point of the parameters, from `start` to `stop`."""
 
     problem: Problem
-    x: Mapping[str, Any]
+    x: Mapping[str, Function]
     point: Mapping[Any, complex]
     start: float
     stop: float
@@ -123,7 +127,7 @@ class Along:
         found: dict[Any, Array] = {}
         for name in self.problem.functions:
             mine = {k: symbol for symbol, (of, k) in self.problem.jets.items() if of == name}
-            rows = self.derivatives(lambda at, name=name: self.at_times(self.x[name], at), times, max(mine))
+            rows = self.derivatives(self.x[name], times, max(mine))
             found |= {symbol: rows[k] for k, symbol in mine.items()}
         return found
 
@@ -154,10 +158,10 @@ class Along:
             return np.zeros(len(times), dtype=complex)
         values = {**self.jets(times), self.problem.t: times}
         values |= {symbol: values[symbol] + by for symbol, by in (moved or {}).items()}
-        turns = np.exp(2j * np.pi * np.arange(TURNS) / TURNS)
+        turns = np.exp(2j * np.pi * np.arange(FEWER) / FEWER)
         size = {each: 3 * APART * np.maximum(1.0, np.abs(values[each])) for each in (a, b)}
-        first, second = (turns[:, None] * np.ones(TURNS)).reshape(-1), (np.ones(TURNS)[:, None] * turns).reshape(-1)
-        count = TURNS**2
+        first, second = (turns[:, None] * np.ones(FEWER)).reshape(-1), (np.ones(FEWER)[:, None] * turns).reshape(-1)
+        count = FEWER**2
         many = {each: np.repeat(value, count) for each, value in values.items()}
         for each, around in ((a, first), (b, second)):
             many[each] = many[each] + (size[each][:, None] * around[None, :]).reshape(-1)
@@ -166,12 +170,8 @@ class Along:
         return mixed  # where both are one symbol too: it is moved by both circles
 
 
-def motions(problem: Problem, x: Mapping[str, Any], t_f: Any = None) -> Iterator[Along]:
-    """Yield the functions at some points of the parameters, where the end comes after the start.
-
-    Raises NotEvaluable where no such points are found.
-    """
-    stop = problem.stop if problem.stop is not None else t_f
+def points_of(problem: Problem, x: Mapping[str, Any], stop: Any) -> Iterator[tuple[dict[Any, complex], float, float]]:
+    """Yield points of the parameters at which the end comes after the start, with both; None as a stop is nan."""
     everything = [problem.integrand, problem.cost, problem.start, stop, *problem.constraints, *x.values(),
                   *(each for pair in problem.integrals for each in pair)]  # fmt: skip
     everything += [part for pair in problem.ends.values() for end in pair for part in (end.value, end.curve)]
@@ -181,14 +181,28 @@ def motions(problem: Problem, x: Mapping[str, Any], t_f: Any = None) -> Iterator
     for _ in range(ATTEMPTS):
         point = source.draw()
         try:
-            first, last = (complex(numbers(each, point, 1)[0]) for each in (problem.start, stop))
+            first, last = (complex(np.nan if each is None else numbers(each, point, 1)[0])
+                           for each in (problem.start, stop))  # fmt: skip
         except Undefined:
             continue
-        if max(abs(first.imag), abs(last.imag)) > 1e-9 * (1 + abs(last)) or last.real <= first.real:
+        if abs(first.imag) > 1e-9 * (1 + abs(first)) or abs(last.imag) > 1e-9 * (1 + abs(last)):
             continue
-        yield Along(problem, x, point, first.real, last.real)
+        if last.real <= first.real:  # not of nan
+            continue
+        yield point, first.real, last.real
         found += 1
         if found == TRIALS or not source.symbols:
             return
     if not found:
-        raise NotEvaluable("no values of the parameters were found for which the time has an end after its start")
+        raise NotEvaluable("no values of the parameters were found for which the end comes after the start")
+
+
+def given_motions(problem: Problem, x: Mapping[str, Any], t_f: Any = None) -> Iterator[Along]:
+    """Yield the functions that expressions in t are, at some points of the parameters."""
+    for point, first, last in points_of(problem, x, t_f if problem.stop is None else problem.stop):
+        known = {name: _function(value, point, problem.t) for name, value in x.items()}
+        yield Along(problem, known, point, first, last)
+
+
+def _function(expression: Any, point: Mapping[Any, complex], t: Any) -> Function:
+    return lambda times: numbers(expression, {**point, t: times}, len(times))

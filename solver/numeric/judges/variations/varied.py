@@ -13,21 +13,18 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.polynomial import Legendre
 from scipy.linalg import eigh, null_space
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.points import SEED, free_symbols
-from solver.numeric.evaluation.values import NotEvaluable, Undefined
-from solver.numeric.judges.variations.problem import Along, Problem, motions, numbers
+from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.variations.problem import Along, Problem, numbers
 
-DEGREE, NODES = 9, 40
+NODES = 40
 STEP, TURNS = 0.02, 4
 GRADIENT_TURNS = 8
 DEPENDENT = 1e-9
-NONE = 1e-7
-"""Eigenvalues relative to the largest that are none."""
-CLEAR = 1e-5
-"""Eigenvalues relative to the largest whose sign is beyond doubt."""
 POINTS, AROUND = 40, 1.0
 """Where convexity is tried."""
 
@@ -37,6 +34,7 @@ class Varied:
     """The functional as a function of the parameters of a variation."""
 
     along: Along
+    degree: int = 9
 
     @property
     def problem(self) -> Problem:
@@ -52,14 +50,18 @@ class Varied:
     @cached_property
     def size(self) -> int:
         """How many parameters there are."""
-        return len(self.problem.functions) * (DEGREE + 1) + (self.problem.stop is None)
+        return len(self.problem.functions) * (self.degree + 1) + (self.problem.stop is None)
 
     def basis(self, places: Array, order: int) -> Array:
         """The derivatives of the polynomials, small with all that occur, at some places (degree × places)."""
-        every = [np.polynomial.legendre.Legendre.basis(d, domain=[0, 1]) for d in range(DEGREE + 1)]
+        return np.array([p.deriv(order)(places) for p in self.polynomials])
+
+    @cached_property
+    def polynomials(self) -> list[Legendre]:
+        """The polynomials on 0 … 1."""
+        every = [Legendre.basis(d, domain=[0, 1]) for d in range(self.degree + 1)]
         top = max(self.problem.orders.values())
-        sizes = [max(abs(p.deriv(k)(1.0)) for k in range(top + 1)) for p in every]
-        return np.array([p.deriv(order)(places) / size for p, size in zip(every, sizes, strict=True)])
+        return [p / max(abs(p.deriv(k)(1.0)) for k in range(top + 1)) for p in every]
 
     @cached_property
     def _known(self) -> dict[bytes, Any]:
@@ -84,8 +86,7 @@ class Varied:
         stretched = self.along.span / span
         found = {}
         for symbol, (name, k) in self.problem.jets.items():
-            at = self.problem.functions.index(name) * (DEGREE + 1)
-            added = a[:, at : at + DEGREE + 1] @ basis[k]
+            added = a[:, self._part(name)] @ basis[k]
             found[symbol] = own[symbol][None, :] * stretched**k + added / span**k
         return found, self.along.start + span * places[None, :], span
 
@@ -150,6 +151,42 @@ class Varied:
             found[i, j] = found[j, i] = value
         return found
 
+    def of_lagrangian(self, weights: Array) -> Array:
+        """The second derivatives of the functional and of the equations with multipliers."""
+        problem, along = self.problem, self.along
+        if problem.stop is None:  # the time stretches with the last parameter
+            return self.hessian(lambda a: self.functional(a) + self.equations(a) @ weights)
+        places, shares = self.nodes
+        of_ends = sum(not end.free for pair in problem.ends.values() for end in pair)
+        of_integrals = weights[of_ends : of_ends + len(problem.integrals)]
+        of_nodes = weights[of_ends + len(problem.integrals) :].reshape(-1, NODES)
+        parts = [(problem.integrand, places, shares * along.span), (problem.cost, np.ones(1), np.ones(1))]
+        parts += [
+            (f, places, w * shares * along.span) for (f, _), w in zip(problem.integrals, of_integrals, strict=True)
+        ]
+        parts += [(c, places, w) for c, w in zip(problem.constraints, of_nodes, strict=True)]
+        found = np.zeros((self.size, self.size))
+        for f, where, share in parts:
+            found += self._bent(f, where, share)
+        return found
+
+    def _bent(self, f: Any, places: Array, shares: Array) -> Array:
+        """The second derivatives of a weighted sum of an expression over places."""
+        inside = [jet for symbol, jet in self.problem.jets.items() if symbol in free_symbols(f)]
+        times = (self.along.start + self.along.span * places).astype(complex)
+        found = np.zeros((self.size, self.size))
+        for one in inside:
+            for other in inside:
+                bent = self.along.second_partial(f, one, other, times).real / self.along.span ** (one[1] + other[1])
+                block = (self.basis(places, one[1]) * (shares * bent)) @ self.basis(places, other[1]).T
+                found[self._part(one[0]), self._part(other[0])] += block
+        return found
+
+    def _part(self, name: str) -> slice:
+        """Where the parameters of a function stand."""
+        at = self.problem.functions.index(name) * (self.degree + 1)
+        return slice(at, at + self.degree + 1)
+
     @cached_property
     def admissible(self) -> Array:
         """Parameters (columns) that keep all equations to first order."""
@@ -177,7 +214,7 @@ class Varied:
             raise NotEvaluable("no polynomials were found that keep the constraints")
         slope, rows = self.gradient(self.functional), self.gradient(self.equations)
         weights = -np.linalg.lstsq(rows, slope, rcond=1e-11)[0] if rows.size else np.zeros(0)
-        H = self.hessian(lambda a: self.functional(a) + self.equations(a) @ weights)
+        H = self.of_lagrangian(weights)
         values = eigh(Z.T @ H @ Z, Z.T @ self.gram @ Z, eigvals_only=True)
         scale = max(float(np.max(np.abs(values))), 1e-300)
         return float(values[0]) / scale, float(values[-1]) / scale
@@ -187,11 +224,10 @@ class Varied:
         """The norm of variations: with the derivatives of each function that the problem has."""
         places, weights = self.nodes
         found = np.eye(self.size)
-        for number, name in enumerate(self.problem.functions):
+        for name in self.problem.functions:
             block = sum((self.basis(places, k) * weights) @ self.basis(places, k).T
                         for k in range(self.problem.orders[name] + 1))  # fmt: skip
-            part = slice(number * (DEGREE + 1), (number + 1) * (DEGREE + 1))
-            found[part, part] = block
+            found[self._part(name), self._part(name)] = block
         return found
 
     def curvatures(self) -> tuple[float, float]:
@@ -228,38 +264,3 @@ def _extremes(
     values = np.linalg.eigvalsh(M) if jets else np.zeros((count, 1))
     scale = max(float(np.max(np.abs(values))), 1e-300)
     return float(np.min(values)) / scale, float(np.max(values)) / scale
-
-
-def first_variation_residual(problem: Problem, x: Mapping[str, Any], t_f: Any = None) -> float:
-    """Return how much admissible variations, of the end time too, change the functional to first order."""
-    return max(Varied(along).first() for along in motions(problem, x, t_f))
-
-
-def nature_holds(problem: Problem, x: Mapping[str, Any], nature: str, t_f: Any = None) -> bool:
-    """Whether "minimum", "maximum", "neither" or "undecided" fits the second variation on polynomials."""
-    return all(_fits(Varied(along), nature) for along in motions(problem, x, t_f))
-
-
-def _fits(varied: Varied, nature: str) -> bool:
-    try:
-        low, high = varied.extremes()
-        least, largest = varied.curvatures()
-        below, above = varied.convexity()
-    except Undefined:
-        return False
-    plain = not varied.problem.constraints and not varied.problem.integrals
-    minimum = low > CLEAR or (low > -NONE and plain and below > -NONE)
-    maximum = high < -CLEAR or (high < NONE and plain and above < NONE)
-    falls, rises = (low < -NONE or (plain and least < -NONE)), (high > NONE or (plain and largest > NONE))
-    if nature == "minimum":
-        return minimum
-    if nature == "maximum":
-        return maximum
-    if nature == "neither":
-        return falls and rises
-    strict = (
-        plain
-        and varied.problem.stop is not None
-        and ((low > CLEAR and least > CLEAR) or (high < -CLEAR and largest < -CLEAR))
-    )
-    return nature == "undecided" and not strict and not (low < -CLEAR and high > CLEAR)
