@@ -16,8 +16,24 @@ def row_operation(operation: Any, show: Callable[[Any], Row]) -> Row:
         return row(changed, rf"\leftrightarrow {operation.line}_{{{operation.j + 1}}}")
     if not hasattr(operation, "j"):
         return row(changed, r"\leftarrow", _multiple(show(operation.factor), changed))
-    other = _multiple(show(operation.factor), row(f"{operation.line}_{{{operation.j + 1}}}"))
-    return row(changed, r"\leftarrow", summed([changed, other]))
+    other = row(f"{operation.line}_{{{operation.j + 1}}}")
+    if _begins_with_minus(operation.factor):
+        return row(changed, r"\leftarrow", changed, "-", _multiple(show(-operation.factor), other))
+    return row(changed, r"\leftarrow", summed([changed, _multiple(show(operation.factor), other)]))
+
+
+def _begins_with_minus(factor: Any) -> bool:
+    """Whether it is a sum whose highest term has a minus: −(s + 1) is subtracted."""
+    if not getattr(factor, "is_Add", False):
+        return False
+    highest = max(factor.as_ordered_terms(), key=_degree)
+    return bool(highest.could_extract_minus_sign())
+
+
+def _degree(term: Any) -> Any:
+    """The number of symbols that are multiplied in a term."""
+    powers = term.as_powers_dict().items()
+    return sum(exponent for base, exponent in powers if base.is_Symbol and exponent.is_Integer)
 
 
 def _multiple(factor: Row, name: Row) -> Row:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact, expression, vanishing_factors
+from solver.exact.linear_algebra.special_values import special_values
 from solver.exact.multivariable.polynomial_matrices import matrix_of_rows
 from solver.exact.multivariable.smith import SmithForm, smith_form
 
@@ -35,7 +35,7 @@ def _factors(form: SmithForm) -> tuple[sp.Expr, ...]:
 
 def _is_the_same(form: SmithForm, M: sp.ImmutableMatrix, factor: sp.Expr, others: Sequence[sp.Expr]) -> bool:
     """Whether the form at a zero of the factor is the general one with the zero put in."""
-    for a, value in _zeros(factor):
+    for a, value in special_values(factor):
         there = M.xreplace({a: value}).applyfunc(sp.cancel)
         if there.has(sp.nan, sp.zoo):
             continue
@@ -50,16 +50,6 @@ def _is_the_same(form: SmithForm, M: sp.ImmutableMatrix, factor: sp.Expr, others
         known = {each for other in left for each in vanishing_factors(sp.cancel(other))}
         return all(each in known for each in changed_where(special))
     return False
-
-
-def _zeros(factor: sp.Expr) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
-    """A parameter in which the factor is linear, and its value where the factor is zero."""
-    parameters: list[Any] = sorted(factor.free_symbols, key=str)
-    for a in parameters:
-        if factor.is_polynomial(a) and sp.degree(factor, a) == 1:
-            slope, constant = sp.Poly(factor, a).all_coeffs()
-            if not slope.free_symbols:
-                yield a, sp.cancel(-constant / slope)
 
 
 def common_roots_where(p: sp.Poly, q: sp.Poly) -> tuple[sp.Expr, ...]:

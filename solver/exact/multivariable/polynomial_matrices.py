@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import domain_matrix, expression
-from solver.exact.representation.polynomials import expanded
+from solver.exact.representation.polynomials import expanded, factored_form, factors_of, in_lowest_terms
 
 Rows = tuple[tuple[sp.Poly, ...], ...]
 
@@ -27,7 +28,12 @@ def polynomial_rows(M: sp.ImmutableMatrix, x: sp.Symbol) -> Rows:
 
 def matrix_of_rows(rows: Sequence[Sequence[sp.Poly]]) -> sp.ImmutableMatrix:
     """The matrix of expressions, each entry by falling powers."""
-    return sp.ImmutableMatrix([[expanded(p) for p in row] for row in rows])
+    return sp.ImmutableMatrix([[by_powers(p) for p in row] for row in rows])
+
+
+def by_powers(p: sp.Poly) -> sp.Expr:
+    """The polynomial by falling powers; parameters below bars over their common denominator."""
+    return in_lowest_terms(p, p.one, ())
 
 
 def minors(rows: Rows, k: int) -> Iterator[sp.Poly]:
@@ -66,9 +72,36 @@ def determinantal_divisors(M: sp.ImmutableMatrix, x: sp.Symbol) -> tuple[sp.Poly
     return tuple(found)
 
 
-def coefficients_in(p: sp.Poly) -> list[sp.Expr]:
-    """The coefficients as expressions, the highest power first."""
-    return [expression(p.domain, c) for c in p.rep.to_list()]
+@dataclass(frozen=True, slots=True)
+class MinorOf:
+    """A minor of a polynomial matrix: its rows and columns (counted from 1), what it is taken of, its factors."""
+
+    rows: tuple[int, ...]
+    columns: tuple[int, ...]
+    matrix: sp.ImmutableMatrix
+    value: sp.Expr
+
+
+def minors_in_factors(M: sp.ImmutableMatrix, x: sp.Symbol, k: int) -> tuple[MinorOf, ...]:
+    """The k×k minors of a polynomial matrix, rows before columns; raises NotExact."""
+    rows = polynomial_rows(M, x)
+    return tuple(
+        MinorOf(
+            tuple(i + 1 for i in of_rows),
+            tuple(j + 1 for j in of_columns),
+            sp.ImmutableMatrix(M.extract(list(of_rows), list(of_columns))),
+            in_factors(_determinant(rows, of_rows, of_columns)),
+        )
+        for of_rows in combinations(range(M.rows), k)
+        for of_columns in combinations(range(M.cols), k)
+    )
+
+
+def in_factors(p: sp.Poly) -> sp.Expr:
+    """The polynomial as its leading coefficient times monic irreducible factors."""
+    if p.is_zero or p.degree() == 0:
+        return expanded(p)
+    return expression(p.domain, p.rep.LC()) * factored_form(factors_of(p.monic()))
 
 
 def size_of(p: sp.Poly) -> tuple[Any, ...]:
@@ -80,4 +113,4 @@ def size_of(p: sp.Poly) -> tuple[Any, ...]:
         terms = [len(K.numer(c)) + 2 * len(K.denom(c)) - 2 for c in coefficients if c]
         plain = all(K.numer(c).is_ground and K.denom(c).is_ground for c in coefficients)
         return int(not plain), sum(terms)
-    return 0, sum(len(str(c)) for c in coefficients)
+    return 0, sum(len(str(a)) for c in coefficients for a in (c.to_list() if K.is_Algebraic else [c]))

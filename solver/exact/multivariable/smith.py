@@ -8,9 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from solver.exact.multivariable.polynomial_matrices import Rows, polynomial_rows
+from solver.exact.multivariable.polynomial_matrices import Rows, in_factors, polynomial_rows
 from solver.exact.multivariable.smith_reduction import Reduction, SmithStage, carried_out
-from solver.exact.representation.polynomials import expanded
 
 
 @dataclass(frozen=True)
@@ -35,13 +34,18 @@ class SmithForm:
 
     @cached_property
     def invariant_factors(self) -> tuple[sp.Expr, ...]:
-        """The min(p, m) invariant factors, zeros where the rank falls short."""
-        return with_zeros([expanded(e) for e in self.invariants], self.shape)
+        """The min(p, m) invariant factors as products of irreducible ones, zeros where the rank falls short."""
+        return with_zeros([in_factors(e) for e in self.invariants], self.shape)
 
     @property
     def form(self) -> sp.ImmutableMatrix:
         """The diagonal matrix (p×m)."""
         return diagonal_matrix(self.invariant_factors, self.shape)
+
+    @cached_property
+    def longest(self) -> int:
+        """How much is to be written for the longest matrix on the way."""
+        return max((stage.figures for stage in self.stages), default=0)
 
     @cached_property
     def left(self) -> sp.ImmutableMatrix:

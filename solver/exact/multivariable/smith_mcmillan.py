@@ -8,14 +8,9 @@ from functools import cached_property, lru_cache
 import sympy as sp
 
 from solver.exact.multivariable.generic import changed_where, common_roots_where
-from solver.exact.multivariable.polynomial_matrices import matrix_of_rows
+from solver.exact.multivariable.polynomial_matrices import in_factors, matrix_of_rows
 from solver.exact.multivariable.smith import SmithForm, diagonal_matrix, smith_form, with_zeros
-from solver.exact.representation.polynomials import (
-    factored_form,
-    factors_of,
-    least_common_multiple,
-    signed_fraction,
-)
+from solver.exact.representation.polynomials import least_common_multiple, signed_fraction
 from solver.exact.representation.transfer import TransferMatrix
 
 
@@ -79,8 +74,7 @@ class SmithMcMillan:
 
 def written(above: sp.Poly, below: sp.Poly) -> sp.Expr:
     """The fraction of two monic polynomials in factors."""
-    top = factored_form(factors_of(above)) if above.degree() > 0 else sp.S.One
-    return signed_fraction(top, factored_form(factors_of(below)))
+    return signed_fraction(in_factors(above), in_factors(below))
 
 
 @lru_cache(maxsize=64)

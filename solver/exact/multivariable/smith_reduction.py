@@ -6,14 +6,14 @@ Rows and columns are numbered from 0. Source: F. R. Gantmacher, The Theory of Ma
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 from typing import Any
 
 import sympy as sp
 
 from solver.exact.linear_algebra.row_reduction import Add, Operation, Scale, Swap, carry_out
-from solver.exact.multivariable.polynomial_matrices import Rows, matrix_of_rows, size_of
+from solver.exact.multivariable.polynomial_matrices import Rows, by_powers, matrix_of_rows, size_of
 
 STAGE = 12
 """What a stage costs beside the figures of its matrix."""
@@ -28,6 +28,12 @@ class Division:
     divisor: sp.Poly
     quotient: sp.Poly
     remainder: sp.Poly
+
+    @property
+    def expressions(self) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
+        """The four as expressions, in their order."""
+        p, d, q, r = map(by_powers, (self.dividend, self.divisor, self.quotient, self.remainder))
+        return p, d, q, r
 
 
 @dataclass(frozen=True)
@@ -66,6 +72,13 @@ class SmithStage:
     def right(self) -> sp.ImmutableMatrix:
         """The unimodular matrix that does the operations on columns, from the right."""
         return carried_out(self.operations, "C", self.rows_before)
+
+    @property
+    def shown(self) -> tuple[Operation, ...]:
+        """The operations with expressions as their factors."""
+        return tuple(
+            each if isinstance(each, Swap) else replace(each, factor=by_powers(each.factor)) for each in self.operations
+        )
 
     @property
     def leaves(self) -> bool:
