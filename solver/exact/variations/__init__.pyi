@@ -1,10 +1,25 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-from solver.exact.variations.along import along, definite_integral, tidy_in_time
+from solver.exact.variations.along import along, definite_integral, in_time
 from solver.exact.variations.constant_coefficients import FundamentalSystem, Trial, fundamental_system, trials
+from solver.exact.variations.horizons import FiniteHorizon, finite_horizon
 from solver.exact.variations.increments import Increment, increment
 from solver.exact.variations.linear_forms import LinearForm, factors_that_vanish, highest_jet, linear_form
 from solver.exact.variations.minimum_energy import MinimumEnergy, NotReachable, minimum_energy
+from solver.exact.variations.recursions import Recursion, riccati_recursion
+from solver.exact.variations.second_variation import (
+    Conjugate,
+    SecondVariation,
+    bending,
+    conjugate,
+    definite_in_time,
+    first_zero_from,
+    hessian,
+    jacobi_equation,
+    second_variation,
+    with_values,
+)
+from solver.exact.variations.signs_in_time import signs_in_time
 from solver.exact.variations.table_of_integrals import integrated, table_integral
 from solver.exact.variations.variational_derivatives import (
     Cleared,
@@ -16,26 +31,41 @@ from solver.exact.variations.variational_derivatives import (
 
 __all__ = [
     "Cleared",
+    "Conjugate",
+    "FiniteHorizon",
     "FundamentalSystem",
     "Increment",
     "LinearForm",
     "MinimumEnergy",
     "NotReachable",
+    "Recursion",
+    "SecondVariation",
     "Trial",
     "VariationalDerivative",
     "along",
+    "bending",
     "cleared",
+    "conjugate",
+    "definite_in_time",
     "definite_integral",
     "factors_that_vanish",
+    "finite_horizon",
+    "first_zero_from",
     "fundamental_system",
+    "hessian",
     "highest_jet",
+    "in_time",
     "increment",
     "integrated",
+    "jacobi_equation",
     "linear_form",
     "minimum_energy",
     "never_zero",
+    "riccati_recursion",
+    "second_variation",
+    "signs_in_time",
     "table_integral",
-    "tidy_in_time",
     "trials",
     "variational_derivative",
+    "with_values",
 ]

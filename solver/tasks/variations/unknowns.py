@@ -56,24 +56,20 @@ class Constants:
 
     found: list[Symbol]
     taken: frozenset[str]
+    letter: str = "C"
     numbers: Iterator[int] = field(default_factory=lambda: count(1))
 
     @staticmethod
-    def beside(known: Sequence[Symbol], equations: Iterable[Expr]) -> Constants:
+    def beside(known: Sequence[Symbol], equations: Iterable[Expr], letter: str = "C") -> Constants:
         """Constants that no symbol of the equations is called like."""
         taken = {str(symbol) for each in equations for symbol in each.free_symbols}
-        return Constants(list(known), frozenset(taken | {str(each) for each in known}))
+        return Constants(list(known), frozenset(taken | {str(each) for each in known}), letter)
 
     def new(self) -> Symbol:
         """One more constant."""
-        name = next(name for i in self.numbers if (name := f"C{i}") not in self.taken)
+        name = next(name for i in self.numbers if (name := f"{self.letter}{i}") not in self.taken)
         self.found.append(sp.Symbol(name, real=True))
         return self.found[-1]
-
-    def copy(self) -> Constants:
-        """The same constants, for another branch."""
-        used = [str(each) for each in self.found]
-        return Constants(list(self.found), self.taken | frozenset(used))
 
 
 @dataclass(frozen=True)
