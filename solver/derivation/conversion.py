@@ -127,12 +127,18 @@ def _ways(system: System) -> Iterable[tuple[type, Provided, tuple[Conversion, ..
     seen = {start}
     while queue:
         kind, has, chain = queue.popleft()
-        yield kind, has | {"motion", "states"} if "A" in has else has, chain  # where there is A, states move
+        yield kind, has | _implied(has), chain
         for each in conversions():
             given = frozenset(each.gives(has)) if each.source is kind and each.target not in seen else frozenset()
             if given:
                 seen.add(each.target)
                 queue.append((each.target, given, (*chain, each)))
+
+
+def _implied(has: Provided) -> Provided:
+    """What goes with it: where there is A, states move; a transfer function has values at frequencies."""
+    moves = frozenset({"motion", "states"}) if "A" in has else frozenset()
+    return moves | {"gains"} if "transfer_function" in has else moves
 
 
 def converted_to(system: System, target: type[T]) -> Derivation[T]:

@@ -32,7 +32,7 @@ THIN_SPACE = Space(r"\,")
 DOTS = frozenset((r"\dot", r"\ddot", r"\dddot"))
 """Marks under which a name stays a name: the square of a derivative needs no parentheses."""
 _LEAVES = frozenset((Function, Number, Operator, Space, Symbol, Text))
-_IN_SUMS = frozenset(map(Operator, ("+", "-", r"\pm", r"\otimes", r"\ast", r"\approx", "=")))
+_IN_SUMS = frozenset(map(Operator, ("+", "-", r"\pm", r"\otimes", r"\circ", r"\ast", r"\approx", "=")))
 
 
 def row(*parts: Node | str) -> Row:

@@ -215,10 +215,12 @@ class SystemReader(FunctionsOfTime):
         """Return the coefficients of a matrix of polynomials, row by row; none for one that is wrong."""
         return [[self._polynomial(item) for item in items] for items in self._rows(key)]
 
-    def quotients(self, key: str) -> list[list[Rational]]:
+    def quotients(self, key: str, *, delayed: bool = False) -> list[list[Rational]]:
         """Return a matrix of proper quotients of polynomials; a wrong one is missing in its row."""
         lists = self._rows(key)
-        return [[entry for item in items if (entry := self._quotient(item)) is not None] for items in lists]
+        return [
+            [entry for item in items if (entry := self._quotient(item, delayed=delayed)) is not None] for items in lists
+        ]
 
     def _rows(self, key: str) -> list[tuple[Node, ...]]:
         """The items of each row; complains of rows that have not the length of the first."""

@@ -65,6 +65,11 @@ def kronecker(left: Any, right: Any) -> Stated:
     return Stated("kronecker", (left, right))
 
 
+def entrywise_product(left: Any, right: Any) -> Stated:
+    """A ∘ B of two matrices of one shape: the products of the entries at the same place."""
+    return Stated("entrywise_product", (left, right))
+
+
 def vectorized(matrix: Any) -> Stated:
     """vec M: the columns of M below each other."""
     return Stated("vectorized", (matrix,))
@@ -140,3 +145,8 @@ def _matrix_of(show: Show, columns: int, *entries: Any) -> Row:
 @operation(kronecker)
 def _kronecker(show: Show, left: Any, right: Any) -> Row:
     return row(as_factor(show(left)), r"\otimes", as_factor(show(right)))
+
+
+@operation(entrywise_product)
+def _entrywise_product(show: Show, left: Any, right: Any) -> Row:
+    return row(as_factor(show(left)), r"\circ", as_factor(show(right)))

@@ -17,7 +17,7 @@ from solver.systems.loops import OutputFeedback, StateFeedback
 from solver.systems.polynomial import Polynomial
 from solver.systems.polynomial_matrix import PolynomialMatrix
 from solver.systems.state_space import StateSpace
-from solver.systems.transfer_function import DeadTime, TransferFunction
+from solver.systems.transfer_function import DeadTime, DelayedMatrix, TransferFunction
 
 
 @cache
@@ -32,6 +32,7 @@ def kinds() -> dict[str, Kind]:
 __all__ = [
     "Circuit",
     "DeadTime",
+    "DelayedMatrix",
     "EarlierPart",
     "Equations",
     "Functional",

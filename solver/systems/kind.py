@@ -172,8 +172,8 @@ class Reader(Protocol):
     def polynomials(self, key: str) -> Sequence[Sequence[Sequence[Expr]]]:
         """Return the coefficients of a matrix of polynomials, row by row, the highest power first."""
 
-    def quotients(self, key: str) -> Sequence[Sequence[Quotient]]:
-        """Return a matrix of proper quotients of polynomials."""
+    def quotients(self, key: str, *, delayed: bool = False) -> Sequence[Sequence[Quotient]]:
+        """Return a matrix of proper quotients of polynomials; `delayed` says that they may have a factor e^{−Ts}."""
 
     def dynamic_names(self, key: str) -> Sequence[str]:
         """Return the names that occur with a derivative (discrete: at a sample), in the order of the file."""

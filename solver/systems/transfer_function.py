@@ -128,6 +128,66 @@ class DeadTime:
         return self.rational.names(of)
 
 
+@dataclass(frozen=True)
+class DelayedMatrix:
+    """`rational` is G₀ (p×m) in continuous time, `delays` (p×m) the T of the factors e^{−T s} of its entries."""
+
+    rational: TransferFunction
+    delays: ImmutableMatrix
+
+    discrete = False
+    sample_time = None
+
+    @property
+    def kind(self) -> str:
+        """The name of the kind that words it."""
+        return "transfer_function"
+
+    @property
+    def variable(self) -> Symbol:
+        """The symbol s."""
+        return self.rational.variable
+
+    @property
+    def factors(self) -> ImmutableMatrix:
+        """The e^{−T s} (p×m)."""
+        return sp.ImmutableMatrix(self.delays.applyfunc(lambda delay: sp.exp(-delay * self.variable)))
+
+    @property
+    def matrix(self) -> ImmutableMatrix:
+        """G, the entries of G₀ cancelled."""
+        return sp.ImmutableMatrix(sp.matrix_multiply_elementwise(self.rational.matrix, self.factors))
+
+    @property
+    def uncancelled(self) -> ImmutableMatrix:
+        """G with the factors that cancel."""
+        return sp.ImmutableMatrix(sp.matrix_multiply_elementwise(self.rational.uncancelled, self.factors))
+
+    @property
+    def parameters(self) -> tuple[Symbol, ...]:
+        """The free symbols but the variable, sorted by name."""
+        symbols: set[Any] = {*self.rational.parameters, *self.delays.free_symbols}
+        return tuple(sorted(symbols, key=str))
+
+    @property
+    def provides(self) -> frozenset[str]:
+        """A task can ask for its values at a frequency only."""
+        return frozenset({"gains"})
+
+    @property
+    def described(self) -> str:
+        """What it is given by, in words."""
+        return "with their dead times the entries are no quotients of polynomials"
+
+    def size(self, of: str) -> int | None:
+        """Return the number of inputs "m" or outputs "p"."""
+        return self.rational.size(of)
+
+    def names(self, of: str) -> tuple[str, ...]:
+        """Return the names of the "input"s or "output"s, if there are any."""
+        return self.rational.names(of)
+
+
 def _read_one(reader: Reader) -> TransferFunction | DeadTime:
     """Return one transfer function; with a dead time beside it where it has one."""
     entry = reader.quotient("transfer_function")
@@ -137,11 +197,13 @@ def _read_one(reader: Reader) -> TransferFunction | DeadTime:
     return rational if entry.delay == 0 else DeadTime(rational, entry.delay)
 
 
-def _read_matrix(reader: Reader) -> TransferFunction:
-    """Return a matrix of transfer functions."""
-    rows = reader.quotients("transfer_matrix")
+def _read_matrix(reader: Reader) -> TransferFunction | DelayedMatrix:
+    """Return a matrix of transfer functions; with dead times beside it where entries have some."""
+    rows = reader.quotients("transfer_matrix", delayed=True)
     reader.conclude()
-    return _of(reader, rows)
+    delays = sp.ImmutableMatrix([[entry.delay for entry in row] for row in rows])
+    rational = _of(reader, rows)
+    return rational if delays.is_zero_matrix else DelayedMatrix(rational, delays)
 
 
 def _of(reader: Reader, rows: Sequence[Sequence[Quotient]]) -> TransferFunction:

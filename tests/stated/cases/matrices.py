@@ -8,6 +8,7 @@ from solver.stated.matrices import (
     adjugate,
     cofactor,
     determinant,
+    entrywise_product,
     inverse,
     kronecker,
     matrix_of,
@@ -46,6 +47,7 @@ RIGHT = [
     (kronecker(sp.Matrix([[1, a]]), sp.Matrix([[0, 1], [2, 3]])), sp.Matrix([[0, 1, 0, a], [2, 3, 2 * a, 3 * a]])),
     (matrix_of([[total(product(a, 2), 1), 0, s]]), sp.Matrix([[2 * a + 1, 0, s]])),
     (kronecker(F, sp.eye(2)), sp.kronecker_product(F, sp.eye(2))),
+    (entrywise_product(sp.Matrix([[1, a], [2, s]]), sp.Matrix([[3, a], [1, 2]])), sp.Matrix([[3, a**2], [2, 2 * s]])),
     (vectorized(sp.Matrix([[1, 2], [a, 4]])), sp.Matrix([1, a, 2, 4])),
 ]
 
@@ -71,6 +73,7 @@ PRINTED = [
     (cofactor(M, 1, 2), rf"\operatorname{{cof}}_{{12}}{m}"),
     (kronecker(M, M), rf"{m} \otimes {m}"),
     (kronecker(total(M, M), M), rf"\left({m} + {m}\right) \otimes {m}"),
+    (entrywise_product(M, transpose(M)), rf"{m} \circ {m}^{{T}}"),
     (product(2, kronecker(M, M)), rf"2\left({m} \otimes {m}\right)"),
     (vectorized(M), rf"\operatorname{{vec}}{m}"),
 ]
