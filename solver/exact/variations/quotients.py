@@ -153,9 +153,14 @@ def _is_shorter_hyperbolic(N: ExponentialSum, D: ExponentialSum) -> bool:
     pairs = [_pairs(part) for part in (N, D)]
     if any(pair is None for pair in pairs):
         return False
-    shown = sum(each != 0 for pair in pairs if pair for both in pair.values() for each in both)
-    there = len(N.terms) + len(D.terms)
+    shown = sum(_length(c) for pair in pairs if pair for both in pair.values() for c in both if c != 0)
+    there = sum(_length(c) for part in (N, D) for _, c in part.terms)
     return shown < there or (shown == there and any(_rate(mode).free_symbols for mode, _ in D.terms))
+
+
+def _length(c: sp.Expr) -> int:
+    """How much a reader has to read of a coefficient: a sum counts twice."""
+    return 2 if c.is_Add else 1
 
 
 Terms = list[tuple[sp.Expr, sp.Expr]]
@@ -214,9 +219,14 @@ def _written(part: ExponentialSum) -> sp.Expr:
 
 
 def _over(above: Terms, below: Terms) -> sp.Expr:
-    """The fraction, with the factor that all terms above share before it."""
+    """The fraction, with the factor that all terms above share before it; sinh over cosh is tanh."""
+    if len(above) == 1 and len(below) == 1:
+        (c, f), (d, g) = above[0], below[0]
+        if isinstance(f, sp.sinh) and g == sp.cosh(f.args[0]):
+            return tidied(sp.radsimp(c / d)) * sp.tanh(f.args[0])
     shared = common_factor([c for c, _ in above])
-    numerator = sp.Add(*(tidied(sp.radsimp(c / shared)) * f for c, f in above)) if shared != 1 else _sum(above)
+    divided = ((c / shared if shared.free_symbols else sp.radsimp(c / shared), f) for c, f in above)
+    numerator = _sum([(tidied(c), f) for c, f in divided]) if shared != 1 else _sum(above)
     found: sp.Expr = sp.Mul(shared, numerator, sp.Pow(_sum(below), -1))
     return found
 
@@ -228,8 +238,11 @@ def _sum(terms: Terms) -> sp.Expr:
 def common_factor(coefficients: Sequence[sp.Expr]) -> sp.Expr:
     """A number that all coefficients are whole multiples of, or a root; 1 where symbols are left."""
     lead = coefficients[0]
-    if len(coefficients) == 1 or any(c.free_symbols or c.has(sp.Float) for c in coefficients):
+    if len(coefficients) == 1 or any(c.has(sp.Float) for c in coefficients):
         return sp.S.One
+    if any(c.free_symbols for c in coefficients):
+        shared = reduce(sp.gcd, coefficients)
+        return shared if shared.free_symbols and not shared.is_Add else sp.S.One
     ratios = [tidied(sp.radsimp(c / lead)) for c in coefficients]
     if not all(r.is_Rational for r in ratios):
         return sp.S.One

@@ -43,15 +43,15 @@ minimum_energy_control: Task[WithInput, EnergyOptions] = Task(
         AnswerName(
             "costates",
             r"\lambda",
-            "λ₁, …, λₙ in t, with λ' = −∂H/∂x for H = integrand + λᵀ(Ax + Bu)",
+            "the costates λ₁, …, λₙ, in t",
             methods=("variations",),
             ordered=True,
             free=_open_costates,
         ),
         AnswerName(
             "equations",
-            "",
-            "the necessary conditions, as expressions that are zero (in `lambda1_dot`, `lambda1`, `u`, `x1_dot`, `x1`)",
+            r"\text{equations}",
+            "the necessary conditions, each of which is zero (in `lambda1_dot`, `lambda1`, `u`, `x1_dot`, `x1`)",
             methods=("variations",),
             zero=True,
             told=("costate_equations", "stationary"),

@@ -16,10 +16,11 @@ from numpy.linalg import LinAlgError
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import worst_of
-from solver.numeric.evaluation.environment import Environment, Point
-from solver.numeric.evaluation.expressions import evaluate, value_of
+from solver.numeric.evaluation.environment import Point
+from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
+from solver.numeric.judges.variations.sampled import functions_at, real, relative
 from solver.words import Phrase
 
 TRIES = 20
@@ -51,7 +52,7 @@ class Optimal:
 
     def __init__(self, transfer: Transfer, point: Point) -> None:
         self.point = point
-        self.A, self.B, self.R, self.x0, self.xf = (_real(evaluate(M, point)) for M in transfer[:5])
+        self.A, self.B, self.R, self.x0, self.xf = (real(evaluate(M, point)) for M in transfer[:5])
         self.T, self.factor = (float(np.real(evaluate(value, point))) for value in transfer[5:])
         if np.linalg.eigvalsh(self.R)[0] <= 0 or self.T <= 0:
             raise Undefined("R or T is not positive here")
@@ -138,31 +139,9 @@ def _worst(transfer: Transfer, judge: Callable[[Optimal], float], *values: Any) 
         return float("inf")
 
 
-def _real(matrix: Any) -> Array:
-    if np.abs(np.imag(matrix)).max(initial=0.0) > 1e-9 * (1 + np.abs(matrix).max(initial=0.0)):
-        raise Undefined("it is not real here")
-    return np.asarray(np.real(matrix), dtype=float)
-
-
-def signals_at(formula: Any, point: Point, times: Array, rows: int) -> Array:
-    """Return a column of functions of t at some times (k×rows); raises ShapeMismatch for another shape or symbols."""
-    t = sp.Symbol("t")
-    column = formula if hasattr(formula, "shape") else sp.ImmutableMatrix([formula])
-    if column.shape != (rows, 1):
-        raise ShapeMismatch(Phrase("it must be {rows}×{columns}", rows=rows, columns=1))
-    unknown = free_symbols(column) - set(point) - {t}
-    if unknown:
-        listed = ", ".join(sorted(map(str, unknown)))
-        raise ShapeMismatch(Phrase("it holds {unknown}, which the question does not", unknown=listed))
-    places = [{**point, t: complex(time)} for time in times]
-    found = np.asarray(value_of(column, Environment.at(places)).value)
-    return _real(np.broadcast_to(found, (len(times), rows, 1))[:, :, 0])
-
-
-def _relative(gap: Array, *scales: Array) -> float:
-    size = max((float(np.abs(scale).max(initial=0.0)) for scale in scales), default=0.0)
-    found = float(np.abs(gap).max(initial=0.0))
-    return found / size if size > 0 else found
+def _columns(formula: Any, point: Point, times: Array, rows: int) -> Array:
+    """A column of functions of t at some times (k×rows)."""
+    return functions_at(formula, point, times, (rows, 1))[:, :, 0]
 
 
 def arrival_residual(transfer: Transfer, u: Any) -> float:
@@ -170,10 +149,10 @@ def arrival_residual(transfer: Transfer, u: Any) -> float:
 
     def judge(best: Optimal) -> float:
         times, weights = best.nodes
-        values = signals_at(u, best.point, times, best.B.shape[1])
+        values = _columns(u, best.point, times, best.B.shape[1])
         moved = np.einsum("k,kim,km->i", weights, best.towards_the_end, values)[:, None]
         sizes = np.einsum("k,kim,km->i", weights, np.abs(best.towards_the_end), np.abs(values))
-        return _relative(moved - best.gap, sizes, best.xf, best.gap)
+        return relative(moved - best.gap, sizes, best.xf, best.gap)
 
     return _worst(transfer, judge, u)
 
@@ -183,7 +162,7 @@ def orthogonality_residual(transfer: Transfer, u: Any) -> float:
 
     def judge(best: Optimal) -> float:
         times, _weights = best.nodes
-        values = signals_at(u, best.point, times, best.B.shape[1])
+        values = _columns(u, best.point, times, best.B.shape[1])
         length = np.sqrt(_inner(best, values, values))
         found = []
         for v in _from_rest_to_rest(best):
@@ -217,9 +196,9 @@ def motion_residual(transfer: Transfer, x: Any) -> float:
 
     def judge(best: Optimal) -> float:
         times = best.T * np.array(TIMES)
-        values = signals_at(x, best.point, times, best.A.shape[0])
+        values = _columns(x, best.point, times, best.A.shape[0])
         right = np.array([best.state(t)[:, 0] for t in times])
-        return _relative(values - right, right, best.x0, best.xf)
+        return relative(values - right, right, best.x0, best.xf)
 
     return _worst(transfer, judge, x)
 
@@ -229,10 +208,10 @@ def costate_residual(transfer: Transfer, costates: Any) -> float:
 
     def judge(best: Optimal) -> float:
         times = best.T * np.array(TIMES)
-        values = signals_at(costates, best.point, times, best.A.shape[0])
+        values = _columns(costates, best.point, times, best.A.shape[0])
         controls = np.array([-np.linalg.solve(best.R, best.B.T @ value) / (2 * best.factor) for value in values])
         right = np.array([best.control(t)[:, 0] for t in times])
-        return _relative(controls - right, right, controls)
+        return relative(controls - right, right, controls)
 
     return _worst(transfer, judge, costates)
 
@@ -253,7 +232,7 @@ def weighted_gramian_residual(transfer: Transfer, W: Any) -> float:
         raise ShapeMismatch(Phrase("it must be {rows}×{columns}", rows=transfer.A.rows, columns=transfer.A.cols))
 
     def judge(best: Optimal) -> float:
-        return _relative(_real(evaluate(W, best.point)) - best.gramian, best.gramian)
+        return relative(real(evaluate(W, best.point)) - best.gramian, best.gramian)
 
     return _worst(transfer, judge, W)
 
@@ -287,7 +266,7 @@ def necessary_conditions_residual(transfer: Transfer, equations: list[Any], name
         if found.shape != right.shape or np.linalg.matrix_rank(found, tol=1e-9) < len(right):
             return float("inf")
         fit = np.linalg.lstsq(found.T, right.T, rcond=None)[0]
-        return _relative(found.T @ fit - right.T, right)
+        return relative(found.T @ fit - right.T, right)
 
     symbols = set(names)
     found = frozenset().union(*map(free_symbols, equations)) - symbols
