@@ -53,7 +53,7 @@ def zeros_of_system_matrix(matrices: Quadruple, x: Symbol, *, minimal: bool = Fa
             zeros=exact.in_factors(found.zero_polynomial),
             minimal=minimal,
         )
-    else:
+    elif found.rank:
         yield _minors(found, minimal=minimal)
     return found
 

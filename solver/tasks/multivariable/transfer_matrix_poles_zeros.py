@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import AnswerName, Answers, Derivation, Given, Step, Task
 from solver.lazy import exact, systems
 from solver.tasks.multivariable import poles_zeros_checks, poles_zeros_mistakes
-from solver.tasks.multivariable.minors import Found, poles_and_zeros_by_minors
+from solver.tasks.multivariable.minors import Found, lowest_of, poles_and_zeros_by_minors
 from solver.tasks.multivariable.plants import transfer_matrix_of
 from solver.tasks.multivariable.poles_zeros import poles_and_zeros_of
 from solver.tasks.multivariable.rosenbrock import (
@@ -16,6 +16,7 @@ from solver.tasks.multivariable.rosenbrock import (
     system_zeros_of,
     zeros_of_system_matrix,
 )
+from solver.tasks.multivariable.smith_mcmillan import smith_mcmillan_of
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.minimal_parts import kept_part_of, least_realization_of
 from solver.tasks.representation.plants import matrices_of, variable_of
@@ -64,7 +65,7 @@ transfer_matrix_poles_zeros: Task[InputOutput, LoopOptions] = Task(
         ),
         AnswerName(
             "zero_directions",
-            "U",
+            "U_{z}",
             "columns $u$ with $G(z)\\,u = 0$, in the order of the zeros",
             optional=True,
             free=True,
@@ -87,6 +88,25 @@ def by_minors(given: Given[InputOutput, LoopOptions]) -> Derivation[Answers]:
     G = yield from transfer_matrix_of(given.system)
     found = yield from poles_and_zeros_by_minors(G)
     return (yield from _all_answers(given, found, by_minors=True))
+
+
+@transfer_matrix_poles_zeros.method(
+    "smith_mcmillan", title="Smith–McMillan form", source="Kailath, Linear Systems, section 6.5"
+)
+def by_smith_mcmillan(given: Given[InputOutput, LoopOptions]) -> Derivation[Answers]:
+    """The products of the denominators and of the numerators on the diagonal of the Smith–McMillan form."""
+    G = yield from transfer_matrix_of(given.system)
+    yield from lowest_of(G)
+    form = yield from smith_mcmillan_of(G)
+    found = Found(G, form.rank, form.pole_polynomial, form.zero_polynomial)
+    yield Step(
+        "diagonal",
+        unclaimed="the products are displayed with their roots",
+        x=G.variable,
+        poles=exact.in_factors(found.poles),
+        zeros=exact.in_factors(found.zeros),
+    )
+    return (yield from _all_answers(given, found))
 
 
 @transfer_matrix_poles_zeros.method(
