@@ -15,6 +15,13 @@ from solver.problem.source import Report, did_you_mean
 from solver.systems.ends import End
 
 
+def _below(name: str, order: int, highest: int) -> str:
+    """Why a derivative has no value of its own at an end."""
+    if not highest:
+        return f"no derivative of {name} occurs"
+    return f"the highest derivative of {name} that occurs is of order {highest}, and this is of order {order}"
+
+
 class FunctionsOfTime:
     """Reads them; a reader of systems builds on it."""
 
@@ -103,21 +110,38 @@ class FunctionsOfTime:
                 found[jet] = self.lexicon.expression(entry.value, barred=self.barred)
         return found
 
-    def ends(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], tuple[End, ...]]:
-        """Return what is asked at both ends of functions and their derivatives: values, free, or a curve."""
+    def ends(self, key: str, orders: Mapping[str, int], *, free_time: bool) -> dict[tuple[str, int], tuple[End, ...]]:
+        """Return what is asked at both ends of functions and their derivatives: values, free, or a curve.
+
+        Of a function with a highest derivative (`orders`) only those below it are asked for. Only the last end may lie
+        on a curve, and only where the time of it is free.
+        """
         node = self.node.get(key)
         found: dict[tuple[str, int], tuple[End, ...]] = {}
         for entry in node if isinstance(node, MappingNode) else ():
             with self.report:
                 jet = self._equations.jet(entry.key)
-                if jet[0] not in functions:
-                    meant = did_you_mean(jet[0], functions)
+                if jet[0] not in orders:
+                    meant = did_you_mean(jet[0], orders)
                     raise entry.key.fault(f"'{entry.key.text[:40]}' is none of the functions", suggestion=meant)
+                if jet[1] >= max(orders[jet[0]], 1):
+                    raise entry.key.fault("nothing can be asked of this at an end", note=_below(*jet, orders[jet[0]]))
                 items = entry.value.items if isinstance(entry.value, SequenceNode) else ()
                 if len(items) != 2:
                     raise entry.value.fault("two ends are expected here: what holds at the first and at the last time")
                 found[jet] = tuple(self._end(item) for item in items)
+                for last, item in enumerate(items):
+                    if isinstance(item, MappingNode):
+                        self._check_curve(item, jet[1], last=bool(last), free_time=free_time)
         return found
+
+    def _check_curve(self, node: MappingNode, order: int, *, last: bool, free_time: bool) -> None:
+        if not last:
+            raise node.fault("only the last end may lie on a curve; the first is a value or free")
+        if not free_time:
+            raise node.fault("an end on a curve needs to: free, since the time is where the curve is met")
+        if order:
+            raise node.fault("a function may end on a curve; the end of a derivative is a value or free")
 
     def _end(self, node: Node) -> End:
         if isinstance(node, MappingNode):

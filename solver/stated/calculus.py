@@ -25,8 +25,8 @@ def time_derivative(function: Any, following: Any) -> Stated:
     return Stated("time_derivative", (function, tuple(following)))
 
 
-def denoted(name: str, formula: Any) -> Stated:
-    """A formula that is shown by its name (LaTeX): ∂L/∂q, where L is known."""
+def denoted(name: Any, formula: Any) -> Stated:
+    """A formula that is shown by its name (LaTeX), as L in ∂L/∂q, or as it was stated, as ∂L/∂q' in its derivative."""
     return Stated("denoted", (name, formula))
 
 
@@ -71,17 +71,18 @@ operation(partial_derivative)(_derivative(r"\partial"))
 
 @operation(time_derivative)
 def _time_derivative(show: Show, function: Any, _following: Any) -> Row:
-    named = isinstance(function, Stated) and function.operation == "denoted"
-    if named:
+    if isinstance(function, Stated) and function.operation == "denoted":
+        if not isinstance(function.operands[0], str):
+            return _time_derivative(show, function.operands[0], _following)
         return row(over(row("d", show(function)), row("d", "t")))
     shown = show(function)
-    alone = isinstance(function, Stated) and function.operation == "partial_derivative"
+    alone = isinstance(function, Stated) and function.operation in ("partial_derivative", "time_derivative")
     return row(over(row("d"), row("d", "t")), shown if alone else as_factor(shown))
 
 
 @operation(denoted)
-def _denoted(_show: Show, name: str, _formula: Any) -> Row:
-    return read(name)
+def _denoted(show: Show, name: Any, _formula: Any) -> Row:
+    return read(name) if isinstance(name, str) else show(name)
 
 
 @operation(integral, binding=Binding(1))

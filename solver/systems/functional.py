@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -83,7 +83,7 @@ class Functional:
         """The values asked for: the function or derivative, the time, the value."""
         times = (self.start, self.end_time)
         return [
-            (jet_symbol(jet), time, end.value)
+            (self.symbol(jet), time, end.value)
             for jet, pair in self.ends.items()
             for time, end in zip(times, pair, strict=True)
             if end.value is not None
@@ -94,7 +94,7 @@ class Functional:
         """The ends named as free: the function or derivative, the time."""
         times = (self.start, self.end_time)
         return [
-            (jet_symbol(jet), time)
+            (self.symbol(jet), time)
             for jet, pair in self.ends.items()
             for time, end in zip(times, pair, strict=True)
             if end.free
@@ -103,7 +103,7 @@ class Functional:
     @property
     def curves(self) -> list[tuple[Symbol, Expr]]:
         """The curves on which functions end."""
-        return [(jet_symbol(jet), last.curve) for jet, (_, last) in self.ends.items() if last.curve is not None]
+        return [(self.symbol(jet), last.curve) for jet, (_, last) in self.ends.items() if last.curve is not None]
 
     @cached_property
     def expressions(self) -> tuple[Expr, ...]:
@@ -119,6 +119,23 @@ class Functional:
         """The free symbols but the time, the functions and their derivatives, sorted by name."""
         found: set[Any] = set().union(*(each.free_symbols for each in self.expressions)) - {*self.jets, self.t}
         return tuple(sorted(found, key=str))
+
+    def assuming(self, assumed: Mapping[str, Symbol]) -> Functional:
+        """Return the functional in symbols of which something is assumed, in place of those that are only real."""
+        if not assumed:
+            return self
+        mine = replace(self, assumed=assumed)
+        put: dict[Any, Any] = {symbol: mine.symbol(jet) for symbol, jet in self.jets.items()}
+        return replace(
+            mine,
+            integrand=self.integrand.xreplace(put),
+            terminal_cost=self.terminal_cost.xreplace(put),
+            integral_constraints=tuple(
+                IntegralConstraint(each.integrand.xreplace(put), each.value) for each in self.integral_constraints
+            ),
+            constraints=tuple((left.xreplace(put), right.xreplace(put)) for left, right in self.constraints),
+            jets={put[symbol]: jet for symbol, jet in self.jets.items()},
+        )
 
     @property
     def provides(self) -> frozenset[str]:
@@ -151,11 +168,11 @@ class Functional:
 
     def symbol(self, jet: Jet) -> Symbol:
         """Return the symbol of a function of time, or of its derivative."""
-        return jet_symbol(jet)
+        return jet_symbol(jet, assumed=self.assumed)
 
     def symbols(self, order: int = 0) -> list[Symbol]:
         """Return the symbols of the functions, or of their derivatives."""
-        return [jet_symbol((name, order)) for name in self.functions]
+        return [self.symbol((name, order)) for name in self.functions]
 
     def size(self, of: str) -> int | None:  # noqa: ARG002 - whatever is asked
         """Return the number of states "n", inputs "m" and outputs "p": it has none."""
@@ -198,22 +215,24 @@ class _Parts:
         self.jets |= jets
         free = list(reader.texts("to")) == ["free"]
         start, stop = self._number(reader, "from"), None if free else self._number(reader, "to")
-        ends = reader.ends("ends", self.functions)
         inside = set(self.jets.values())
+        orders = {name: max((k for of, k in inside if of == name), default=0) for name in self.functions}
+        ends = reader.ends("ends", orders, free_time=free)
         cost = self._formula(reader, "terminal_cost")
-        self._check_ends(ends, free=free)
+        self._check_times(start, stop)
         self._check_names(inside, [cost, integrand, *(each for pair in integrals for each in pair)])
         assumed = reader.assumed(self.functions)
         reader.conclude()
         if cost is not None and free:
             cost = cost.xreplace({each: sp.Symbol(TIME) for each in cost.free_symbols if str(each) in ("t_f", "tf")})
         usual = {jet_symbol((name, k)): (name, k) for name in self.functions for k in (0, 1)}
-        return Functional(
+        found = Functional(
             integrand or sp.S.Zero, self.functions, sp.S.Zero if start is None else start, stop,
             {jet: (first, last) for jet, (first, last) in ends.items()}, cost or sp.S.Zero,
             tuple(IntegralConstraint(f or sp.S.Zero, v or sp.S.Zero) for f, v in integrals),
-            tuple(sides), {**usual, **self.jets}, assumed,
+            tuple(sides), {**usual, **self.jets},
         )  # fmt: skip
+        return found.assuming(assumed)
 
     def _formula(self, reader: Reader, key: str) -> Expr | None:
         found, jets = reader.formulas(key, self.functions)
@@ -228,19 +247,12 @@ class _Parts:
                 reader.complain(key, "this is to be a value, no function of t", item=i)
         return found[0] if found else None
 
-    def _check_ends(self, ends: Mapping[Jet, tuple[End, ...]], *, free: bool) -> None:
-        """Only the last end may lie on a curve, and only where the time of it is free."""
-        reader = self.reader
-        for key, (jet, (first, last)) in zip(reader.within("ends").keys, ends.items(), strict=False):
-            within = reader.within("ends")
-            if first.curve is not None:
-                within.complain(key, "only the last end may lie on a curve; the first is a value or free")
-            if last.curve is not None and not free:
-                within.complain(key, "an end on a curve needs 'to: free': the time is where the curve is met")
-            if last.curve is not None and jet[1] > 0:
-                within.complain(key, "a function may end on a curve; its derivative is a value or free")
-        if reader.gives("to") and free and reader.gives("from") and list(reader.texts("from")) == ["free"]:
-            reader.complain("from", "only the end of the time may be free")
+    def _check_times(self, start: Expr | None, stop: Expr | None) -> None:
+        """The first time is given; the last one is after it, where both are numbers."""
+        if list(self.reader.texts("from")) == ["free"]:
+            self.reader.complain("from", "only the end of the time may be free")
+        elif start is not None and stop is not None and (stop - start).is_positive is False:
+            self.reader.complain("to", "the last time is to be after the first one")
 
     def _check_names(self, inside: set[Jet], found: list[Expr | None]) -> None:
         """Each function must occur; the names of multipliers must not."""

@@ -193,7 +193,7 @@ class Reader(Protocol):
     def initial(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], Expr]:
         """Return the values of derivatives at the beginning."""
 
-    def ends(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], tuple[End, ...]]:
+    def ends(self, key: str, orders: Mapping[str, int], *, free_time: bool) -> dict[tuple[str, int], tuple[End, ...]]:
         """Return what is asked at both ends of functions and their derivatives: values, free, or a curve."""
 
     def assumed(self, functions: Sequence[str]) -> dict[str, Any]:

@@ -1,27 +1,110 @@
-"""Integrands along known functions, and their integrals."""
+"""Functions of time and integrands along them as a person writes them, and integrals over time."""
 
 from __future__ import annotations
 
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact
-from solver.exact.variations.exponential_sums import read
+from solver.exact.variations.exponential_sums import ExponentialSum, read
+from solver.exact.variations.quotients import quotient
 from solver.exact.variations.table_of_integrals import table_integral
+
+EXPONENTIALS = (sp.exp, sp.cosh, sp.sinh, sp.tanh)
+
+
+def in_time(function: sp.Expr, t: sp.Symbol) -> sp.Expr:
+    """Return a function of t, or a number, without common factors; with cosh and sinh where that is shorter."""
+    if function.has(sp.Float):
+        return function
+    if not function.has(*EXPONENTIALS, sp.E):
+        return sp.expand(function) if function.is_polynomial(t) else function
+    try:
+        above, below = _read_fraction(function, t)
+        cancelled: sp.Expr = quotient(above, below, rising=True)
+        above, below = _read_fraction(cancelled, t)
+    except NotExact:
+        return function
+    return _hyperbolic(above, below) or cancelled
+
+
+def _read_fraction(function: sp.Expr, t: sp.Symbol) -> tuple[ExponentialSum, ExponentialSum]:
+    above, below = sp.fraction(sp.together(function))
+    return read(sp.expand(above), [t]), read(sp.expand(below), [t])
+
+
+def _hyperbolic(above: ExponentialSum, below: ExponentialSum) -> sp.Expr | None:
+    """N/D by cosh and sinh, where the exponentials of both come in pairs about one and the same exponent."""
+    pairs = [_in_pairs(part) for part in (above, below)]
+    if any(pair is None for pair in pairs):
+        return None
+    (first, N), (second, D) = pairs  # type: ignore[misc]  # neither is None
+    if first != second or not (N.has(sp.sinh, sp.cosh) or D.has(sp.sinh, sp.cosh)):
+        return None
+    number, rest = sp.factor_terms(N).as_coeff_Mul()
+    other, divisor = sp.factor_terms(D).as_coeff_Mul()
+    return sp.Mul(number / other, rest / divisor)
+
+
+def _in_pairs(part: ExponentialSum) -> tuple[sp.Expr, sp.Expr] | None:
+    """The exponent in the middle, and the sum without it as cosh and sinh; None where it is none of pairs."""
+    if any(mode.angle != 0 for mode, _ in part.terms) or not part.terms:
+        return None
+    middle = sp.expand(sp.Add(*(mode.exponent for mode, _ in part.terms)) / len(part.terms))
+    found = {(sp.expand(mode.exponent - middle), mode.monomial): c for mode, c in part.terms}
+    terms = []
+    for (exponent, monomial), c in found.items():
+        if exponent == 0:
+            terms.append(c * monomial)
+            continue
+        if exponent.could_extract_minus_sign():
+            continue
+        opposite = found.get((-exponent, monomial))
+        if opposite not in (c, -c):
+            return None
+        terms.append(2 * c * monomial * (sp.cosh(exponent) if opposite == c else sp.sinh(exponent)))
+    whole = len(terms) + sum(exponent != 0 and exponent.could_extract_minus_sign() for exponent, _ in found)
+    return (middle, sp.Add(*terms)) if whole == len(found) else None
 
 
 def along(integrand: sp.Expr, t: sp.Symbol) -> sp.Expr:
-    """Return an expression in t as a sum of functions a table of integrals has, where it is one; else in factors."""
+    """Return an expression in t as a sum of functions that can be integrated, where it is one; else in factors."""
     if integrand.is_polynomial(t):
         return sp.expand(integrand)
     try:
-        found: sp.Expr = read(integrand, [t]).expression
+        modes, below = _modes(integrand, t)
     except NotExact:
-        found = sp.factor(sp.together(integrand))
-    return found
+        whole = sp.expand(integrand)
+        return whole if whole.count_ops() <= integrand.count_ops() else sp.factor(sp.together(integrand))
+    return (_shown(modes) if integrand.has(*EXPONENTIALS) else modes.expression) / below
+
+
+def _shown(modes: ExponentialSum) -> sp.Expr:
+    """The sum by cosh and sinh where it is one of pairs about zero."""
+    pairs = _in_pairs(modes)
+    return pairs[1] if pairs is not None and pairs[0] == 0 else modes.expression
+
+
+def _modes(expression: sp.Expr, t: sp.Symbol) -> tuple[ExponentialSum, sp.Expr]:
+    """A sum of exponentials and waves, over what does not depend on t."""
+    above, below = sp.fraction(sp.together(expression))
+    constant, varying = sp.factor(below).as_independent(t, as_Add=False)
+    modes = read(sp.expand(above), [t])
+    divisor = read(sp.expand(varying), [t]).terms
+    if len(divisor) != 1 or divisor[0][0].angle != 0 or divisor[0][0].monomial != 1:
+        raise NotExact("functions/form_of_the_power")
+    ((mode, c),) = divisor
+    return modes.shifted(-mode.exponent), constant * c
 
 
 def definite_integral(integrand: sp.Expr, t: sp.Symbol, start: sp.Expr, stop: sp.Expr) -> sp.Expr | None:
     """Return the integral of an expression over t; None where no antiderivative is known, or it has no values there."""
+    below: sp.Expr = sp.S.One
+    if integrand.has(*EXPONENTIALS):
+        try:
+            modes, below = _modes(integrand, t)
+        except NotExact:
+            return None
+        integrand = modes.expression
     terms = sp.Add.make_args(sp.expand(integrand))
     found = [each for term in terms if (each := _antiderivative(term, t)) is not None]
     if len(found) < len(terms):
@@ -30,7 +113,7 @@ def definite_integral(integrand: sp.Expr, t: sp.Symbol, start: sp.Expr, stop: sp
     values = [whole.xreplace({t: end}) for end in (stop, start)]
     if any(value.has(sp.nan, sp.zoo, sp.oo) for value in values):
         return None
-    return sp.expand(values[0] - values[1])
+    return in_time(sp.expand(values[0] - values[1]) / below, t)
 
 
 def _antiderivative(term: sp.Expr, t: sp.Symbol) -> sp.Expr | None:
@@ -42,8 +125,3 @@ def _antiderivative(term: sp.Expr, t: sp.Symbol) -> sp.Expr | None:
     if base == t and not exponent.has(t):
         return constant * (sp.log(t) if exponent == -1 else t ** (exponent + 1) / (exponent + 1))
     return table_integral(term, t)
-
-
-def tidy_in_time(function: sp.Expr, t: sp.Symbol) -> sp.Expr:
-    """Return a function of t, polynomials multiplied out; where it is no polynomial, as it stands."""
-    return sp.expand(function) if function.is_polynomial(t) and not function.atoms(sp.Float) else function

@@ -75,6 +75,8 @@ def cleared(expression: sp.Expr, jets: Sequence[sp.Symbol]) -> Cleared:
 
     The terms with the first of `jets` in it that occurs, the highest derivatives, are given a positive sign.
     """
+    if expression == 0:
+        return Cleared(expression, sp.S.One)
     number, factors = sp.factor_list(sp.numer(together := sp.together(expression)))
     kept: list[sp.Expr] = []
     dropped: list[sp.Expr] = [number / sp.denom(together)]

@@ -10,13 +10,13 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.calculus import integral
-from solver.systems.equations import jet_symbol
 from solver.tasks.modelling.solutions import solutions_of
 from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
+    from solver.systems import Functional
     from solver.tasks.variations.end_conditions import Condition
     from solver.tasks.variations.euler_equations import Stationary
     from solver.tasks.variations.unknowns import Family
@@ -53,18 +53,21 @@ def fitted_of(
         points = yield from _solved(found, family, sides)
         fitted += [_member(found, family, point) for point in points]
     if not fitted:
-        raise Unsolved("extremal/no_extremal", several=len(families) > 1)
-    yield Step("functions", unclaimed="the constants put in", names=[jet_symbol((n, 0)) for n in found.functions],
+        raise Unsolved("extremal/no_extremal", several=len(families) > 1, free=found.system.stop is None)
+    names = [found.system.symbol((n, 0)) for n in found.functions]
+    yield Step("functions", unclaimed="the constants put in", names=names,
                members=[[each.functions[n] for n in found.functions] for each in fitted],
                times=[each.t_f for each in fitted], free=found.system.stop is None,
                left=[each.left for each in fitted])  # fmt: skip
     return fitted
 
 
-def jets_along(family: Mapping[str, Expr], t: Symbol, orders: int) -> dict[Symbol, Expr]:
+def jets_along(system: Functional, family: Mapping[str, Expr], orders: int) -> dict[Symbol, Expr]:
     """Return the functions and their derivatives, by their symbols, as expressions in t."""
     return {
-        jet_symbol((name, k)): sp.diff(function, t, k) for name, function in family.items() for k in range(orders + 1)
+        system.symbol((name, k)): sp.diff(function, system.t, k)
+        for name, function in family.items()
+        for k in range(orders + 1)
     }
 
 
@@ -72,7 +75,7 @@ def jets_along(family: Mapping[str, Expr], t: Symbol, orders: int) -> dict[Symbo
 def _put_in(found: Stationary, family: Family, conditions: Sequence[Condition], number: int) -> Derivation[list[Side]]:
     """Each condition with the general solution in it."""
     t, orders = found.system.t, 2 * max(found.system.orders.values())
-    jets = jets_along(family.functions, t, orders)
+    jets = jets_along(found.system, family.functions, orders)
     sides: list[Side] = []
     claims: dict[str, Claim] = {}
     shown: list[tuple[str, Any, Expr, Expr]] = []
@@ -104,12 +107,16 @@ def _solved(found: Stationary, family: Family, sides: Sequence[Side]) -> Derivat
     system = found.system
     unknowns: list[Any] = [*family.constants, *found.constants, *([system.end_time] if system.stop is None else [])]
     expressions = [left - right for left, right in sides]
+    if found.constants and any(not f.is_polynomial(*found.constants) for f in family.functions.values()):
+        raise Unsolved("extremal/constants", equations=list(sides), unknowns=unknowns)
     if all(_is_linear(each, unknowns) for each in expressions):
-        return (yield from _linear(sides, unknowns))
+        return (yield from _linear(system, sides, unknowns))
     try:
         roots = yield from solutions_of(expressions, unknowns, {}, (), unknowns)
     except exact.NotExact as reason:
         raise Unsolved("extremal/constants", equations=list(sides), unknowns=unknowns) from reason
+    if not roots.points and not roots.certain:
+        raise Unsolved("extremal/constants", equations=list(sides), unknowns=unknowns)
     points = [dict(point) for point in roots.points]
     return list(_in_time(system, points))
 
@@ -120,12 +127,15 @@ def _is_linear(expression: Expr, unknowns: Sequence[Symbol]) -> bool:
 
 
 @lemma("constants")
-def _linear(sides: Sequence[Side], unknowns: Sequence[Symbol]) -> Derivation[list[dict[Symbol, Expr]]]:
+def _linear(
+    system: Functional, sides: Sequence[Side], unknowns: Sequence[Symbol]
+) -> Derivation[list[dict[Symbol, Expr]]]:
     """Linear equations, the one with a single unknown first."""
     solved = exact.solved_in_turn(sides, [], unknowns, unknowns)
     if any(not exact.is_zero(each) for each in solved.tied):
         yield Step("contradiction", unclaimed="what is left of the equations", rest=list(solved.tied))
         return []
+    values = {x: exact.in_time(value, system.t) for x, value in solved.values.items()}
     claims: dict[str, Claim] = {}
     rows: list[tuple[Symbol, Any, Expr]] = []
     kept: list[Any] = []
@@ -133,18 +143,18 @@ def _linear(sides: Sequence[Side], unknowns: Sequence[Symbol]) -> Derivation[lis
         if turn.stated is None:
             kept.append(([(x, value) for _, x, _, value in turn.through],
                          [(left, right) for _, left, right in turn.closing],
-                         list(zip(turn.symbols, turn.values, strict=True))))  # fmt: skip
+                         [(x, values[x]) for x in turn.symbols]))  # fmt: skip
             for n, left, right in turn.closing:
                 says = "the constants put into the condition"
-                claims[f"closing{n}"] = Claim(left.xreplace(solved.values), right.xreplace(solved.values), says)
+                claims[f"closing{n}"] = Claim(left.xreplace(values), right.xreplace(values), says)
             rows.append((turn.symbols[0], len(kept) - 1, sp.S.Zero))
             continue
-        ((x,), (value,)) = turn.symbols, turn.values
-        rows.append((x, turn.stated, value))
-        claims[str(x)] = Claim(turn.stated.xreplace(solved.values), value, Phrase("the value of {name}", name=str(x)))
+        (x,) = turn.symbols
+        rows.append((x, turn.stated, values[x]))
+        claims[str(x)] = Claim(turn.stated.xreplace(values), values[x], Phrase("the value of {name}", name=str(x)))
     yield Step("linear", claims=claims, unclaimed="" if claims else "nothing is left to be found", rows=rows, kept=kept,
                lacking=list(solved.lacking))  # fmt: skip
-    return [dict(solved.values)]
+    return [values]
 
 
 def _in_time(system: Any, points: Sequence[dict[Symbol, Expr]]) -> Iterator[dict[Symbol, Expr]]:
@@ -164,6 +174,6 @@ def _in_time(system: Any, points: Sequence[dict[Symbol, Expr]]) -> Iterator[dict
 
 def _member(found: Stationary, family: Family, point: Mapping[Any, Expr]) -> Fitted:
     system, t = found.system, found.system.t
-    functions = {name: exact.tidy_in_time(f.xreplace(dict(point)), t) for name, f in family.functions.items()}
+    functions = {name: exact.in_time(f.xreplace(dict(point)), t) for name, f in family.functions.items()}
     t_f = point[system.end_time] if system.stop is None else system.end_time
     return Fitted(family, functions, {x: v for x, v in point.items() if x in found.constants}, t_f)

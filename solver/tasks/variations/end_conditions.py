@@ -11,7 +11,6 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, total
 from solver.systems.ends import End
-from solver.systems.equations import jet_symbol
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -35,7 +34,7 @@ class Condition:
 
 @dataclass(frozen=True)
 class Place:
-    """A function or a derivative at one end, with what is asked there and what stands beside its variation."""
+    """A function or a derivative at one end: what is asked there, what stands beside its variation, its derivative."""
 
     name: str
     order: int
@@ -43,11 +42,8 @@ class Place:
     last: bool
     end: End
     momentum: Expr
-
-    @property
-    def symbol(self) -> Symbol:
-        """The function or its derivative."""
-        return jet_symbol((self.name, self.order))
+    symbol: Symbol
+    rate: Symbol
 
 
 def places(found: Stationary) -> Iterator[Place]:
@@ -57,7 +53,9 @@ def places(found: Stationary) -> Iterator[Place]:
         for k, momentum in enumerate(derivative.momenta):
             pair = system.ends.get((name, k), (End(), End()))
             for last, (time, end) in enumerate(zip((system.start, system.end_time), pair, strict=True)):
-                yield Place(name, k, time, bool(last), end, momentum)
+                yield Place(
+                    name, k, time, bool(last), end, momentum, system.symbol((name, k)), system.symbol((name, k + 1))
+                )
 
 
 def is_open(system: Functional) -> bool:
@@ -70,9 +68,7 @@ def end_conditions_of(found: Stationary) -> Derivation[list[Condition]]:
     """The conditions that fix the constants: given values first, then what the variation of free ends asks."""
     system = found.system
     listed = list(places(found))
-    conditions = [
-        Condition("value", place.symbol, place.end.value, place.time) for place in listed if place.end.value is not None
-    ]
+    conditions = [Condition("value", symbol, value, time) for symbol, time, value in system.fixed]
     for place in listed:
         if place.end.free:
             conditions.append((yield from _natural(system, place)))
@@ -94,7 +90,7 @@ def _curve(place: Place) -> Expr:
 def _jets(system: Functional) -> list[Symbol]:
     """The derivatives that may stand in a condition, the highest first."""
     highest = 2 * max(system.orders.values())
-    return [jet_symbol((name, k)) for k in reversed(range(highest + 1)) for name in system.functions]
+    return [system.symbol((name, k)) for k in reversed(range(highest + 1)) for name in system.functions]
 
 
 @lemma("end_conditions")
@@ -106,7 +102,7 @@ def _natural(system: Functional, place: Place) -> Derivation[Condition]:
     yield Step("natural", unclaimed="the variation there is arbitrary", symbol=place.symbol, time=place.time,
                momentum=place.momentum, cost=cost, with_cost=place.last and system.terminal_cost != 0, left=left,
                highest=place.order == system.orders[place.name] - 1,
-               derivative=jet_symbol((place.name, place.order + 1)), stands=_with_cost(place.momentum, cost),
+               derivative=place.rate, stands=_with_cost(place.momentum, cost),
                adjoined=bool(system.multipliers))  # fmt: skip
     return Condition("natural", left, sp.S.Zero, place.time)
 
@@ -121,9 +117,8 @@ def _transversality(found: Stationary, listed: list[Place]) -> Derivation[Condit
     system, t = found.system, found.system.t
     terms: list[Any] = [found.phi]
     for place in (place for place in listed if place.last and place.momentum != 0):
-        rate = jet_symbol((place.name, place.order + 1))
         slope = sp.S.Zero if place.end.curve is None else sp.diff(place.end.curve, t)
-        terms.append(product(_stated_slope(slope, rate), place.momentum))
+        terms.append(product(_stated_slope(slope, place.rate), place.momentum))
     cost = [sp.diff(system.terminal_cost, t)]
     for place in (place for place in listed if place.last and place.end.curve is not None):
         cost.append(sp.diff(system.terminal_cost, place.symbol) * sp.diff(place.end.curve, t))
@@ -146,7 +141,7 @@ def _value(found: Stationary, listed: list[Place]) -> Expr:
     whole: Expr = found.phi
     for place in (place for place in listed if place.last):
         slope = sp.S.Zero if place.end.curve is None else sp.diff(place.end.curve, found.system.t)
-        whole += (slope - jet_symbol((place.name, place.order + 1))) * place.momentum
+        whole += (slope - place.rate) * place.momentum
     return whole
 
 

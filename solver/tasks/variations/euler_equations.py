@@ -110,7 +110,7 @@ def _equation_of(adjoined: Stationary, name: str) -> Derivation[EulerEquation]:
     claims = dict(_lines(phi, jets, found, moves))
     stated = [found.partials[0], *((-1) ** k * chain[-1] for k, chain in enumerate(found.rates) if k)]
     terms = [term for term in stated if term != 0]
-    highest = [jet_symbol((each, k)) for k in reversed(range(2 * max(system.orders.values()) + 1))
+    highest = [system.symbol((each, k)) for k in reversed(range(2 * max(system.orders.values()) + 1))
                for each in (name, *system.functions)]  # fmt: skip
     cleared = exact.cleared(found.expression, highest)
     if cleared.by != 1 or cleared.left != found.expression:
@@ -127,13 +127,14 @@ def _lines(
     """The derivatives of φ by x, x', …, then what d/dt makes of those by derivatives."""
     for k, (q, partial) in enumerate(zip(jets, found.partials, strict=True)):
         says = Phrase("the derivative by ${q}$", q=formula(q))
-        inner = partial_derivative(phi, q)
-        yield f"partial{k}", Claim(inner, partial, says)
+        stated = partial_derivative(phi, q)
+        yield f"partial{k}", Claim(stated, partial, says)
+        before = partial
         for j, rate in enumerate(found.rates[k]):
             if partial == 0:
                 break
-            inner = time_derivative(inner, moves.items())
-            yield f"rate{k}_{j}", Claim(inner, rate, "the total derivative, by the chain rule")
+            stated, before = time_derivative(denoted(stated, before), moves.items()), rate
+            yield f"rate{k}_{j}", Claim(stated, rate, "the total derivative, by the chain rule")
 
 
 def _stated(found: exact.VariationalDerivative, terms: Sequence[Expr]) -> Any:

@@ -15,7 +15,7 @@ from solver.tasks.variations.constants import fitted_of
 from solver.tasks.variations.end_conditions import end_conditions_of, is_open
 from solver.tasks.variations.euler_equations import adjoined_of, constrained, euler_equations_of
 from solver.tasks.variations.extremal_value import chosen, value_of
-from solver.tasks.variations.first_integrals import general_solution_of, keeps
+from solver.tasks.variations.first_integrals import general_solution_of
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -47,11 +47,11 @@ extremal: Task[Functional, ExtremalOptions] = Task(
         AnswerName("x", "x", "the extremal, a function of $t$", principal=True, earned=("functions",)),
         AnswerName("value", "J", "the value of the functional along it, the terminal cost included", optional=True),
         AnswerName("t_f", "t_f", "the end of the time, where it is free", optional=True),
-        AnswerName("legendre", r"\varphi_{\dot{x}\dot{x}}", "the second derivative of the integrand by $\\dot{x}$ along "
-                   "the extremal", optional=True),
+        AnswerName("legendre", r"\varphi_{\dot{x}\dot{x}}", optional=True,
+                   doc="the second derivative of the integrand by $\\dot{x}$ along the extremal"),
         AnswerName("conjugate_point", r"t^*", "the first conjugate point after the beginning", optional=True),
-        AnswerName("nature", r"\text{nature}", "what the extremal is, of a weak extremum", optional=True, principal=True,
-                   words=NATURES),
+        AnswerName("nature", r"\text{nature}", "what the extremal is, of a weak extremum", optional=True,
+                   principal=True, words=NATURES),
     ],
 )  # fmt: skip
 
@@ -65,9 +65,11 @@ def by_euler_lagrange(given: Given[Functional, ExtremalOptions]) -> Derivation[A
     adjoined = yield from adjoined_of(system)
     found = yield from euler_equations_of(adjoined)
     answers = Answers(equations=found.expressions)
+    for equation in found.expressions:
+        if equation.is_number:
+            raise Unsolved("extremal/everything" if equation == 0 else "extremal/nothing")
     conditions = yield from end_conditions_of(found) if not is_open(system) else _nothing_asked()
     families = yield from general_solution_of(found)
-    families = [family for family in families if keeps(family, found)]
     if is_open(system):
         answers["x"] = _functions(system, _only(families).functions)
         return answers
@@ -118,12 +120,12 @@ def _functions(system: Functional, functions: Mapping[str, Expr]) -> Any:
     """One function, or several by their names."""
     if len(system.functions) == 1:
         return functions[system.functions[0]]
-    return {jet_symbol((name, 0)): functions[name] for name in system.functions}
+    return {system.symbol((name, 0)): functions[name] for name in system.functions}
 
 
 def _several(found: Stationary, fitted: list[Fitted], values: Mapping[int, Expr], which: int) -> Step:
     """Which of several extremals has the least value."""
-    names = [jet_symbol((name, 0)) for name in found.system.functions]
+    names = [found.system.symbol((name, 0)) for name in found.system.functions]
     shown = [([each.functions[name] for name in found.system.functions], values[i]) for i, each in enumerate(fitted)]
     return Step("several", unclaimed="a comparison", names=names, shown=shown, which=which,
                 decided=all(value.is_number for value in values.values()))  # fmt: skip

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def value_of(system: Functional, fitted: Fitted, number: int = 0) -> Derivation[Expr]:
     """The integrand along the extremal, its integral, and the terminal cost; `number` tells which of several."""
     t = system.t
-    jets = jets_along(fitted.functions, t, max(system.orders.values()))
+    jets = jets_along(system, fitted.functions, max(system.orders.values()))
     put = system.integrand.xreplace(jets)
     integrand = exact.along(put, t)
     found = exact.definite_integral(integrand, t, system.start, fitted.t_f)
@@ -34,7 +34,7 @@ def value_of(system: Functional, fitted: Fitted, number: int = 0) -> Derivation[
         claims["along"] = Claim(put, integrand, "the integrand along the extremal")
     claims["integral"] = Claim(integral(integrand, t, system.start, fitted.t_f), found, "the integral")
     cost = system.terminal_cost.xreplace(jets).xreplace({t: fitted.t_f})
-    whole: Expr = sp.expand(found + cost)
+    whole: Expr = found if cost == 0 else exact.in_time(sp.expand(found + cost), t)
     if system.terminal_cost != 0:
         claims["whole"] = Claim(total(cost, found), whole, "the integral with the terminal cost")
     yield Step("value", claims=claims, number=number, put=put, integrand=integrand, cost=system.terminal_cost,

@@ -144,9 +144,9 @@ def _by_parts(system: Functional) -> Derivation[None]:
         found = exact.variational_derivative(system.integrand, jets, moves)
         d = variations(system)[jets[0]]
         for k, chain in enumerate(found.rates):
-            inner = partial_derivative(phi, jets[k])
+            inner, before = partial_derivative(phi, jets[k]), found.partials[k]
             for j, rate in enumerate(chain):
-                inner = time_derivative(inner, moves.items())
+                inner, before = time_derivative(denoted(inner, before), moves.items()), rate
                 if chain[-1] != 0 or j == 0:
                     claims[f"rate_{jets[k]}_{j}"] = Claim(inner, rate, "the chain rule")
         factors.append((d, found.expression))

@@ -45,6 +45,10 @@ class Adjoined(NamedTuple):
         """The functions and the multipliers that vary."""
         return (*self.problem.functions, *self.multipliers)
 
+    def symbol(self, jet: Any) -> Any:
+        """The symbol of a derivative."""
+        return self.problem.symbols.get(jet) or jet_symbol(jet)
+
     @property
     def integrand(self) -> Any:
         """The integrand with its constraints."""
@@ -76,7 +80,7 @@ def stationary_equations(adjoined: Adjoined, expressions: Sequence[Any]) -> Bala
 def _places(adjoined: Adjoined, expressions: Sequence[Any]) -> Iterator[_Place]:
     problem, random = adjoined.problem, Random(SEED)  # noqa: S311 - nothing secret
     highest = 2 * max([1, *problem.orders.values()])
-    jets = {jet_symbol((name, k)) for name in adjoined.names for k in range(highest + 1)}
+    jets = {adjoined.symbol((name, k)) for name in adjoined.names for k in range(highest + 1)}
     inside = free_symbols([adjoined.integrand, *adjoined.bound, *expressions]) - jets - {problem.t}
     source = PointSource(inside)
     for _ in range(TRIALS):
@@ -91,7 +95,7 @@ class _Place:
         self, adjoined: Adjoined, point: Mapping[Any, complex], time: float, jets: Mapping[Any, float], random: Random
     ) -> None:
         self.adjoined, self.point, self.time, self.jets, self.random = adjoined, point, time, jets, random
-        symbols = {jet_symbol(jet): jet for jet in jets}
+        symbols = {adjoined.symbol(jet): jet for jet in jets}
         self.problem = adjoined.problem.__class__(
             adjoined.integrand, adjoined.problem.t, adjoined.names, symbols, None, None, {}, None
         )
@@ -120,7 +124,7 @@ class _Place:
 
     def number(self, expression: Any, jets: Mapping[Any, float]) -> complex:
         """Return the value of an expression there."""
-        known = {jet_symbol(jet): value for jet, value in jets.items()}
+        known = {self.adjoined.symbol(jet): value for jet, value in jets.items()}
         return complex(numbers(expression, {**self.point, **known, self.problem.t: self.time}, 1)[0])
 
     def equations(self, jets: Mapping[Any, float]) -> Array:

@@ -6,7 +6,7 @@ found by quadrature.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from random import Random
 from typing import Any
@@ -41,6 +41,7 @@ class Path:
     point: Mapping[Any, complex]
     nodes: Array
     weights: Array
+    symbol: Callable[[Any], Any]
 
     def symbols(self, scale: Array) -> dict[Any, Array]:
         """Return the values of everything, for each scale of the variation (S,) and node (N,), as arrays (S·N,)."""
@@ -52,7 +53,7 @@ class Path:
             for k in range(ORDERS):
                 x, dx = (np.asarray(each.deriv(k)(self.nodes) if k else each(self.nodes), dtype=complex)
                          for each in (function, self.changes[name]))  # fmt: skip
-                found[jet_symbol((name, k))] = x + scale[:, None] * dx
+                found[self.symbol((name, k))] = x + scale[:, None] * dx
                 found[jet_symbol((f"d{name}", k))] = np.broadcast_to(dx, shape)
         return {symbol: np.asarray(value, dtype=complex).reshape(-1) for symbol, value in found.items()}
 
@@ -77,7 +78,7 @@ def paths(system: Any, *, fixed: bool) -> Iterator[Path]:
         for _ in range(order):
             window = window * Polynomial([-FROM, 1]) * Polynomial([TO, -1]) * 4
         changes = {name: window * _cubic(random) for name in system.functions}
-        yield Path(functions, changes, source.draw(), at + half * nodes, half * weights)
+        yield Path(functions, changes, source.draw(), at + half * nodes, half * weights, system.symbol)
 
 
 def _cubic(random: Random) -> Polynomial:
