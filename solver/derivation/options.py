@@ -7,13 +7,15 @@ A task declares `poles: tuple[Expr, ...] | None = option(Poles(), "poles of the 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, Literal, Self, TypeVar, overload
 
 if TYPE_CHECKING:
     from solver.problem.context import Context
     from solver.problem.nodes import Node
+    from solver.systems import System
+    from solver.words import Reason
 
 T = TypeVar("T")
 Schema = dict[str, Any]
@@ -158,6 +160,10 @@ class Options:
     def has(self, name: str) -> bool:
         """Whether an option without a default is given, known or not."""
         return name in self.later or getattr(self, name) is not None
+
+    def faults(self, system: System) -> Iterable[tuple[str, Reason]]:  # noqa: ARG002 - for those that must fit it
+        """Yield each option that does not fit the system, with what is wrong; options of other tasks have their own."""
+        return ()
 
     @property
     def values(self) -> list[Any]:

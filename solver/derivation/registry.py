@@ -222,6 +222,7 @@ class Task(Generic[S, O]):
     def refused(self, system: System, values: Mapping[str, Any]) -> Iterable[Refusal]:
         """Return what makes the question wrong; None stands for the value of an option that is not known yet."""
         options = self.options_class.of(values)
+        yield from options.faults(system)
         for refuse in self.refusals:
             yield from refuse(system, options)
 

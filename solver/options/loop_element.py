@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from solver.derivation.options import VALUE, OptionKind, Schema
-from solver.problem.nodes import Node, ScalarNode
+from solver.problem.nodes import Node, ScalarNode, SequenceNode
 
 if TYPE_CHECKING:
     from solver.problem.context import Context
@@ -18,9 +18,9 @@ WORDS = {NONE, UNITY, "unit", "negative", "positive", "yes", "no", "true", "fals
 
 @dataclass(frozen=True, slots=True)
 class LoopElement(OptionKind[Any]):
-    """A quotient of polynomials in s (discrete: z), proper or not; `words` are those that may stand for one.
+    """A quotient of polynomials in s (discrete: z), proper or not, or a matrix of them; `words` may stand for one.
 
-    The value is an expression, 1 for the word "unity" and None for "none".
+    The value is an expression or a matrix, 1 for the word "unity" and None for "none".
     """
 
     referable: ClassVar[bool] = True
@@ -30,12 +30,12 @@ class LoopElement(OptionKind[Any]):
     @property
     def words(self) -> str:
         """What is written, in words."""
-        return ("unity, none or " if self.switched else "") + "an expression in s (discrete: z)"
+        return ("unity, none, " if self.switched else "") + "an expression in s (discrete: z) or a matrix of them"
 
     @property
     def schema(self) -> Schema:
-        """A number or a text."""
-        return VALUE
+        """A number or a text, or rows of them."""
+        return {"anyOf": [VALUE, {"type": "array", "items": {"type": "array", "items": VALUE}}]}
 
     @property
     def example(self) -> str:
@@ -50,4 +50,6 @@ class LoopElement(OptionKind[Any]):
         if word.lower() in WORDS:
             also = f", {NONE} or {UNITY}" if self.switched else f", or leave '{name}' out"
             raise node.fault(f"'{word}' cannot stand for the {name}", note=f"write an expression{also}")
+        if isinstance(node, SequenceNode):
+            return context.quotients(node, name)
         return context.quotient(node)

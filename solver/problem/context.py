@@ -11,7 +11,7 @@ import sympy as sp
 from solver.derivation import Task
 from solver.problem.equations import EquationReader
 from solver.problem.lexicon import BARRED, Lexicon, name_of
-from solver.problem.matrices import expect_shape, is_flat, read_matrix
+from solver.problem.matrices import expect_shape, is_flat, read_entries, read_matrix
 from solver.problem.nodes import Node, ScalarNode
 from solver.problem.poles import read_conjugate_list
 from solver.problem.transfer_functions import read_transfer_function
@@ -98,6 +98,10 @@ class Context:
         if unity:
             return sp.Integer(1)
         return read_transfer_function(node, self.lexicon, self.discrete, proper=False).cancelled()
+
+    def quotients(self, node: Node, name: str) -> sp.ImmutableMatrix:
+        """Return a matrix of quotients of polynomials, proper or not, in lowest terms; raises Fault."""
+        return read_entries(node, name, self.quotient)
 
     def matrix(
         self, node: Node, name: str, shape: tuple[int | str | None, int | str | None], flat: str

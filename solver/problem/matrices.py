@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import sympy as sp
 
@@ -20,6 +20,11 @@ def read_matrix(
 
     Raises Fault for entries that can't be read, rows of different length, and more than 12 rows or columns.
     """
+    return read_entries(node, name, lambda item: lexicon.expression(item, barred=barred), flat)
+
+
+def read_entries(node: Node, name: str, read: Callable[[Node], sp.Expr], flat: str = "") -> sp.ImmutableMatrix:
+    """Return the matrix whose entries are read so; raises Fault as `read_matrix` does."""
     rows = _rows(node, name, flat)
     _check_rows(rows, node, name)
     report = Report()
@@ -28,7 +33,7 @@ def read_matrix(
         entries.append([])
         for item in row:
             with report:
-                entries[-1].append(lexicon.expression(item, barred=barred))
+                entries[-1].append(read(item))
     report.conclude()
     return sp.ImmutableMatrix(entries)
 

@@ -41,8 +41,8 @@ class StateFeedback(Loop):
 class OutputFeedback(Loop):
     """A plant G behind a controller C, with H in the feedback path: C G/(1 + C G H), or C G where H is None."""
 
-    controller: Expr
-    feedback: Expr | None
+    controller: Expr | ImmutableMatrix
+    feedback: Expr | ImmutableMatrix | None
 
     @property
     def around(self) -> set[Symbol]:
@@ -51,3 +51,14 @@ class OutputFeedback(Loop):
             set() if self.feedback is None else self.feedback.free_symbols
         )
         return {symbol for symbol in found if str(symbol) != ("z" if self.discrete else "s")}
+
+
+@dataclass(frozen=True)
+class MatrixFeedback(OutputFeedback):
+    """The same of several inputs or outputs, C G (I + H C G)⁻¹ or C G; an expression C or H is a multiple of I."""
+
+    def size(self, of: str) -> int | None:
+        """Return the number of inputs "m" of the plant, of outputs "p" of C G; that of all states is not known yet."""
+        if of == "p" and hasattr(self.controller, "shape"):
+            return int(self.controller.shape[0])
+        return None if of == "n" else self.plant.size(of)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.derivation import Options, option
 from solver.options.loop_element import LoopElement
 from solver.options.matrix import MatrixOf
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
@@ -34,11 +36,35 @@ class PlantOptions(Options):
 
 @dataclass(frozen=True, kw_only=True)
 class LoopOptions(PlantOptions):
-    """What stands around a transfer function: L = C G H, T = C G/(1 + C G H)."""
+    """What stands around a transfer function: L = C G H, T = C G/(1 + C G H), of matrices C G (I + H C G)⁻¹."""
 
-    controller: Expr | None = option(LoopElement(), "controller C in series with the plant", loop="loop")
-    feedback: Expr | None = option(
+    controller: Expr | ImmutableMatrix | None = option(
+        LoopElement(), "controller C in series with the plant; of matrices the product is C G", loop="loop"
+    )
+    feedback: Expr | ImmutableMatrix | None = option(
         LoopElement(switched=True),
-        "what is in the feedback path, H; the question is then about C G/(1 + C G H)",
+        "what is in the feedback path, H; the question is then about C G/(1 + C G H), of matrices C G (I + H C G)⁻¹",
         loop="loop",
     )
+
+    def faults(self, system: System) -> Iterable[tuple[str, Reason]]:
+        """C has a column for each output of the plant, H a row for each input and a column for each output of C G."""
+        p, m, C, H = system.size("p") or None, system.size("m") or None, self.controller, self.feedback
+        shape = getattr(C, "shape", None)
+        if shape and p is not None and shape[1] != p:
+            yield (
+                "controller",
+                Reason("conversions/controller_size", {"columns": shape[1], "p": p, "fits": shape[0] == p}),
+            )
+        outputs = shape[0] if shape else None if "controller" in self.later else p
+        if H is None or m is None or outputs is None:
+            return
+        if not hasattr(H, "shape"):
+            if outputs != m:
+                yield "feedback", Reason("conversions/feedback_not_square", {"rows": outputs, "columns": m})
+        elif H.shape != (m, outputs):
+            values = {"rows": H.shape[0], "columns": H.shape[1], "m": m, "outputs": outputs}
+            yield (
+                "feedback",
+                Reason("conversions/feedback_size", {**values, "fits": (H.shape[1], H.shape[0]) == (m, outputs)}),
+            )

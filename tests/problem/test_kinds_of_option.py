@@ -56,7 +56,7 @@ def test_examples_suit_a_plant_of_two_states_one_input_and_one_output(kind, exam
         (Flag(), [True, False], ["true", 1]),
         (Channel("output"), [1, "y"], [0, [1]]),
         (Number(), [0.5, "a/2"], [[1]]),
-        (LoopElement(), ["2/s", 2], [[1]]),
+        (LoopElement(), ["2/s", 2, [["1/s"]]], [[1]]),
     ],
 )
 def test_the_schema_of_a_kind_admits_what_is_read_and_nothing_else(kind, fitting, others):
@@ -90,5 +90,5 @@ def test_the_words_for_a_path_are_those_of_the_feedback_alone():
     assert loop("feedback: unity")["feedback"] == 1
     with pytest.raises(InputError, match="'none' cannot stand for the controller"):  # nor is it a parameter's name
         loop("controller: none, feedback: unity")
-    with pytest.raises(InputError, match="an expression is expected here, not a list"):
+    with pytest.raises(InputError, match="feedback must be a list of rows"):
         loop("feedback: [1, 2]")

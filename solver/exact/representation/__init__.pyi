@@ -1,6 +1,7 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
 from solver.exact.representation.coordinates import inverse_in_full, is_singular, product_of
+from solver.exact.representation.interconnection import constant_realization, fed_back, in_series
 from solver.exact.representation.linear_equations import Realized, is_linear, matrix_of, realized, solved_for
 from solver.exact.representation.luenberger import (
     CompanionCoordinates,
@@ -40,10 +41,13 @@ __all__ = [
     "TransferMatrix",
     "common_denominators",
     "companion_orders",
+    "constant_realization",
     "controllable_coordinates",
     "controllable_realization",
     "diagonal_realization",
     "entries_in_lowest_terms",
+    "fed_back",
+    "in_series",
     "inverse_in_full",
     "is_linear",
     "is_singular",
