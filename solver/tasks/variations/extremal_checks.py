@@ -10,6 +10,7 @@ from solver.derivation import Answers, Check, Given, Task
 from solver.lazy import numeric
 from solver.numeric.judges import variations as judges
 from solver.systems.equations import jet_symbol
+from solver.tasks.variations.end_conditions import is_open
 
 if TYPE_CHECKING:
     from solver.systems import Functional
@@ -33,11 +34,19 @@ def problem_of(system: Functional) -> judges.Problem:
         {symbol: jet for jet, symbol in known.items()},
         system.start,
         system.stop,
-        {jet: (_end(first), _end(last)) for jet, (first, last) in system.ends.items()},
+        _kept_ends(system)
+        if is_open(system)
+        else {jet: (_end(first), _end(last)) for jet, (first, last) in system.ends.items()},
         system.terminal_cost,
         [left - right for left, right in system.constraints],
         [(each.integrand, each.value) for each in system.integral_constraints],
     )
+
+
+def _kept_ends(system: Functional) -> dict[tuple[str, int], tuple[judges.End, judges.End]]:
+    """Ends of which nothing is said: the constants are left, and nothing varies there."""
+    kept = judges.End(kept=True)
+    return {(name, k): (kept, kept) for name, order in system.orders.items() for k in range(order)}
 
 
 def _end(end: Any) -> judges.End:

@@ -40,7 +40,7 @@ def ends_residual(problem: Problem, x: Mapping[str, Any] | None, t_f: Any = None
         apart = 0.0
         for (name, k), pair in problem.ends.items():
             for end, time in zip(pair, (along.start, along.stop), strict=True):
-                if end.free:
+                if end.free or end.kept:
                     continue
                 at = np.array([time], dtype=complex)
                 wanted = along.at_times(end.value if end.curve is None else end.curve, at)[0]

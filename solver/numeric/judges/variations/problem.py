@@ -31,15 +31,19 @@ APART, TURNS, FEWER = 1e-2, 12, 8
 
 @dataclass(frozen=True)
 class End:
-    """What is asked of a function, or of its derivative, at an end: a value, a curve, or nothing."""
+    """What is asked of a function, or of its derivative, at an end: a value, a curve, or nothing.
+
+    It is `kept` where it may have any value, but does not vary.
+    """
 
     value: Any = None
     curve: Any = None
+    kept: bool = False
 
     @property
     def free(self) -> bool:
         """Whether nothing is asked."""
-        return self.value is None and self.curve is None
+        return self.value is None and self.curve is None and not self.kept
 
 
 @dataclass(frozen=True)

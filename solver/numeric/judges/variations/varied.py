@@ -117,6 +117,10 @@ class Varied:
                 if end.free:
                     continue
                 jets, times, _ = self.jets(a, np.array([place]))
+                if end.kept:
+                    own = self.tables(np.array([place]))[0][self.problem.symbols[name, k]]
+                    columns.append(jets[self.problem.symbols[name, k]][:, 0] - own)
+                    continue
                 wanted = self.along.at_times(end.value if end.curve is None else end.curve, times[:, 0])
                 columns.append(jets[self.problem.symbols[name, k]][:, 0] - wanted)
         for f, value in self.problem.integrals:
