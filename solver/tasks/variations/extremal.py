@@ -16,6 +16,8 @@ from solver.tasks.variations.end_conditions import end_conditions_of, is_open
 from solver.tasks.variations.euler_equations import adjoined_of, constrained, euler_equations_of
 from solver.tasks.variations.extremal_value import chosen, value_of
 from solver.tasks.variations.first_integrals import general_solution_of
+from solver.tasks.variations.found_extremal import Extremal
+from solver.tasks.variations.nature import nature_of
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -83,7 +85,18 @@ def by_euler_lagrange(given: Given[Functional, ExtremalOptions]) -> Derivation[A
     answers.update(x=_functions(system, fitted[which].functions), value=values[which])
     if system.stop is None:
         answers["t_f"] = fitted[which].t_f
+    if not any(each.left for each in fitted):
+        extremal_found = _as_found(found, fitted[which], values[which])
+        nature = yield from nature_of(system, extremal_found)
+        told = {"legendre": nature.legendre, "conjugate_point": nature.conjugate_point, "nature": nature.verdict}
+        answers.update({name: value for name, value in told.items() if value is not None})
     return answers
+
+
+def _as_found(found: Stationary, fitted: Fitted, value: Expr) -> Extremal:
+    """The extremal as the lemma on its nature takes it."""
+    multipliers = {str(x): v for x, v in fitted.values.items()}
+    return Extremal(found.phi, fitted.functions, multipliers, fitted.t_f, fitted.family, value)
 
 
 @extremal.verification("equations")
