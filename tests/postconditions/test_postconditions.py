@@ -81,6 +81,10 @@ CALLS = {
     "smith_form": [(SMITH, s), (sp.ImmutableMatrix([[s, 1, s], [s**2, s, s**2]]), s)],
     "smith_mcmillan": [(G,), (exact.transfer_matrix(A, TWO, TWO.T, None, s),)],
     "determinantal_divisors": [(SMITH, s)],
+    "relative_gains": [(sp.ImmutableMatrix([[2, 1], [3, 4]]),), (sp.ImmutableMatrix([[1, K], [sp.I, 2]]),)],
+    "gains_at": [([[sp.S.One, s], [s + 2, sp.S(2)]], [[s, s + 1], [s + 1, s + 4]], s, sp.S.Zero)],
+    "values_at": [(sp.ImmutableMatrix([[1 / (s + 1), s / (s + 2)]]), s, sp.S.One)],
+    "pairing": [(sp.ImmutableMatrix([[2, -1], [-1, 2]]),), (sp.ImmutableMatrix([[1, 3], [3, 1]]) / 4,)],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
 TIMED = (

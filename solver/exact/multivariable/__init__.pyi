@@ -36,8 +36,9 @@ from solver.exact.multivariable.rosenbrock import (
     in_factors,
     system_matrix,
 )
-from solver.exact.multivariable.smith import Division, SmithForm, SmithStage, smith_form
+from solver.exact.multivariable.smith import SmithForm, smith_form
 from solver.exact.multivariable.smith_mcmillan import SmithMcMillan, smith_mcmillan
+from solver.exact.multivariable.smith_reduction import Division, SmithStage
 from solver.exact.multivariable.zero_directions import Directions, null_directions, zero_directions
 
 __all__ = [

@@ -238,7 +238,7 @@ def is_the_product_in_numbers(given: Given[Plant, RelativeGainOptions], answers:
         G = stated_transfer(plant, x)
     check = partial(judges.relative_gain_residual, G, answers["Lambda"], x, _point(given))
     label = Phrase(r"$\Lambda = G \circ (G^{{-1}})^{{T}}$")
-    yield numeric.check_residual(label, "inverse of numbers (50 digits)", check, answer="Lambda")
+    yield numeric.check_residual(label, "mpmath, inverse of the gains (50 digits)", check, answer="Lambda")
 
 
 def _gains_of(given: Given[Plant, RelativeGainOptions]) -> ImmutableMatrix:

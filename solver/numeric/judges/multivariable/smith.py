@@ -21,7 +21,7 @@ from solver.numeric.judges.representation.zeros import ROUNDING, coprime
 Coefficients = list[Any]
 Rows = list[list[Coefficients]]
 Fractions = tuple[Sequence[Sequence[Any]], Sequence[Sequence[Any]]]
-MINORS = "minors as polynomials (50 digits)"
+MINORS = "mpmath, minors as polynomials (50 digits)"
 WRONG = float("inf")
 LOST = 1e-9
 """What a division by a wrong polynomial leaves."""
