@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.quadratics import quadratic_formula, roots_of_squares
@@ -29,11 +29,11 @@ def by_characteristic_equation(
     form: exact.LinearForm, unknown: Unknown, t: Symbol, constants: Constants
 ) -> Derivation[Expr]:
     """The functions e^{λt} of the roots, a particular solution for each part of the right side, and their sum."""
-    found = yield from fundamental_system_of(form, unknown, t)
+    found = yield from fundamental_system_of(form, unknown, t, constants.taken)
     own = [constants.new() for _ in found.functions]
     free = sp.Add(*(c * f for c, f in zip(own, found.functions, strict=True)))
     claim = Claim(carried_out(form.coefficients, free, t), sp.S.Zero, "the homogeneous equation")
-    yield Step("homogeneous", claims={"solves": claim}, x=unknown.symbol, solution=free, alone=form.right == 0,
+    yield Step("homogeneous", claims={"solves": claim}, x=unknown.symbol, solution=free, alone=form.right == 0, letter=_letter(unknown, constants.taken),
                kinds=_kinds(found.roots), exceptions=found.exceptions)  # fmt: skip
     if form.right == 0:
         return free
@@ -45,13 +45,15 @@ def by_characteristic_equation(
 
 
 @lemma("constant_coefficients")
-def fundamental_system_of(form: exact.LinearForm, unknown: Unknown, t: Symbol) -> Derivation[exact.FundamentalSystem]:
-    """The characteristic equation and its roots."""
+def fundamental_system_of(
+    form: exact.LinearForm, unknown: Unknown, t: Symbol, taken: Collection[str] = ()
+) -> Derivation[exact.FundamentalSystem]:
+    """The characteristic equation and its roots, by λ or, beside multipliers of that name, by r."""
     try:
         found = exact.fundamental_system(form.coefficients, t)
     except exact.NotExact:
         raise Unsolved("ordinary_equations/roots", equation=form.of(unknown.jets) - form.right) from None
-    lamda = sp.Symbol("lamda")
+    lamda = _letter(unknown, taken)
     p = sp.Add(*(c * lamda**i for i, c in enumerate(form.coefficients)))
     trial = sp.exp(lamda * t)
     factors = product(*(power(lamda - root.value, root.multiplicity) for root in found.roots))
@@ -65,9 +67,13 @@ def fundamental_system_of(form: exact.LinearForm, unknown: Unknown, t: Symbol) -
     if split is not None:
         claims["split"] = Claim(p, split, "the characteristic polynomial in factors")
     yield Step("characteristic", claims=claims, steps=_arithmetic(found, lamda), x=unknown.symbol, p=p, split=split,
-               left=form.of(unknown.jets), homogeneous=form.right == 0, roots=found.roots,
+               letter=lamda, left=form.of(unknown.jets), homogeneous=form.right == 0, roots=found.roots,
                decimals=[f.degree for f in found.factors if f.roots[0].kind == "decimal"])  # fmt: skip
     return found
+
+
+def _letter(unknown: Unknown, taken: Collection[str]) -> Symbol:
+    return sp.Symbol("r" if any(name.startswith("lam") for name in (unknown.name, *taken)) else "lamda")
 
 
 def _split(found: exact.FundamentalSystem, lamda: Symbol) -> Any:

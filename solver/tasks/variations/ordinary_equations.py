@@ -11,6 +11,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import quotient
 from solver.stated.calculus import derivative
 from solver.tasks.variations.constant_coefficients import by_characteristic_equation
+from solver.tasks.variations.equations_in_turn import Together, can_be_solved, solved_in_sequence
 from solver.tasks.variations.unknowns import Constants, Family, Unknown, unknown_of
 
 if TYPE_CHECKING:
@@ -21,10 +22,21 @@ BEYOND = ""
 
 
 def way_of(equations: Sequence[Expr], unknowns: Sequence[str], t: Symbol) -> str:
-    """How equations would be solved, as "integrated", "constant_coefficients"; empty where they are beyond."""
-    if len(unknowns) != 1 or len(equations) != 1:
+    """How equations would be solved, as "integrated", "constant_coefficients"; empty where they are beyond.
+
+    Several ones are solved "in_turn".
+    """
+    if len(equations) != len(unknowns):
         return BEYOND
-    return _way(equations[0], unknown_of(unknowns[0], equations), t)[0]
+    if len(unknowns) == 1:
+        return _way(equations[0], unknown_of(unknowns[0], equations), t)[0]
+    system = _together(equations, unknowns)
+    return "in_turn" if can_be_solved(system, t, lambda e, unknown: _way(e, unknown, t)[0]) else BEYOND
+
+
+def _together(equations: Sequence[Expr], unknowns: Sequence[str]) -> Together:
+    named = tuple(unknown_of(name, equations) for name in unknowns)
+    return Together(tuple(enumerate(equations, 1)), named)
 
 
 def _way(equation: Expr, unknown: Unknown, t: Symbol) -> tuple[str, exact.LinearForm | None]:
@@ -47,10 +59,12 @@ def solved(
     Derivatives are the symbols of `jet_symbol`; `constants` stand in the equations and are constants of integration.
     Raises Unsolved for what is beyond, with the equation.
     """
-    (name,), (equation,) = unknowns, equations
     numbering = Constants.beside(constants, equations)
-    function = yield from solution_of(equation, unknown_of(name, equations), t, numbering)
-    return [Family({name: function}, tuple(numbering.found))]
+    if len(unknowns) == 1:
+        function = yield from solution_of(equations[0], unknown_of(unknowns[0], equations), t, numbering)
+        return [Family({unknowns[0]: function}, tuple(numbering.found))]
+    functions = yield from solved_in_sequence(_together(equations, unknowns), t, numbering, solution_of)
+    return [Family({name: functions[name] for name in unknowns}, tuple(numbering.found))]
 
 
 @lemma("ordinary_equations")
