@@ -11,7 +11,7 @@ from solver.displayed.matrix_functions import function_of_matrix
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.scalars import FUNCTIONS, plain
 from solver.displayed.shapes import OF_A_MATRIX, SCALAR, Shape, complete, known, of_product, selections, shape_of
-from solver.displayed.statements import spelled
+from solver.displayed.statements import names_in, spelled
 from solver.displayed.tree import Meaning, Unreadable, key_of
 from solver.formula import latex
 from solver.lazy import numeric
@@ -204,9 +204,9 @@ class Writer:
 
     def _integral(self, meaning: Meaning, shape: Shape) -> Any:
         body, variable, lower, upper = meaning.parts
+        if r"\infty" in names_in(lower):
+            raise Unreadable("an integral without beginning")
         limits = [self.formula(lower), self.formula(upper)]
-        if sp.oo in limits:
-            raise Unreadable("an integral without end")
         return integral(self.formula(body, shape), VARIABLES.get(variable.text), *limits)
 
     def _summation(self, meaning: Meaning, shape: Shape) -> Any:

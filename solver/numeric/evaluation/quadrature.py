@@ -42,19 +42,28 @@ def to_finite(environment: Environment, samples: Samples, a: Array, b: Array) ->
     return _with_error(coarse, fine, arithmetic)
 
 
-def to_infinity(environment: Environment, samples: Samples, a: Array, doublings: int = 16) -> Value:
-    """∫ from a to ∞ on panels whose lengths double, from 1/64 on; refused unless the integrand has died away.
+DOUBLINGS = (10, 12, 14, 16)
+"""How often the lengths of panels double before an integrand has died away: they end at a + 16 to a + 1024."""
 
-    With 16 doublings they end at a + 1024.
-    """
-    edges = np.array([0.0, *(2.0**i for i in range(-6, doublings - 5))])
+
+def to_infinity(environment: Environment, samples: Samples, a: Array) -> Value:
+    """∫ from a to ∞ on panels whose lengths double, from 1/64 on; refused unless the integrand dies away."""
     one, nodes = environment.full(1), 20 if environment.arithmetic is DOUBLE else 40
-    halved = np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
-    coarse, fine, last = (_panels(environment, samples, (a, one), each, nodes) for each in (edges, halved, edges[-2:]))
+    for doublings in DOUBLINGS:  # no farther than needed: far away an exponential has overflown
+        edges = np.array([0.0, *(2.0**i for i in range(-6, doublings - 5))])
+        halved = np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
+        fine, last = (_panels(environment, samples, (a, one), each, nodes) for each in (halved, edges[-2:]))
+        if _has_died_away(environment, fine, last):
+            coarse = _panels(environment, samples, (a, one), edges, nodes)
+            return _with_error(coarse, fine, environment.arithmetic)
+    raise NotEvaluable("the integrand of an integral to infinity decays too slowly")
+
+
+def _has_died_away(environment: Environment, whole: Value, last: Value) -> bool:
+    """Whether the last panel adds nothing to a finite value."""
     size = environment.arithmetic.size
-    if np.any(size(last.value) > 1e-12 * size(fine.value) + 1e-15 * fine.magnitude):
-        raise NotEvaluable("the integrand of an integral to infinity decays too slowly")
-    return _with_error(coarse, fine, environment.arithmetic)
+    finite = np.all(size(whole.value) < np.inf)
+    return bool(finite and np.all(size(last.value) <= 1e-12 * size(whole.value) + 1e-15 * whole.magnitude))
 
 
 def _panels(environment: Environment, samples: Samples, span: tuple[Array, Array], edges: Array, nodes: int) -> Value:

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from solver.numeric.evaluation.arithmetic import DOUBLE
 from solver.numeric.evaluation.combining import multiply
 from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.growth import exponents
@@ -34,8 +33,7 @@ def evaluate(environment: Environment, function: Any, t: Any, s: Any) -> Value:
         kernel = np.ravel(arithmetic.apply("exp", -rate * time))
         return multiply(walk(function, environment.spread(t, time)), Value(kernel, arithmetic.size(kernel)), arithmetic)
 
-    doublings = 12 if arithmetic is DOUBLE else 13
-    return to_infinity(environment, samples, environment.full(0), doublings)
+    return to_infinity(environment, samples, environment.full(0))
 
 
 def admitted(points: Sequence[Point], function: Any, t: Any, s: Any) -> list[Point]:
