@@ -141,7 +141,7 @@ def _stated(found: exact.VariationalDerivative, terms: Sequence[Expr]) -> Any:
     """∂φ/∂x − d/dt ∂φ/∂x' with both written out."""
     if not terms:
         return found.expression
-    if len(terms) == 2 and terms[0] == found.partials[0]:
+    if len(terms) == 2 and terms[0] == found.partials[0] and -terms[1] in (chain[-1] for chain in found.rates[1::2]):
         return difference(terms[0], -terms[1])
     return total(*terms) if len(terms) > 1 else terms[0]
 

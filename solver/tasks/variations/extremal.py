@@ -33,6 +33,16 @@ class ExtremalOptions(Options):
     """There are none."""
 
 
+def _has_ends(system: Any) -> bool:
+    """Whether something is said of the ends, so that there is a single extremal."""
+    return not is_open(system)
+
+
+def _has_free_time(system: Any) -> bool:
+    """Whether the end of the time is sought."""
+    return bool(system.stop is None)
+
+
 NEAR = 1e-7
 """What doubles leave of the first variation."""
 ORACLE = "the functional along random functions, changed within a short time, by quadrature"
@@ -47,13 +57,14 @@ extremal: Task[Functional, ExtremalOptions] = Task(
         AnswerName("equations", r"\text{equations}", "the equations of Euler and Lagrange, then the constraints",
                    principal=True, earned=("equation",), told=("equations", "equation"), zero=True),
         AnswerName("x", "x", "the extremal, a function of $t$", principal=True, earned=("functions",)),
-        AnswerName("value", "J", "the value of the functional along it, the terminal cost included", optional=True),
-        AnswerName("t_f", "t_f", "the end of the time, where it is free", optional=True),
-        AnswerName("legendre", r"\varphi_{\dot{x}\dot{x}}", optional=True,
-                   doc="the second derivative of the integrand by $\\dot{x}$ along the extremal"),
+        AnswerName("value", "J", "the value of the functional along it, with its terminal cost", optional=True,
+                   principal=_has_ends),
+        AnswerName("t_f", "t_f", "the end of the time, where it is free", optional=True, principal=_has_free_time),
+        AnswerName("legendre", "R", "the second derivative of the integrand by the highest derivative, along it",
+                   optional=True),
         AnswerName("conjugate_point", r"t^*", "the first conjugate point after the beginning", optional=True),
         AnswerName("nature", r"\text{nature}", "what the extremal is, of a weak extremum", optional=True,
-                   principal=True, words=NATURES),
+                   principal=_has_ends, words=NATURES),
     ],
 )  # fmt: skip
 
