@@ -33,8 +33,8 @@ def by_characteristic_equation(
     own = [constants.new() for _ in found.functions]
     free = sp.Add(*(c * f for c, f in zip(own, found.functions, strict=True)))
     claim = Claim(carried_out(form.coefficients, free, t), sp.S.Zero, "the homogeneous equation")
-    yield Step("homogeneous", claims={"solves": claim}, x=unknown.symbol, solution=free, alone=form.right == 0, letter=_letter(unknown, constants.taken),
-               kinds=_kinds(found.roots), exceptions=found.exceptions)  # fmt: skip
+    yield Step("homogeneous", claims={"solves": claim}, x=unknown.symbol, solution=free, alone=form.right == 0,
+               letter=_letter(unknown, constants.taken), kinds=_kinds(found.roots), exceptions=found.exceptions)  # fmt: skip
     if form.right == 0:
         return free
     particular = yield from particular_solution_of(form, unknown, t)

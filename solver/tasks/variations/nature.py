@@ -155,6 +155,7 @@ def _convexity_of(system: Functional, found: Extremal) -> Derivation[str]:
     if system.stop is None:
         return ""
     multipliers = {jet_symbol((name, 0)): value for name, value in found.multipliers.items()}
+    multipliers |= {jet_symbol((name, 0)): value for name, value in found.x.items() if name not in system.functions}
     phi = found.phi.xreplace(multipliers)
     inside = [symbol for symbol, (name, _) in system.jets.items() if name in system.functions and phi.has(symbol)]
     inside += [jet for jet in _derivatives(system) if phi.has(jet) and jet not in inside]

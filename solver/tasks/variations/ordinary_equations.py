@@ -83,7 +83,7 @@ def solution_of(equation: Expr, unknown: Unknown, t: Symbol, constants: Constant
 def _standard_form(equation: Expr, unknown: Unknown, form: exact.LinearForm, t: Symbol) -> Derivation[None]:
     """The equation divided by the factor of its highest derivative, where it is not yet so."""
     left = form.of(unknown.jets)
-    if sp.expand(equation - left + form.right) == 0:
+    if any(sp.expand(equation + sign * (left - form.right)) == 0 for sign in (-1, 1)):
         return
     divisor = sp.factor(equation / (left - form.right))
     claim = Claim(quotient(equation, divisor), left - form.right, "the equation divided by a factor")
