@@ -9,7 +9,6 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import Check, Claim
-from solver.stated.algebra import product
 from solver.stated.limits import limit
 from solver.stated.matrices import determinant, entrywise_product, inverse, transpose
 
@@ -59,4 +58,6 @@ def of_pairing(found: Any, array: Any) -> Iterator[Claim | Check]:
     best = sorted(found.inputs) == list(range(n)) and taken[0] == count and taken[1] <= away + 1e-9
     yield Check.that("the pairing closest to ones", "compared", best)
     farthest = max(abs(values[i][j] - 1) for i, j in enumerate(found.inputs))
+    largest = max(abs(value) for row in values for value in row)
+    yield Check.within("the largest entry", "compared", abs(largest - complex(sp.N(found.largest)).real), 1e-9)
     yield Check.within("the distance from ones", "compared", abs(farthest - complex(sp.N(found.distance)).real), 1e-9)

@@ -26,6 +26,7 @@ IN_WORDS = {
     "x0": "initial_state",
     "motion": "A",
     "gains": "a transfer matrix (or A, B and C)",
+    "polynomial_matrix": "a matrix of polynomials",
 }
 
 

@@ -119,15 +119,19 @@ def values_at(M: sp.ImmutableMatrix, x: sp.Symbol, point: sp.Expr) -> sp.Immutab
 class Pairing:
     """For each output the input it is paired with (counted from 0), the entries there, and what else they say.
 
-    `negative` are the places of the entries with a negative real part. `distance` is the largest |λ − 1| of the pairs.
+    `negative` are the places of the entries with a negative real part. `distance` is the largest |λ − 1| of the pairs,
+    `largest` the largest |λ| of all.
     """
 
     inputs: tuple[int, ...]
     entries: tuple[sp.Expr, ...]
     negative: tuple[tuple[int, int], ...]
     distance: sp.Expr
+    largest: sp.Expr
 
 
+DIGITS = 20
+"""Decimal digits of the entries that are compared."""
 MOST = 6
 """So many channels are paired by trying all ways."""
 
@@ -140,8 +144,9 @@ def pairing(array: sp.ImmutableMatrix) -> Pairing | None:
     n = array.rows
     if array.free_symbols or n > MOST:
         return None
-    negative = [(i, j) for i in range(n) for j in range(n) if sp.re(array[i, j]).is_negative]
-    away = {(i, j): sp.Abs(array[i, j] - 1).evalf(20) for i in range(n) for j in range(n)}
+    parts = {(i, j): sp.N(array[i, j], DIGITS).as_real_imag() for i in range(n) for j in range(n)}
+    negative = [place for place, (real, _) in parts.items() if real < 0]
+    away = {place: sp.sqrt((real - 1) ** 2 + imaginary**2) for place, (real, imaginary) in parts.items()}
 
     def effort(inputs: tuple[int, ...]) -> tuple[int, sp.Expr]:
         places = list(enumerate(inputs))
@@ -149,4 +154,5 @@ def pairing(array: sp.ImmutableMatrix) -> Pairing | None:
 
     best = min(permutations(range(n)), key=effort)
     entries = tuple(array[i, j] for i, j in enumerate(best))
-    return Pairing(best, entries, tuple(negative), max(sp.Abs(entry - 1) for entry in entries))
+    largest = max(sp.sqrt(real**2 + imaginary**2) for real, imaginary in parts.values())
+    return Pairing(best, entries, tuple(negative), max(away[place] for place in enumerate(best)), largest)

@@ -196,7 +196,6 @@ def _pairing(plant: Any, array: ImmutableMatrix, det: Expr) -> Step:
         (outputs[i], inputs[j], entry) for i, (j, entry) in enumerate(zip(found.inputs, found.entries, strict=True))
     ]  # fmt: skip
     negative = [] if found is None else [(outputs[i], inputs[j], array[i, j]) for i, j in found.negative]
-    size = None if found is None else max(sp.Abs(entry) for entry in array.flat())
     return Step(
         "pairing",
         detail="full",
@@ -207,7 +206,7 @@ def _pairing(plant: Any, array: ImmutableMatrix, det: Expr) -> Step:
         taken=any(each in negative for each in pairs),
         close=found is not None and bool(found.distance <= CLOSE),
         halves=found is not None and all(entry == sp.S.Half for entry in array.flat()),
-        large=size is not None and bool(size >= LARGE),
+        large=found is not None and bool(found.largest >= LARGE),
         real=not array.has(sp.I),
         one=array[0, 0] if array.rows == 2 else None,
         outputs=outputs,

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
 from solver.lazy import exact, numeric, systems
-from solver.lazy import sympy as sp
 from solver.numeric.judges import multivariable as judges
 from solver.tasks import mistakes
 from solver.tasks.multivariable import smith_mistakes
@@ -84,9 +83,3 @@ def _shape(given: Given[InputOutput, LoopOptions]) -> tuple[int, int]:
 def entries_on_the_diagonal(given: Given[InputOutput, LoopOptions], found: Mapping[str, Any]) -> Any:
     """The entries on the diagonal."""
     return on_the_diagonal(list(found["diagonal"]), _shape(given))
-
-
-@smith_mcmillan_form.consequence("diagonal", of=("form",))
-def diagonal_of_the_form(given: Given[InputOutput, LoopOptions], found: Mapping[str, Any]) -> Any:
-    """The diagonal of the form."""
-    return diagonal_of(sp.ImmutableMatrix(found["form"]), _shape(given))

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Attempt, Slip
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.representation.plants import matrices_of, variable_of
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from solver.derivation import Task
@@ -16,7 +18,6 @@ if TYPE_CHECKING:
     from solver.tasks.needed import InputOutput
     from solver.tasks.plant_options import LoopOptions
 
-NOT_MONIC = Slip("monic", "the polynomials are not monic: their leading coefficients must be one")
 REVERSED = Slip("divisibility", "the order is reversed: each factor must divide the next one")
 NOT_DIVIDING = Slip("divisibility", "these entries of a diagonal form do not divide each other")
 DIVISORS = Slip(
@@ -35,7 +36,7 @@ def register_for_polynomials(task: Task[PolynomialMatrix, Any]) -> None:
     task.mistake(REVERSED, "invariant_factors")(in_reverse)
     task.mistake(DIVISORS, "invariant_factors")(products_of_factors)
     task.mistake(ENTRIES_ONLY, "invariant_factors")(the_first_everywhere)
-    task.mistake(NOT_MONIC, "invariant_factors")(with_other_leading_coefficients)
+    task.meaning("invariant_factors")(read_as_factors)
 
 
 def register_for_fractions(task: Task[InputOutput, LoopOptions]) -> None:
@@ -44,7 +45,7 @@ def register_for_fractions(task: Task[InputOutput, LoopOptions]) -> None:
     task.mistake(NUMERATORS, "diagonal")(without_the_denominator)
     task.mistake(DIVISORS, "diagonal")(gcds_over_the_denominator)
     task.mistake(ACROSS, "diagonal")(cancelled_across)
-    task.mistake(NOT_MONIC, "diagonal")(with_other_leading_coefficients)
+    task.meaning("diagonal")(read_as_factors)
 
 
 def a_diagonal_as_it_stands(attempt: Attempt[PolynomialMatrix, Any]) -> Iterable[Any]:
@@ -101,15 +102,22 @@ def cancelled_across(attempt: Attempt[InputOutput, LoopOptions]) -> Iterable[Any
     yield [*entries, *attempt.ours[len(entries) :]]
 
 
-def with_other_leading_coefficients(attempt: Attempt[Any, Any]) -> Iterable[Any]:
-    """What was submitted, if its items made monic are ours."""
-    value, x = attempt.value, variable_of(attempt.given.system)
-    if not isinstance(value, list) or len(value) != len(attempt.ours):
-        return
-    pairs = zip(value, attempt.ours, strict=True)
-    ratios = [sp.cancel(theirs / ours) if ours != 0 else sp.S.One for theirs, ours in pairs]
-    if all(ratio != 0 and not ratio.has(x) for ratio in ratios):
-        yield value
+def read_as_factors(wrong: Attempt[Any, Any]) -> Reason | None:
+    """An item that is not monic while made so all are right, or one that does not divide the next."""
+    x, value = variable_of(wrong.given.system), wrong.value
+    if not isinstance(value, list) or len(value) != len(wrong.ours):
+        return None
+    pairs = list(zip(value, wrong.ours, strict=True))
+    ratios = [sp.cancel(theirs / ours) if ours != 0 else sp.sympify(theirs) + 1 for theirs, ours in pairs]
+    if not any(ratio.has(x) or ratio == 0 for ratio in ratios):
+        i = next((i for i, ratio in enumerate(ratios, 1) if ratio != 1), 0)
+        return Reason("smith/not_monic", {"i": i}) if i else None
+    entries = [each for each in value if each != 0]
+    for i, (one, following) in enumerate(pairwise(entries), 1):
+        (e, psi), (f, chi) = (sp.fraction(sp.cancel(each)) for each in (one, following))
+        if sp.rem(f, e, x) != 0 or sp.rem(psi, chi, x) != 0:
+            return Reason("smith/not_dividing", {"i": i})
+    return None
 
 
 def _form(attempt: Attempt[InputOutput, LoopOptions]) -> exact.SmithMcMillan:
