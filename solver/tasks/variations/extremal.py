@@ -10,7 +10,7 @@ from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Opt
 from solver.lazy import numeric
 from solver.numeric.judges import variations as judges
 from solver.systems.equations import jet_symbol
-from solver.tasks.variations import extremal_checks
+from solver.tasks.variations import extremal_checks, extremal_mistakes
 from solver.tasks.variations.constants import fitted_of
 from solver.tasks.variations.end_conditions import end_conditions_of, is_open
 from solver.tasks.variations.euler_equations import adjoined_of, constrained, euler_equations_of
@@ -156,3 +156,4 @@ def _several(found: Stationary, fitted: list[Fitted], values: Mapping[int, Expr]
 
 
 extremal_checks.register(extremal)
+extremal_mistakes.register(extremal)

@@ -22,6 +22,8 @@ TIMES = 9
 DEGREE = 14
 """Of the polynomials that stand for multipliers."""
 TIMES_OF_MULTIPLIERS = 40
+LEAST = 1e-9
+"""A value that is zero all along is compared as it is."""
 
 
 def stationary_residual(problem: Problem, x: Mapping[str, Any] | None, t_f: Any = None) -> float:
@@ -77,7 +79,7 @@ def value_residual(
         if cost:
             total += along.of(problem.cost, np.array([along.stop], dtype=complex))[0]
         found = numbers(value, along.point, 1)[0]
-        return float(abs(found - total) / max(abs(total), 1e-3 * typical))
+        return float(abs(found - total) / max(abs(total), 1e-3 * typical, LEAST))
 
     return worst(problem, x, t_f, judge)
 
