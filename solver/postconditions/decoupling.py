@@ -27,8 +27,9 @@ def of_interaction(found: Any, A: Any, B: Any, C: Any, D: Any) -> Iterator[Claim
             yield Claim(rank(row), sp.Integer(1 if last else 0))
         through = channel.degree == 0
         yield Claim(rank(sp.ImmutableMatrix(D.row(i))), sp.Integer(int(through)))
-        length = A.rows if channel.degree is None else channel.degree
-        yield Check.that("the number of rows", "counted", len(channel.reached) == length)
+        rows, reached = (A.rows,) * 2 if channel.degree is None else (channel.degree + 1, channel.degree)
+        counted = (len(channel.rows), len(channel.reached)) == (rows, reached)
+        yield Check.that("the number of rows", "counted", counted)
         entry = D.row(i) if through else channel.reached[-1]
         yield Claim(sp.ImmutableMatrix(entry), channel.entry)
 
