@@ -21,8 +21,15 @@ _MORE = r"(?:strictly )?(?:greater|larger|bigger|more|above|größer|grösser|ov
 TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
     (re.compile(pattern, re.IGNORECASE), change)
     for pattern, change in (
-        (r"^\s*(?:it is |the (?:system|loop) is |is )?(?:asymptotically )?(?:stable|stabil)\s+"
-         r"(?:(?:exactly |precisely |genau )?(?:for|if|iff|when|where|as long as|für|wenn|falls)\s+)?(?=\S)", ""),
+        (r"^[^<>≤≥≠]*?\b[A-Za-z]\w* ?= ?[\d./]+\s*[,;]\s*(?:so|hence|thus|therefore|also|⇒|→|=>)\s+(?=\S)", ""),
+        (r"^\s*(?:it is |(?:the |das |der )?(?:(?:closed[ -])?(?:system|loop)|regelkreis) (?:is|ist) |is )?"
+         r"(?:asymptotically |asymptotisch )?(?:stable|stabil)\s+"
+         r"(?:(?:exactly |precisely |genau )?(?:for|if and only if|if|iff|when|where|as long as|für|wenn|falls)\s+)?"
+         r"(?=\S)", ""),
+        (r"^\s*(?:for |für )?(?:all|every|any|alle|jedes)\s+positive?[rns]?\s+(?:values? (?:of )?)?([A-Za-z]\w*)\s*$",
+         r"\1 > 0"),
+        (r"\s*(?:∈|\bin\b|\belem\b)\s*(?:ℝ|R|\(?R)(?:\s*\^?\s*[({]?\s*(?:⁺|\+)\s*[)}]?|_?[({]?\s*>\s*0\s*[)}]?)\s*\)?\s*$",
+         " > 0"),
         (r"^\s*(?:for|für)?\s*(?:all|every|any|alle)\s+(?:real\s+|reellen\s+)?(?:values of\s+)?[A-Za-z]\w*\s*$",
          "always"),
         (r"^\s*(?:for |für )?(?:no|kein(?:e[mns]?)?)(?: real| reelles?)?(?: values?| werte?)?(?: of| von)?"

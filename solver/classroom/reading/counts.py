@@ -17,9 +17,12 @@ _OUT_OF = re.compile(
     r"\s*(?:rank|rang)?\s*=?\s*(\d{1,3})\s*(?:<|≠|!=|(?:out )?of|von)\s*(\d{1,3})(?:\s*=\s*n)?\s*$", re.IGNORECASE
 )
 """Less than the full number: 2 < 3, rank 2 of 3."""
+_HENCE = re.compile(r"\s*(\w+ .+?)\s*[,;]\s*(?:so|hence|thus|also|daher)\s+(\w+)\s*$")
+_EQUALLY = re.compile(r"\s*(\d{1,3})\s*=\s*n\s*$")
 _PLACES = {
     "right_half_plane_roots": re.compile(
-        r"(?:in |on )?(?:open |offenen )?(?:right half ?plane|rhp|rechten halbebene)|rechts|unstable|instabile"
+        r"(?:in |on )?(?:open |offenen )?(?:right half ?plane|rhp|rechten halbebene)|rechts"
+        r"|unstable|instabile|with positive real parts?|mit positivem realteil"
         r"|(?:sign changes?|changes? of sign|vorzeichenwechsel)(?: in (?:the )?first column)?"
     ),
     "imaginary_axis_roots": re.compile(r"(?:on |auf )(?:imaginary axis|imaginären achse)"),
@@ -39,6 +42,10 @@ def counted(text: str, name: str, most: int | None) -> str | None:
     None where that is not clear: what is full is not known, or is another number; or what is counted lies elsewhere.
     """
     if (found := _OUT_OF.match(text)) and most is not None and int(found[1]) < int(found[2]) == most:
+        return found[1]
+    if (found := _HENCE.match(text)) and count(found[1].split(maxsplit=1)[0]) == count(found[2]):
+        text = found[1]  # two sign changes, so 2
+    if (found := _EQUALLY.match(text)) and most == int(found[1]):
         return found[1]
     said = _said(text)
     bare = [word for word in said if word not in _NOUNS | _FULL]

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from solver.classroom.reading.brackets import enclosed
+from solver.classroom.reading.brackets import enclosed, split
 from solver.derivation import AnswerName
 from solver.problem.expressions.notation import GREEK
 from solver.symbols import NOTATIONS
@@ -24,7 +24,7 @@ _RANGE = re.compile(
     r"\b[tk]\s*(?:>=?|≥|\\geq?\b)\s*0\s*\)?\s*[.$]?\s*$"
 )
 _MULTIPLE = re.compile(
-    r"^(.*?[^\s(,])\s*(?:\(?\s*(?:double(?: root| pole)?|twice|doppelt|triple|dreifach"
+    r"^(.*?[^\s(,])\s*(?:\(?\s*(?:double(?: root| pole| eigenvalue)?|twice|doppelt|triple|dreifach|repeated twice"
     r"|once|simple|einfach"
     r"|(?:with )?(?:(?:algebraic|alg\.?|algebraische?) )?(?:mult(?:iplicity|\.)?|vielfachheit|vfh\.?)\s*(\d{1,2}))"
     r"|\(\s*(\d{1,2})[ -]?(?:times|fold|x|×|mal|fach))\s*\)?$",
@@ -43,7 +43,7 @@ SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _COUNTS = tuple(map(str, range(1, 10)))
 _INDEX = re.compile(r"(\d+)\D*$")
 _SHARED = re.compile(
-    r"([^\W\d](?:(?![₀-₉])[^\W\d_])*)_?\{?([\d₀-₉](?:,\s*[\d₀-₉])+)\}?\s*=\s*([^=]*?)"
+    r"([^\W\d](?:(?![₀-₉])[^\W\d_])*)_?\{?([\d₀-₉](?:[,/]\s*_?[\d₀-₉])+)\}?\s*=\s*([^=]*?)"
     r"(?=[,;]\s*[^\W\d]\w*(?:,\s*[\d₀-₉])*\}?\s*=|\s*$)"
 )
 _TWO = re.compile(r"±|∓|\\pm|\\mp|\+\s*/?\s*[-−]")
@@ -52,6 +52,14 @@ _PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
 _MEMBER = re.compile(r"\s*\\?[^\W\d]\w*\s*(?:∈|\\in\b|\bin\b)\s*(?=\\?[{\[])")
 _ARGUMENT = re.compile(r"\([stzk]\)\s*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
+_CHANGES = re.compile(r"\s*(?:inv|pinv|sqrt|norm|abs|trace|transpose|log|ln|exp)\s*\(")
+_DEFINED = re.compile(
+    r"(?:[A-Za-z]\w*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)|\|.*\||[\[(].*[\])]|e\^[({]\s*A\s*t\s*[)}]"
+    r"|\(\s*[sz]\s*I\s*-\s*A\s*\)\s*\^[({]?-1[)}]?|(?:∂|d\s?)\w+\s*/\s*(?:∂|d\s?)\w+|lim[\W_].*\)|[A-Za-z]_?∞"
+)
+_SIMILAR = re.compile(r"T\s*\^[({]?-1[)}]?\s*(?:A\s*T|B)|C\s*T")
+_PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")
+_DENIES = re.compile(r"\b(?:not|no|nicht|kein\w*|never|for|für|if|wenn|unless)\b", re.IGNORECASE)
 _DECORATION = re.compile(r"\\(?:text|mathrm|mathcal|operatorname|bar|hat|tilde|left|right|mathbf)\b|[\\${}_\s*^]")
 _GREEK = {**GREEK, "lambda": "lamda"}
 
@@ -84,6 +92,8 @@ class Labels:
         if found is None or "=" in found[2].strip("= ") or enclosed(text.strip(), "{}"):
             return text, False
         label = _normal(found[1])
+        if _DENIES.search(found[1]) or _CHANGES.match(found[1]):
+            raise ForeignLabelError(f"it is not clear what {found[1].strip()} says of it")
         if found[1].startswith("lambda "):  # a function of Python
             return text, False
         if label in self.own:
@@ -98,6 +108,17 @@ class Labels:
             raise ForeignLabelError(f"it is labelled {found[1].strip()}, and {self.name} is asked for")
         return (found[2].strip(), True) if _NAME.fullmatch(found[1].strip()) else (text, False)
 
+    def may_define(self, text: str) -> bool:
+        """Whether a text beside a sign = may be what the answer is called or how it is found, and no multiple of it."""
+        if _NAME.fullmatch(text) or _normal(text) in self.own or _SIMILAR.fullmatch(text):
+            return True
+        if _CHANGES.match(text):
+            return False
+        letters = {_letter(each).lower() for each in self.own}
+        if letters & {_letter(_normal(each)).lower() for each in re.findall(r"[^\W\d_]+", text)}:
+            return False
+        return (_DEFINED.fullmatch(text) or _PRODUCT.fullmatch(text)) is not None
+
 
 def without_range(text: str) -> str:
     """Return a function of time without "for t >= 0" behind it."""
@@ -111,7 +132,7 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
     """
     written, items = items, [each for item in items for each in _repeated(item)]
     matches = [_LABEL.match(item) for item in items]
-    found = [match if match and _NAME.fullmatch(match[1].strip()) else None for match in matches]
+    found = [match if match and _is_label(match[1]) else None for match in matches]
     if not any(found):
         return items, len(items) > len(written)
     values = _without_own_names(
@@ -125,6 +146,10 @@ def without_labels(items: Sequence[str]) -> tuple[list[str], bool]:
     if len(numbers) == len(items) == len(set(numbers)):
         values = [value for _, value in sorted(zip(numbers, values, strict=True))]
     return values, True
+
+
+def _is_label(text: str) -> bool:
+    return _NAME.fullmatch(text.strip()) is not None and _DENIES.search(text) is None
 
 
 def twice_named(items: Sequence[str]) -> str:
@@ -159,6 +184,8 @@ def with_own_labels(text: str) -> str:
     def each(found: re.Match[str]) -> str:
         name, shared, value = found.groups()
         indices = re.findall(r"\d", shared.translate(SUBSCRIPTS))
+        if len(split(value, re.compile("[,;]"))) == len(indices):  # p_{1,2} = -1, -2
+            return value
         if _TWO.search(value):
             return f"{name}{indices[0]} = {value}" if len(indices) == 2 else found[0]
         return f"{' = '.join(name + index for index in indices)} = {value}"
@@ -173,7 +200,7 @@ def by_places(items: Sequence[str]) -> list[list[str]] | None:
     """
     found: dict[tuple[int, int], str] = {}
     for item in items:
-        places, value = [], item
+        places, value = [], item.translate(SUBSCRIPTS)
         while match := _PLACE.match(value):
             places.append((int(match[1]), int(match[2])))
             value = value[match.end() :]

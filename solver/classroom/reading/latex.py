@@ -14,6 +14,7 @@ from solver.problem.expressions.notation import FUNCTIONS, GREEK_NAMES
 
 MAX_NESTING = 30
 _TOKEN = re.compile(r"\\begin\{[a-zA-Z]+\*?\}|\\end\{[a-zA-Z]+\*?\}|\\[a-zA-Z]+|\\.|[{}^_&]|[^\\{}^_&]", re.DOTALL)
+_SPACED = re.compile(r"(\\\\)\[\s*-?[\d.]+\s*(?:pt|em|ex|mm|cm|\\baselineskip)\s*\]")
 _FACTOR = re.compile(r"(?<![A-Za-z\\])([a-z])(\d+\^)")  # k3^{k-1}
 _OVER = re.compile(r"\{([^{}]*)\\over(?![a-z])([^{}]*)\}")
 _WHOLE_OVER = re.compile(r"^\{?([^{}=]*)\\over(?![a-z])([^{}=]*?)\}?$")
@@ -70,7 +71,7 @@ def is_latex(text: str) -> bool:
 def translated(text: str) -> str:
     """Return LaTeX in plain notation: matrices as [a, b; c, d], fractions in brackets. Raises NotReadableError."""
     text = _WHOLE_OVER.sub(r"\\frac{\1}{\2}", _OVER.sub(r"\\frac{\1}{\2}", text))
-    text = _FACTOR.sub(r"\1 \2", text).replace("{,}", ",")
+    text = _FACTOR.sub(r"\1 \2", _SPACED.sub(r"\1", text)).replace("{,}", ",")
     tokens = _TOKEN.findall(text.replace("$", " ").replace("~", " "))
     return re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()
 

@@ -16,10 +16,14 @@ _MOTION = re.compile(r"(?:\d*\s*[eE]\s*[\^⁻ᵗ]|exp|sin|cos|[tk]\b)")
 _ENDING = re.compile(
     r"(.*?[\d)])\s*[*·×]?\s*((?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\([^()]*\))", re.DOTALL
 )
+_NAMED = re.compile(r"(?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\(")
+MOST_FACTORS = 6
 NEAR = 40
 """Characters before a sign that are looked at."""
 _PART = re.compile(r"(?:\w+\.)*(Re|re|real|Im|im|imag)\s*[(\[]")
 _TRANSPOSE = re.compile(r"(?:\.?['’′]|\^\(?\s*T\s*\)?|ᵀ|\^%T|\.T|\^⊤|\^\\top)\s*$")
+
+_TURNED = re.compile(r"(?:\.?['’′]|\^\(?\s*T\s*\)?|ᵀ|\^%T|\.T|\^⊤)(?!\w)")
 
 Read = Callable[[str], Node]
 """Reads a piece of the text."""
@@ -30,6 +34,8 @@ def transposition(text: str, read: Read) -> Node | None:
     inside = inside_transposition(text)
     if inside is None and (found := _TRANSPOSE.search(text)) and len(split(text, ",")) < 2:
         inside = text[: found.start()]
+    if inside is not None and terms_of(with_square_brackets(inside))[0]:
+        return None  # the last term of a sum
     whole = read(inside) if inside is not None else None
     return transposed(whole) if isinstance(whole, SequenceNode) else None
 
@@ -45,6 +51,8 @@ def combined(node: Node, text: str, read: Read) -> Node | None:
     if (found := _PART.match(text)) and matching(text, found.end() - 1) == len(text) - 1:
         whole = read(text[found.end() : -1])
         return each_called(found[1], whole) if isinstance(whole, SequenceNode) else None
+    if "(" in text and len(terms_of(with_square_brackets(text))[0]) > 1:
+        text = with_square_brackets(text)
     if adds_a_number(text):
         raise node.fault("a number cannot be added to a matrix")
     terms, signs = terms_of(text)
@@ -68,6 +76,8 @@ def scaled(text: str) -> tuple[str, str, str] | None:
     if start < 0:
         return None
     end = matching(text, start)
+    turned = _TURNED.match(text, end + 1)
+    end = turned.end() - 1 if turned else end
     before, after = text[:start].strip().rstrip("*·×").strip(), text[end + 1 :].strip()
     bare = not any(sign in before + after for sign in "[]{},;=")
     called = text[:start][-1:].isascii() and text[:start][-1:].isalpha()  # Sin[t] of Mathematica
@@ -85,23 +95,39 @@ def with_square_brackets(text: str) -> str:
         if text[at] == "{":
             end = matching(text, at)
             return f"{text[:at]}[{text[at + 1 : end]}]{text[end + 1 :]}"
-    for found in _TUPLE.finditer(text):
+    at = 0
+    while found := _TUPLE.search(text, at):
         end = matching(text, found.end() - 1)
         inside = text[found.end() : end]
         if end < len(text) and (len(split(inside, ",")) > 1 or len(split(inside, ";")) > 1):
-            return f"{text[: found.end() - 1]}[{inside}]{text[end + 1 :]}"
+            text = f"{text[: found.end() - 1]}[{inside}]{text[end + 1 :]}"
+        at = found.end()
     return text
 
 
 def factors_of(text: str) -> tuple[str, str, str] | None:
-    """Return what stands before the first of two matrices side by side, and the two; None of anything else."""
-    start = text.find("[")
-    middle = matching(text, start) if start >= 0 else len(text)
+    """Return what stands before the first of several matrices side by side, it and the rest; None of anything else."""
+    named = _NAMED.match(text)
+    start = 0 if named else text.find("[")
+    middle = matching(text, named.end() - 1 if named else start) if start >= 0 else len(text)
     following = text[middle + 1 :].lstrip().lstrip("*·×.@").lstrip()
-    if not following.startswith("[") or matching(following, 0) != len(following) - 1:
+    if not _are_matrices(following):
         return None
     before = text[:start].strip().rstrip("*·×").strip()
     return None if _is_sum(before) or before[-1:] in ("/", "^") else (before, text[start : middle + 1], following)
+
+
+def _are_matrices(text: str) -> bool:
+    """Whether a text is a matrix or several of them side by side, of which some may be diag(…)."""
+    for _ in range(MOST_FACTORS):
+        found = _NAMED.match(text)
+        if not found and not text.startswith("["):
+            return False
+        rest = text[matching(text, found.end() - 1 if found else 0) + 1 :].strip()
+        if not rest:
+            return True
+        text = rest.lstrip("*·×.@").lstrip()
+    return False
 
 
 def adds_a_number(text: str) -> bool:

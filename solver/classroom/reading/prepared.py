@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Collection, Sequence
 from typing import Any
 
@@ -20,8 +21,11 @@ _TURNED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:\^\(?\s*T\s*\)?|ᵀ|\^\{T\})\s*=\s*
 _NOT_ZERO = re.compile(r"\s*(?:≠|!=|\\neq?\b)\s*0\s*$")
 _PARTS = re.compile(r"^\s*(?:σ|sigma|Re)\s*=[^=]*[,;]\s*(?:ω|omega|ω_d|Im)\s*=[^=]*$")
 _STATED = re.compile(r"\s*([^\W\d]\w*)\s*=[^=]")
+_ADDED = re.compile(r"\s*u\w*(?:\(\w\))?\s*=\s*\+?\s*[A-Za-z]")
+_OUTPUT = re.compile(r"^\s*Y(?:\((?:s|z)\))?\s*=\s*(.*?)\s*[*·]?\s*U(?:\((?:s|z)\))?\s*$", re.DOTALL)
 _SQUARE = re.compile(r"(?<![\w.])([spzλ]|lambda)([2-9])(?!\w)")
 _POWER_OF_ROW = re.compile(r"\s*[sz]\s*\^?\s*[({]?[\d⁰¹²³⁴-⁹]{1,2}[)}]?\s*(?:[|:]|$)")
+_DIGITS = re.compile(r"[\d⁰¹²³⁴-⁹]{1,2}")
 _SLASH = re.compile(r"\s/\s")
 _WORD = re.compile(r"[a-z]{2,}")
 
@@ -39,6 +43,8 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
         return node
     if isinstance(ours, list | tuple) and _PARTS.match(text):
         raise node.fault("the values themselves are expected, not their real and imaginary parts")
+    if name == "G" and (law := _OUTPUT.match(text)) and law[1]:  # Y(s) = G(s) U(s)
+        return ScalarNode(node.place, law[1], "quoted")
     bare = _own_statement(_NOT_ZERO.sub("", text), name)
     if name == "array":
         bare = _without_powers(text)
@@ -60,6 +66,8 @@ def _own_statement(text: str, name: str) -> str:
     pieces = split(text, re.compile(r"[,;]"))
     stated = [found[1] if (found := _STATED.match(piece)) else "" for piece in pieces]
     own = len(pieces) > 1 and all(stated) and stated.count(name) == 1 and len(name) == 1
+    if any(map(_ADDED.match, pieces)):  # the gain of u = Kx is another one
+        return text
     return pieces[stated.index(name)] if own else text
 
 
@@ -67,7 +75,14 @@ def _without_powers(text: str) -> str:
     """The rows of a Routh array without s^3 | before them; a text of other rows as it is."""
     lines = rows(text)
     bare = [_POWER_OF_ROW.sub("", line, count=1) for line in lines]
-    return "\n".join(bare) if len(lines) > 1 and all(map(_POWER_OF_ROW.match, lines)) else text
+    named = len(lines) > 1 and all(map(_POWER_OF_ROW.match, lines)) and _is_falling(lines)
+    return "\n".join(bare) if named else text
+
+
+def _is_falling(lines: Sequence[str]) -> bool:
+    """Whether the powers at the beginning of lines fall one by one."""
+    powers = [int(unicodedata.normalize("NFKC", found[0])) for found in map(_DIGITS.search, lines) if found]
+    return powers == list(range(powers[0], powers[0] - len(lines), -1)) if powers else False
 
 
 def as_rows(node: Node) -> Node | None:
@@ -81,7 +96,8 @@ def without_powers(lines: Sequence[Sequence[Node]]) -> list[Sequence[Node]]:
     """Return the rows of a Routh array without their powers in the first column, if that holds nothing else."""
     first = [line[0] for line in lines if len(line) > 1]
     powers = [each for each in first if isinstance(each, ScalarNode) and _POWER_OF_ROW.fullmatch(each.text)]
-    return [line[1:] for line in lines] if len(powers) == len(lines) else list(lines)
+    falling = len(powers) == len(lines) and _is_falling([each.text for each in powers])
+    return [line[1:] for line in lines] if falling else list(lines)
 
 
 def with_powers(text: str, known: Collection[str]) -> str:

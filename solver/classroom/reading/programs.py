@@ -15,7 +15,7 @@ MOST_ARGUMENTS = 2
 _ANGLES = str.maketrans("⟨⟩", "<>")
 _ADJACENT = re.compile(r"(?<=\])\s*(?=\[)")
 _BARRED = re.compile(r"[^|&]*(?:\|[^|&]*|(?:&[^|&]*)+)")
-_MADE = re.compile(r"(?<=[*+\-/ )])(?:\w+\.)*(?:[Mm]atrix|array)\((?=\[)")
+_MADE = re.compile(r"(?:^|(?<=[*+\-/ )]))(?:\w+\.)*(?:[Mm]atrix|array)\((?=\[)")
 _WORD = re.compile(r"[\[(]?\s*[■█]\s*\(")
 _IDLE = re.compile(
     r"(?:\w+\.)*(?:simplify|Simplify|FullSimplify|expand|Expand|factor|Factor|evalf|N|vpa|sym|double|float|MatrixForm"
@@ -44,7 +44,8 @@ def _without_makers(text: str) -> str:
     while not text.startswith(("Matrix", "matrix")) and (found := _MADE.search(text, at)):
         end = matching(text, found.end() - 1)
         inside = text[found.end() : end]
-        if end < len(text) and matching(inside, 0) == len(inside) - 1:
+        whole = found.start() == 0 and end == len(text) - 1
+        if not whole and end < len(text) and matching(inside, 0) == len(inside) - 1:
             text = f"{text[: found.start()]}{inside}{text[end + 1 :]}"
         at = found.start() + 1
     return text

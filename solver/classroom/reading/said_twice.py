@@ -9,10 +9,11 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading.brackets import split
-from solver.classroom.submitted import Decimal
+from solver.classroom.submitted import Decimal, Submitted
 
 MOST_SIDES = 4
 _EQUAL = re.compile(r"\s*(?:[≈≅]|(?<![<>=!:])=(?![=>]))\s*")
+PLACES = (sp.Rational(13, 11), sp.Rational(29, 17), sp.Rational(7, 19))
 _NEAR = sp.Rational(1, 10**9)
 
 
@@ -32,3 +33,23 @@ def agree(one: Any, other: Any, decimals: Mapping[sp.Symbol, Decimal]) -> bool:
     spread = [slope * decimals[each].half_unit for each, slope in slopes.items()]
     allowed = sp.Add(*spread) + _NEAR * abs(one.xreplace(values))
     return bool(sp.N(abs(difference.xreplace(values)), 30) <= sp.N(allowed, 30))
+
+
+def same(one: Submitted, other: Submitted) -> bool:
+    """Whether two values may be the same, entry by entry; formulas are compared at a few places."""
+    decimals = {**one.decimals, **other.decimals}
+    left, right = _entries(one.form), _entries(other.form)
+    if len(left) != len(right):
+        return False
+    letters = sorted(set().union(*(each.free_symbols for each in (*left, *right))) - set(decimals), key=str)
+    for place in PLACES:
+        at = {letter: place + sp.Rational(i, 7) for i, letter in enumerate(letters)}
+        if not all(agree(a.xreplace(at), b.xreplace(at), decimals) for a, b in zip(left, right, strict=True)):
+            return False
+    return True
+
+
+def _entries(form: Any) -> list[Any]:
+    if isinstance(form, sp.MatrixBase):
+        return [form[i, j] for i in range(form.rows) for j in range(form.cols)]
+    return [*form] if isinstance(form, list | tuple) else [form]

@@ -2,6 +2,19 @@
 
 from __future__ import annotations
 
+import re
+
+ABBREVIATIONS = tuple(
+    (re.compile(pattern), words)
+    for pattern, words in (
+        (r"(?<![\w.])(?:[gG]\.? ?)?a\. ?s\.(?!\w)", "asymptotically stable"),
+        (r"^\s*G?AS\s*$", "asymptotically stable"),
+        (r"(?<![\w.])m\. ?s\.(?!\w)", "marginally stable"),
+        (r"(?i)(?<![\w.])(?:as|asymp|asympt|exp)\.(?= ?sta)", "asymptotically"),
+        (r"(?i)[,(]?\s*\b(?:i\.? ?s\.? ?l\b\.?|in the sense of (?:lyapunov|ljapunov|liapunov))\)?", ""),
+    )
+)
+"""Short forms of words, and what is said with them that changes nothing."""
 IGNORED = {"a", "an", "the", "is", "it", "system", "equilibrium", "point", "matrix", "this", "plant", "ein", "eine",
            "das", "der", "die", "ist", "origin", "loop", "closed", "only", "nur", "globally", "global",
            "circuit", "schaltung", "regelkreis", "strecke"}  # fmt: skip
@@ -22,10 +35,13 @@ SYNONYMS = {
     **dict.fromkeys(("asymptotischer", "asymptotisches", "exponential"), "asymptotically"),
     **dict.fromkeys(("marginal", "critically", "neutrally"), "marginally"),
     **dict.fromkeys(("grenzstabil", "grenzstabiler"), "marginally stable"),
+    "stability": "stable", "stabilität": "stable", "instability": "unstable", "instabilität": "unstable",
+    "borderline": "marginally", "elliptic": "",
     "nicht": "not", "aber": "but", "ljapunow": "lyapunov", "posdef": "positive definite", "positiv": "positive",
     "negativ": "negative", "definit": "definite", "semidefinit": "semidefinite", "indefinit": "indefinite",
 }  # fmt: skip
 PHRASES = {
+    "stable but not asymptotically stable in sense": "marginally stable",
     "stable but not asymptotically stable": "marginally stable",
     "stable but not asymptotically": "marginally stable",
     "stable not asymptotically stable": "marginally stable",
@@ -40,7 +56,7 @@ PHRASES = {
 PARTS = {"proper node": "star", "star node": "star", "asymptotically stable": "stable"}
 """Words beside others, where the list of the answer does not have them."""
 ADJECTIVES = {
-    "controllable": ("steuerbar", "commandable", "contrôlable"),
+    "controllable": ("c c", "steuerbar", "commandable", "contrôlable"),
     "observable": ("beobachtbar",),
     "stabilizable": ("stabilisierbar",),
     "detectable": ("detektierbar", "entdeckbar"),

@@ -25,17 +25,22 @@ from solver.classroom.reading.labels import (
 from solver.classroom.reading.likeness import has_step, is_condition, is_like, is_of_time
 from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
+from solver.classroom.reading.otherwise import other_texts
 from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
-from solver.classroom.reading.said_twice import sides
+from solver.classroom.reading.said_twice import same, sides
+from solver.classroom.reading.sentences import sides_of
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import TextReader
 from solver.classroom.submitted import Submitted, replaced
 from solver.problem.expressions import Names
+from solver.problem.expressions.notation import MAX_CHARACTERS
 from solver.problem.nodes import Node, ScalarNode
 from solver.problem.source import Fault
 
 MAX_ENTRIES = 400
+MOST_LAYERS = 2
+"""Sentences within sentences that are gone into."""
 
 
 class Reader:
@@ -54,11 +59,14 @@ class Reader:
     def read(self, node: Node, ours: Any, expected: Expected | None = None) -> Submitted:
         """Return the value of a node for an answer of the kind of `ours`, with its other readings; raises Fault."""
         self.expected = expected or Expected()
+        written = node
         node = prepared(node, ours, self.expected.name)
         found, faults = self._readings(node, ours)
         if not any(is_like(each.value, ours) for each in found):
             others = [each for each in self._other_readings(node, ours) if is_like(each.value, ours)]
             found = [replace(each, respelt=True) for each in others] or found
+        if not any(is_like(each.value, ours) for each in found):
+            found = [replace(each, respelt=True, typed=typed(node)) for each in self._within(written, ours)] or found
         if not found:
             raise faults[0]
         found = [each for each in found if is_like(each.value, ours)] or found
@@ -92,6 +100,47 @@ class Reader:
         lines = as_rows(node) if isinstance(ours, list | tuple | sp.MatrixBase) else None
         return self._readings(lines, ours)[0] if lines is not None else []
 
+    def _within(self, node: Node, ours: Any, depth: int = 0) -> list[Submitted]:
+        """What a text says that has the shape of ours: within a sentence, behind signs of equality, in another form."""
+        if not isinstance(node, ScalarNode) or isinstance(ours, str | bool) or is_condition(ours):
+            return []
+        if len(node.text) > MAX_CHARACTERS or depth > MOST_LAYERS:
+            return []
+        for text in other_texts(node.text, ours, self.expected):
+            other = ScalarNode(node.place, text, "quoted")
+            if found := self._like(other, ours) or self._within(other, ours, depth + 1):
+                return found
+        return self._last_side(node, ours)
+
+    def _like(self, node: Node, ours: Any) -> list[Submitted]:
+        """The readings of a node that have the shape of ours."""
+        try:
+            return [each for each in self._readings(node, ours)[0] if is_like(each.value, ours)]
+        except Fault:
+            return []
+
+    def _last_side(self, node: ScalarNode, ours: Any) -> list[Submitted]:
+        """What stands behind the last sign of equality, where no other side is another value. Raises Fault."""
+        sides = sides_of(node.text)
+        if polynomials.variable_of(ours) is not None and sides and sides[-1] == "0":
+            sides = sides[:-1]
+        if not sides:
+            return []
+        try:
+            self.expected.labels.without(f"{sides[0]} = 0")
+        except ForeignLabelError:
+            return []
+        found = [self._like(ScalarNode(node.place, side, "quoted"), ours) for side in sides]
+        *before, last = found
+        if len(last) != 1:
+            return []
+        known = symbols_of(last[0].value)
+        values = [[each for each in one if symbols_of(each.value) <= known] for one in before]
+        for side, known_values in zip(sides, values, strict=False):
+            if any(not same(each, last[0]) for each in known_values):
+                raise node.fault(f"{side} and {sides[-1]} are not equal")
+        return last if values[0] or self.expected.labels.may_define(sides[0]) else []
+
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:
         self.texts = TextReader(self.names, choices, self.expected.unit, discrete=self.discrete)
         self.texts.numbers = not symbols_of(ours)
@@ -121,6 +170,8 @@ class Reader:
         if polynomials.variable_of(ours) is not None:
             text = polynomials.one_side(text)
             self.texts.respelt = self.texts.respelt or text != node.text
+        if isinstance(ours, str) and words.fitting(self.expected.labels.before(text)[0], self.expected.words):
+            return node  # unstable, since λ = 1
         if isinstance(ours, bool):
             label, value = self.expected.labels.before(text)
             if label and (len(value) < 2 or not words.is_name(label, self.expected.name)):  # rank = n is no "n"

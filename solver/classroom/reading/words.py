@@ -5,21 +5,52 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from solver.classroom.reading.terms import ADJECTIVES, IGNORED, NEGATIONS, NOUNS, PARTS, PHRASES, SYNONYMS
+from solver.classroom.reading.terms import (
+    ABBREVIATIONS,
+    ADJECTIVES,
+    IGNORED,
+    NEGATIONS,
+    NOUNS,
+    PARTS,
+    PHRASES,
+    SYNONYMS,
+)
 
-YES = {"yes", "true", "always", "y", "ja", "oui", "wahr", "correct", "holds", "✓"}
-NO = {"no", "false", "never", "n", "nein", "non", "falsch", "not", "✗"}
+YES = {"t", "\\checkmark", "yes", "true", "always", "y", "ja", "oui", "wahr", "correct", "holds", "✓"}
+NO = {"f", "no", "false", "never", "n", "nein", "non", "falsch", "not", "✗"}
 ALL = ("reals", "all", "any", "every", "always", "all reals")
 NONE = ("none", "never", "no", "[]", "empty", "trivial", "only the zero vector", "the zero vector", "zero vector",
         "nullvektor", "the trivial space", "trivial space", "keine", "empty set", "the empty set",
         "leere menge", "aucun", "aucune")  # fmt: skip
-_REASONED = re.compile(r"\w+\s*[,;:.(–-]")
-_REASON = re.compile(r"\s*[,;(–]|\s+(?:since|because|as|da|weil|denn)\s")
+_REASONED = re.compile(r"\w+\s*[,;:.!(–—-]")
+_REASON = re.compile(r"\s*[,;:(–—]|\s+(?:since|because|as|da|weil|denn)\s")
 _HENCE = re.compile(
     r"(.+?)(?:\s*[,;.:]|\s)\s*(?:so|hence|therefore|thus|also|daher|folglich|⇒|⟹|→|[=-]>)\s*(?:it is |is )?(.+)"
 )
-_WHOLLY = {"completely", "fully", "state", "vollständig", "is", "ist", "it", "es", "system", "the", "das", "matrix"}
+_SUBJECT = re.compile(
+    r"^\s*(?:(?:the|das|die|der)\s+)?(?:(?:pair|system|plant|matrix|paar|strecke)\s+)?(?:\(\s*[AC]\s*,\s*[ABC]\s*\)|A)?\s*(?:\bis\b|\bist\b)?\s+(?=\S)"
+    r"|^\s*\(\s*[AC]\s*,\s*[ABC]\s*\)\s*(?:is|ist)?\s*",
+    re.IGNORECASE,
+)
+"""What has the property: the pair (A, B) is."""
+_SINCE = re.compile(r"\s*(?:[Aa]s|[Ss]ince|[Bb]ecause|[Dd]a|[Ww]eil)\b(.+?)\b(?:the|das|der) \w+ (?:is|ist) (.+)")
+_WHOLLY = {
+    "vollst",
+    "completely",
+    "fully",
+    "state",
+    "vollständig",
+    "is",
+    "ist",
+    "it",
+    "es",
+    "system",
+    "the",
+    "das",
+    "matrix",
+}
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
+_ANSWERS = {"yes", "no", "ja", "nein", "true", "false", "wahr", "falsch", "oui", "non"}
 _FINITE = {"finite", "endlichen", "such", "transmission", "invariant"}
 
 _SPACE = re.compile(r"(?:ℝ|\\mathbb\{?\s*R\s*\}?|R)\s*\^\s*\{?([1-9])\}?")
@@ -28,7 +59,8 @@ _MIXED = re.compile(r"([+-]?)\s*(\d{1,9})\s+(\d{1,9}/\d{1,9})")
 
 def truth(text: str, name: str = "") -> bool | None:
     """Return what a text says of whether something has a property, yes or "not controllable"; None if nothing."""
-    said = [word for word in _words(text.replace("isable", "izable")) if word not in _WHOLLY]
+    text = _SUBJECT.sub("", text, count=1).replace("isable", "izable")
+    said = [word for word in _words(text) if word not in _WHOLLY]
     words = " ".join(said)
     if words in YES | NO or (said and _REASONED.match(text.strip()) and said[0] in YES | NO):
         yes = said[0] in YES
@@ -44,8 +76,18 @@ def truth(text: str, name: str = "") -> bool | None:
         return False
     if (found := _HENCE.match(text)) and own and truth(found[1], name) is None:
         return truth(found[2], name)
+    return _with_reason(text, name, {"but", "aber", *adjectives}) if own else None
+
+
+def _with_reason(text: str, name: str, against: set[str]) -> bool | None:
+    """What a text says before its reason, where that denies nothing; words `against` it spoil what is denied."""
     claim, *reason = _REASON.split(text, maxsplit=1)
-    return truth(claim, name) if reason and own and not _DENIED & set(_words(reason[0])) else None
+    if not reason or not claim.strip():
+        return None
+    why, said = _words(reason[0].replace("?", " ")), truth(claim, name)
+    spoils = against if said is False else _DENIED
+    answers = _ANSWERS - {"no"} if said is False and len(why) > 2 else _ANSWERS
+    return None if set(why) & (spoils | answers) else said
 
 
 def is_name(label: str, name: str) -> bool:
@@ -57,6 +99,8 @@ def is_name(label: str, name: str) -> bool:
 
 def fitting(text: str, known: Sequence[str]) -> list[str]:
     """Return the words of a list that a text may mean: the one that it is, else those that say all that it says."""
+    for pattern, words in ABBREVIATIONS:
+        text = pattern.sub(words, text)
     spoken = " ".join(SYNONYMS.get(word, word) for word in _words(text) if word not in IGNORED)
     spoken = PHRASES.get(spoken, spoken)
     if spoken == "stable" and "asymptotically stable" in known:
@@ -67,6 +111,8 @@ def fitting(text: str, known: Sequence[str]) -> list[str]:
     same = [each for each in known if parts == set(each.split())]
     if not same and (found := _HENCE.fullmatch(text)) and not _DENIED & set(_words(found[1])):
         return [] if fitting(found[1], known) else fitting(found[2], known)
+    if not same and (found := _SINCE.fullmatch(text)) and not _DENIED & set(_words(found[1])):
+        return fitting(found[2], known)
     claim, *reason = _REASON.split(text, maxsplit=1)
     if not same and reason and claim.strip() and not _DENIED & set(_words(reason[0])):
         return fitting(claim, known)

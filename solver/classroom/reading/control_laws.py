@@ -1,0 +1,84 @@
+"""A gain told as the law of feedback, u = -[18 6] x or u = -18 x1 - 6 x2, and a law told with the gain's row."""
+
+from __future__ import annotations
+
+import re
+
+from solver.classroom.reading.brackets import by_spaces, enclosed, matching, split
+
+_LAW = re.compile(r"^\s*u(?:_?1)?(?:\^\*|\*)?(?:\s*\([tk]\)|\[k\])?\s*=\s*(.+)$", re.DOTALL)
+_STATE = r"x(?:\([tk]\)|\[k\]|_k)?"
+_REFERENCE = re.compile(r"\s*\+\s*[rvw](?:\([tk]\)|\[k\])?\s*$")
+_ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
+_TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
+_NEGATED = re.compile(r"^\s*[-−]\s*(?=\()")
+_BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
+MOST_STATES = 9
+
+
+def gain_of(text: str) -> str:
+    """Return the row K of u = -K x, as its entries in brackets; "" of any other text."""
+    found = _LAW.match(text.translate(_BELOW))
+    if found is None:
+        return ""
+    law = _REFERENCE.sub("", found[1].strip().rstrip("."))
+    if (row := _row_beside(law, _STATE)) is not None:
+        sign, entries = row
+        return entries if sign else f"-{entries}"
+    coefficients = _coefficients(law)
+    return f"[{', '.join(f'-({each})' for each in coefficients)}]" if coefficients else ""
+
+
+def law_of(text: str) -> str:
+    """Return -[1 √2] x as -((1)*x1 + (√2)*x2), with the entries of the column behind the row; "" of other texts."""
+    found = _LAW.match(text)
+    law = found[1].strip() if found else text.strip()
+    row = _row_beside(law, rf"(?:{_STATE}|[\[(]\s*x_?1\s*[,;\s]\s*x_?2\s*[\])](?:\^T|')?)")
+    if row is None:
+        return ""
+    sign, entries = row
+    inside = entries[1:-1]
+    listed = split(inside, ",") if "," in inside else by_spaces(inside)
+    terms = [f"({each.strip()})*x{i}" for i, each in enumerate(listed, 1)]
+    return f"{sign}({' + '.join(terms)})" if 1 < len(terms) <= MOST_STATES else ""
+
+
+def _row_beside(law: str, state: str) -> tuple[str, str] | None:
+    """The sign and the row of a product with the state; None of anything else."""
+    found = _ROW.match(law)
+    if found is None:
+        return None
+    end = matching(law, found.end())
+    row, rest = law[found.end() : end + 1], law[end + 1 :].strip().lstrip("*·").strip()
+    if not re.fullmatch(state, rest) or not (enclosed(row) or len(split(row[1:-1], ",")) > 1):
+        return None
+    return ("-" if found[1] else "", f"[{row[1:-1]}]")
+
+
+def _terms(law: str) -> list[str]:
+    """The terms of a sum with their signs."""
+    pieces, start, at = [], 0, 0
+    while at < len(law):
+        if law[at] in "([{":
+            at = matching(law, at) + 1
+        elif law[at] in "+-" and law[start:at].strip() and law[start:at].rstrip()[-1] not in "*/^eE":
+            pieces.append(law[start:at])
+            start, at = at, at + 1
+        else:
+            at += 1
+    return [*pieces, law[start:]]
+
+
+def _coefficients(law: str) -> list[str]:
+    """What stands before x1, x2, … in a sum, in their order; nothing where anything else stands there."""
+    outer = ""
+    if (found := _NEGATED.match(law)) and matching(law, found.end()) == len(law) - 1:
+        outer, law = "-", law[found.end() + 1 : -1]
+    named: dict[int, str] = {}
+    for term in _terms(law):
+        match = _TERM.match(term)
+        if match is None or "x" in match[2].replace("exp", "") or int(match[3]) in named:
+            return []
+        sign = "-" if match[1] in ("-", "−") else ""
+        named[int(match[3])] = f"{outer}({sign}({match[2] or '1'}))"
+    return [named.get(i, "0") for i in range(1, max(named, default=0) + 1)]

@@ -1,0 +1,81 @@
+"""Other texts for a value that cannot be read as it stands, or has another shape than is asked for.
+
+Nothing that is read already comes here, so no value loses the reading that it has.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.reading.brackets import split
+from solver.classroom.reading.control_laws import gain_of, law_of
+from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.latex import NotReadableError, is_latex, translated
+from solver.classroom.reading.likeness import is_of_time
+from solver.classroom.reading.piecewise import as_steps
+from solver.classroom.reading.sentences import concluded, with_true_signs, without_words
+
+_NUMBERED = re.compile(r"^\s*p_?([1-9₁-₉])\s*=\s*([^=]+)$", re.IGNORECASE)
+_SUBSCRIPTS = str.maketrans("₁₂₃₄₅₆₇₈₉", "123456789")
+_FACTOR = re.compile(
+    r"(?:(?<=[=,;])|^|(?<=\band))\s*(?:[αβγμσtsrabcdk]|lambda|alpha|beta)_?[1-9₁-₉]?\s*[*·]?\s*(?=[(\[]|\\begin)"
+)
+_LOST = re.compile(
+    r"^\s*(?:it is |the (?:system|pair|plant) is |das system ist )?"
+    r"(?:not (?:completely )?(?:controllable|observable)|uncontrollable|unobservable|nicht (?:steuerbar|beobachtbar))"
+    r"\s+(?:exactly )?(?:for|if|when|iff|für|wenn)\s+",
+    re.IGNORECASE,
+)
+_SETS = re.compile(r"\}\s*(?:∪|\bund\b|\band\b|,)\s*\{")
+_VECTOR_OF = re.compile(r"^\s*[xv]\s*=\s*(?=\S*\s*[(\[])")
+
+
+def other_texts(text: str, ours: Any, expected: Expected) -> Iterator[str]:
+    """Yield what a text may say otherwise; each is still to be read, and to have the shape of ours."""
+    if "for all" in text:
+        return
+    if is_of_time(ours, expected.name) and not isinstance(ours, sp.MatrixBase) and (steps := as_steps(text)):
+        yield steps
+    if is_latex(text):
+        try:
+            text = translated(text)
+        except NotReadableError:
+            return
+    for other in _others(text, ours, expected):
+        if other and other != text:
+            yield other
+
+
+def _others(text: str, ours: Any, expected: Expected) -> Iterator[str]:
+    if expected.name == "K":
+        yield gain_of(text)
+    if expected.name == "u":
+        yield law_of(text)
+    if expected.vectors or expected.name.endswith("_space"):
+        yield _FACTOR.sub(" ", _VECTOR_OF.sub("", text))
+    if isinstance(ours, sp.MatrixBase) and ours.rows == ours.cols:
+        yield _symmetric(text, ours.rows)
+    if expected.name == "values":
+        yield _LOST.sub("", text)
+    if isinstance(ours, list) and "{" in text:
+        yield _SETS.sub(", ", text)
+    yield with_true_signs(text)
+    yield concluded(text)
+    yield without_words(text, expected.name, count=expected.count)
+
+
+def _symmetric(text: str, size: int) -> str:
+    """The matrix of p1 = …, p2 = …, p3 = …, which stand for its entries on and above the diagonal, row by row."""
+    pieces = split(text.translate(_SUBSCRIPTS).strip(), re.compile(r"\s*[,;\n]\s*"))
+    found = [_NUMBERED.match(piece) for piece in pieces]
+    named = {int(match[1]): match[2].strip() for match in found if match}
+    places = [(i, j) for i in range(size) for j in range(i, size)]
+    if len(named) != len(pieces) or sorted(named) != list(range(1, len(places) + 1)) or size < 2:
+        return ""
+    entries = {place: named[k] for k, place in enumerate(places, 1)}
+    rows = [", ".join(entries[min(i, j), max(i, j)] for j in range(size)) for i in range(size)]
+    return f"[{'; '.join(rows)}]"

@@ -1,0 +1,111 @@
+"""Values within sentences: "The eigenvalues are 1 and 3.", "K = [k1 k2] = [18 6]", "about 1.2", "-3 (stable)".
+
+Only words of a closed list are left out, so that nothing that denies or limits a value is: of "at most 2" and "not 3"
+nothing is read. What is left is read like any other text.
+"""
+
+from __future__ import annotations
+
+import re
+
+from solver.classroom.reading.brackets import split
+
+MOST_SIDES = 6
+_SIDES = re.compile(r"\s*(?:≈|≅|:=|(?<![<>=!:≤≥])==?(?![=>]))\s*")
+_SO = re.compile(
+    r"\s*[,;.]?\s*(?:⇒|⟹|→|=>|->|\\Rightarrow|\\implies"
+    r"|\b(?:hence|therefore|thus|so|daher|folglich)\b)\s*"
+)
+_WORD = re.compile(r"\s*([^\W\d_][^\W\d_]+)(?![\w(^])[,:]?\s*(?=\S)")
+_ABOUT = re.compile(
+    r"\s*(?:~|∼|≈|≅|\\approx|\\sim|(?:approx(?:imately)?|about|circa|ca|roughly|rund|etwa|ungefähr)\b\.?)\s*",
+    re.IGNORECASE,
+)
+_UNIT = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s)\s*\]\s*$")
+_POSITIVE = re.compile(r"\s*(?:\(\s*)?(?:>|≻|\\succ)\s*0\s*\)?\s*$")
+_REMARK = re.compile(
+    r"\s*\(\s*(?:(?:asymptotically|asymptotisch) )?(?:stable|unstable|stabil|instabil"
+    r"|controller|observer|regler|beobachter|plant|strecke|repeated|real|reell|row|zeile"
+    r"|column|spalte|nonzero|non-zero|not zero|only at infinity)\s*\)",
+    re.IGNORECASE,
+)
+_MANY = re.compile(
+    r"^(.*?)\b(?:double|doppelter|doppelte|zweifacher)\s+(?:eigenvalue|pole|root|eigenwert|pol)\s+(?:at |bei )?(.*)$",
+    re.IGNORECASE,
+)
+_DOUBLE = re.compile(r"\s*,\s*(double|doppelt|twice|triple|dreifach)\s*(?:eigenvalue|root|pole)?\s*$", re.IGNORECASE)
+_IS = re.compile(r"(?<=[\w}])\s+(?:is|ist|equals)\s+(?=[-+−\d.√(])")
+
+_COMPARED = re.compile(r"(?<![\w.)])([-+−]?\s*\d{1,9}(?:\.\d{1,9})?)\s*\(?\s*([<>])\s*0(?![.\d])\s*\)?")
+_BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]|\{[^{}]*\}")
+_DENIED = re.compile(
+    r"\b(?:not|no|nicht|kein\w*|never|neither|nor|and|or|und|oder|but|aber|if|unless|without|wrong|false)\b|[≠;,\n]",
+    re.IGNORECASE,
+)
+
+FILLING = frozenset(
+    "the of is are at be lie lies equals equal to we get obtain have has result answer value values it tends goes"
+    " converges only der die das des ist sind lautet lauten bei liegt liegen beträgt ergibt sich zu mit with and und"
+    " system matrix plant origin there".split()
+)  # fmt: skip
+NOUNS = {
+    "eigenvalues": "eigenvalue eigenvalues eigenwert eigenwerte pair poles",
+    "poles": "pole poles polstellen eigenvalues pair",
+    "zeros": "zero zeros nullstelle nullstellen transmission",
+    "modes": "mode modes eigenvalue eigenvalues eigenwert eigenwerte moden modus hidden",
+    "polynomial": "characteristic polynomial charakteristische charakteristisches polynom closed-loop",
+    "G": "transfer function übertragungsfunktion",
+    "K": "gain feedback controller rückführung regler verstärkung state",
+    "L": "observer gain beobachter beobachterverstärkung",
+    "rank": "rank rang",
+    "determinant": "determinant determinante",
+    "points": "equilibria equilibrium point points ruhelagen ruhelage gleichgewichte",
+    "solutions": "solution solutions lösung lösungen",
+    "closed_loop_A": "companion closed-loop",
+    "null_space": "all multiples vielfache von spanned by span",
+}
+"""What an answer is called in a sentence, by its name, or the last word of its name."""
+
+
+def without_words(text: str, name: str, *, count: bool = False) -> str:
+    """Return a value without the words that introduce it and the remarks behind its items; "" where there are none."""
+    nouns = frozenset(NOUNS.get(name, NOUNS.get(name.rpartition("_")[2], "")).split()) | {name.lower()}
+    text = text.strip()
+    bare = _introduced(_REMARK.sub("", _UNIT.sub(r" \1", text)), nouns)
+    if found := _MANY.match(bare):
+        bare = _introduced(f"{found[1]}{found[2]} (double)", nouns)
+    bare = _DOUBLE.sub(r" (\1)", bare)
+    if not count:
+        bare = _ABOUT.sub("", bare, count=1) if _ABOUT.match(bare) else bare
+        bare = re.sub(r"=\s*(?:~|ca\.?|about|approx\.?)\s*(?=\d)", "= ", bare)
+    bare = _IS.sub(" = ", bare)
+    return bare if bare != text and bare.strip() else ""
+
+
+def _introduced(text: str, nouns: frozenset[str]) -> str:
+    """A text from its first word on that does not belong to an introduction."""
+    at = 0
+    while (found := _WORD.match(text, at)) and found[1].lower() in FILLING | nouns:
+        at = found.end()
+    return text[at:].rstrip().rstrip(".") if at else text
+
+
+def with_true_signs(text: str) -> str:
+    """Return λ₁ = 1 > 0 without what it is compared with, where a plain number has that sign; "" of any other text."""
+    found = list(_COMPARED.finditer(text))
+    true = all((float(match[1].replace("−", "-").replace(" ", "")) > 0) == (match[2] == ">") for match in found)
+    return _COMPARED.sub(r"\1", text) if found and true else ""
+
+
+def sides_of(text: str) -> list[str]:
+    """Return the sides of K = [k1 k2] = [18 6], or of (s+4)(s+5) = s^2 + 9s + 20; none where it is no such chain."""
+    pieces = split(_POSITIVE.sub("", text), _SIDES)
+    sides = [each.strip() for each in pieces]
+    bare = all(sides) and not any(_DENIED.search(_BRACKETS.sub("", each)) for each in sides)
+    return sides if bare and 1 < len(sides) <= MOST_SIDES else []
+
+
+def concluded(text: str) -> str:
+    """Return what stands behind the last "hence", =>, "so"; "" where there is nothing of the kind."""
+    pieces = split(text, _SO)
+    return pieces[-1].strip() if len(pieces) > 1 else ""
