@@ -8,7 +8,7 @@ Source: W. T. Reid, Riccati Differential Equations (1972); B. D. O. Anderson, J.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, reduce
+from functools import cached_property, reduce
 from typing import Any
 
 import sympy as sp
@@ -164,7 +164,6 @@ def _at(part: ExponentialSum, tau: sp.Symbol, T: sp.Expr) -> ExponentialSum:
 ONE = ExponentialSum.constant(sp.S.One)
 
 
-@lru_cache(maxsize=16)
 def finite_horizon(
     A: sp.ImmutableMatrix,
     B: sp.ImmutableMatrix,

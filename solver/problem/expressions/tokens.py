@@ -28,8 +28,8 @@ _LETTERS = "".join(GREEK)
 _NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _NAME = re.compile(rf"(?:[A-Za-z][A-Za-z0-9]*|[{_LETTERS}][0-9]*)(?:_[A-Za-z0-9{_LETTERS}]+)*")
 _LAMBDA = re.compile(r"(?<![A-Za-z])lambda(?![A-Za-z])")
-_MULTIPLIER = re.compile(r"lamda(?=\d+\Z)")
-"""λ with a number is spelled as multipliers are, `lambda1`."""
+_MULTIPLIER = re.compile(r"lamda(?=\d+(?:_d{0,2}dot)?\Z)")
+"""λ with a number is spelled as multipliers are, `lambda1`, and its derivatives as `lambda1_dot`."""
 _SUPERSCRIPT = re.compile(r"⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 
 
