@@ -2,8 +2,10 @@
 
 from solver.exact.variations.along import along, definite_integral, in_time
 from solver.exact.variations.constant_coefficients import FundamentalSystem, Trial, fundamental_system, trials
+from solver.exact.variations.euler_cauchy import EulerCauchy, euler_cauchy, powers_of_time, trials_in_powers
 from solver.exact.variations.horizons import FiniteHorizon, finite_horizon
 from solver.exact.variations.increments import Increment, increment
+from solver.exact.variations.integrating_factors import IntegratingFactor, integrating_factor
 from solver.exact.variations.linear_forms import LinearForm, factors_that_vanish, highest_jet, linear_form
 from solver.exact.variations.minimum_energy import MinimumEnergy, NotReachable, minimum_energy
 from solver.exact.variations.recursions import Recursion, riccati_recursion
@@ -19,6 +21,7 @@ from solver.exact.variations.second_variation import (
     second_variation,
     with_values,
 )
+from solver.exact.variations.separated import Rate, Separated, rate_of, separated, with_square
 from solver.exact.variations.signs_in_time import signs_in_time
 from solver.exact.variations.table_of_integrals import integrated, table_integral
 from solver.exact.variations.variational_derivatives import (
@@ -32,14 +35,18 @@ from solver.exact.variations.variational_derivatives import (
 __all__ = [
     "Cleared",
     "Conjugate",
+    "EulerCauchy",
     "FiniteHorizon",
     "FundamentalSystem",
     "Increment",
+    "IntegratingFactor",
     "LinearForm",
     "MinimumEnergy",
     "NotReachable",
+    "Rate",
     "Recursion",
     "SecondVariation",
+    "Separated",
     "Trial",
     "VariationalDerivative",
     "along",
@@ -48,6 +55,7 @@ __all__ = [
     "conjugate",
     "definite_in_time",
     "definite_integral",
+    "euler_cauchy",
     "factors_that_vanish",
     "finite_horizon",
     "first_zero_from",
@@ -57,15 +65,21 @@ __all__ = [
     "in_time",
     "increment",
     "integrated",
+    "integrating_factor",
     "jacobi_equation",
     "linear_form",
     "minimum_energy",
     "never_zero",
+    "powers_of_time",
+    "rate_of",
     "riccati_recursion",
     "second_variation",
+    "separated",
     "signs_in_time",
     "table_integral",
     "trials",
+    "trials_in_powers",
     "variational_derivative",
+    "with_square",
     "with_values",
 ]

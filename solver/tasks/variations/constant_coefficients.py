@@ -34,7 +34,8 @@ def by_characteristic_equation(
     free = sp.Add(*(c * f for c, f in zip(own, found.functions, strict=True)))
     claim = Claim(carried_out(form.coefficients, free, t), sp.S.Zero, "the homogeneous equation")
     yield Step("homogeneous", claims={"solves": claim}, x=unknown.symbol, solution=free, alone=form.right == 0,
-               letter=_letter(unknown, constants.taken), kinds=_kinds(found.roots), exceptions=found.exceptions)  # fmt: skip
+               letter=_letter(unknown, constants.taken), kinds=_kinds(found.roots),
+               exceptions=found.exceptions)  # fmt: skip
     if form.right == 0:
         return free
     particular = yield from particular_solution_of(form, unknown, t)
@@ -63,7 +64,7 @@ def fundamental_system_of(
         ),
         "roots": Claim(p, factors, "the roots with their multiplicities"),
     }
-    split = _split(found, lamda)
+    split = split_of(found, lamda)
     if split is not None:
         claims["split"] = Claim(p, split, "the characteristic polynomial in factors")
     yield Step("characteristic", claims=claims, steps=_arithmetic(found, lamda), x=unknown.symbol, p=p, split=split,
@@ -76,7 +77,7 @@ def _letter(unknown: Unknown, taken: Collection[str]) -> Symbol:
     return sp.Symbol("r" if any(name.startswith("lam") for name in (unknown.name, *taken)) else "lamda")
 
 
-def _split(found: exact.FundamentalSystem, lamda: Symbol) -> Any:
+def split_of(found: exact.FundamentalSystem, lamda: Symbol) -> Any:
     """The polynomial as a product of its factors; None where it is one."""
     factors = [(factor.polynomial(lamda), factor.multiplicity) for factor in found.factors]
     if len(factors) == 1 and factors[0][1] == 1:
@@ -121,6 +122,12 @@ def particular_solution_of(form: exact.LinearForm, unknown: Unknown, t: Symbol) 
         trials = exact.trials(form, t)
     except exact.NotExact:
         raise Unsolved("ordinary_equations/right_side", right=form.right) from None
+    return (yield from trial_steps(form, trials, unknown, t))
+
+
+@lemma("constant_coefficients")
+def trial_steps(form: exact.LinearForm, trials: Sequence[exact.Trial], unknown: Unknown, t: Symbol) -> Derivation[Expr]:
+    """Each trial function, and the sum of what they give."""
     found = []
     for number, trial in enumerate(trials, 1):
         claims = {"solves": Claim(carried_out(form.coefficients, trial.solution, t), trial.right, "the trial function")}
@@ -132,11 +139,14 @@ def particular_solution_of(form: exact.LinearForm, unknown: Unknown, t: Symbol) 
         yield Step("trial", claims=claims, x=unknown.symbol, trial=trial, number=number if len(trials) > 1 else 0,
                    values=list(zip(trial.letters, trial.values, strict=True)),
                    derivatives=_derivatives(form, trial, t), terms=[(f, left) for f, left, _ in trial.equations],
-                   several=len(trials) > 1)  # fmt: skip
+                   several=len(trials) > 1, powers=not form.is_constant(t))  # fmt: skip
         found.append(trial.solution)
     return sp.Add(*found)
 
 
 def _derivatives(form: exact.LinearForm, trial: exact.Trial, t: Symbol) -> list[tuple[int, Expr]]:
     """The derivatives of the trial function that the equation has, each with its order."""
-    return [(i, trial.derivative(i, t)) for i, c in enumerate(form.coefficients) if c != 0 and i > 0]
+    orders = [i for i, c in enumerate(form.coefficients) if c != 0 and i > 0]
+    if form.is_constant(t):
+        return [(i, trial.derivative(i, t)) for i in orders]
+    return [(i, sp.expand(sp.diff(trial.function, t, i))) for i in orders]

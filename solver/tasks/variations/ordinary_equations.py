@@ -12,7 +12,9 @@ from solver.stated.algebra import quotient
 from solver.stated.calculus import derivative
 from solver.tasks.variations.constant_coefficients import by_characteristic_equation
 from solver.tasks.variations.equations_in_turn import Together, can_be_solved, solved_in_sequence
+from solver.tasks.variations.separation import Ways, by_separation, ways_to_separate
 from solver.tasks.variations.unknowns import Constants, Family, Unknown, unknown_of
+from solver.tasks.variations.variable_coefficients import by_integrating_factor, by_powers
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -21,15 +23,17 @@ BEYOND = ""
 """The way of an equation that is not solved here."""
 
 
-def way_of(equations: Sequence[Expr], unknowns: Sequence[str], t: Symbol) -> str:
+def way_of(equations: Sequence[Expr], unknowns: Sequence[str], t: Symbol, constants: Sequence[Symbol] = ()) -> str:
     """How equations would be solved, as "integrated", "constant_coefficients"; empty where they are beyond.
 
-    Several ones are solved "in_turn".
+    Nonlinear ones of first order are "separable"; several ones are solved "in_turn".
     """
     if len(equations) != len(unknowns):
         return BEYOND
     if len(unknowns) == 1:
-        return _way(equations[0], unknown_of(unknowns[0], equations), t)[0]
+        unknown = unknown_of(unknowns[0], equations)
+        way = _way(equations[0], unknown, t)[0]
+        return way or ("separable" if _separable(equations[0], unknown, t, constants) is not None else BEYOND)
     system = _together(equations, unknowns)
     return "in_turn" if can_be_solved(system, t, lambda e, unknown: _way(e, unknown, t)[0]) else BEYOND
 
@@ -47,7 +51,36 @@ def _way(equation: Expr, unknown: Unknown, t: Symbol) -> tuple[str, exact.Linear
         return BEYOND, form
     if form.lowest == form.order:
         return ("integrated" if exact.integrated(form.right, t, form.order) else BEYOND), form
-    return ("constant_coefficients" if form.is_constant(t) else BEYOND), form
+    if form.is_constant(t):
+        return "constant_coefficients", form
+    if form.order == 1:
+        return ("integrating_factor" if exact.integrating_factor(form, t) else BEYOND), form
+    if exact.euler_cauchy(form, t) is not None and _has_powers(form, t):
+        return "euler_cauchy", form
+    return ("reduced" if form.lowest > 0 and _can_be_reduced(form, t) else BEYOND), form
+
+
+def _has_powers(form: exact.LinearForm, t: Symbol) -> bool:
+    """Whether the right side of an Euler–Cauchy equation is one of powers and logarithms."""
+    found = exact.euler_cauchy(form, t)
+    try:
+        return found is not None and exact.trials_in_powers(found, t) is not None
+    except exact.NotExact:
+        return False
+
+
+def _can_be_reduced(form: exact.LinearForm, t: Symbol) -> bool:
+    """Whether the equation for the lowest derivative that occurs is of first order, and can be integrated."""
+    lower = exact.LinearForm(form.coefficients[form.lowest :], form.right)
+    return lower.order == 1 and exact.integrating_factor(lower, t) is not None
+
+
+def _separable(equation: Expr, unknown: Unknown, t: Symbol, constants: Sequence[Symbol]) -> Ways | None:
+    """How the variables of an equation of first order are separated, where they can be."""
+    if unknown.order_in(equation) != 1:
+        return None
+    numbering = Constants.beside(constants, [equation])
+    return ways_to_separate(equation, unknown, t, constants, numbering.new())
 
 
 @lemma("ordinary_equations")
@@ -60,23 +93,48 @@ def solved(
     Raises Unsolved for what is beyond, with the equation.
     """
     numbering = Constants.beside(constants, equations)
-    if len(unknowns) == 1:
-        function = yield from solution_of(equations[0], unknown_of(unknowns[0], equations), t, numbering)
-        return [Family({unknowns[0]: function}, tuple(numbering.found))]
-    functions = yield from solved_in_sequence(_together(equations, unknowns), t, numbering, solution_of)
-    return [Family({name: functions[name] for name in unknowns}, tuple(numbering.found))]
+    if len(unknowns) > 1:
+        functions = yield from solved_in_sequence(_together(equations, unknowns), t, numbering, solution_of)
+        return [Family({name: functions[name] for name in unknowns}, tuple(numbering.found))]
+    (name,), (equation,) = unknowns, equations
+    unknown = unknown_of(name, equations)
+    if _way(equation, unknown, t)[0] == BEYOND and (ways := _separable(equation, unknown, t, constants)) is not None:
+        numbering.new()
+        branches = yield from by_separation(ways, unknown, t, numbering)
+        return [Family({name: each}, tuple(numbering.found)) for each in branches]
+    function = yield from solution_of(equation, unknown, t, numbering)
+    return [Family({name: function}, tuple(numbering.found))]
 
 
 @lemma("ordinary_equations")
 def solution_of(equation: Expr, unknown: Unknown, t: Symbol, constants: Constants) -> Derivation[Expr]:
-    """The general solution of one equation; its constants are added to those there are."""
+    """The general solution of one linear equation; its constants are added to those there are."""
     way, form = _way(equation, unknown, t)
     if not way or form is None:
         raise Unsolved("ordinary_equations/beyond", equation=equation)
+    if way == "euler_cauchy" and (powers := exact.euler_cauchy(form, t)) is not None:
+        return (yield from by_powers(form, powers, unknown, t, constants))
     yield from _standard_form(equation, unknown, form, t)
     if way == "integrated":
         return (yield from _by_integration(form, unknown, t, constants))
+    if way == "integrating_factor":
+        return (yield from by_integrating_factor(form, unknown, t, constants))
+    if way == "reduced":
+        return (yield from _by_reduction(form, unknown, t, constants))
     return (yield from by_characteristic_equation(form, unknown, t, constants))
+
+
+@lemma("ordinary_equations")
+def _by_reduction(form: exact.LinearForm, unknown: Unknown, t: Symbol, constants: Constants) -> Derivation[Expr]:
+    """The lowest derivative that occurs as the unknown, and its integrals."""
+    lower = exact.LinearForm(form.coefficients[form.lowest :], form.right)
+    rate = Unknown(unknown.name, unknown.jets[form.lowest :])
+    yield Step("reduced", unclaimed="a name", derivative=rate.symbol, order=lower.order)
+    slope = yield from by_integrating_factor(lower, rate, t, constants)
+    lines = exact.LinearForm((*([sp.S.Zero] * form.lowest), sp.S.One), slope)
+    if exact.integrated(slope, t, form.lowest) is None:
+        raise Unsolved("ordinary_equations/beyond", equation=unknown.jets[form.lowest] - slope)
+    return (yield from _by_integration(lines, unknown, t, constants))
 
 
 @lemma("ordinary_equations")
