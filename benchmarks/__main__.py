@@ -1,6 +1,6 @@
 """Print the tables of speed targets: `python -m benchmarks [--quick] [GROUP]`.
 
-The groups are exponential, placement, mechanics, circuits, command, class and growth.
+The groups are exponential, placement, mechanics, circuits, multivariable, command, class and growth.
 
 `--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
 `--write` puts the tables that were measured into docs/performance.md.
@@ -23,6 +23,7 @@ from benchmarks import (
     linearization,
     matrix_exponential,
     mechanics,
+    multivariable,
     pole_placement,
 )
 from benchmarks.timing import Failure, Row
@@ -42,6 +43,8 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
     if chosen in (None, "circuits"):
         yield from circuits.rows()
         yield from linearization.rows()
+    if chosen in (None, "multivariable"):
+        yield from multivariable.rows()
     if chosen in (None, "command"):
         yield from command_line.rows()
     if chosen in (None, "class"):
@@ -71,7 +74,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="leave out what takes seconds")
     parser.add_argument("--write", action="store_true", help="put the tables into docs/performance.md")
-    groups = ("exponential", "placement", "mechanics", "circuits", "command", "class", "growth")
+    groups = ("exponential", "placement", "mechanics", "circuits", "multivariable", "command", "class", "growth")
     parser.add_argument("group", nargs="?", choices=groups)
     parser.add_argument("task", nargs="?", help="of the table of growth, one task only")
     chosen = parser.parse_args()

@@ -18,8 +18,9 @@ DIVIDED = "polynomial division"
 def of_smith_form(found: Any, M: Any, x: Any) -> Iterator[Claim | Check]:
     """U M V is the form, U and V are unimodular, the factors are monic and each divides the next."""
     yield Check.that("the variable", "compared", found.variable == x)
-    yield Claim(product(found.left, M, found.right), found.form)
-    for unimodular in (found.left, found.right):
+    if found.left is not None:
+        yield Claim(product(found.left, M, found.right), found.form)
+    for unimodular in (found.left, found.right) if found.left is not None else ():
         constant = unimodular.subs(x, 0).det()
         yield Claim(determinant(unimodular), sp.cancel(constant))
         yield Check.that("a unimodular matrix", "determinant", sp.cancel(constant) != 0)

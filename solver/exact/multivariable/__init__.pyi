@@ -13,7 +13,12 @@ from solver.exact.multivariable.decoupling import (
 )
 from solver.exact.multivariable.exceptions import parameter_exceptions
 from solver.exact.multivariable.generic import changed_where
-from solver.exact.multivariable.polynomial_matrices import MinorOf, determinantal_divisors, minors_in_factors
+from solver.exact.multivariable.polynomial_matrices import (
+    MinorOf,
+    determinantal_divisors,
+    in_factors,
+    minors_in_factors,
+)
 from solver.exact.multivariable.rational_minors import (
     Minor,
     RationalMinors,
@@ -33,7 +38,6 @@ from solver.exact.multivariable.rosenbrock import (
     PolynomialMinor,
     SystemMatrix,
     common_decoupling_polynomial,
-    in_factors,
     system_matrix,
 )
 from solver.exact.multivariable.smith import SmithForm, smith_form

@@ -11,7 +11,8 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import domain_matrix, expression
-from solver.exact.representation.polynomials import expanded, factored_form, factors_of, in_lowest_terms
+from solver.exact.linear_algebra.integers import small_integer_roots
+from solver.exact.representation.polynomials import expanded, factored_form, in_lowest_terms
 
 Rows = tuple[tuple[sp.Poly, ...], ...]
 
@@ -33,7 +34,7 @@ def matrix_of_rows(rows: Sequence[Sequence[sp.Poly]]) -> sp.ImmutableMatrix:
 
 def by_powers(p: sp.Poly) -> sp.Expr:
     """The polynomial by falling powers; parameters below bars over their common denominator."""
-    return in_lowest_terms(p, p.one, ())
+    return in_lowest_terms(p, p.one, ()) if p.domain.is_Composite else expanded(p)
 
 
 def minors(rows: Rows, k: int) -> Iterator[sp.Poly]:
@@ -59,8 +60,13 @@ def _determinant(rows: Rows, of_rows: tuple[int, ...], of_columns: tuple[int, ..
 
 def determinantal_divisors(M: sp.ImmutableMatrix, x: sp.Symbol) -> tuple[sp.Poly, ...]:
     """d₁, d₂, …, d_r of a polynomial matrix of rank r: d_k is the monic gcd of its k×k minors; raises NotExact."""
-    rows, found = polynomial_rows(M, x), []
-    for k in range(1, min(M.shape) + 1):
+    return divisors_of(polynomial_rows(M, x))
+
+
+def divisors_of(rows: Rows) -> tuple[sp.Poly, ...]:
+    """The monic gcds of the minors of each order up to the rank."""
+    found: list[sp.Poly] = []
+    for k in range(1, min(len(rows), len(rows[0])) + 1):
         d = rows[0][0].zero
         for minor in minors(rows, k):
             d = d.gcd(minor)
@@ -101,7 +107,13 @@ def in_factors(p: sp.Poly) -> sp.Expr:
     """The polynomial as its leading coefficient times monic irreducible factors."""
     if p.is_zero or p.degree() == 0:
         return expanded(p)
-    return expression(p.domain, p.rep.LC()) * factored_form(factors_of(p.monic()))
+    found, K = p.monic(), p.domain
+    roots, rest = small_integer_roots(found.rep.to_list()) if K.is_QQ else ([], found.rep.to_list())
+    factors = [(sp.Poly([K.one, K(-root)], p.gen, domain=K), roots.count(root)) for root in dict.fromkeys(roots)]
+    if len(rest) > 1:
+        listed = sp.Poly(rest, p.gen, domain=K).factor_list()[1]
+        factors += [(factor.set_domain(K).monic(), multiplicity) for factor, multiplicity in listed]
+    return expression(K, p.rep.LC()) * factored_form(factors)
 
 
 def size_of(p: sp.Poly) -> tuple[Any, ...]:

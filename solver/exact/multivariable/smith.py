@@ -8,18 +8,27 @@ from typing import Any
 
 import sympy as sp
 
-from solver.exact.multivariable.polynomial_matrices import Rows, in_factors, polynomial_rows
+from solver.exact.multivariable.polynomial_matrices import (
+    Rows,
+    divisors_of,
+    in_factors,
+    polynomial_rows,
+)
 from solver.exact.multivariable.smith_reduction import Reduction, SmithStage, carried_out
 
 
 @dataclass(frozen=True)
 class SmithForm:
-    """U M V = diag(e₁, …, e_r, 0, …) with monic e₁ | e₂ | … | e_r; `leads` are elements of K by which was divided."""
+    """U M V = diag(e₁, …, e_r, 0, …) with monic e₁ | e₂ | … | e_r.
+
+    `stages` are the operations that lead to it, None where it was found by minors; `leads` are the elements of K by
+    which was divided.
+    """
 
     variable: sp.Symbol
     rows: Rows
     invariants: tuple[sp.Poly, ...]
-    stages: tuple[SmithStage, ...]
+    stages: tuple[SmithStage, ...] | None
     leads: tuple[Any, ...] = field(repr=False)
 
     @property
@@ -42,20 +51,25 @@ class SmithForm:
         """The diagonal matrix (p×m)."""
         return diagonal_matrix(self.invariant_factors, self.shape)
 
-    @cached_property
-    def longest(self) -> int:
-        """How much is to be written for the longest matrix on the way."""
-        return max((stage.figures for stage in self.stages), default=0)
+    @property
+    def is_long(self) -> bool:
+        """Whether matrices on the way grow long, so that the minors are the shorter one."""
+        return self.stages is None or any(stage.figures > LONG for stage in self.stages)
 
     @cached_property
-    def left(self) -> sp.ImmutableMatrix:
+    def left(self) -> sp.ImmutableMatrix | None:
         """U (p×p), the operations on rows carried out on the identity."""
-        return carried_out([each for stage in self.stages for each in stage.operations], "R", self.rows)
+        return self._carried_out("R")
 
     @cached_property
-    def right(self) -> sp.ImmutableMatrix:
+    def right(self) -> sp.ImmutableMatrix | None:
         """V (m×m), the operations on columns carried out on the identity."""
-        return carried_out([each for stage in self.stages for each in stage.operations], "C", self.rows)
+        return self._carried_out("C")
+
+    def _carried_out(self, line: str) -> sp.ImmutableMatrix | None:
+        if self.stages is None:
+            return None
+        return carried_out([each for stage in self.stages for each in stage.operations], line, self.rows)
 
 
 def with_zeros(listed: list[sp.Expr], shape: tuple[int, int]) -> tuple[sp.Expr, ...]:
@@ -68,18 +82,40 @@ def diagonal_matrix(diagonal: tuple[sp.Expr, ...], shape: tuple[int, int]) -> sp
     return sp.ImmutableMatrix(*shape, lambda i, j: diagonal[i] if i == j else sp.S.Zero)
 
 
+LONG = 160
+"""Beyond so many figures in a matrix on the way the form is found by minors."""
+
+
 @lru_cache(maxsize=64)
 def smith_form(M: sp.ImmutableMatrix, x: sp.Symbol) -> SmithForm:
-    """Smith's form of a matrix (p×m) of polynomials in x, with the operations that lead to it; raises NotExact.
+    """Smith's form of a matrix (p×m) of polynomials in x, with the operations that lead to it; raises NotExact."""
+    return smith_form_of(polynomial_rows(M, x), x)
 
-    Of several ways the one with the least to write is taken.
+
+def smith_form_of(rows: Rows, x: sp.Symbol) -> SmithForm:
+    """Smith's form of rows of polynomials in x over one field.
+
+    Of several ways the one with the least to write is taken. Without parameters a way is not gone to its end where
+    matrices on it grow long; with them it is, since it tells where the form is another.
     """
-    rows = polynomial_rows(M, x)
+    bound = None if rows[0][0].domain.is_Composite else LONG
     best: Reduction | None = None
-    for order in (("rows", "columns"), ("columns", "rows")):
-        for stays in (True, False):
-            work = Reduction(rows, order, stays, best.figures if best else None)
+    for stays in (True, False) if bound is None or not _is_hopeless(rows) else ():
+        for order in (("rows", "columns"), ("columns", "rows")):
+            work = Reduction(rows, order, stays, best.figures if best else None, bound)
             best = work if work.finished else best
-    if best is None:
-        raise AssertionError("a way without a limit is finished")
-    return SmithForm(x, rows, tuple(best.invariants), tuple(best.stages), tuple(best.leads))
+        if best is None:
+            break
+    if best is not None:
+        return SmithForm(x, rows, tuple(best.invariants), tuple(best.stages), tuple(best.leads))
+    before, found = rows[0][0].one, []
+    for divisor in divisors_of(rows):
+        found.append(divisor.quo(before))
+        before = divisor
+    return SmithForm(x, rows, tuple(found), None, ())
+
+
+def _is_hopeless(rows: Rows) -> bool:
+    """Whether Euclid's algorithm would be long: three rows and columns of polynomials of degree three and more."""
+    filled = [p for row in rows for p in row if not p.is_zero]
+    return min(len(rows), len(rows[0])) > 2 and all(p.degree() > 2 for p in filled)

@@ -9,7 +9,7 @@ import sympy as sp
 
 from solver.exact.multivariable.generic import changed_where, common_roots_where
 from solver.exact.multivariable.polynomial_matrices import in_factors, matrix_of_rows
-from solver.exact.multivariable.smith import SmithForm, diagonal_matrix, smith_form, with_zeros
+from solver.exact.multivariable.smith import SmithForm, diagonal_matrix, smith_form_of, with_zeros
 from solver.exact.representation.polynomials import least_common_multiple, signed_fraction
 from solver.exact.representation.transfer import TransferMatrix
 
@@ -20,9 +20,13 @@ class SmithMcMillan:
 
     G: TransferMatrix
     denominator: sp.Poly
-    numerator: sp.ImmutableMatrix
     smith: SmithForm
     fractions: tuple[tuple[sp.Poly, sp.Poly], ...]
+
+    @cached_property
+    def numerator(self) -> sp.ImmutableMatrix:
+        """N (p×m)."""
+        return matrix_of_rows(self.smith.rows)
 
     @property
     def variable(self) -> sp.Symbol:
@@ -85,16 +89,19 @@ def smith_mcmillan(G: TransferMatrix) -> SmithMcMillan:
         for tops, bottoms in zip(G.tops, G.bottoms, strict=True)
     ]
     d = least_common_multiple(bottom for row in pairs for _, bottom in row)
-    N = matrix_of_rows([[top * d.quo(bottom) for top, bottom in row] for row in pairs])
-    smith = smith_form(N, G.variable)
-    return SmithMcMillan(G, d, N, smith, tuple(_cancelled(e, d.set_domain(e.domain)) for e in smith.invariants))
+    rows = tuple(tuple(top * d.quo(bottom) for top, bottom in row) for row in pairs)
+    smith = smith_form_of(rows, G.variable)
+    return SmithMcMillan(G, d, smith, tuple(_cancelled(e, d) for e in smith.invariants))
 
 
 def _cancelled(above: sp.Poly, below: sp.Poly) -> tuple[sp.Poly, sp.Poly]:
     """The fraction in lowest terms, the polynomial below monic."""
     if above.is_zero:
         return above, below.one
-    shared = above.gcd(below).monic()
-    top, bottom = above.quo(shared), below.quo(shared)
-    lead = bottom.domain.one / bottom.rep.LC()
-    return top.mul_ground(lead), bottom.mul_ground(lead)
+    shared = above.gcd(below)
+    if shared.degree() > 0:
+        above, below = above.quo(shared), below.quo(shared)
+    if below.rep.LC() == below.domain.one:
+        return above, below
+    lead = below.domain.one / below.rep.LC()
+    return above.mul_ground(lead), below.mul_ground(lead)

@@ -95,12 +95,15 @@ class Reduction:
     """A polynomial matrix brought to Smith's form, what was done to it, and how much is to be written for it.
 
     `order` says whether rows or columns are cleared first; with `stays` Euclid's algorithm goes on in one line until
-    it is clear, else with the best entry anywhere. Beyond `limit` figures it is given up, not `finished`.
+    it is clear, else with the best entry anywhere. Beyond `limit` figures, or `bound` for a matrix, it is given up, not
+    `finished`.
     """
 
-    def __init__(self, rows: Rows, order: tuple[str, str], stays: bool, limit: int | None) -> None:
+    def __init__(
+        self, rows: Rows, order: tuple[str, str], stays: bool, limit: int | None = None, bound: int | None = None
+    ) -> None:
         self.M = [list(row) for row in rows]
-        self.order, self.stays, self.limit = order, stays, limit
+        self.order, self.stays, self.limit, self.bound = order, stays, limit, bound
         self.stages: list[SmithStage] = []
         self.leads: list[Any] = []
         self.invariants: list[sp.Poly] = []
@@ -116,7 +119,7 @@ class Reduction:
         if (place := self._best(k)) is None:
             return False
         left = None
-        while self.limit is None or self.figures < self.limit:
+        while not self._grows_long():
             self._bring(k, place)
             order = self.order if not (left and self.stays) or left == self.order[0] else self.order[::-1]
             left = next((kind for kind in order if not self._clear(k, kind)), None)
@@ -129,6 +132,12 @@ class Reduction:
             place = self._best(k, left if self.stays else None) or (k, k)
         self.finished = False
         return False
+
+    def _grows_long(self) -> bool:
+        longest = self.stages[-1].figures if self.stages else 0
+        return (self.limit is not None and self.figures >= self.limit) or (
+            self.bound is not None and longest > self.bound
+        )
 
     def _best(self, k: int, line: str | None = None) -> tuple[int, int] | None:
         """The place of the best pivot: of least degree, dividing much of its row and column, short."""

@@ -245,12 +245,12 @@ def transfer_matrix_of_fractions(
     K, supply = flat.domain, iter(flat.to_list_flat())
     polynomials = [sp.Poly([next(supply) for _ in coefficients], variable, domain=K) for coefficients in listed]
     tops, bottoms = polynomials[::2], polynomials[1::2]
-    leads = [sp.Poly([K.one / q.rep.to_list()[0]], variable, domain=K) for q in bottoms]
+    leads = [K.one / q.rep.LC() for q in bottoms]
     width = len(numerators[0])
     return TransferMatrix(
         variable,
-        _rows([p * lead for p, lead in zip(tops, leads, strict=True)], width),
-        _rows([q * lead for q, lead in zip(bottoms, leads, strict=True)], width),
+        _rows([p.mul_ground(lead) for p, lead in zip(tops, leads, strict=True)], width),
+        _rows([q.mul_ground(lead) for q, lead in zip(bottoms, leads, strict=True)], width),
     )
 
 

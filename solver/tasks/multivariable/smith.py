@@ -17,8 +17,6 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
-LONG = 160
-"""Beyond so many figures in a matrix on the way the form is found by minors."""
 MOST_MINORS = 9
 """So many minors of one order are written out."""
 
@@ -50,27 +48,29 @@ class Shown:
 
 
 @lemma("smith")
-def smith_form_of(M: ImmutableMatrix, x: Symbol, name: str, *, on_the_way: bool = False) -> Derivation[exact.SmithForm]:
+def smith_form_of(
+    M: ImmutableMatrix, x: Symbol, name: str, found: exact.SmithForm | None = None
+) -> Derivation[exact.SmithForm]:
     """The form with the operations that lead to it, those for one pivot together; the matrix is called by a name.
 
-    What is only `on_the_way` tells no exceptions.
+    Where it is `found` already, on the way to something else, no exceptions are told.
     """
-    form = exact.smith_form(M, x)
-    by_minors = form.longest > LONG
+    form = found or exact.smith_form(M, x)
+    by_minors = form.is_long
     yield Step("sought", detail="full", unclaimed="what is done and why", name=name, M=M, by_minors=by_minors)
     if by_minors:
         yield from _by_minors(form, M, name)
     else:
         yield from _by_operations(form, M, name)
-    yield _factors(form, () if on_the_way else exact.changed_where(form), by_minors=by_minors)
-    if not by_minors and form.stages:
-        yield _unimodular(form, M, name)
+    yield _factors(form, () if found else exact.changed_where(form), by_minors=by_minors)
+    if not by_minors and form.left is not None and form.right is not None:
+        yield _unimodular(form, M, name, form.left, form.right)
     return form
 
 
 def _by_operations(form: exact.SmithForm, M: ImmutableMatrix, name: str) -> Iterator[Step]:
     number = 0
-    rounds = {k: list(stages) for k, stages in groupby(form.stages, key=lambda stage: stage.k)}
+    rounds = {k: list(stages) for k, stages in groupby(form.stages or (), key=lambda stage: stage.k)}
     for k in range(form.rank):
         claims: dict[str, Claim] = {}
         shown = []
@@ -148,9 +148,8 @@ def _factors(form: exact.SmithForm, exceptions: Sequence[Expr], *, by_minors: bo
                 exceptions=exceptions)  # fmt: skip
 
 
-def _unimodular(form: exact.SmithForm, M: ImmutableMatrix, name: str) -> Step:
+def _unimodular(form: exact.SmithForm, M: ImmutableMatrix, name: str, U: ImmutableMatrix, V: ImmutableMatrix) -> Step:
     """The operations on rows carried out on the identity, and those on columns."""
-    U, V = form.left, form.right
     claims = {
         "form": Claim(product(U, M, V), form.form, Phrase("all operations together")),
         "left": Claim(determinant(U), _constant(U, form.variable), Phrase("a unimodular matrix")),

@@ -27,7 +27,7 @@ def smith_mcmillan_of(G: exact.TransferMatrix) -> Derivation[exact.SmithMcMillan
         x=x, d=d, N=N, G=G.matrix, one=one,
     )  # fmt: skip
     if found.rank:
-        yield from smith_form_of(N, x, "N", on_the_way=True)
+        yield from smith_form_of(N, x, "N", found.smith)
         yield _divided(found, d)
     yield Step(
         "form",
