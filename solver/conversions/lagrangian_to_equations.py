@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 def _gives(has: Provided) -> Iterable[str]:
     """Equations; inputs and initial values where the energies have them."""
-    return ("equations", *(each for each in ("inputs", "initial_state") if each in has)) if "lagrangian" in has else ()
+    own = (each for each in ("inputs", "initial_state") if each in has)
+    return ("equations", "rest", *own) if "lagrangian" in has else ()
 
 
 @conversion(Lagrangian, Equations, gives=_gives)

@@ -25,6 +25,7 @@ IN_WORDS = {
     "polynomial": "a polynomial",
     "x0": "initial_state",
     "motion": "A",
+    "rest": "equations (or A)",
     "gains": "a transfer matrix (or A, B and C)",
     "polynomial_matrix": "a matrix of polynomials",
 }

@@ -9,7 +9,7 @@ from solver.derivation import Option, Task
 from solver.systems import kinds
 
 WIDTH = 110
-OTHER_NAMES = {"x0": "initial_state", "motion": "A"}
+OTHER_NAMES = {"x0": "initial_state", "motion": "A", "rest": "equations"}
 
 
 def new_problem(task: Task[Any, Any]) -> str:

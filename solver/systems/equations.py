@@ -108,9 +108,9 @@ class Equations:
 
     @property
     def provides(self) -> frozenset[str]:
-        """The equations; "inputs" and "initial_state" tell what a state space made of them will have."""
-        given = {"equations", *(["inputs"] if self.inputs else []), *(["initial_state"] if self.initial else [])}
-        return frozenset(given)
+        """The equations, and when it is at "rest"; "inputs" and "initial_state" tell what a state space of it has."""
+        given = {"inputs"} if self.inputs else set()
+        return frozenset({"equations", "rest", *given, *(["initial_state"] if self.initial else [])})
 
     @property
     def described(self) -> str:

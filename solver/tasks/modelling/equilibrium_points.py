@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Options, Slip, Step, Task, option
 from solver.derivation.registry import Refusal
 from solver.lazy import sympy as sp
+from solver.lazy import systems
 from solver.options.input_values import InputValues
 from solver.options.intervals import Intervals
 from solver.options.unknowns import Unknowns
@@ -23,6 +24,7 @@ from solver.tasks.modelling.point_mistakes import (
 )
 from solver.tasks.modelling.points import point_checks
 from solver.tasks.modelling.rest import Rest, at_rest
+from solver.tasks.modelling.row_equations import signals_of
 from solver.tasks.modelling.solutions import solutions_of
 from solver.words import Reason
 
@@ -51,7 +53,7 @@ equilibrium_points: Task[Equations, EquilibriumPointsOptions] = Task(
     "equilibrium_points",
     title="Equilibrium points",
     doc="All points where nothing changes: the real solutions of f(x, u) = 0 (discrete: f(x, u) = x).",
-    needs=("equations",),
+    needs=("rest",),
     options=EquilibriumPointsOptions,
     example={"equations": '["x\' = -x + y", "y\' = -x - y - x^2"]'},
     answers=[
@@ -95,7 +97,8 @@ def by_rest(given: Given[Equations, EquilibriumPointsOptions]) -> Derivation[Ans
         zero=list(rest.zero),
         same=list(rest.same),
         held=[(model.symbol((name, 0)), value) for name, value in (given.options.inputs or {}).items()],
-        kept=[u for u in rest.inputs if str(u) not in (given.options.inputs or {}) and u not in question.told],
+        kept=[u for name, u in zip(model.inputs, rest.inputs, strict=True)
+              if name not in (given.options.inputs or {}) and u not in question.told],
         unknowns=list(question.told),
         discrete=model.discrete,
     )
@@ -106,12 +109,24 @@ def by_rest(given: Given[Equations, EquilibriumPointsOptions]) -> Derivation[Ans
     return Answers(points=[dict(point) for point in found.points])
 
 
+def _functions(system: Any) -> tuple[Sequence[str], Sequence[str]]:
+    """The unknowns and the inputs of a system that has equations, or would have."""
+    if isinstance(system, systems.StateSpace):
+        return signals_of(system, "state"), signals_of(system, "input")
+    return getattr(system, "unknowns", ()), getattr(system, "inputs", ())
+
+
 @equilibrium_points.refusal
 def names_of_limits(system: Any, options: EquilibriumPointsOptions) -> Iterable[Refusal]:
-    """An interval for what is no unknown."""
-    functions = getattr(system, "unknowns", ())
-    for name in (options.between or {}) if functions else ():
-        known = {*functions, *getattr(system, "inputs", ())}
+    """An interval for what is no unknown; of a plant in state space also another name that is none of its own."""
+    unknowns, inputs = _functions(system)
+    if isinstance(system, systems.StateSpace):
+        for name in (name for name in options.inputs or {} if name not in inputs):
+            yield "inputs", Reason("solutions/no_input", {"name": name, "known": list(inputs)})
+        for name in (str(x) for x in options.unknowns or () if str(x).split("(")[0] not in (*unknowns, *inputs)):
+            yield "unknowns", Reason("solutions/no_unknown", {"name": name, "known": sorted({*unknowns, *inputs})})
+    for name in (options.between or {}) if unknowns else ():
+        known = {*unknowns, *inputs}
         if name not in known and name.split("_d")[0] not in known and name.split("(")[0] not in known:
             yield "between", Reason("solutions/no_unknown", {"name": name, "known": sorted(known)})
 

@@ -180,6 +180,7 @@ def _solutions(
     equations: Sequence[Any], unknowns: Sequence[Any], between: Mapping[Any, Any], reach: float = REACH
 ) -> Vectors:
     """Newton's method with least squares, from all starting points at once; only what is inside the limits."""
+    equations = equations or [sp.S.Zero]  # without any, every value is a solution
     values = [compiled(e) for e in equations]
     slopes = [[compiled(sp.diff(e, x)) for x in unknowns] for e in equations]
     low, high = (
