@@ -28,8 +28,8 @@ def frozen(value: Any) -> Any:
 
 
 def listed(value: Any) -> bool:
-    """Whether a value is no formula: a list, a text, a truth value."""
-    return isinstance(value, list | tuple | str | bool)
+    """Whether a value is no formula: a list, a mapping, a text, a truth value."""
+    return isinstance(value, list | tuple | dict | str | bool)
 
 
 def half_unit(value: Any) -> float:

@@ -17,6 +17,7 @@ from solver.exact.linear_algebra.signs import possible_signs
 from solver.exact.stability.inequalities import real_roots, sign_of
 from solver.exact.variations.along import along, in_time
 from solver.exact.variations.signs_in_time import Open, first_zero, signs_in_time
+from solver.exact.variations.table_of_integrals import plain_roots
 
 STRETCHES = 12
 """A first zero is looked for so many times the time from start to end."""
@@ -48,8 +49,14 @@ def second_variation(
     phi: sp.Expr, q: sp.Symbol, rate: sp.Symbol, jets: Mapping[sp.Symbol, sp.Expr], t: sp.Symbol
 ) -> SecondVariation:
     """φ's second derivatives by x and x' with the extremal put in."""
-    found = [along(sp.diff(phi, a, b).xreplace(dict(jets)), t) for a, b in ((q, q), (q, rate), (rate, rate))]
+    found = [in_motion(sp.diff(phi, a, b), jets, t) for a, b in ((q, q), (q, rate), (rate, rate))]
     return SecondVariation(*found)
+
+
+def in_motion(expression: sp.Expr, jets: Mapping[sp.Symbol, sp.Expr], t: sp.Symbol) -> sp.Expr:
+    """An expression in the functions and their derivatives along an extremal, in t."""
+    put_in = expression.xreplace(dict(jets))
+    return along(plain_roots(sp.factor(put_in) if put_in.has(sp.Pow) and not put_in.is_polynomial(t) else put_in), t)
 
 
 def jacobi_equation(of: SecondVariation, u: Sequence[sp.Symbol], t: sp.Symbol) -> sp.Expr:
@@ -182,9 +189,11 @@ def _of_exponentials(u: sp.Expr, t: sp.Symbol, start: sp.Expr) -> Conjugate | No
     angle, envelopes = rates
     if angle is None:
         return Conjugate(None) if len(envelopes) <= 2 else None
-    if len(envelopes) != 1 or sign_of(angle) not in (1, -1):
+    if len(envelopes) != 1 or sign_of(angle) == 0:
         return None
-    return Conjugate(sp.expand(start + sp.pi * (sign_of(angle) or 1) / angle))
+    sign = sign_of(angle)
+    speed = sp.Abs(angle) if sign is None else sign * angle
+    return Conjugate(sp.expand(start + sp.pi / speed))
 
 
 def _rates(u: sp.Expr, t: sp.Symbol) -> tuple[sp.Expr | None, set[tuple[sp.Expr, int]]] | None:

@@ -67,11 +67,11 @@ def rate_of(equation: sp.Expr, rate: sp.Symbol) -> Rate | None:
 
 
 def with_square(rate: Rate, constants: Sequence[sp.Symbol]) -> tuple[Rate, sp.Symbol] | None:
-    """The rate with C² in place of a constant C that cannot be negative, as x'²/C is a function that is positive."""
+    """The rate with C² or −C² in place of a constant C whose sign is known, as x'²/C is a function of one sign."""
     for constant in constants:
         rest, power = rate.value.as_independent(constant, as_Add=False)
-        if rate.power == 2 and power in (constant, 1 / constant) and _signs(rest) == {1}:
-            return Rate(rate.value.xreplace({constant: constant**2}), 2), constant
+        if rate.power == 2 and power in (constant, 1 / constant) and len(signs := _signs(rest) - {0}) == 1:
+            return Rate(rate.value.xreplace({constant: next(iter(signs)) * constant**2}), 2), constant
     return None
 
 
@@ -84,16 +84,15 @@ def separated(rate: Rate, x: sp.Symbol, t: sp.Symbol, constant: sp.Symbol) -> Se
     if rate.power == 2 and rate.value.is_polynomial(x) and sp.degree(rate.value, x) <= 2:
         return _of_quadratic(rate.value, x, t + constant)
     square = sp.expand(rate.value * x**2)
-    if rate.power == 2 and square.is_polynomial(x) and not sp.diff(square, x).subs(x, 0) and sp.degree(square, x) <= 2:
+    if rate.power == 2 and square.is_polynomial(x) and not sp.diff(square, x).subs(x, 0) and sp.degree(square, x) == 2:
         return _of_square(square, x, t + constant)
     return _by_table(rate, x, t + constant)
 
 
 def _signs(value: sp.Expr) -> frozenset[int]:
-    """The signs of a value where no constant is zero."""
-    generic: dict[Any, Any] = {
-        c: sp.Dummy(str(c), real=True, nonzero=True) for c in value.free_symbols if str(c).startswith("C")
-    }
+    """The signs of a value where nothing in it is zero."""
+    open_ones: list[Any] = [each for each in value.free_symbols if each.is_real and each.is_nonzero is None]
+    generic: dict[Any, Any] = {each: sp.Dummy(str(each), real=True, nonzero=True) for each in open_ones}
     return frozenset(possible_signs(value.xreplace(generic)))
 
 
@@ -138,11 +137,9 @@ def _of_quadratic(value: sp.Expr, x: sp.Symbol, T: sp.Expr) -> Separated | None:
     return Separated("square", (middle + size * wave(speed * T),), middle, inverse((x - middle) / size) / speed)
 
 
-def _of_square(square: sp.Expr, x: sp.Symbol, T: sp.Expr) -> Separated | None:
+def _of_square(square: sp.Expr, x: sp.Symbol, T: sp.Expr) -> Separated:
     """(x x')² = α + β x²: z = x² has z'² = 4 (α + β z)."""
     beta, alpha = square.coeff(x, 2), square.coeff(x, 0)
-    if beta == 0:
-        return None
     z = tidy(beta) * T**2 - tidy(alpha / beta)
     return Separated("of_square", (sp.sqrt(z), -sp.sqrt(z)), z)
 

@@ -16,12 +16,24 @@ HALF = sp.Rational(1, 2)
 
 def table_integral(f: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
     """An antiderivative of f in x; None where the table has none."""
+    f = plain_roots(f)
     found = antiderivative(sp.ImmutableMatrix([[f]]), x)
     if found is not None:
         return found.function[0]
     parts = [_of_term(term, x) for term in sp.Add.make_args(sp.expand_mul(f))]
     known = [part for part in parts if part is not None]
     return sp.Add(*known) if len(known) == len(parts) else _of_term(sp.factor(f), x)
+
+
+def plain_roots(f: sp.Expr) -> sp.Expr:
+    """An expression with 1/√w in place of √(1/w)."""
+    put: Any = {part: part.base.base**-part.exp for part in f.atoms(sp.Pow) if _is_root_of_quotient(part)}
+    return f.xreplace(put)
+
+
+def _is_root_of_quotient(part: Any) -> bool:
+    """Whether it is √(1/w), for 1/√w."""
+    return bool(part.is_Pow and part.exp.is_Rational and part.base.is_Pow and part.base.exp == -1)
 
 
 def integrated(f: sp.Expr, x: sp.Symbol, times: int) -> tuple[sp.Expr, ...] | None:

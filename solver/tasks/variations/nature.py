@@ -22,15 +22,19 @@ if TYPE_CHECKING:
 WORDS = {"convex": "minimum", "concave": "maximum", "positive": "minimum", "negative": "maximum"}
 UNDECIDED, NEITHER = "undecided", "neither"
 SUFFICIENT = ("none", "beyond", "free", "moving")
+BEYOND = ("coupled", "jacobi", "zero")
 VIOLATED = ("inside", "focal", "free_against", "moving_against")
 """Conditions by which Jacobi's equation and what is free at the end decide."""
 
 
 @dataclass(frozen=True)
 class Nature:
-    """The verdict, φ_x'x' along the extremal (a matrix for several functions) and the first conjugate point, if any."""
+    """The verdict, φ_x'x' along the extremal (a matrix for several functions) and the first conjugate point, if any.
 
-    verdict: str
+    The verdict is None where the means here do not suffice; "undecided" where the conditions leave it open.
+    """
+
+    verdict: str | None
     legendre: Expr | ImmutableMatrix | None
     conjugate_point: Expr | None
 
@@ -52,7 +56,7 @@ def nature_of(system: Functional, found: Extremal) -> Derivation[Nature]:
         reason = reason or ("bound" if _is_bound(system) else "semidefinite" if sign else "sign")
     yield Step("verdict", unclaimed="what was found above", verdict=verdict, bent=bent, sign=sign, reason=reason,
                point=point, t_f=found.t_f)  # fmt: skip
-    return Nature(verdict, legendre, point)
+    return Nature(None if reason in BEYOND else verdict, legendre, point)
 
 
 def _is_bound(system: Functional) -> bool:
@@ -130,7 +134,7 @@ def _legendre_of(system: Functional, found: Extremal) -> Derivation[tuple[Any, s
     jets = jets_along(system, found)
     highest = [jet_symbol((name, system.orders[name])) for name in names]
     general = exact.hessian(system.integrand, highest)
-    R = sp.ImmutableMatrix(*general.shape, [exact.along(entry.xreplace(jets), t) for entry in general.flat()])
+    R = sp.ImmutableMatrix(*general.shape, [exact.in_motion(entry, jets, t) for entry in general.flat()])
     sign = exact.definite_in_time(R, t, system.start, found.t_f)
     single = len(names) == 1
     claims = {}
