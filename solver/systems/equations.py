@@ -81,11 +81,21 @@ class Equations:
         """The functions of time: unknowns and inputs."""
         return (*self.unknowns, *self.inputs)
 
+    @property
+    def idle_inputs(self) -> tuple[str, ...]:
+        """The inputs that occur in no equation and in no output."""
+        inside = {name for symbol, (name, _) in self.jets.items() if any(e.has(symbol) for e in self._written)}
+        return tuple(name for name in self.inputs if name not in inside)
+
+    @property
+    def _written(self) -> list[Expr]:
+        """The sides and the outputs."""
+        return [side for pair in self.sides for side in pair] + list(self.outputs)
+
     @cached_property
     def parameters(self) -> tuple[Symbol, ...]:
         """The free symbols but the functions of time and their derivatives, sorted by name."""
-        written = [side for pair in self.sides for side in pair] + list(self.outputs)
-        found: set[Any] = {symbol for side in written for symbol in side.free_symbols} - set(self.jets)
+        found: set[Any] = {symbol for side in self._written for symbol in side.free_symbols} - set(self.jets)
         return tuple(sorted(found, key=str))
 
     def symbol(self, jet: Jet) -> Symbol:
