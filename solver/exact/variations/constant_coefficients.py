@@ -100,7 +100,7 @@ def _slowest_first(factors: Sequence[Factor]) -> tuple[Factor, ...]:
 
 def _functions(root: Root, t: sp.Symbol) -> Iterator[sp.Expr]:
     """tʲ times the exponential of a real root, or the two waves for the upper root of a pair."""
-    paired = root.kind in ("complex", "symbolic") or (root.kind == "decimal" and root.shift != 0)
+    paired = root.kind in ("complex", "symbolic", "decimal") and root.shift != 0
     if paired and _is_second(root):
         return
     for j in reversed(range(root.multiplicity)):
