@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -123,3 +123,9 @@ def of_common_decoupling_polynomial(
 def _realized(G: Any) -> Any:
     """G as matrices A, B, C, D; not minimal."""
     return representation.realized(G.numerators, G.denominators, G.variable)
+
+
+def of_rational_zeros_of_entries(found: Iterable[Any], G: Any) -> Iterator[Claim]:
+    """The entries vanish there."""
+    for i, j, z in found:
+        yield Claim(G.matrix[i, j].xreplace({G.variable: z}), sp.Integer(0))

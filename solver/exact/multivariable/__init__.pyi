@@ -24,6 +24,7 @@ from solver.exact.multivariable.rational_minors import (
     RationalMinors,
     rational_determinant,
     rational_minors,
+    rational_zeros_of_entries,
 )
 from solver.exact.multivariable.relative_gains import (
     Pairing,
@@ -79,6 +80,7 @@ __all__ = [
     "parameter_exceptions",
     "rational_determinant",
     "rational_minors",
+    "rational_zeros_of_entries",
     "relative_gains",
     "smith_form",
     "smith_mcmillan",

@@ -172,3 +172,17 @@ def rational_determinant(G: TransferMatrix) -> sp.Expr:
     size = len(entries)
     whole = _minor((tuple(range(size)), tuple(range(size))), top, d, tuple((f, size * e) for f, e in factors_of(d)))
     return whole.value
+
+
+def rational_zeros_of_entries(G: TransferMatrix) -> list[tuple[int, int, sp.Rational]]:
+    """The rational zeros of the entries, each with its row and column (from 0); none where there are parameters."""
+    found: list[tuple[int, int, sp.Rational]] = []
+    if not G.domain.is_QQ:
+        return found
+    for i, row in enumerate(zip(G.tops, G.bottoms, strict=True)):
+        for j, pair in enumerate(zip(*row, strict=True)):
+            top, _ = in_lowest(*pair)
+            if top.degree() > 0:
+                linear = [p.rep.to_list() for p, _ in top.factor_list()[1] if p.degree() == 1]
+                found += [(i, j, G.domain.to_sympy(-low / lead)) for lead, low in linear]
+    return found

@@ -126,8 +126,7 @@ def _directions(found: Found) -> Derivation[ImmutableMatrix | None]:
         return None
     if listed is None or found.G.shape[1] == 1:
         return None
-    x, G = found.G.variable, found.G.matrix
-    at_zero = [sp.ImmutableMatrix(G.xreplace({x: each.root.value}).applyfunc(sp.radsimp)) for each in listed]
+    at_zero = [each.value for each in listed]
     blocks = [sp.ImmutableMatrix(sp.Matrix.hstack(*each.columns)) for each in listed]
     yield Step(
         "directions",
@@ -143,7 +142,7 @@ def _directions(found: Found) -> Derivation[ImmutableMatrix | None]:
         },
         detail="tutor",
         listed=[(each.root.value, u) for each, u in zip(listed, blocks, strict=True)],
-        x=x,
+        x=found.G.variable,
     )
     return sp.ImmutableMatrix(sp.Matrix.hstack(*blocks))
 
@@ -153,7 +152,7 @@ def _not_of_entries(found: Found, zeros: Sequence[Expr], poles: Sequence[Expr]) 
     G, x = found.G, found.G.variable
     if G.shape == (1, 1):
         return
-    for i, j, z in _zeros_of_entries(G):
+    for i, j, z in exact.rational_zeros_of_entries(G):
         if z in zeros or z in poles:
             continue
         there = sp.ImmutableMatrix(G.matrix.xreplace({x: z}).applyfunc(sp.cancel))
@@ -176,15 +175,6 @@ def _not_of_entries(found: Found, zeros: Sequence[Expr], poles: Sequence[Expr]) 
 def _at(G: exact.TransferMatrix, z: Expr) -> Stated:
     """The value of G at a point, by its name."""
     return value_at(denoted(f"G({G.variable})", G.matrix), G.variable, z)
-
-
-def _zeros_of_entries(G: exact.TransferMatrix) -> Iterator[tuple[int, int, Expr]]:
-    """Rational zeros of the entries, with the entry."""
-    for i, row in enumerate(G.matrix.tolist()):
-        for j, entry in enumerate(row):
-            p = sp.Poly(sp.numer(sp.together(entry)), G.variable)
-            if p.degree() > 0 and not p.free_symbols - {G.variable} and not entry.free_symbols - {G.variable}:
-                yield from ((i, j, r) for r in sp.roots(p, filter="Q", multiple=True))
 
 
 def _where_the_zeros_lie(p: Poly, zeros: list[Expr] | None, discrete: bool) -> Iterator[Step]:

@@ -7,10 +7,12 @@ to a square. A system is a quadruple of matrices A n×n, B n×m, C p×n, D p×m.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from random import Random
 from typing import Any, Literal
 
 import numpy as np
+import sympy as sp
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import with_many_digits, worst_of
@@ -39,7 +41,7 @@ def zeros_residual(plant: Quadruple, zeros: Sequence[Any], kind: Kind) -> float:
     worst = 0.0
     for point in points_of(plant, zeros):
         numbers = numbers_at(zeros, point)
-        worst = worst_of((worst, _left_over(quadruple_at(plant, point), kind, _of_roots(numbers), numbers)))
+        worst = worst_of((worst, _left_over(_determinants(plant, point, kind), _of_roots(numbers), numbers)))
     return with_many_digits(worst, *plant, zeros)
 
 
@@ -50,7 +52,7 @@ def zero_polynomial_residual(plant: Quadruple, polynomial: Any, x: Any, kind: Ki
         coefficients = _coefficients(polynomial, x, point)
         if coefficients is None or abs(coefficients[-1] - 1) > LOST:
             return float("inf")
-        found = _left_over(quadruple_at(plant, point), kind, coefficients, None)
+        found = _left_over(_determinants(plant, point, kind), coefficients, None)
         worst = worst_of((worst, found))
     return with_many_digits(worst, *plant, polynomial)
 
@@ -127,14 +129,30 @@ def _approximate_zeros(A: Array, B: Array, C: Array, D: Array) -> list[Any]:
     return kept
 
 
-def _left_over(plant: tuple[Array, ...], kind: Kind, divisor: list[Any], roots: list[Any] | None) -> float:
-    """What is left of the compressed determinants divided by a polynomial; infinity where quotients share a root."""
-    A, B, C, D = plant
+def _determinants(plant: Quadruple, point: Any, kind: Kind) -> tuple[list[Any], ...]:
+    """The determinants of compressions of the pencil at a point; found once for all answers that are judged by it."""
+    key = (*(sp.ImmutableMatrix(M) for M in plant), tuple(sorted(point.items(), key=str)), kind)
+    return _determinants_of(*key)
+
+
+@lru_cache(maxsize=32)
+def _determinants_of(A: Any, B: Any, C: Any, D: Any, point: Any, kind: Kind) -> tuple[list[Any], ...]:
+    a, b, c, d = quadruple_at((A, B, C, D), dict(point))
+    n = len(a)
+    one = np.eye(n, dtype=int).astype(object)
+    if kind == "input" and len(minimal_part(a, b, one)[0]) == n:  # every state is reached
+        return ([MANY.number(1)],)
+    if kind == "output" and len(minimal_part(a, one, c)[0]) == n:
+        return ([MANY.number(1)],)
     if kind == "transmission":
-        A, B, C = minimal_part(A, B, C)
-    E, M = _pencil(A, B, C, D, kind)
+        a, b, c = minimal_part(a, b, c)
+    return tuple(_compressed(*_pencil(a, b, c, d, kind), len(a)))
+
+
+def _left_over(polynomials: Sequence[list[Any]], divisor: list[Any], roots: list[Any] | None) -> float:
+    """What is left of the polynomials divided by another; infinity where the quotients share a root."""
     quotients, worst = [], 0.0
-    for p in _compressed(E, M, len(A)):
+    for p in polynomials:
         quotient, rest = divided(p, roots) if roots is not None else _quotient(p, divisor)
         if not rest <= LOST:
             return float(rest)
