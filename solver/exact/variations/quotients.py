@@ -14,8 +14,8 @@ from solver.exact.variations.exponential_sums import ExponentialSum, Mode, tidie
 TIMES = ("t", "tau", "T")
 """Names of times, which are not negative."""
 
-MOST_TERMS = 60
-"""Common factors of longer sums are not looked for."""
+MOST_TERMS, MOST_WITH_ROOTS = 60, 12
+"""Common factors of longer sums are not looked for; nor of these, where they hold roots."""
 
 
 def quotient(
@@ -49,7 +49,8 @@ def _divided(numerator: ExponentialSum, mode: Mode, c: sp.Expr) -> ExponentialSu
 def _reduced(N: ExponentialSum, D: ExponentialSum) -> tuple[ExponentialSum, ExponentialSum]:
     """N and D without the factors that they share, where there are no waves; exponentials are powers of generators."""
     modes = [mode for part in (N, D) for mode, _ in part.terms]
-    if any(mode.angle != 0 for mode in modes) or len(modes) > MOST_TERMS:
+    rooted = any(c.has(sp.Pow) for part in (N, D) for mode, c in part.terms if c.is_number)
+    if any(mode.angle != 0 for mode in modes) or len(modes) > (MOST_WITH_ROOTS if rooted else MOST_TERMS):
         return N, D
     exponents = [_rational_parts(mode.exponent) for mode in modes]
     bases = list(dict.fromkeys(base for each in exponents for base in each))

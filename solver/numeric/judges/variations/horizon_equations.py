@@ -46,6 +46,8 @@ def differential_equations_residual(
         return _unmatched(np.array(rows), np.array(right))
 
     outside = free_symbols(listed) - inside
+    if sp.Symbol("t") in outside:
+        return float("inf")
     return worst(horizon, judge, sp.ImmutableMatrix([sorted(outside, key=str)]) if outside else sp.S.Zero)
 
 
