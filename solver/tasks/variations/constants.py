@@ -58,8 +58,17 @@ def fitted_of(
     yield Step("functions", unclaimed="the constants put in", names=names,
                members=[[each.functions[n] for n in found.functions] for each in fitted],
                times=[each.t_f for each in fitted], free=found.system.stop is None,
-               left=[each.left for each in fitted])  # fmt: skip
+               left=[each.left for each in fitted], hyperbolic=_turned_hyperbolic(fitted))  # fmt: skip
     return fitted
+
+
+def _turned_hyperbolic(fitted: Sequence[Fitted]) -> bool:
+    """Whether exponentials of a general solution are told as cosh and sinh."""
+    return any(
+        each.functions[name].has(sp.cosh, sp.sinh) and not general.has(sp.cosh, sp.sinh)
+        for each in fitted
+        for name, general in each.family.functions.items()
+    )
 
 
 def jets_along(system: Functional, family: Mapping[str, Expr], orders: int) -> dict[Symbol, Expr]:

@@ -54,10 +54,10 @@ extremal: Task[Functional, ExtremalOptions] = Task(
     needs=("functional",),
     options=ExtremalOptions,
     answers=[
-        AnswerName("equations", r"\text{equations}", "the equations of Euler and Lagrange, then the constraints",
+        AnswerName("equations", r"\text{equations}", "the equations of Euler and Lagrange, then any constraints",
                    principal=True, earned=("equation",), told=("equations", "equation"), zero=True),
         AnswerName("x", "x", "the extremal, a function of $t$", principal=True, earned=("functions",)),
-        AnswerName("value", "J", "the value of the functional along it, with its terminal cost", optional=True,
+        AnswerName("value", "J", "the value of the functional along it", optional=True,
                    principal=_has_ends),
         AnswerName("t_f", "t_f", "the end of the time, where it is free", optional=True, principal=_has_free_time),
         AnswerName("legendre", "R", "the second derivative of the integrand by the highest derivative, along it",
