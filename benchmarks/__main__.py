@@ -25,6 +25,7 @@ from benchmarks import (
     mechanics,
     multivariable,
     pole_placement,
+    zeros,
 )
 from benchmarks.timing import Failure, Row
 
@@ -45,6 +46,7 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
         yield from linearization.rows()
     if chosen in (None, "multivariable"):
         yield from multivariable.rows()
+        yield from zeros.rows()
     if chosen in (None, "command"):
         yield from command_line.rows()
     if chosen in (None, "class"):
