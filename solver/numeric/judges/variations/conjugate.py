@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.values import Undefined
 from solver.numeric.judges.variations.direct import worst
-from solver.numeric.judges.variations.problem import Along, Jet, Problem, numbers
+from solver.numeric.judges.variations.problem import Along, Jet, Problem, is_known, numbers
 
 TIMES = 9
 DEGREE = 30
@@ -37,6 +37,8 @@ def legendre_residual(problem: Problem, x: Mapping[str, Any] | None, found: Any,
         return np.inf
 
     def judge(along: Along) -> float:
+        if not is_known(found, along):
+            return np.inf
         times = along.inner(TIMES)
         wanted = _matrices(along, highest, highest, times)
         entries = list(found.flat()) if n > 1 or hasattr(found, "shape") else [found]
@@ -55,7 +57,7 @@ def conjugate_residual(problem: Problem, x: Mapping[str, Any] | None, point: Any
     def judge(along: Along) -> float:
         if point is None:
             return 0.0 if first_conjugate(along, along.start + STRETCHES * along.span) is None else np.inf
-        told = numbers(point, along.point, 1)[0]
+        told = numbers(point, along.point, 1)[0] if is_known(point, along) else 1j
         if abs(told.imag) > 1e-9 or told.real <= along.start:
             return np.inf
         found = first_conjugate(along, along.start + BEYOND * (told.real - along.start))

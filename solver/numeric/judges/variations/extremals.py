@@ -16,7 +16,7 @@ from scipy.integrate import quad
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.judges.variations.direct import worst
-from solver.numeric.judges.variations.problem import Along, Jet, Problem, numbers
+from solver.numeric.judges.variations.problem import Along, Jet, Problem, is_known, numbers
 
 TIMES = 9
 DEGREE = 14
@@ -74,6 +74,8 @@ def value_residual(
     """Return the relative difference of a value and of the integral by quadrature, with the terminal `cost` or not."""
 
     def judge(along: Along) -> float:
+        if not is_known(value, along):
+            return np.inf
         total = integral_along(along, problem.integrand)
         typical = along.span * float(np.max(np.abs(along.of(problem.integrand, along.inner(TIMES)))))
         if cost:

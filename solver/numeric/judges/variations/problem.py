@@ -84,6 +84,11 @@ class Problem:
         return self.ends[jet][last] if jet in self.ends else End()
 
 
+def is_known(expression: Any, along: Along) -> bool:
+    """Whether all names in an answer have values: those of the question and the time."""
+    return free_symbols(expression) <= {*along.point, along.problem.t}
+
+
 def numbers(expression: Any, values: Mapping[Any, Any], count: int) -> Array:
     """Return the values of an expression (count,), where symbols have these values."""
     full = {symbol: np.broadcast_to(np.asarray(value, dtype=complex), (count,)) for symbol, value in values.items()}
