@@ -60,7 +60,7 @@ def can_be_solved(system: Together, t: Symbol, way: Callable[[Expr, Unknown], st
         if unknown.order_in(equation) > 0 and not way(equation, unknown):
             return False
         return can_be_solved(system.without(number, unknown, dict.fromkeys(unknown.jets, sp.S.Zero)), t, way)
-    chosen = _solvable(system)
+    chosen = _solvable(system, t)
     if chosen is not None:
         number, unknown, value = chosen
         return can_be_solved(system.without(number, unknown, _derivatives(unknown, value, system, t)), t, way)
@@ -76,7 +76,7 @@ def solved_in_sequence(system: Together, t: Symbol, constants: Constants, solve:
     single = _single(system)
     if single is not None:
         return (yield from _by_itself(system, single, t, constants, solve))
-    chosen = _solvable(system)
+    chosen = _solvable(system, t)
     if chosen is not None:
         return (yield from _eliminated(system, chosen, t, constants, solve))
     untangled = _untangled(system)
@@ -117,13 +117,13 @@ def _by_itself(
     return {unknown.name: function} | (yield from solved_in_sequence(rest, t, constants, solve))
 
 
-def _solvable(system: Together) -> tuple[int, Unknown, Expr] | None:
+def _solvable(system: Together, t: Symbol) -> tuple[int, Unknown, Expr] | None:
     """An equation that gives an unknown by the others: linear in it, without its derivatives; the lowest one first."""
-    found = []
+    found, moving = [], [jet for each in system.unknowns for jet in each.jets]
     for number, equation in system.equations:
         for unknown in system.inside(equation):
             slope = sp.diff(equation, unknown.symbol)
-            if unknown.order_in(equation) == 0 and slope.is_number:
+            if unknown.order_in(equation) == 0 and not slope.has(t, *moving):
                 value = sp.expand((slope * unknown.symbol - equation) / slope)
                 highest = max(each.order_in(e) for each in [unknown] for _, e in system.equations)
                 order = max((each.order_in(value) for each in system.unknowns), default=0)
