@@ -48,7 +48,7 @@ def by_sympy(G: sp.Matrix) -> Callable[[], Any]:
     """The numerators over the common denominator, sympy's normal form of them, divided and cancelled."""
 
     def run() -> Any:
-        d = reduce(sp.lcm, (sp.denom(sp.together(entry)) for entry in G))
+        d = reduce(sp.lcm, (sp.denom(sp.together(entry)) for entry in G.flat()))
         N = (G * d).applyfunc(lambda entry: sp.expand(sp.cancel(entry)))
         form = smith_normal_form(N, domain=sp.QQ[s])
         return [sp.cancel(form[i, i] / d) for i in range(min(G.shape))]

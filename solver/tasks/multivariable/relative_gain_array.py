@@ -57,7 +57,7 @@ relative_gain_array: Task[Plant, RelativeGainOptions] = Task(
     doc="Λ = G ∘ (G⁻¹)ᵀ at a frequency, and which inputs it pairs with which outputs.",
     needs=("gains",),
     options=RelativeGainOptions,
-    example={"A": "[[-1, 0], [0, -2]]", "B": "[[1, 1], [0, 1]]", "C": "[[1, 0], [1, 1]]"},
+    example={"transfer_matrix": "[[2/(s + 1), 1/(s + 2)], [1/(s + 1), 3/(s + 2)]]"},
     answers=[
         AnswerName(
             "Lambda",
@@ -125,7 +125,7 @@ def _as_typed(plant: Any, x: Any, at: Expr) -> ImmutableMatrix:
 
 def _point(given: Given[Plant, RelativeGainOptions]) -> Expr:
     """The point jω, in discrete time e^{jωT}."""
-    system, omega = given.system, sp.sympify(given.options.frequency)
+    system, omega = given.system, given.options.frequency
     if not system.discrete:
         return sp.I * omega
     if omega == 0:

@@ -108,7 +108,7 @@ def read_as_factors(wrong: Attempt[Any, Any]) -> Reason | None:
     if not isinstance(value, list) or len(value) != len(wrong.ours):
         return None
     pairs = list(zip(value, wrong.ours, strict=True))
-    ratios = [sp.cancel(theirs / ours) if ours != 0 else sp.sympify(theirs) + 1 for theirs, ours in pairs]
+    ratios = [sp.cancel(theirs / ours) if ours != 0 else theirs + 1 for theirs, ours in pairs]
     if not any(ratio.has(x) or ratio == 0 for ratio in ratios):
         i = next((i for i, ratio in enumerate(ratios, 1) if ratio != 1), 0)
         return Reason("smith/not_monic", {"i": i}) if i else None
