@@ -1,4 +1,4 @@
-"""Poles and zeros of several inputs and outputs: ours with every step and claim, and sympy's inverse and determinant."""
+"""Poles and zeros of several inputs and outputs: ours with every step, and sympy's inverse and determinant."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ TASK = "transfer_matrix_poles_zeros"
 
 def plant(n: int, seed: int = 3) -> StateSpace:
     """A system of n states, two inputs and two outputs, with small integers."""
-    random = Random(seed)  # noqa: S311 - nothing secret
+    random = Random(seed)
     A, B, C = (
-        sp.ImmutableMatrix(rows, columns, lambda i, j: random.randint(-3, 3))
+        sp.ImmutableMatrix(rows, columns, lambda *_: random.randint(-3, 3))
         for rows, columns in ((n, n), (n, 2), (2, n))
     )
     return StateSpace(A, B, C)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -24,12 +25,13 @@ def of_rational_minors(found: Any, G: Any) -> Iterator[Claim | Check]:
         yield Claim(determinant(M), minor.value)
     plant = _realized(G)
     yield Check.that("the normal rank", ORACLE, judges.normal_rank(plant) == found.rank)
-    for p, residual in (
+    judged: list[tuple[Any, Any]] = [
         (found.pole_polynomial, judges.pole_polynomial_residual),
         (found.zero_polynomial, judges.zero_polynomial_residual),
-    ):
+    ]
+    for p, residual in judged:
         yield numeric.check_residual(
-            "a polynomial of poles or zeros", ORACLE, lambda p=p, judge=residual: judge(plant, p.as_expr(), G.variable)
+            "a polynomial of poles or zeros", ORACLE, partial(residual, plant, p.as_expr(), G.variable)
         )
     for factor, power, minor in found.pole_powers:
         below = sp.Poly(minor.bottom.as_expr(), G.variable)

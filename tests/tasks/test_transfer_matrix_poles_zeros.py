@@ -7,9 +7,14 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
+from solver.classroom import Verdict
 from solver.derivation import CheckStatus, Status
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
 from solver.systems import TransferFunction
+from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.marked import verdict
 from tests.helpers.strategies import systems
 from tests.helpers.tried import tried
 
@@ -253,3 +258,37 @@ def test_too_many_minors_are_refused_in_words():
     assert refused.status is Status.UNSOLVED
     assert "minors" in str(refused.reason)
     assert ask(TASK, large, "smith_mcmillan").answers["poles"] == [-1] * 6
+
+
+FILE = """
+system: {{transfer_matrix: {rows}}}
+find: {{a: {{task: transfer_matrix_poles_zeros}}}}
+"""
+TWO_POLES_TWICE = [["1/(s + 1)", "2/(s + 2)"], ["1/(s + 2)", "1/(s + 1)"]]
+ZERO_OF_ENTRIES = [["(s - 1)/((s + 1)(s + 2))", "(s + 3)/(s + 2)"], ["1/(s + 1)", "1/(s + 3)"]]
+ON_A_POLE = [["(s + 2)(s - 3)/(s + 1)^2", 0], [0, "(s + 1)/(s + 2)"]]
+
+
+@pytest.mark.parametrize(
+    ("rows", "answers", "words"),
+    [
+        (TWO_POLES_TWICE, {"poles": [-1, -2]}, "the poles of the entries, each once"),
+        (ZERO_OF_ENTRIES, {"zeros": [1, -3]}, "zeros of the entries"),
+        (ON_A_POLE, {"zeros": [3]}, "cancels against a pole"),
+        ([["1/(s + 1)", "2/(s + 1)"], ["2/(s + 1)", "4/(s + 1)"]], {"poles": [-1, -1]}, "not in lowest terms"),
+        ([["(s - 1)^2/(s + 1)^2"]], {"zeros": [1]}, "multiplicities count"),
+        ([["1/(s + 1)", "1/(s + 2)"]], {"poles": [-3, -1]}, "finite at"),
+        ([["(s - 1)/(s + 1)", "(s - 1)/(s + 2)"]], {"zeros": [4]}, "has the rank"),
+    ],
+)
+def test_usual_mistakes_are_named(rows, answers, words):
+    quoted = str([[str(each) for each in row] for row in rows])
+    ((name, value),) = answers.items()
+    found = verdict(FILE.format(rows=quoted), "a", name, f'"{value}"')
+    assert found.verdict is Verdict.WRONG
+    assert words in str(found.reason)
+
+
+def test_an_improper_matrix_is_a_fault_of_the_file():
+    with pytest.raises(InputError, match="proper"):
+        read_problem(Source("file.yaml", FILE.format(rows='[["s", "1/(s + 1)"]]')), catalogue())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import reduce
 from itertools import combinations
+from typing import Any
 
 import sympy as sp
 
@@ -38,7 +39,9 @@ def _is_the_same(minors: RationalMinors, factor: sp.Expr) -> bool:
     for a in sorted(factor.free_symbols, key=str):
         if sp.degree(factor, a) != 1:
             continue
-        others = {b: PRIMES[i % len(PRIMES)] + i // len(PRIMES) for i, b in enumerate(symbols) if b != a}
+        others: dict[Any, Any] = {
+            b: PRIMES[i % len(PRIMES)] + i // len(PRIMES) for i, b in enumerate(symbols) if b != a
+        }
         slope, constant = sp.Poly(factor, a).all_coeffs()
         slope, constant = slope.xreplace(others), constant.xreplace(others)
         if slope == 0 or not (slope.is_Rational and constant.is_Rational):
@@ -48,7 +51,7 @@ def _is_the_same(minors: RationalMinors, factor: sp.Expr) -> bool:
     return False
 
 
-def _at(minors: RationalMinors, values: dict[sp.Symbol, sp.Expr]) -> RationalMinors | None:
+def _at(minors: RationalMinors, values: dict[Any, Any]) -> RationalMinors | None:
     """The minors with these values of the parameters; None where G has no value there."""
     G, x = minors.G, minors.variable
     tops, bottoms = ([[p.as_expr().xreplace(values) for p in row] for row in rows] for rows in (G.tops, G.bottoms))

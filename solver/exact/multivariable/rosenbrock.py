@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import combinations, islice
 from math import comb
+from typing import Any
 
 import sympy as sp
 
@@ -113,7 +114,7 @@ def system_matrix(
     whole = domain_matrix(sp.Matrix(sp.BlockMatrix([[A, B], [C, D]]).as_explicit()) if n else sp.Matrix(D))
     K = whole.domain
 
-    def entry(i: int, j: int, a: object) -> sp.Poly:
+    def entry(i: int, j: int, a: Any) -> sp.Poly:
         if i >= n:
             return sp.Poly([a], x, domain=K)
         return sp.Poly([K.one, -a] if i == j else [-a], x, domain=K)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from solver.tasks.needed import InputOutput
 
 ORACLE = "orthogonal bases (50 digits)"
-KINDS = {
+KINDS: dict[str, tuple[Any, str]] = {
     "zeros": ("transmission", "the zeros are where the system matrix of the minimal part falls in rank"),
     "invariant_zeros": ("invariant", "the invariant zeros are where the system matrix falls in rank"),
     "input_decoupling_zeros": ("input", "the input decoupling zeros are where $[xI - A, -B]$ falls in rank"),

@@ -10,6 +10,7 @@ from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.plants import matrices_of, variable_of
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -42,15 +43,16 @@ WITH_HIDDEN = Slip("invariant_for_transmission", "decoupling zeros are among the
 
 def register(task: Task[Any, Any]) -> None:
     """Name the mistakes of a task with these answers."""
+    task.mistake(ONCE, "poles", "zeros", "invariant_zeros")(each_once)
     task.mistake(OF_ENTRIES, "zeros")(zeros_of_the_entries)
     task.mistake(OF_THE_DETERMINANT, "zeros")(zeros_of_the_determinant)
     task.mistake(UNCANCELLED, "zeros")(zeros_of_the_uncancelled_determinant)
     task.mistake(UNCANCELLED, "poles")(poles_of_the_uncancelled_determinant)
     task.mistake(UNION, "poles")(poles_of_the_entries)
     task.mistake(COUNTED_BY_ENTRY, "poles")(poles_entry_by_entry)
-    task.mistake(ONCE, "poles", "zeros", "invariant_zeros")(each_once)
     task.mistake(HIDDEN, "poles")(eigenvalues)
     task.mistake(WITH_HIDDEN, "zeros")(invariant_zeros)
+    task.meaning("poles", "zeros")(what_is_there)
 
 
 def _transfer(wrong: Wrong) -> exact.TransferMatrix:
@@ -147,3 +149,31 @@ def invariant_zeros(wrong: Wrong) -> Iterable[Any]:
     if not isinstance(plant, systems.TransferFunction):
         x = variable_of(plant)
         yield _roots(exact.system_matrix(*matrices_of(plant), x).zero_polynomial.as_expr(), x)
+
+
+def what_is_there(wrong: Wrong) -> Reason | None:
+    """A listed zero where G has its full rank, a listed pole where G is finite; else how many there must be."""
+    G = _transfer(wrong)
+    listed = [sp.sympify(value) for value in wrong.value]
+    if G.matrix.free_symbols - {G.variable} or any(not value.is_number for value in listed):
+        return None
+    for value in listed:
+        told = _told(G, value, wrong)
+        if told is not None:
+            return told
+    if len(listed) == len(wrong.ours):
+        return None
+    values = {"count": len(listed), "right": len(wrong.ours), "zeros": wrong.name == "zeros"}
+    return Reason("transfer_matrix_poles_zeros/count", values)
+
+
+def _told(G: exact.TransferMatrix, value: Expr, wrong: Wrong) -> Reason | None:
+    """What G is at a value that is no pole, or no zero, of it; None where it is one, or nearly."""
+    near = [abs(complex(value) - complex(each)) < 1e-2 * max(1.0, abs(complex(each))) for each in wrong.ours]
+    if any(near) or not value.is_Rational:
+        return None
+    there = G.matrix.xreplace({G.variable: value})
+    if there.has(sp.zoo, sp.nan):
+        return None
+    values = {"x": G.variable, "value": value, "rank": there.rank()}
+    return Reason(f"transfer_matrix_poles_zeros/{'rank' if wrong.name == 'zeros' else 'finite'}", values)
