@@ -43,13 +43,14 @@ WITH_HIDDEN = Slip("invariant_for_transmission", "decoupling zeros are among the
 
 def register(task: Task[Any, Any]) -> None:
     """Name the mistakes of a task with these answers."""
-    task.mistake(ONCE, "poles", "zeros", "invariant_zeros")(each_once)
+    task.mistake(ONCE, "zeros", "invariant_zeros")(each_once)
     task.mistake(OF_ENTRIES, "zeros")(zeros_of_the_entries)
     task.mistake(OF_THE_DETERMINANT, "zeros")(zeros_of_the_determinant)
     task.mistake(UNCANCELLED, "zeros")(zeros_of_the_uncancelled_determinant)
     task.mistake(UNCANCELLED, "poles")(poles_of_the_uncancelled_determinant)
     task.mistake(UNION, "poles")(poles_of_the_entries)
     task.mistake(COUNTED_BY_ENTRY, "poles")(poles_entry_by_entry)
+    task.mistake(ONCE, "poles")(each_once)
     task.mistake(HIDDEN, "poles")(eigenvalues)
     task.mistake(WITH_HIDDEN, "zeros")(invariant_zeros)
     task.meaning("poles", "zeros")(what_is_there)
