@@ -1,7 +1,14 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-from solver.exact.variations.along import along, definite_integral, in_time
+from solver.exact.variations.along import along, decimal_integral, definite_integral, in_time
 from solver.exact.variations.constant_coefficients import FundamentalSystem, Trial, fundamental_system, trials
+from solver.exact.variations.coupled_variations import (
+    CoupledVariations,
+    coupled_variations,
+    first_singular,
+    from_zero,
+    jacobi_equations,
+)
 from solver.exact.variations.euler_cauchy import EulerCauchy, euler_cauchy, powers_of_time, trials_in_powers
 from solver.exact.variations.horizons import FiniteHorizon, finite_horizon
 from solver.exact.variations.increments import Increment, increment
@@ -36,6 +43,7 @@ from solver.exact.variations.variational_derivatives import (
 __all__ = [
     "Cleared",
     "Conjugate",
+    "CoupledVariations",
     "EulerCauchy",
     "FiniteHorizon",
     "FundamentalSystem",
@@ -54,12 +62,16 @@ __all__ = [
     "bending",
     "cleared",
     "conjugate",
+    "coupled_variations",
+    "decimal_integral",
     "definite_in_time",
     "definite_integral",
     "euler_cauchy",
     "factors_that_vanish",
     "finite_horizon",
+    "first_singular",
     "first_zero_from",
+    "from_zero",
     "fundamental_system",
     "hessian",
     "highest_jet",
@@ -69,6 +81,7 @@ __all__ = [
     "integrated",
     "integrating_factor",
     "jacobi_equation",
+    "jacobi_equations",
     "linear_form",
     "minimum_energy",
     "never_zero",

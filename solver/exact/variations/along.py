@@ -9,6 +9,10 @@ from solver.exact.variations.exponential_sums import ExponentialSum, read
 from solver.exact.variations.quotients import quotient
 from solver.exact.variations.table_of_integrals import table_integral
 
+DIGITS = 30
+"""Of integrals in decimals."""
+DECIMALS = sp.Rational(1, 10**12)
+"""Decimals that differ by less are one."""
 EXPONENTIALS = (sp.exp, sp.cosh, sp.sinh, sp.tanh)
 
 
@@ -17,7 +21,7 @@ def in_time(function: sp.Expr, t: sp.Symbol) -> sp.Expr:
     if function.has(sp.Float):
         return function
     if not function.has(*EXPONENTIALS, sp.E):
-        return sp.expand(function) if function.is_polynomial(t) else function
+        return sp.expand(function) if function.is_polynomial(t) else _under_one_root(function)
     try:
         above, below = _read_fraction(function, t)
         cancelled: sp.Expr = quotient(above, below, rising=True)
@@ -25,6 +29,15 @@ def in_time(function: sp.Expr, t: sp.Symbol) -> sp.Expr:
     except NotExact:
         return function
     return _hyperbolic(above, below) or cancelled
+
+
+def _under_one_root(function: sp.Expr) -> sp.Expr:
+    """√2 √(3t/2 + 1/2) as √(3t + 1)."""
+    constant, root = function.as_independent(*function.free_symbols, as_Add=False)
+    if not (isinstance(root, sp.Pow) and root.exp == sp.Rational(1, 2) and (constant**2).is_Rational):
+        return function
+    sign = -1 if constant.is_negative else 1
+    return sign * sp.sqrt(sp.expand(constant**2 * root.base))
 
 
 def _read_fraction(function: sp.Expr, t: sp.Symbol) -> tuple[ExponentialSum, ExponentialSum]:
@@ -70,12 +83,36 @@ def along(integrand: sp.Expr, t: sp.Symbol) -> sp.Expr:
     """Return an expression in t as a sum of functions that can be integrated, where it is one; else in factors."""
     if integrand.is_polynomial(t):
         return sp.expand(integrand)
+    integrand = _without_roots(integrand)
     try:
         modes, below = _modes(integrand, t)
     except NotExact:
         whole = sp.expand(integrand)
         return whole if whole.count_ops() <= integrand.count_ops() else sp.factor(sp.together(integrand))
     return (_shown(modes) if integrand.has(*EXPONENTIALS) else modes.expression) / below
+
+
+def _without_roots(integrand: sp.Expr) -> sp.Expr:
+    """√(a + a sinh²u) as √a cosh u: of extremals in cosh."""
+    put: dict[sp.Expr, sp.Expr] = {}
+    for root in integrand.atoms(sp.Pow):
+        squares = [f for f in root.base.atoms(sp.sinh) if root.base.has(f**2)] if root.exp == sp.Rational(1, 2) else []
+        if len(squares) != 1:
+            continue
+        u = squares[0].args[0]
+        mark = sp.Dummy()
+        rest = root.base.xreplace({squares[0] ** 2: mark})
+        a, b = rest.xreplace({mark: sp.S.Zero}), sp.diff(rest, mark)
+        if not rest.has(squares[0]) and _agree(a, b) and a.is_positive:
+            put[root] = sp.sqrt(a) * sp.cosh(u)
+    return integrand.xreplace(put)
+
+
+def _agree(a: sp.Expr, b: sp.Expr) -> bool:
+    """Whether two numbers are one, decimals to their digits."""
+    if a.has(sp.Float) or b.has(sp.Float):
+        return bool(abs(a - b) < DECIMALS * abs(a)) if a.is_number and b.is_number else False
+    return bool(sp.expand(a - b) == 0)
 
 
 def _shown(modes: ExponentialSum) -> sp.Expr:
@@ -114,6 +151,14 @@ def definite_integral(integrand: sp.Expr, t: sp.Symbol, start: sp.Expr, stop: sp
     if any(value.has(sp.nan, sp.zoo, sp.oo) for value in values):
         return None
     return in_time(sp.expand(values[0] - values[1]) / below, t)
+
+
+def decimal_integral(integrand: sp.Expr, t: sp.Symbol, start: sp.Expr, stop: sp.Expr) -> sp.Expr | None:
+    """Return the integral in decimals, where everything is a number and it has a real value; else None."""
+    if integrand.free_symbols - {t} or not (start.is_number and stop.is_number):
+        return None
+    value = sp.Integral(integrand, (t, start, stop)).evalf(DIGITS)
+    return value if value.is_Float and value.is_finite else None
 
 
 def _antiderivative(term: sp.Expr, t: sp.Symbol) -> sp.Expr | None:

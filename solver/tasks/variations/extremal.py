@@ -87,27 +87,29 @@ def by_euler_lagrange(given: Given[Functional, ExtremalOptions]) -> Derivation[A
         answers["x"] = _functions(system, _only(families).functions)
         return answers
     fitted = yield from fitted_of(found, families, conditions)
-    values: dict[int, Expr] = {}
+    values: dict[int, Expr | None] = {}
     for number, each in enumerate(fitted):
         values[number] = yield from value_of(system, each, number + 1 if len(fitted) > 1 else 0)
     which = chosen(values)
     if len(fitted) > 1:
         yield _several(found, fitted, values, which)
-    answers.update(x=_functions(system, fitted[which].functions), value=values[which])
+    answers["x"] = _functions(system, fitted[which].functions)
+    if (value := values[which]) is not None:
+        answers["value"] = value
     if system.stop is None:
         answers["t_f"] = fitted[which].t_f
     if not any(each.left for each in fitted):
-        extremal_found = _as_found(found, fitted[which], values[which])
+        extremal_found = _as_found(found, fitted[which])
         nature = yield from nature_of(system, extremal_found)
         told = {"legendre": nature.legendre, "conjugate_point": nature.conjugate_point, "nature": nature.verdict}
         answers.update({name: value for name, value in told.items() if value is not None})
     return answers
 
 
-def _as_found(found: Stationary, fitted: Fitted, value: Expr) -> Extremal:
+def _as_found(found: Stationary, fitted: Fitted) -> Extremal:
     """The extremal as the lemma on its nature takes it."""
     multipliers = {str(x): v for x, v in fitted.values.items()}
-    return Extremal(found.phi, fitted.functions, multipliers, fitted.t_f, fitted.family, value)
+    return Extremal(found.phi, fitted.functions, multipliers, fitted.t_f)
 
 
 @extremal.verification("equations")
@@ -147,12 +149,12 @@ def _functions(system: Functional, functions: Mapping[str, Expr]) -> Any:
     return {system.symbol((name, 0)): functions[name] for name in system.functions}
 
 
-def _several(found: Stationary, fitted: list[Fitted], values: Mapping[int, Expr], which: int) -> Step:
+def _several(found: Stationary, fitted: list[Fitted], values: Mapping[int, Expr | None], which: int) -> Step:
     """Which of several extremals has the least value."""
     names = [found.system.symbol((name, 0)) for name in found.system.functions]
     shown = [([each.functions[name] for name in found.system.functions], values[i]) for i, each in enumerate(fitted)]
     return Step("several", unclaimed="a comparison", names=names, shown=shown, which=which,
-                decided=all(value.is_number for value in values.values()))  # fmt: skip
+                decided=all(value is not None and value.is_number for value in values.values()))  # fmt: skip
 
 
 extremal_checks.register(extremal)

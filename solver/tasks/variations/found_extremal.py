@@ -9,19 +9,15 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from sympy import Expr
 
-    from solver.tasks.variations.unknowns import Family
-
 
 @dataclass(frozen=True)
 class Extremal:
     """`phi` is the integrand with constraints adjoined; `x` has the functions, and multipliers that vary, in t.
 
-    `multipliers` are the constant ones by name; `family` is the general solution that it is a member of.
+    `multipliers` are the constant ones by name.
     """
 
     phi: Expr
     x: Mapping[str, Expr]
     multipliers: Mapping[str, Expr]
     t_f: Expr
-    family: Family
-    value: Expr
