@@ -66,7 +66,7 @@ def stand_apart(system: Functional) -> bool:
     )
 
 
-def _name_of_variation(system: Functional) -> str:
+def name_of_variation(system: Functional) -> str:
     """U, or another letter that the question does not have."""
     taken = {*system.functions, *(str(symbol) for symbol in system.parameters)}
     return next(letter for letter in ("u", "v", "w", "h", "eta") if letter not in taken)
@@ -79,7 +79,7 @@ def first_zero_of(system: Functional, found: Extremal, name: str) -> Derivation[
     Variations begin with u = 0 where the value at the start is given (then the zero is the conjugate point), else with
     R u' + Q u = 0.
     """
-    t, letter, at = system.t, _name_of_variation(system), system.start
+    t, letter, at = system.t, name_of_variation(system), system.start
     u = [jet_symbol((letter, k)) for k in range(3)]
     of = second_variation_of(system, found, name)
     equation = exact.jacobi_equation(of, u, t)

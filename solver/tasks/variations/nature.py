@@ -11,6 +11,7 @@ from solver.lazy import sympy as sp
 from solver.stated.calculus import partial_derivative
 from solver.systems.equations import jet_symbol
 from solver.tasks.variations.conjugate_points import begins_fixed, first_zero_of, jets_along, stand_apart
+from solver.tasks.variations.coupled_points import coupled_point_of
 from solver.tasks.variations.free_ends import sign_at_free_end, sign_of_moving_end
 
 if TYPE_CHECKING:
@@ -67,12 +68,17 @@ def _out_of_reach(system: Functional) -> str:
     """Why Jacobi's equation would not decide; empty where it may."""
     if {*system.orders.values()} != {1}:
         return "order"
-    if not stand_apart(system) or _mixes(system):
+    if _mixes(system) or (not stand_apart(system) and not _all_fixed(system)):
         return "coupled"
     last = [system.ends[name, 0][1] if (name, 0) in system.ends else None for name in system.functions]
     if system.stop is None and (len(last) > 1 or last[0] is None or last[0].free):
         return "free_time"
     return ""
+
+
+def _all_fixed(system: Functional) -> bool:
+    """Whether all values at both ends are given."""
+    return all(begins_fixed(system, name) and _ends_fixed(system, name) for name in system.functions)
 
 
 def _mixes(system: Functional) -> bool:
@@ -83,13 +89,16 @@ def _mixes(system: Functional) -> bool:
 
 def _by_jacobi(system: Functional, found: Extremal, sign: int) -> Derivation[tuple[Any, str]]:
     """The first conjugate point, and which condition decides, function by function."""
+    if not stand_apart(system):
+        together = yield from coupled_point_of(system, found)
+        return together.point, together.reason or _where(together.point, found.t_f, fixed=True)
     points: list[Any] = []
     reason = "none"
     for name in system.functions:
         zero = yield from first_zero_of(system, found, name)
         if begins_fixed(system, name) and zero.point is not None:
             points.append(zero.point)
-        own = zero.reason or _where(zero.point, found.t_f, begins_fixed(system, name))
+        own = zero.reason or _where(zero.point, found.t_f, fixed=begins_fixed(system, name))
         if own in SUFFICIENT and not _ends_fixed(system, name):
             own = yield from _at_end(system, found, name, zero.solution, sign)
         order = [own, reason]
@@ -101,7 +110,7 @@ def _by_jacobi(system: Functional, found: Extremal, sign: int) -> Derivation[tup
     return min(points, key=sp.N, default=None), reason
 
 
-def _where(point: Any, t_f: Expr, fixed: bool) -> str:
+def _where(point: Any, t_f: Expr, *, fixed: bool) -> str:
     """Where a first zero lies."""
     if point is None:
         return "none"

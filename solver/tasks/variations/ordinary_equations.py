@@ -85,14 +85,18 @@ def _separable(equation: Expr, unknown: Unknown, t: Symbol, constants: Sequence[
 
 @lemma("ordinary_equations")
 def solved(
-    equations: Sequence[Expr], unknowns: Sequence[str], t: Symbol, constants: Sequence[Symbol] = ()
+    equations: Sequence[Expr],
+    unknowns: Sequence[str],
+    t: Symbol,
+    constants: Sequence[Symbol] = (),
+    letter: str = "C",
 ) -> Derivation[list[Family]]:
     """The general solution of equations (expressions that are zero, as many as unknowns), branch by branch.
 
-    Derivatives are the symbols of `jet_symbol`; `constants` stand in the equations and are constants of integration.
-    Raises Unsolved for what is beyond, with the equation.
+    Derivatives are the symbols of `jet_symbol`; `constants` stand in the equations and are constants of integration,
+    new ones are called by the `letter` and a number. Raises Unsolved for what is beyond, with the equation.
     """
-    numbering = Constants.beside(constants, equations)
+    numbering = Constants.beside(constants, equations, letter)
     if len(unknowns) > 1:
         functions = yield from solved_in_sequence(_together(equations, unknowns), t, numbering, solution_of)
         return [Family({name: functions[name] for name in unknowns}, tuple(numbering.found))]
