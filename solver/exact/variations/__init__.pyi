@@ -1,6 +1,6 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-from solver.exact.variations.along import along, decimal_integral, definite_integral, in_time
+from solver.exact.variations.along import along, decimal_integral, definite_integral, in_time, without_roots
 from solver.exact.variations.constant_coefficients import FundamentalSystem, Trial, fundamental_system, trials
 from solver.exact.variations.coupled_variations import (
     CoupledVariations,
@@ -97,4 +97,5 @@ __all__ = [
     "variational_derivative",
     "with_square",
     "with_values",
+    "without_roots",
 ]

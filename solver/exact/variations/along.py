@@ -83,7 +83,7 @@ def along(integrand: sp.Expr, t: sp.Symbol) -> sp.Expr:
     """Return an expression in t as a sum of functions that can be integrated, where it is one; else in factors."""
     if integrand.is_polynomial(t):
         return sp.expand(integrand)
-    integrand = _without_roots(integrand)
+    integrand = without_roots(integrand)
     try:
         modes, below = _modes(integrand, t)
     except NotExact:
@@ -92,19 +92,20 @@ def along(integrand: sp.Expr, t: sp.Symbol) -> sp.Expr:
     return (_shown(modes) if integrand.has(*EXPONENTIALS) else modes.expression) / below
 
 
-def _without_roots(integrand: sp.Expr) -> sp.Expr:
-    """√(a + a sinh²u) as √a cosh u: of extremals in cosh."""
+def without_roots(integrand: sp.Expr) -> sp.Expr:
+    """√(a + a sinh²u) as √a cosh u, and its powers: of extremals in cosh."""
     put: dict[sp.Expr, sp.Expr] = {}
     for root in integrand.atoms(sp.Pow):
-        squares = [f for f in root.base.atoms(sp.sinh) if root.base.has(f**2)] if root.exp == sp.Rational(1, 2) else []
-        if len(squares) != 1:
+        halves = 2 * root.exp
+        squares = [f for f in root.base.atoms(sp.sinh) if root.base.has(f**2)] if halves.is_Integer else []
+        if len(squares) != 1 or not root.base.is_Add:
             continue
         u = squares[0].args[0]
         mark = sp.Dummy()
         rest = root.base.xreplace({squares[0] ** 2: mark})
         a, b = rest.xreplace({mark: sp.S.Zero}), sp.diff(rest, mark)
         if not rest.has(squares[0]) and _agree(a, b) and a.is_positive:
-            put[root] = sp.sqrt(a) * sp.cosh(u)
+            put[root] = a**root.exp * sp.cosh(u) ** halves
     return integrand.xreplace(put)
 
 

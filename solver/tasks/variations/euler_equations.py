@@ -116,7 +116,7 @@ def _equation_of(adjoined: Stationary, name: str) -> Derivation[EulerEquation]:
     if cleared.by != 1 or cleared.left != found.expression:
         claims["cleared"] = Claim(quotient(_stated(found, terms), cleared.by), cleared.left, "the equation divided")
     yield Step("equation", claims=claims, unclaimed="" if claims else "nothing is to be found", name=jets[0],
-               jets=jets, phi=phi, raw=_stated(found, terms), left=cleared.left, by=cleared.by,
+               jets=jets, phi=phi, raw=_stated(found, terms), signs=len(terms) > 1, left=cleared.left, by=cleared.by,
                lines=[claims[key] for key in claims if key != "cleared"], order=len(jets) - 1)  # fmt: skip
     return EulerEquation(name, cleared.left, found)
 
