@@ -31,6 +31,12 @@ def _put_in(coefficients: Sequence[Any], function: Any, t: Any) -> Any:
 def of_fundamental_system(found: Any, coefficients: Sequence[Any], t: Any) -> Iterator[Claim | Check]:
     """As many functions as the order says, each a solution."""
     yield Check.that("as many solutions as the order", "counted", len(found.functions) == len(coefficients) - 1)
+    n, point = len(found.functions), {t: sp.Rational(3, 7)}
+    names = frozenset().union(*(function.free_symbols for function in found.functions)) - {t}
+    rows = [[sp.diff(function, t, k).xreplace(point) for function in found.functions] for k in range(n)]
+    if not names:
+        values = np.array([[complex(sp.N(entry)) for entry in row] for row in rows])
+        yield Check.that("independent solutions", "numpy.linalg.matrix_rank", np.linalg.matrix_rank(values) == n)
     for function in found.functions:
         yield Claim(_put_in(coefficients, function, t), sp.S.Zero, "a solution of the homogeneous equation")
 
@@ -112,6 +118,11 @@ def of_conjugate(found: Any, u: Any, t: Any, start: Any, stop: Any) -> Iterator[
     if found is None:
         return
     last = stop + 2 * (stop - start) if found.point is None else found.point
+    if found.point is not None and not (found.point - start).free_symbols:
+        behind = bool(sp.N(found.point - start) > 0)
+        yield Check.that("behind the start", "compared", behind)
+        if not behind:
+            return
     if found.point is not None and not found.point.has(sp.Float):
         yield Claim(u.subs(t, found.point), sp.S.Zero, "the conjugate point")
     values = _sampled(u, t, start, last if found.searched is None or found.point is not None else found.searched)

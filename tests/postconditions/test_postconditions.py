@@ -85,6 +85,10 @@ CALLS = {
     "gains_at": [([[sp.S.One, s], [s + 2, sp.S(2)]], [[s, s + 1], [s + 1, s + 4]], s, sp.S.Zero)],
     "values_at": [(sp.ImmutableMatrix([[1 / (s + 1), s / (s + 2)]]), s, sp.S.One)],
     "pairing": [(sp.ImmutableMatrix([[2, -1], [-1, 2]]),), (sp.ImmutableMatrix([[1, 3], [3, 1]]) / 4,)],
+    "trials": [(exact.LinearForm((sp.S(2), sp.S(3), sp.S.One), t * sp.exp(-t)), t)],
+    "table_integral": [(t * sp.exp(-t), t), (1 / (t**2 + 4), t)],
+    "integrating_factor": [(exact.LinearForm((1 / t, sp.S.One), t**2), t)],
+    "conjugate": [(sp.sin(2 * t) / 2, t, sp.S.Zero, sp.S.One)],
     "matching": [(s + 1, s**2 + 3 * s + 5, (s + 1) / (s**2 + 4 * s + 5), s)],
 }
 TIMED = (
@@ -116,6 +120,9 @@ FREE = {
     "spectrum": (".exceptions",),
     "solve_affine": (".conditions", ".residue"),
     "read_inputs": (".generator",),
+    "trials": (".letters", ".equations", ".resonance", ".angle", ".exponent", ".exceptions", ".function"),
+    "integrating_factor": (".factor", ".right"),
+    "conjugate": (".searched",),
     "matching": (".numerator", ".denominator", ".target", ".missing", ".gain", ".possible", ".desired", ".compensator"),
 }
 """What is judged elsewhere, by the steps that show it; and bases, of which others are right."""
@@ -182,3 +189,13 @@ def test_what_is_checked_is_named():
 
 def test_of_other_kernels_nothing_is_said():
     assert postcondition_of("exponential") is None
+
+
+def test_solutions_of_another_equation_or_too_few_are_seen():
+    coefficients = (sp.S(2), sp.S(3), sp.S.One)
+    found = exact.fundamental_system(coefficients, t)
+    assert statuses("fundamental_system", (coefficients, t), found) == {CheckStatus.PASSED}
+    for functions in ((sp.exp(-t), sp.exp(2 * t)), (sp.exp(-t),), (sp.exp(-t), 3 * sp.exp(-t))):
+        assert CheckStatus.FAILED in statuses(
+            "fundamental_system", (coefficients, t), replace(found, functions=functions)
+        )
