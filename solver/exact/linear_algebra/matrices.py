@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Any
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
@@ -10,6 +11,9 @@ from sympy.polys.matrices import DomainMatrix
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import domain_matrix, expression, matrix_of, side_by_side
 from solver.matrices import entries
+
+SYMBOLS = 2
+"""With more of them quotients of polynomials are slow."""
 
 
 def multiply(A: sp.MatrixBase, B: sp.MatrixBase) -> sp.ImmutableMatrix:
@@ -45,14 +49,26 @@ def inverse(A: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
 
 
 def determinant(A: sp.ImmutableMatrix) -> sp.Expr:
-    """Det A = (−1)ⁿ aₙ of the Faddeev–LeVerrier recursion."""
+    """Det A: (−1)ⁿ aₙ of the Faddeev–LeVerrier recursion, with parameters by elimination without fractions."""
+    M = domain_matrix(A, real=False)
+    if _is_large(M):
+        return expression(M.domain, M.det())
     fl = faddeev_leverrier(A)
     return (-1) ** A.rows * expression(fl.domain, fl.chi[-1])
 
 
 def determinant_and_adjugate(A: sp.ImmutableMatrix) -> tuple[sp.Expr, sp.ImmutableMatrix]:
-    """Return det A and adj A = (−1)ⁿ⁻¹ Nₙ₋₁ of the Faddeev–LeVerrier recursion."""
+    """Return det A and adj A: (−1)ⁿ⁻¹ Nₙ₋₁ of the Faddeev–LeVerrier recursion, with parameters det A · A⁻¹."""
+    M = domain_matrix(A, real=False)
+    if _is_large(M) and (det := M.det()):
+        return expression(M.domain, det), matrix_of(M.inv() * det)
     return determinant(A), sp.ImmutableMatrix((-1) ** (A.rows - 1) * matrix_of(faddeev_leverrier(A).N[-1]))
+
+
+def _is_large(M: DomainMatrix) -> bool:
+    """Whether the recursion, which works with fractions, would take long: their polynomials have several symbols."""
+    K: Any = M.domain
+    return bool(K.is_Composite and len(K.symbols) > SYMBOLS and M.shape[0] > 2)
 
 
 def truncated_series(A: sp.ImmutableMatrix, t: sp.Symbol, terms: int) -> sp.ImmutableMatrix:

@@ -166,18 +166,51 @@ def _falls(M: Any, r: int, tau: Any, line: Mapping[Any, Any]) -> Iterator[dict[A
     random = Random(SEED)  # noqa: S311 - nothing secret
     U = DomainMatrix.from_Matrix(sp.Matrix(r, M.rows, [random.randint(-9, 9) for _ in range(r * M.rows)]))
     W = DomainMatrix.from_Matrix(sp.Matrix(M.cols, r, [random.randint(-9, 9) for _ in range(r * M.cols)]))
-    on_line = sp.Matrix(M).xreplace(dict(line))
-    if not all(_is_judged(entry, tau) for entry in on_line.flat()):
-        raise NotEvaluable("the entries are not rational in the parameters")
-    D = DomainMatrix.from_Matrix(on_line, extension=True)
-    U, D, W = (each.convert_to(D.domain) for each in (U, D, W))
-    minor = (U * D * W).to_field()
+    D = _quotients_on(M, tau, line)
+    if D is None:
+        on_line = sp.Matrix(M).xreplace(dict(line))
+        if not all(_is_judged(entry, tau) for entry in on_line.flat()):
+            raise NotEvaluable("the entries are not rational in the parameters")
+        D = DomainMatrix.from_Matrix(on_line, extension=True)
+    if D.shape != (r, r):
+        U, D, W = (each.convert_to(D.domain) for each in (U, D, W))
+        D = U * D * W
+    minor = D.to_field()
     for root in roots_of(minor.domain.to_sympy(minor.det()), tau):
         if abs(sp.im(root)) > 1e-30:
             continue
         point = {y: sp.N(value.xreplace({tau: sp.re(root)}), DIGITS + 10) for y, value in line.items()}
         if is_admissible(point) and rank_at(M, {y: number(value) for y, value in point.items()}) < r:
             yield point
+
+
+def _quotients_on(M: Any, tau: Any, line: Mapping[Any, Any]) -> Any:
+    """M on the line over the quotients of polynomials in τ, worked out entry by entry, where nothing else is in it.
+
+    To multiply out sums of many parameters with p + qτ in place of each would take minutes.
+    """
+    K = sp.QQ.frac_field(tau)
+    known = {y: K.from_sympy(value) for y, value in line.items() if value.is_rational_function(tau)}
+    try:
+        rows = [[_quotient(entry, known, K) for entry in row] for row in sp.Matrix(M).tolist()]
+    except (KeyError, ZeroDivisionError):
+        return None
+    return DomainMatrix(rows, M.shape, K)
+
+
+def _quotient(entry: Any, known: Mapping[Any, Any], K: Any) -> Any:
+    """An entry in K; raises KeyError where it is no quotient of polynomials with rational numbers."""
+    if entry.is_Rational:
+        return K.from_sympy(entry)
+    if entry.is_Add or entry.is_Mul:
+        parts = [_quotient(part, known, K) for part in entry.args]
+        found = parts[0]
+        for part in parts[1:]:
+            found = found + part if entry.is_Add else found * part
+        return found
+    if entry.is_Pow and entry.exp.is_Integer:
+        return _quotient(entry.base, known, K) ** int(entry.exp)
+    return known[entry]
 
 
 def _is_judged(entry: Any, x: Any) -> bool:
