@@ -27,7 +27,7 @@ from solver.numeric.judges.variations.horizons import (
     optimal_motion_residual,
     path_residual,
 )
-from solver.numeric.judges.variations.paths import Path, paths, variation_residual
+from solver.numeric.judges.variations.paths import variation_residual
 from solver.numeric.judges.variations.problem import End, Problem
 from solver.numeric.judges.variations.second_variations import end_residual, first_variation_residual, nature_holds
 from solver.numeric.judges.variations.transfers import (
@@ -46,7 +46,6 @@ __all__ = [
     "Adjoined",
     "End",
     "Horizon",
-    "Path",
     "Problem",
     "Steps",
     "Transfer",
@@ -72,7 +71,6 @@ __all__ = [
     "orthogonality_residual",
     "others_cost_more",
     "path_residual",
-    "paths",
     "reaches_everything",
     "stationary_equations",
     "stationary_residual",
