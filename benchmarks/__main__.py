@@ -1,6 +1,6 @@
 """Print the tables of speed targets: `python -m benchmarks [--quick] [GROUP]`.
 
-The groups are exponential, placement, mechanics, circuits, multivariable, command, class and growth.
+The groups are exponential, placement, mechanics, circuits, horizons, multivariable, command, class and growth.
 
 `--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
 `--write` puts the tables that were measured into docs/performance.md.
@@ -19,6 +19,7 @@ from benchmarks import (
     circuits,
     classroom,
     command_line,
+    finite_horizons,
     growth,
     linearization,
     matrix_exponential,
@@ -44,6 +45,8 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
     if chosen in (None, "circuits"):
         yield from circuits.rows()
         yield from linearization.rows()
+    if chosen in (None, "horizons"):
+        yield from finite_horizons.rows()
     if chosen in (None, "multivariable"):
         yield from multivariable.rows()
         yield from zeros.rows()
@@ -76,7 +79,17 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="leave out what takes seconds")
     parser.add_argument("--write", action="store_true", help="put the tables into docs/performance.md")
-    groups = ("exponential", "placement", "mechanics", "circuits", "multivariable", "command", "class", "growth")
+    groups = (
+        "exponential",
+        "placement",
+        "mechanics",
+        "circuits",
+        "horizons",
+        "multivariable",
+        "command",
+        "class",
+        "growth",
+    )
     parser.add_argument("group", nargs="?", choices=groups)
     parser.add_argument("task", nargs="?", help="of the table of growth, one task only")
     chosen = parser.parse_args()
