@@ -162,7 +162,7 @@ def _linear(
         rows.append((x, turn.stated, values[x]))
         claims[str(x)] = Claim(turn.stated.xreplace(values), values[x], Phrase("the value of {name}", name=str(x)))
     yield Step("linear", claims=claims, unclaimed="" if claims else "nothing is left to be found", rows=rows, kept=kept,
-               lacking=list(solved.lacking))  # fmt: skip
+               lacking=list(solved.lacking), plain=not system.multipliers)  # fmt: skip
     return [values]
 
 
