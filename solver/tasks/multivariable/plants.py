@@ -19,7 +19,7 @@ LARGEST = 6
 """Of more states the adjugate fills pages."""
 
 
-@lemma("transfer_function")
+@lemma("plants")
 def transfer_matrix_of(plant: InputOutput) -> Derivation[exact.TransferMatrix]:
     """G as it is given, or from A, B, C, D; not cancelled."""
     if isinstance(plant, systems.TransferFunction):
