@@ -131,7 +131,7 @@ def _equation_step(system: Functional, found: Extremal, of: exact.SecondVariatio
         for symbol, value in jets.items():
             if first.has(symbol) or symbol == b:
                 stated = value_at(stated, symbol, value)
-        claims[key] = Claim(stated, getattr(of, key), f"$\\varphi$ twice: {key}")
+        claims[key] = Claim(stated, getattr(of, key), "a coefficient of the second variation")
     if of.Q != 0:
         claims["rest"] = Claim(difference(of.P, derivative(of.Q, t)), of.rest(t), r"$P - \dot{Q}$")
     if of.R.has(t):
