@@ -3,6 +3,7 @@
 import pytest
 import sympy as sp
 
+from solver import exact
 from solver.derivation import CheckStatus
 from solver.numeric import check_steps
 from solver.numeric.judges import variations as judges
@@ -116,3 +117,20 @@ def test_euler_cauchy_for_jacobi():
     assert (nature.verdict, agrees) == ("minimum", True)
     assert nature.conjugate_point == sp.exp(2 * sp.sqrt(3) * sp.pi / 3)
     assert "indicial" in kinds
+
+
+@pytest.mark.parametrize(
+    ("u", "point"),
+    [
+        (sp.exp(-t) * sp.sin(2 * t) / 2, sp.pi / 2),
+        (sp.sinh(a * t) / a, None),
+        (t * sp.exp(-t), None),
+        (t - t**2 / 3, 3),
+        (t * sp.cos(t), sp.pi / 2),
+        (3 * sp.sin(t) / 2 - sp.sin(2 * t) / 4, sp.pi),
+    ],
+)
+def test_first_zeros(u, point):
+    found = exact.conjugate(u, t, sp.S.Zero, sp.S(2))
+    assert (found.point is None) == (point is None)
+    assert point is None or abs(sp.N(found.point - point)) < 1e-12

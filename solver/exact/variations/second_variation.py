@@ -187,9 +187,11 @@ def _of_exponentials(u: sp.Expr, t: sp.Symbol, start: sp.Expr) -> Conjugate | No
     if rates is None:
         return None
     angle, envelopes = rates
+    powers = {power for _, power in envelopes}
     if angle is None:
-        return Conjugate(None) if len(envelopes) <= 2 else None
-    if len(envelopes) != 1 or sign_of(angle) == 0:
+        plain = len(envelopes) <= 2 and (powers == {0} or len({rate for rate, _ in envelopes}) == 1)
+        return Conjugate(None) if plain else None
+    if len(envelopes) != 1 or powers != {0} or sign_of(angle) == 0:
         return None
     sign = sign_of(angle)
     speed = sp.Abs(angle) if sign is None else sign * angle
