@@ -80,7 +80,10 @@ FREE_TIMES = {
     # the shortest way to a line; a given end at a free time; Naidu, example 2.3
     'integrand: "sqrt(1 + x\'^2)", from: 0, to: free, ends: {x: [0, {on: 5 - t}]}': ("t", "5/2"),
     'integrand: "x\'^2 + 4", from: 0, to: free, ends: {x: [0, 4]}': ("2*t", "2"),
-    'integrand: "x\'^2/2", from: 0, to: free, ends: {x: [0, {on: 2 - 3t}]}, terminal_cost: t': ("(sqrt(11) - 3)*t", "2/sqrt(11)"),
+    'integrand: "x\'^2/2", from: 0, to: free, ends: {x: [0, {on: 2 - 3t}]}, terminal_cost: t': (
+        "(sqrt(11) - 3)*t",
+        "2/sqrt(11)",
+    ),
 }
 
 
@@ -201,3 +204,28 @@ MISTAKES = [
 def test_usual_mistakes_are_named(functional, answer, wrote, slip):
     found = verdict(text(functional), "a", answer, wrote if wrote[0] == "[" else f'"{wrote}"')
     assert (found.verdict, found.mistake) == (Verdict.WRONG, slip)
+
+
+def test_infinitely_many_extremals_keep_a_constant():
+    functional = 'integrand: "x^2 - x\'^2", from: 0, to: pi, ends: {x: [0, 0]}'
+    result = solved(functional)
+    assert result.status is Status.VERIFIED
+    assert {str(each) for each in result.answers["x"].free_symbols} == {"C2", "t"}
+    assert result.answers["value"] == 0
+    assert "nature" not in result.answers
+    assert not rejected(functional, x=3 * sp.sin(t))
+
+
+def test_of_several_extremals_the_one_with_the_least_value_is_told():
+    result = solved('integrand: "x sqrt(1 + x\'^2)", from: 0, to: 1, ends: {x: [1, 2]}')
+    assert result.status is Status.VERIFIED
+    assert "several" in [step.kind for step in result.steps]
+    assert float(result.answers["value"]) == pytest.approx(2.0788300900)
+
+
+def test_a_multiplier_that_turns_the_solution_is_not_guessed():
+    result = solved(
+        "integrand: x'^2, from: 0, to: pi, ends: {x: [0, 0]}, integral_constraints: [{integrand: x^2, value: 1}]"
+    )
+    assert result.status is Status.UNSOLVED
+    assert "cannot be solved" in str(result.reason)
