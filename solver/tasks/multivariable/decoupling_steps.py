@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -13,7 +14,7 @@ from solver.arithmetic.products import multiplied
 from solver.derivation import Claim, Derivation, Step, Unsolved
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.stated.algebra import difference, product, total
+from solver.stated.algebra import difference, power, product, total
 from solver.stated.matrices import determinant, inverse
 from solver.tasks.design.frames import linear_factors
 from solver.tasks.representation.plants import matrices_of
@@ -257,8 +258,9 @@ def hidden_motion_of(
     if H.rows > 1:
         claims["polynomial"] = Claim(determinant(exact.pencil(H, lamda)), exact.factored(H, lamda), "hidden modes")
     hidden = exact.faddeev_leverrier(H).characteristic_polynomial(x)
-    wanted = [exact.polynomial_in(x, each) for each in polynomials]
-    claims["all"] = Claim(determinant(exact.pencil(loop, x)), product(*wanted, hidden), "poles of the closed loop")
+    factors = Counter(exact.polynomial_in(x, each) for each in polynomials if len(each) > 1)
+    shown_too = product(*(power(p, k) for p, k in factors.items()), hidden)
+    claims["all"] = Claim(determinant(exact.pencil(loop, x)), shown_too, "poles of the closed loop")
     positions = [each.position for each in placed or ()]
     yield Step("hidden", claims=claims, N=motion.N, H=H, k=H.rows, n=n, shown=shown, Q=found.derivatives, x=x)
     yield Step(
