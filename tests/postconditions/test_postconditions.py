@@ -107,8 +107,8 @@ TIMED = (
 """Kernels that want to know whether time is discrete."""
 
 FREE = {
-    "smith_form": (".stages", ".leads", ".is_long", ".rows", ".shape"),
-    "smith_mcmillan": (".smith.stages", ".smith.leads", ".smith.is_long", ".smith.rows", ".G.", ".form", ".shape"),
+    "smith_form": (".stages", ".leads", ".is_long", ".is_general", ".rows", ".shape"),
+    "smith_mcmillan": (".smith.stages", ".smith.leads", ".smith.is_long", ".smith.is_general", ".smith.rows", ".G.", ".form", ".shape"),
     "kalman_decomposition": (".hidden_modes", ".reached", ".unseen"),
     "controllable_decomposition": (".hidden_modes", ".reached", ".unseen"),
     "observable_decomposition": (".hidden_modes", ".reached", ".unseen"),

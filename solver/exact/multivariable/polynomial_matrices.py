@@ -69,13 +69,50 @@ def divisors_of(rows: Rows) -> tuple[sp.Poly, ...]:
     for k in range(1, min(len(rows), len(rows[0])) + 1):
         d = rows[0][0].zero
         for minor in minors(rows, k):
-            d = d.gcd(minor)
+            d = common_divisor(d, minor)
             if not d.is_zero and d.degree() == 0:
                 break
         if d.is_zero:
             break
         found.append(d.monic())
     return tuple(found)
+
+
+def in_parameters(K: Any) -> bool:
+    """Whether K is a field of quotients of polynomials with rational coefficients."""
+    return bool(K.is_FractionField and (K.domain.is_QQ or K.domain.is_ZZ))
+
+
+def common_divisor(p: sp.Poly, q: sp.Poly) -> sp.Poly:
+    """The greatest common divisor up to a factor from K; with parameters that of polynomials in these too."""
+    K = p.domain
+    if p.is_zero or q.is_zero or not in_parameters(K):
+        return p.gcd(q)
+    names = [sp.Dummy() for _ in K.symbols]
+    whole = [_without_denominators(each, names) for each in (p, q)]
+    found = whole[0].gcd(whole[1])
+    back = dict(zip(names, K.field.gens, strict=True))
+    terms: dict[int, Any] = {}
+    for (power, *powers), c in found.terms():
+        value = K.convert(c, found.domain)
+        for name, exponent in zip(names, powers, strict=True):
+            value = value * back[name] ** exponent
+        terms[power] = terms.get(power, K.zero) + value
+    return sp.Poly.from_dict({(power,): value for power, value in terms.items()}, p.gen, domain=K)
+
+
+def _without_denominators(p: sp.Poly, names: list[sp.Dummy]) -> sp.Poly:
+    """The polynomial in its variable and the parameters, times the common denominator of its coefficients."""
+    K = p.domain
+    R = K.get_ring()
+    below = K.one
+    for c in p.rep.to_list():
+        below = K.convert(R.lcm(R.convert(below, K), K.denom(c)), R)
+    terms = {}
+    for (power,), c in zip(p.monoms(), (c for c in p.rep.to_list() if c), strict=True):
+        for powers, number in dict(R.convert(c * below, K)).items():
+            terms[(power, *powers)] = sp.QQ.convert(number, R.domain)
+    return sp.Poly.from_dict(terms, p.gen, *names, domain=sp.QQ)
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +150,10 @@ def in_factors(p: sp.Poly) -> sp.Expr:
     if len(rest) > 1:
         listed = sp.Poly(rest, p.gen, domain=K).factor_list()[1]
         factors += [(factor.set_domain(K).monic(), multiplicity) for factor, multiplicity in listed]
-    return expression(K, p.rep.LC()) * factored_form(factors)
+    if not K.is_Composite:
+        return expression(K, p.rep.LC()) * factored_form(factors)
+    shown = [(expanded(factor) if factor.degree() == 1 else by_powers(factor), m) for factor, m in factors]
+    return expression(K, p.rep.LC()) * sp.Mul(*(sp.Pow(factor, m) for factor, m in shown))
 
 
 def size_of(p: sp.Poly) -> tuple[Any, ...]:

@@ -56,6 +56,11 @@ class SmithForm:
         """Whether matrices on the way grow long, so that the minors are the shorter one."""
         return self.stages is None or any(stage.figures > LONG for stage in self.stages)
 
+    @property
+    def is_general(self) -> bool:
+        """Whether there are parameters and it is not known for which of their values the form is another."""
+        return self.stages is None and bool(self.rows[0][0].domain.is_Composite)
+
     @cached_property
     def left(self) -> sp.ImmutableMatrix | None:
         """U (p×p), the operations on rows carried out on the identity."""
@@ -86,6 +91,10 @@ LONG = 160
 """Beyond so many figures in a matrix on the way the form is found by minors."""
 
 
+MOST, LEAST, FEW = 600, 60, 8
+"""Beyond so many, with a few parameters and with more, it is given up to find where the form is another."""
+
+
 @lru_cache(maxsize=64)
 def smith_form(M: sp.ImmutableMatrix, x: sp.Symbol) -> SmithForm:
     """Smith's form of a matrix (p×m) of polynomials in x, with the operations that lead to it; raises NotExact."""
@@ -95,12 +104,14 @@ def smith_form(M: sp.ImmutableMatrix, x: sp.Symbol) -> SmithForm:
 def smith_form_of(rows: Rows, x: sp.Symbol) -> SmithForm:
     """Smith's form of rows of polynomials in x over one field.
 
-    Of several ways the one with the least to write is taken. Without parameters a way is not gone to its end where
-    matrices on it grow long; with them it is, since it tells where the form is another.
+    Of several ways the one with the least to write is taken. A way is not gone to its end where matrices on it grow
+    long; with parameters they may be longer, since it tells where the form is another.
     """
-    bound = None if rows[0][0].domain.is_Composite else LONG
+    K = rows[0][0].domain
+    parameters = len(K.symbols) if K.is_Composite else 0
+    bound = LONG if not parameters else MOST if parameters <= FEW else LEAST
     best: Reduction | None = None
-    for stays in (True, False) if bound is None or not _is_hopeless(rows) else ():
+    for stays in (True, False) if parameters or not _is_hopeless(rows) else ():
         for order in (("rows", "columns"), ("columns", "rows")):
             work = Reduction(rows, order, stays, best.figures if best else None, bound)
             best = work if work.finished else best

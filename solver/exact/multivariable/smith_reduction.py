@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.linear_algebra.row_reduction import Add, Operation, Scale, Swap, carry_out
-from solver.exact.multivariable.polynomial_matrices import Rows, by_powers, matrix_of_rows, size_of
+from solver.exact.multivariable.polynomial_matrices import Rows, by_powers, in_parameters, matrix_of_rows, size_of
 
 STAGE = 12
 """What a stage costs beside the figures of its matrix."""
@@ -238,7 +238,7 @@ def content_of(polynomials: Sequence[sp.Poly]) -> tuple[Any, Any]:
     if K.is_QQ:
         content = reduce(K.gcd, numbers[1:], abs(numbers[0]))
         return content, content
-    if not (K.is_FractionField and K.domain.is_QQ):
+    if not in_parameters(K):
         return K.one, K.one
     R = K.get_ring()
     above = reduce(R.gcd, (K.numer(c) for c in numbers))

@@ -145,7 +145,7 @@ def _factors(form: exact.SmithForm, exceptions: Sequence[Expr], *, by_minors: bo
     return Step("factors", claims=claims, unclaimed="" if claims else "the factors were found above",
                 x=form.variable, factors=listed, form=form.form, rank=form.rank,
                 most=min(form.shape), ones=all(each == 1 for each in listed[:-1]), by_minors=by_minors,
-                exceptions=exceptions)  # fmt: skip
+                exceptions=exceptions, general=form.is_general)  # fmt: skip
 
 
 def _unimodular(form: exact.SmithForm, M: ImmutableMatrix, name: str, U: ImmutableMatrix, V: ImmutableMatrix) -> Step:

@@ -40,6 +40,7 @@ def smith_mcmillan_of(G: exact.TransferMatrix) -> Derivation[exact.SmithMcMillan
         zeros=exact.in_factors(found.zero_polynomial),
         shared=exact.in_factors(found.pole_polynomial.gcd(found.zero_polynomial).monic()),
         exceptions=found.exceptions,
+        general=found.smith.is_general,
     )
     return found
 
