@@ -106,7 +106,7 @@ def _listed(found: Found, poles: list[Expr] | None, zeros: list[Expr] | None, di
 def _determinant(found: Found, value: Expr) -> Step:
     """The determinant of a square G: a constant times the quotient of both polynomials."""
     return Step(
-        "determinant",
+        "determinant_of_transfer_matrix",
         claims={"value": Claim(determinant(found.G.matrix), value, "the determinant of G")},
         x=found.G.variable,
         value=value,

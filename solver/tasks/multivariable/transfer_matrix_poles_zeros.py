@@ -32,13 +32,27 @@ transfer_matrix_poles_zeros: Task[InputOutput, LoopOptions] = Task(
     needs=("transfer_function",),
     options=LoopOptions,
     answers=[
-        AnswerName("poles", "p_i", "the poles, each as often as its multiplicity", optional=True, principal=True),
-        AnswerName("zeros", "z_i", "the transmission zeros, with multiplicity", optional=True, principal=True),
+        AnswerName(
+            "poles",
+            "p_i",
+            "the poles, each as often as its multiplicity",
+            optional=True,
+            principal=True,
+            earned=("minors", "pole_polynomial", "diagonal"),
+        ),
+        AnswerName(
+            "zeros",
+            "z_i",
+            "the transmission zeros, with multiplicity",
+            optional=True,
+            principal=True,
+            earned=("minors", "zero_polynomial", "diagonal", "system_matrix", "determinant"),
+        ),
         AnswerName(
             "pole_polynomial",
             r"\varphi_{P}",
             "the monic polynomial of the poles",
-            earned=("pole_polynomial", "minors", "entries"),
+            earned=("pole_polynomial", "minors"),
         ),
         AnswerName(
             "zero_polynomial",
