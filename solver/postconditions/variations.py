@@ -11,7 +11,7 @@ import sympy as sp
 from solver.derivation import Check, Claim
 from solver.lazy import numeric
 from solver.stated.algebra import product, total
-from solver.stated.calculus import derivative
+from solver.stated.calculus import derivative, integral
 
 PLACES = 60
 NEAR = 1e-9
@@ -129,3 +129,26 @@ def of_conjugate(found: Any, u: Any, t: Any, start: Any, stop: Any) -> Iterator[
     if values is not None:
         kept = values[: PLACES - 1]
         yield Check.that("no zero before", "sampled", bool(np.all(kept > 0) or np.all(kept < 0)))
+
+
+def of_in_time(found: Any, function: Any, t: Any) -> Iterator[Claim]:  # noqa: ARG001 - the same at any time
+    """The function, written otherwise."""
+    if found != function:
+        yield Claim(function, found, "a function in another form")
+
+
+def of_along(found: Any, integrand: Any, t: Any) -> Iterator[Claim]:  # noqa: ARG001 - the same at any time
+    """The integrand, written otherwise."""
+    if found != integrand:
+        yield Claim(integrand, found, "an integrand in another form")
+
+
+def of_definite_integral(found: Any, integrand: Any, t: Any, start: Any, stop: Any) -> Iterator[Claim]:
+    """The integral by quadrature."""
+    if found is not None:
+        yield Claim(integral(integrand, t, start, stop), found, "an integral")
+
+
+def of_cleared(found: Any, expression: Any, jets: Sequence[Any]) -> Iterator[Claim]:  # noqa: ARG001 - whatever leads
+    """The equation is what is left times what was divided by."""
+    yield Claim(product(found.left, found.by), expression, "the equation with its factors")
