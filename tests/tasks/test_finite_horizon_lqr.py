@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from solver import solve
 from solver.derivation import Status
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.tried import tried
 
 METHODS = ("riccati", "hamiltonian")
 t, T = sp.symbols("t T")
@@ -131,11 +132,12 @@ def test_parameters_stay_in_the_answer():
     assert abs(here - right[0, 0]) < 1e-8
 
 
-weights = st.integers(0, 3)
+entries = st.lists(st.integers(-2, 2), min_size=6, max_size=6)
+diagonal = st.lists(st.integers(0, 3), min_size=4, max_size=4)
 
 
-@settings(max_examples=6)
-@given(st.lists(st.integers(-2, 2), min_size=6, max_size=6), st.lists(weights, min_size=4, max_size=4))
+@tried(8)
+@given(entries, diagonal)
 def test_generated_plants_agree_with_scipy(numbers, diagonals):
     A, B = np.array(numbers[:4]).reshape(2, 2), np.array(numbers[4:]).reshape(2, 1)
     Q, S = np.diag(diagonals[:2]), np.diag(diagonals[2:])
@@ -147,10 +149,8 @@ def test_generated_plants_agree_with_scipy(numbers, diagonals):
     assert np.abs(found - right).max() < 1e-7 * (1 + np.abs(right).max())
 
 
-@settings(max_examples=6)
-@given(
-    st.lists(st.integers(-2, 2), min_size=6, max_size=6), st.lists(weights, min_size=4, max_size=4), st.integers(1, 4)
-)
+@tried(8)
+@given(entries, diagonal, st.integers(1, 4))
 def test_n_steps_are_the_recursion(numbers, diagonals, count):
     A, B = np.array(numbers[:4]).reshape(2, 2), np.array(numbers[4:]).reshape(2, 1)
     Q, S = np.diag(diagonals[:2]), np.diag(diagonals[2:])
