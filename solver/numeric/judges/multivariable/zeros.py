@@ -89,6 +89,8 @@ def directions_residual(plant: Quadruple, directions: Any, zeros: Sequence[Any] 
     Columns for a multiple zero must be independent.
     """
     worst = 0.0
+    if directions.rows != plant[1].cols:
+        return float("inf")
     for point in points_of(plant, directions, zeros or ()):
         A, B, C, D = quadruple_at(plant, point)
         A, B, C = minimal_part(A, B, C)
