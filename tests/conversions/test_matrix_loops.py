@@ -8,6 +8,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import solver
 from solver import exact
 from solver.derivation import CheckStatus, Status, Unsolved
 from solver.derivation.conversion import composed, converted
@@ -186,3 +187,20 @@ def test_states_in_series_and_in_a_loop():
     assert sp.Matrix([[-11]]) == loop.A
     minus = exact.constant_realization(sp.ImmutableMatrix([[-1]]))
     assert exact.fed_back(exact.constant_realization(sp.ImmutableMatrix([[1]])), minus) is None
+
+
+@pytest.mark.parametrize(
+    ("system", "loop"),
+    [
+        ("A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0]", 'controller: "1/s", feedback: unity'),
+        ("A: [[0, 1], [-2, -3]], B: [0, 1], C: [1, 0], D: [[1]]", "feedback: unity"),
+        ("A: [[-3, 2], [2, -4]], B: [[2, 0], [0, 1]], C: [[1, 0], [0, 1]]", "controller: [[1, 0], [0, 2]]"),
+        ("A: [[-3, 2], [2, -4]], B: [[2, 0], [0, 1]], C: [[1, 0], [0, 1]]", "controller: 2, feedback: unity"),
+        ("A: [[-3]], B: [[2, 1]], C: [[1], [1]]", "feedback: unity"),
+    ],
+)
+@pytest.mark.parametrize("task", ["transfer_function", "stability"])
+def test_what_a_page_displays_of_a_plant_in_state_space_holds(task, system, loop):
+    part = solver.solve(f"system: {{{system}}}\nfind:\n  a: {{task: {task}, {loop}}}\n").parts[0]
+    assert part.status is Status.VERIFIED, part.reason
+    assert not part.unchecked

@@ -148,6 +148,7 @@ def transfer_function_of(plant: StateSpace) -> Derivation[exact.TransferMatrix]:
         n=A.rows,
         right=right,
         C=C,
+        G=entry_alone(G.matrix),
     )
     yield from _quotient_of(plant, G, strictly, factored=True)
     return G
