@@ -82,12 +82,29 @@ def cleared(expression: sp.Expr, jets: Sequence[sp.Symbol]) -> Cleared:
     dropped: list[sp.Expr] = [number / sp.denom(together)]
     for base, exponent in factors:
         (dropped if never_zero(base) else kept).append(base**exponent)
+    kept, implied = _without_implied(kept, jets)
+    dropped += implied
     left = sp.Mul(*kept)
     if len(kept) == 1 and not isinstance(left, sp.Pow):
         left = sp.expand(left) if left.is_polynomial(*left.free_symbols) or _is_plain(left) else left
     if _leads_negative(left, jets):
         left, dropped = _reversed(left), [*dropped, sp.Integer(-1)]
     return Cleared(left, sp.Mul(*dropped))
+
+
+def _without_implied(factors: list[sp.Expr], jets: Sequence[sp.Symbol]) -> tuple[list[sp.Expr], list[sp.Expr]]:
+    """Of x' x'' = 0 the higher derivative alone, which is zero where the lower one is: the factors kept, and the rest.
+
+    `jets` are derivatives, the highest first.
+    """
+    bases = [factor.as_base_exp()[0] for factor in factors]
+    ranks = [jets.index(base) if base in jets else -1 for base in bases]
+    if len(factors) < 2 or any(rank < 0 or "_d" not in str(base) for rank, base in zip(ranks, bases, strict=True)):
+        return factors, []
+    if len({str(base).rpartition("_")[0] for base in bases}) > 1:
+        return factors, []
+    first = min(range(len(factors)), key=lambda i: ranks[i])
+    return [bases[first]], [factor for i, factor in enumerate(factors) if i != first]
 
 
 def _reversed(left: sp.Expr) -> sp.Expr:

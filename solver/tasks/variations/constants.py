@@ -122,7 +122,7 @@ def _solved(found: Stationary, family: Family, sides: Sequence[Side]) -> Derivat
         return (yield from _linear(system, sides, unknowns))
     try:
         roots = yield from solutions_of(expressions, unknowns, {}, (), unknowns)
-    except exact.NotExact as reason:
+    except (exact.NotExact, TypeError) as reason:  # sympy compares nan where a case is outside of a function's domain
         raise Unsolved("extremal/constants", equations=list(sides), unknowns=unknowns) from reason
     if not roots.points and not roots.certain:
         raise Unsolved("extremal/constants", equations=list(sides), unknowns=unknowns)
