@@ -177,4 +177,6 @@ def _told(G: exact.TransferMatrix, value: Expr, wrong: Wrong) -> Reason | None:
     if there.has(sp.zoo, sp.nan):
         return None
     values = {"x": G.variable, "value": value, "rank": there.rank()}
-    return Reason(f"transfer_matrix_poles_zeros/{'rank' if wrong.name == 'zeros' else 'finite'}", values)
+    if wrong.name == "zeros":
+        return Reason("transfer_matrix_poles_zeros/rank", values)
+    return Reason("transfer_matrix_poles_zeros/finite", values)
