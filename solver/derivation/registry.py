@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import wraps
+from itertools import chain
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -222,9 +223,7 @@ class Task(Generic[S, O]):
     def refused(self, system: System, values: Mapping[str, Any]) -> Iterable[Refusal]:
         """Return what makes the question wrong; None stands for the value of an option that is not known yet."""
         options = self.options_class.of(values)
-        yield from options.faults(system)
-        for refuse in self.refusals:
-            yield from refuse(system, options)
+        return chain(options.faults(system), *(refuse(system, options) for refuse in self.refusals))
 
     def consequence(
         self, answer: str, *, of: tuple[str, ...], symbolic: bool = True, completing: bool = False
