@@ -31,11 +31,25 @@ def long_run(numerator: ExponentialSum, denominator: ExponentialSum, tau: sp.Sym
     order = _compared(above.rate, below.rate)
     if order is None:
         return None
-    order = order or above.power - below.power
+    return _ratio(above, below, order or above.power - below.power)
+
+
+def _ratio(above: Leading, below: Leading, order: int) -> sp.Expr | None:
+    """The limit where the numerator grows as fast (`order` 0), more slowly (negative), or faster: there is none."""
     if order > 0:
         return None
+    if order < 0:
+        return sp.S.Zero
     ratio = above.coefficient / below.coefficient
-    return sp.S.Zero if order < 0 else tidy(ratio if ratio.free_symbols else sp.radsimp(ratio))
+    return _turned(tidy(ratio)) if ratio.free_symbols else tidy(sp.radsimp(ratio))
+
+
+def _turned(value: sp.Expr) -> sp.Expr:
+    """A fraction with a minus before it without that, where it goes into a sum below."""
+    above, below = sp.fraction(value)
+    if above.could_extract_minus_sign() and below.is_Add:
+        return sp.Mul(-above, sp.Pow(sp.expand(-below), -1))
+    return value
 
 
 def _leading(part: ExponentialSum, tau: sp.Symbol) -> Leading | None:
