@@ -82,7 +82,8 @@ def _rational(f: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
 def _fraction(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
     above, below = sp.fraction(sp.together(term))
     if not below.has(x):
-        return sp.integrate(sp.expand(term), x) if term.is_polynomial(x) else None
+        known = antiderivative(sp.ImmutableMatrix([[sp.expand(term)]]), x)
+        return None if known is None else known.function[0]
     constant, factor = sp.factor(below).as_independent(x, as_Add=False)
     base, power = factor.as_base_exp()
     degree = sp.degree(base, x)
