@@ -25,8 +25,11 @@ class SmithMcMillan:
 
     @cached_property
     def numerator(self) -> sp.ImmutableMatrix:
-        """N (p×m)."""
-        return matrix_of_rows(self.smith.rows)
+        """N (p×m); in factors where its form is found by minors."""
+        rows = self.smith.rows
+        if not self.smith.is_long:
+            return matrix_of_rows(rows)
+        return sp.ImmutableMatrix([[in_factors(p) for p in row] for row in rows])
 
     @property
     def variable(self) -> sp.Symbol:

@@ -123,7 +123,8 @@ def _by_minors(form: exact.SmithForm, M: ImmutableMatrix, name: str) -> Iterator
         }
         divisor = exact.in_factors(divisors[k - 1]) if k <= len(divisors) else sp.S.Zero
         yield Step("minors", claims=claims, unclaimed="" if claims else "there are too many to be written out", k=k,
-                   name=name, x=x, minors=listed, number=len(minors), divisor=divisor)  # fmt: skip
+                   name=name, x=x, minors=listed, number=len(minors), divisor=divisor,
+                   factored=k == 1 and all(each.matrix[0, 0] == each.value for each in minors))  # fmt: skip
     claims = {}
     for k, (before, d) in enumerate(pairwise([divisors[0].one, *divisors]), 1):
         stated = quotient(exact.in_factors(d), exact.in_factors(before)) if k > 1 else exact.in_factors(d)
