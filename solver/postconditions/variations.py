@@ -149,6 +149,6 @@ def of_definite_integral(found: Any, integrand: Any, t: Any, start: Any, stop: A
         yield Claim(integral(integrand, t, start, stop), found, "an integral")
 
 
-def of_cleared(found: Any, expression: Any, jets: Sequence[Any]) -> Iterator[Claim]:  # noqa: ARG001 - whatever leads
+def of_cleared(found: Any, expression: Any, *_: Any) -> Iterator[Claim]:
     """The equation is what is left times what was divided by."""
     yield Claim(product(found.left, found.by), expression, "the equation with its factors")

@@ -229,3 +229,10 @@ def test_a_multiplier_that_turns_the_solution_is_not_guessed():
     )
     assert result.status is Status.UNSOLVED
     assert "cannot be solved" in str(result.reason)
+
+
+def test_equations_beyond_are_told_where_no_ends_are_given():
+    result = solved('integrand: "m l^2 x\'^2/2 + m g l cos(x)", from: 0, to: T')
+    assert result.status is Status.VERIFIED
+    assert [str(each) for each in result.answers["equations"]] == ["g*sin(x) + l*x_ddot"]
+    assert set(result.answers) == {"equations"}

@@ -70,8 +70,10 @@ class Cleared:
     by: sp.Expr
 
 
-def cleared(expression: sp.Expr, jets: Sequence[sp.Symbol]) -> Cleared:
+def cleared(expression: sp.Expr, jets: Sequence[sp.Symbol], varying: Sequence[sp.Symbol] = ()) -> Cleared:
     """Return an equation without numbers, denominators and factors that are never zero.
+
+    So are factors of parameters alone, where it is told what else is `varying`.
 
     The terms with the first of `jets` in it that occurs, the highest derivatives, are given a positive sign.
     """
@@ -81,7 +83,8 @@ def cleared(expression: sp.Expr, jets: Sequence[sp.Symbol]) -> Cleared:
     kept: list[sp.Expr] = []
     dropped: list[sp.Expr] = [number / sp.denom(together)]
     for base, exponent in factors:
-        (dropped if never_zero(base) else kept).append(base**exponent)
+        given = bool(varying) and base.free_symbols.isdisjoint({*jets, *varying})
+        (dropped if given or never_zero(base) else kept).append(base**exponent)
     kept, implied = _without_implied(kept, jets)
     dropped += implied
     left = sp.Mul(*kept)

@@ -112,7 +112,8 @@ def _equation_of(adjoined: Stationary, name: str) -> Derivation[EulerEquation]:
     terms = [term for term in stated if term != 0]
     highest = [system.symbol((each, k)) for k in reversed(range(2 * max(system.orders.values()) + 1))
                for each in (name, *system.functions)]  # fmt: skip
-    cleared = exact.cleared(found.expression, highest)
+    multipliers = [jet_symbol((each, k)) for each in system.multipliers for k in range(3)]
+    cleared = exact.cleared(found.expression, highest, [system.t, *multipliers])
     if cleared.by != 1 or cleared.left != found.expression:
         claims["cleared"] = Claim(quotient(_stated(found, terms), cleared.by), cleared.left, "the equation divided")
     yield Step("equation", claims=claims, unclaimed="" if claims else "nothing is to be found", name=jets[0],

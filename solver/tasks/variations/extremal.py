@@ -56,7 +56,7 @@ extremal: Task[Functional, ExtremalOptions] = Task(
     answers=[
         AnswerName("equations", r"\text{equations}", "the equations of Euler and Lagrange, then any constraints",
                    principal=True, earned=("equation",), told=("equations", "equation"), zero=True),
-        AnswerName("x", "x", "the extremal, a function of $t$", principal=True, earned=("functions",)),
+        AnswerName("x", "x", "the extremal, a function of $t$", optional=True, principal=True, earned=("functions",)),
         AnswerName("value", "J", "the value of the functional along it", optional=True,
                    principal=_has_ends),
         AnswerName("t_f", "t_f", "the end of the time, where it is free", optional=True, principal=_has_free_time),
@@ -81,11 +81,11 @@ def by_euler_lagrange(given: Given[Functional, ExtremalOptions]) -> Derivation[A
     for equation in found.expressions:
         if equation.is_number:
             raise Unsolved("extremal/everything" if equation == 0 else "extremal/nothing")
-    conditions = yield from end_conditions_of(found) if not is_open(system) else _nothing_asked()
-    families = yield from general_solution_of(found)
     if is_open(system):
-        answers["x"] = _functions(system, _only(families).functions)
+        answers.update((yield from _without_ends(found)))
         return answers
+    conditions = yield from end_conditions_of(found)
+    families = yield from general_solution_of(found)
     fitted = yield from fitted_of(found, families, conditions)
     values: dict[int, Expr | None] = {}
     for number, each in enumerate(fitted):
@@ -130,10 +130,15 @@ def make_the_functional_stationary(given: Given[Functional, ExtremalOptions], an
     yield Check.within(label, ORACLE, max(residuals, default=float("inf")), near, answer="equations")
 
 
-def _nothing_asked() -> Derivation[list[Any]]:
-    """Nothing is said of the ends: the constants stay."""
+def _without_ends(found: Stationary) -> Derivation[dict[str, Any]]:
+    """Nothing is said of the ends: the general solution with its constants, or the equations alone."""
     yield Step("open", unclaimed="no ends are given")
-    return []
+    try:
+        families = yield from general_solution_of(found)
+    except Unsolved:  # the equations are asked for too
+        yield Step("beyond", unclaimed="the equations are the answer")
+        return {}
+    return {"x": _functions(found.system, _only(families).functions)}
 
 
 def _only(families: list[Family]) -> Family:
