@@ -29,7 +29,7 @@ def within_rounding(
     def sizes(moved: Any) -> Any:
         """The residuals where each decimal is moved by a share of its half unit."""
         value = replaced(each.form, _moved(each, moved))
-        found = checks_of(question, {**fitting, name: Submitted(value, each.form)}) or ()
+        found = checks_of(question, {**fitting, name: Submitted(value, each.form, each.decimals)}) or ()
         checks = [check for check in found if name in check.judges]
         if [_is_number(check.residual) for check in checks] != measured:
             raise numeric.NotEvaluable("another check")

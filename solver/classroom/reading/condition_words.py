@@ -43,6 +43,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"\s*\((?:asymptotically |asymptotisch )?(?:stable|stabil)\)\s*$", ""),
         (r"\s*[.]\s*$", ""),
         (r"\s+for all\s+(?=[A-Za-z]\w*\s*[<>])", " "),
+        (r"\bis(?=\s+between\b)|\bist(?=\s+zwischen\b)|\blies(?=\s+between\b)", ""),
         (rf"\bbetween\s+({_NUMBER})\s+and\s+({_NUMBER})\s*,?\s*{_OPEN}", r"∈ (\1, \2)"),
         (rf"\bbetween\s+({_NUMBER})\s+and\s+({_NUMBER})\s*,?\s*{_CLOSED}", r"∈ [\1, \2]"),
         (rf"(?:\bfrom\s+)?({_NUMBER})\s*(?:to|bis|\.\.|…)\s*({_NUMBER})\s*,?\s*{_OPEN}", r"(\1, \2)"),

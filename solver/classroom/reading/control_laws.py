@@ -9,6 +9,7 @@ from solver.classroom.reading.brackets import by_spaces, enclosed, matching, spl
 _LAW = re.compile(r"^\s*u(?:_?1)?(?:\^\*|\*)?(?:\s*\([tk]\)|\[k\])?\s*=\s*(.+)$", re.DOTALL)
 _STATE = r"x(?:\([tk]\)|\[k\]|_k)?"
 _REFERENCE = re.compile(r"\s*\+\s*[rvw](?:\([tk]\)|\[k\])?\s*$")
+_BEFORE = re.compile(r"^\s*[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
 _NEGATED = re.compile(r"^\s*[-−]\s*(?=\()")
@@ -21,7 +22,7 @@ def gain_of(text: str) -> str:
     found = _LAW.match(text.translate(_BELOW))
     if found is None:
         return ""
-    law = _REFERENCE.sub("", found[1].strip().rstrip("."))
+    law = _BEFORE.sub("", _REFERENCE.sub("", found[1].strip().rstrip(".")))
     if (row := _row_beside(law, _STATE)) is not None:
         sign, entries = row
         return entries if sign else f"-{entries}"

@@ -23,9 +23,10 @@ def as_differences(node: Node) -> Node:
     """Return expressions that are zero with left − right in place of an equation left = right."""
     if isinstance(node, SequenceNode):
         return SequenceNode(node.place, tuple(map(as_differences, node.items)))
-    if not isinstance(node, ScalarNode) or node.text.count("=") != 1:
+    text = node.text.replace("==", "=") if isinstance(node, ScalarNode) else ""
+    if text.count("=") != 1 or not isinstance(node, ScalarNode):
         return node
-    left, right = node.text.split("=")
+    left, right = text.split("=")
     return ScalarNode(node.place, f"({left.strip()}) - ({right.strip()})", "quoted")
 
 

@@ -14,14 +14,14 @@ from solver.derivation import AnswerName
 from solver.problem.expressions.notation import GREEK
 from solver.symbols import NOTATIONS
 
-_LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[k\]){1,80}?)\s*(?::=|==|=(?!>)|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
+_LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[[kn]\]){1,80}?)\s*(?::=|==|=(?!>)|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
 _NAME = re.compile(
-    r"\\?[^\W\d](?:[\w\s\\{},*'′](?<![²³⁴⁵⁶⁷⁸⁹]))*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[k\]|[A-Z]\w*(?:\(\w\))?\s*/\s*[A-Z]\w*(?:\(\w\))?",
+    r"\\?[^\W\d](?:[\w\s\\{},*'′](?<![²³⁴⁵⁶⁷⁸⁹]))*(?:\^\*)?\s*(?:\([^()=]*\))?|\|.*\||\w+\[[kn]\]|[A-Z]\w*(?:\(\w\))?\s*/\s*[A-Z]\w*(?:\(\w\))?",
     re.DOTALL,
 )
 _RANGE = re.compile(
     r"\s*[,;]?\s*\(?(?:\\quad\s*|\\text\{[^{}]*\}\s*|for|für|if|where|when|with|wenn)?\s*"
-    r"\b[tk]\s*(?:>=?|≥|\\geq?\b)\s*0\s*\)?\s*[.$]?\s*$"
+    r"\b(?:[tkn]\s*(?:>=?|≥|\\geq?\b)\s*0|[kn]\s*=\s*0\s*,\s*1\s*(?:,\s*2\s*)?,?\s*(?:\.{3}|…|\\l?dots))\s*\)?\s*[.$]?\s*$"
 )
 _MULTIPLE = re.compile(
     r"^(.*?[^\s(,])\s*(?:\(?\s*(?:double(?: root| pole| eigenvalue)?|twice|doppelt|triple|dreifach|repeated twice"
@@ -54,9 +54,15 @@ _ARGUMENT = re.compile(r"\([stzk]\)\s*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
 _CHANGES = re.compile(r"\s*(?:inv|pinv|sqrt|norm|abs|trace|transpose|log|ln|exp)\s*\(")
 _DEFINED = re.compile(
-    r"(?:[A-Za-z]\w*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)|\|.*\||[\[(].*[\])]|e\^[({]\s*A\s*t\s*[)}]"
+    r"(?:[A-Za-z][\w.]*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)|\|.*\||[\[({].*[\])}]|e\^[({]\s*A\s*t\s*[)}]"
     r"|\(\s*[sz]\s*I\s*-\s*A\s*\)\s*\^[({]?-1[)}]?|(?:∂|d\s?)\w+\s*/\s*(?:∂|d\s?)\w+|lim[\W_].*\)|[A-Za-z]_?∞"
 )
+_LIMIT = re.compile(r"\\?lim[\W_].*\)|[A-Za-z]_?∞")
+_ARGUMENTS = re.compile(r"(?<=[\w}*'])\s*\(([^()=]*)\)$")
+_VARIABLE = re.compile(r"\\?[^\W\d_]\w{0,6}")
+_FOUND_BY = re.compile(r"\s*(?:\w+\.)*\\?(?:det|expm|charpoly|poly|minreal|tf|ss2tf|step|lim)\b")
+_TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()")
+_DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿ]")
 _SIMILAR = re.compile(r"T\s*\^[({]?-1[)}]?\s*(?:A\s*T|B)|C\s*T")
 _PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")
 _DENIES = re.compile(r"\b(?:not|no|nicht|kein\w*|never|for|für|if|wenn|unless)\b", re.IGNORECASE)
@@ -110,7 +116,7 @@ class Labels:
 
     def may_define(self, text: str) -> bool:
         """Whether a text beside a sign = may be what the answer is called or how it is found, and no multiple of it."""
-        if _NAME.fullmatch(text) or _normal(text) in self.own or _SIMILAR.fullmatch(text):
+        if _NAME.fullmatch(text) or _LIMIT.fullmatch(text) or _normal(text) in self.own or _SIMILAR.fullmatch(text):
             return True
         if _CHANGES.match(text):
             return False
@@ -118,6 +124,19 @@ class Labels:
         if letters & {_letter(_normal(each)).lower() for each in re.findall(r"[^\W\d_]+", text)}:
             return False
         return (_DEFINED.fullmatch(text) or _PRODUCT.fullmatch(text)) is not None
+
+
+def of_another_argument(text: str, *, of_a_variable: bool, at_its_end: bool) -> bool:
+    """Whether a text is labelled y(2t), G(-s), y'(t) or s G(s), or y(0) where the end is asked for."""
+    found = _LABEL.match(text)
+    if found is None or not (of_a_variable or at_its_end) or _FOUND_BY.match(found[1]):
+        return False
+    label = found[1].strip()
+    argument = _ARGUMENTS.search(label)
+    if at_its_end:
+        return argument is not None and argument[1].strip() in ("0", "0+", "0⁺")
+    changed = _TIMES_VARIABLE.match(label) or _DERIVED.search(label)
+    return bool(changed) or (argument is not None and _VARIABLE.fullmatch(argument[1].strip()) is None)
 
 
 def without_range(text: str) -> str:

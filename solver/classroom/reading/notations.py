@@ -18,7 +18,7 @@ from solver.classroom.reading.latex import NotReadableError, is_latex, translate
 from solver.classroom.reading.real_parts import with_real_parts
 from solver.classroom.reading.spelling import respelled
 from solver.problem.expressions import ExpressionError, Names
-from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS
+from solver.problem.expressions.notation import CONSTANTS, FUNCTIONS, GREEK
 from solver.problem.expressions.tokens import Kind, tokenize
 from solver.problem.expressions.vocabulary import as_product
 
@@ -32,6 +32,11 @@ _FUNCTION = "|".join(
 _BARE_CALL = re.compile(rf"(?<![A-Za-z_])(?:{_FUNCTION})(?![\w(])(?!\s*\()")
 _POLAR = re.compile(r"((?:(?<![A-Za-z_])e\s*\^|\bexp)\s*\()\s*±\s*([ij])(?![A-Za-z_])\s*\*?")
 _LIST = re.compile(r"(?<![A-Za-z])\[\s*[-+−]?[\d.]+\s+[-+−√\d.]*[\d.]+\s*\]")
+_QUOTIENT = re.compile(
+    r"(?<!\w)d\s*(?P<above>\^\(?2\)?|²)?\s*(?P<x>[^\W\d_]\w*)\s*/\s*d\s*t(?:\^\(?2\)?|²)?(?!\w)"
+    r"|(?<!\w)diff\(\s*(?P<y>[^\W\d_]\w*)(?:\(t\))?\s*,\s*t\s*(?:,\s*(?P<twice>2|t))?\s*\)"
+)
+"""d²x/dt², and diff(x, t, 2) of programs."""
 _STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
 """Names of the unit step."""
 
@@ -41,6 +46,8 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
     (re.compile(pattern), change)
     for pattern, change in (
         (r"^\s*[=≈]\s*", ""),
+        (r"[^\W\d_]\u0308|[ẍẅẗÿ]", lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}''"),
+        (r"[^\W\d_]\u0307|[ẋẏżṗṙṡ]", lambda found: f"{unicodedata.normalize('NFD', found[0])[0]}'"),
         (r"[ℯℊⅆⅇⅈⅉ\U0001d400-\U0001d7ff\uff01-\uff5e]", lambda found: unicodedata.normalize("NFKC", found[0])),
         (
             rf"\^?(?=[{_RAISED}·]*[{_RAISED[14:]}])[{_RAISED}](?:[{_RAISED}]|[·⋅˙](?=[{_RAISED}]))*",
@@ -150,18 +157,29 @@ def _with_units(text: str, names: Names) -> str:
 
 
 def _with_derivatives(text: str, names: Names) -> str:
-    """x' and x'' as x_dot and x_ddot, where the problem has these; x1(t) as x1."""
+    """x' and x'' as x_dot and x_ddot, where the problem has these; m x'' of mx''; d²x/dt² as x_ddot; x1(t) as x1."""
 
     def derivative(found: re.Match[str]) -> str:
         order = found[2].count("'") + found[2].count("′") + 2 * found[2].count("″") + found[2].count("’")
-        name = found[1] + {1: "_dot", 2: "_ddot", 3: "_dddot"}.get(order, "")
-        return name if name in names.symbols else found[0]
+        ending = {1: "_dot", 2: "_ddot", 3: "_dddot"}.get(order, "")
+        written = "".join(GREEK.get(sign, sign) for sign in found[1])
+        for at in range(len(found[1])):
+            name = ("".join(GREEK.get(sign, sign) for sign in found[1][at:]) if at else written) + ending
+            if name in names.symbols:
+                return f" {found[1][:at]} {name}" if at or name != found[1] + ending else name
+        return found[0]
+
+    def quotient(found: re.Match[str]) -> str:
+        name = "".join(GREEK.get(sign, sign) for sign in found["x"] or found["y"])
+        name += "_ddot" if found["above"] or found["twice"] else "_dot"
+        return f"({name})" if name in names.symbols else found[0]
 
     def signal(found: re.Match[str]) -> str:
         known = found[1] in names.symbols or f"{found[1].replace('_', '')}" in names.symbols
         return found[1] if known and found[1] not in FUNCTIONS else found[0]
 
-    text = re.sub(r"([A-Za-z]\w*)(['′″’]+)", derivative, text)
+    text = _QUOTIENT.sub(quotient, text)
+    text = re.sub(r"([^\W\d_]\w*)(['′″’]+)", derivative, text)
     return re.sub(r"(?<![A-Za-z_])([A-Za-z]\w*)\(\s*[tk]\s*\)", signal, text)
 
 

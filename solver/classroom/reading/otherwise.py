@@ -24,6 +24,10 @@ _SUBSCRIPTS = str.maketrans("₁₂₃₄₅₆₇₈₉", "123456789")
 _FACTOR = re.compile(
     r"(?:(?<=[=,;])|^|(?<=\band))\s*(?:[αβγμσtsrabcdk]|lambda|alpha|beta)_?[1-9₁-₉]?\s*[*·]?\s*(?=[(\[]|\\begin)"
 )
+_HIDDEN = (
+    re.compile(r"\s+(?:is|are|ist|sind) (?:uncontrollable|not controllable|nicht steuerbar|hidden)\s*\.?$"),
+    re.compile(r"\s+(?:is|are|ist|sind) (?:unobservable|not observable|nicht beobachtbar|hidden)\s*\.?$"),
+)
 _LOST = re.compile(
     r"^\s*(?:it is |the (?:system|pair|plant) is |das system ist )?"
     r"(?:not (?:completely )?(?:controllable|observable)|uncontrollable|unobservable|nicht (?:steuerbar|beobachtbar))"
@@ -45,6 +49,7 @@ def other_texts(text: str, ours: Any, expected: Expected) -> Iterator[str]:
             text = translated(text)
         except NotReadableError:
             return
+        yield text
     for other in _others(text, ours, expected):
         if other and other != text:
             yield other
@@ -57,8 +62,12 @@ def _others(text: str, ours: Any, expected: Expected) -> Iterator[str]:
         yield law_of(text)
     if expected.vectors or expected.name.endswith("_space"):
         yield _FACTOR.sub(" ", _VECTOR_OF.sub("", text))
+    if isinstance(ours, sp.MatrixBase) and 1 in ours.shape:
+        yield _alike(text, ours.rows * ours.cols)
     if isinstance(ours, sp.MatrixBase) and ours.rows == ours.cols:
         yield _symmetric(text, ours.rows)
+    if expected.name.endswith("_modes"):
+        yield _HIDDEN[expected.name.startswith("un") and "obs" in expected.name].sub("", text)
     if expected.name == "values":
         yield _LOST.sub("", text)
     if isinstance(ours, list) and "{" in text:
@@ -66,6 +75,15 @@ def _others(text: str, ours: Any, expected: Expected) -> Iterator[str]:
     yield with_true_signs(text)
     yield concluded(text)
     yield without_words(text, expected.name, count=expected.count)
+
+
+def _alike(text: str, count: int) -> str:
+    """The entries of k1 = k2 = 2, where each has its number."""
+    *names, value = [each.strip() for each in text.translate(_SUBSCRIPTS).split("=")]
+    found = [re.fullmatch(r"[A-Za-z]_?(\d)", name) for name in names]
+    numbers = sorted(int(match[1]) for match in found if match)
+    whole = len(names) > 1 and numbers == list(range(1, count + 1)) and len(found) == count and "," not in value
+    return f"[{', '.join([value] * count)}]" if whole else ""
 
 
 def _symmetric(text: str, size: int) -> str:

@@ -19,6 +19,7 @@ _SEPARATOR = re.compile(r"\s*[;\n]\s*|\s*,\s*(?:and\s+|und\s+)?(?=\S)|\s+(?:and|
 _PIECE = re.compile(rf"^(.+?)\s+(?:{_FOR})\s+(.*\bt\b.*|otherwise|sonst|else)$"
     rf"|^(.+?)\s*\(\s*(?:{_FOR})?\s*([^()]*\bt\b[^()]*[<>≤≥][^()]*|[^()]*[<>≤≥][^()]*\bt\b[^()]*)\)$",
                     re.DOTALL)  # fmt: skip
+_REST = re.compile(r"^([^<>≤≥]+?)\s*,?\s+(?:otherwise|sonst|else)\s*\.?$")
 _OTHERWISE = {"otherwise", "sonst", "else", "true", "\\text{otherwise}", "\\text{sonst}"}
 _RANGE = re.compile(r"^(?:([^<>≤≥t]+?)\s*(?:<=?|≤)\s*)?t\s*(?:(?:<=?|≤)\s*([^<>≤≥t]+))?$")
 _FROM = re.compile(r"^t\s*(?:>=?|≥)\s*([^<>≤≥t]+)$|^([^<>≤≥t]+)\s*(?:>=?|≥)\s*t$")
@@ -57,6 +58,9 @@ def _pairs(text: str) -> list[tuple[str, str]]:
         return _of_call(text[call.end() : -1], matlab=call[1] == "piecewise")
     found_pairs = []
     for piece in _pieces(text):
+        if (match := _REST.match(piece.strip())) is not None:
+            found_pairs.append((match[1], "otherwise"))
+            continue
         match = _PIECE.match(piece.strip())
         if match is None:
             return []

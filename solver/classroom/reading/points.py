@@ -12,6 +12,8 @@ import sympy as sp
 from solver.classroom.reading import words
 from solver.classroom.reading.brackets import enclosed, split
 from solver.classroom.reading.expected import Expected
+from solver.classroom.reading.latex import NotReadableError, is_latex, translated
+from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import Pair, TextReader
 from solver.problem.nodes import Entry, MappingNode, Node, Place, ScalarNode, SequenceNode
 from solver.symbols import MEANINGS
@@ -20,10 +22,20 @@ ANY = {"any", "arbitrary", "free", "anything", "beliebig", "frei", "all", "any v
 MOST = 60
 _INTEGER = re.compile(
     r"\(?\s*(?:(?:with|for|mit|any|all|every)\s+)*(?:integers?\s+\w+|\w+\s*(?:∈|\\in|in|is an|is any|:)?\s*"
-    r"(?:Z|ℤ|\\mathbb\{Z\}|integers?|ganz\w*)|\w+\s*=\s*0\s*,\s*(?:±|\+-|1\s*,).*)\s*\)?",
+    r"(?:Z|ℤ|\\mathbb\{Z\}|integers?|ganz\w*)|[i-n]\s*=\s*0\s*,\s*(?:±|\+-|1\s*,).*)\s*\)?",
     re.IGNORECASE,
 )
 _APART = re.compile(r"[;\n]|\s+(?:and|or|und|oder)\s+")
+_BARRED = re.compile(r"\(([^()|,;]+)\|([^()|,;]+)\)")
+_COLUMN = re.compile(r"\[[^\[\]();,]+(?:;[^\[\]();,]+)+\]")
+_TRANSPOSED = re.compile(r"([\])])\s*(?:\^\(?\s*T\s*\)?|ᵀ|')")
+_OF_SET = re.compile(r"^\s*\([^()=]*\)\s*(?:∈|\bin\b)\s*(?=\{)")
+_MEMBER = re.compile(r"([^\W\d]\w*)\s*(?:∈|\bin\b)\s*\{")
+_NAMED = re.compile(r"(^\s*|[,;]\s*|\b(?:and|und|or|oder)\s+)([^\W\d]\w*)\s*[=:]\s*(?=\()")
+_NAME_OF = re.compile(r"([^\W\d][\w'’′]*)\s*=(?!=)")
+_INTEGERS = re.compile(
+    r"[,;]?\s*\b[nkm]\s*=\s*0\s*,\s*(?:±|\+-)?\s*1(?:\s*,\s*(?:±|\+-)?\s*\d)*\s*(?:,\s*(?:\.{2,3}|…))?"
+)
 _COMMA = re.compile(r",")
 _EQUALS = re.compile(r"=(?!=)")
 _REMARK = re.compile(r"\(\s*\w+\s+(?:∈|in|any|is)\s[^()]*\)|\(\s*\w+\s+integer\s*\)", re.IGNORECASE)
@@ -52,7 +64,7 @@ class PointReader:
         """Return the points, a mapping each, and their forms; raises Fault."""
         if isinstance(node, ScalarNode) and words.is_none(node.text, self.expected.name):
             return [], []
-        pairs = [pair for each in self._apart(node) for pair in self._point(each)]
+        pairs = [pair for each in self._apart(_as_text(node)) for pair in self._point(each)]
         if len(pairs) > MOST:
             raise node.fault(f"more than {MOST} points cannot be read")
         return [value for value, _ in pairs], [form for _, form in pairs]
@@ -85,19 +97,40 @@ class PointReader:
 
     def _pieces(self, text: str) -> list[str]:
         """The texts of points: between semicolons or words, or in brackets one after the other."""
-        text = _REMARK.sub("", text).strip()
+        text = self._plainly(_REMARK.sub("", text).strip())
         if enclosed(text, "[]") and text[1:].lstrip()[:1] in ("(", "[", "{"):  # a list of points
             text = text[1:-1].strip()
-        pieces = [each.strip() for each in split(text, _APART) if each.strip()]
+        pieces = self._whole([each.strip() for each in split(text, _APART) if each.strip()])
         found = []
         for piece in pieces:
-            parts = [each.strip() for each in split(piece, _COMMA)]
+            parts = [each.strip() for each in split(piece, _COMMA) if not _INTEGER.fullmatch(each)]
             in_brackets = bool(self.unknowns) and all(each[:1] in ("(", "[", "{") for each in parts)
             if len(parts) > 1 and (in_brackets or len(self.unknowns) == 1):
                 found += parts
             else:
-                found.append(piece)
+                found.append(", ".join(parts))
         return [each for each in found if not _INTEGER.fullmatch(each)]
+
+    def _plainly(self, text: str) -> str:
+        """Points as (0, 1) without their names, P1 = (0|1), without a set around them, and columns as rows."""
+        text = _COLUMN.sub(lambda found: f"({found[0][1:-1].replace(';', ',')})", _BARRED.sub(r"(\1, \2)", text))
+        text = _INTEGERS.sub("", _OF_SET.sub("", _TRANSPOSED.sub(r"\1", text), count=1))
+        text = _MEMBER.sub(r"\1 = {", text)
+        named = {*map(str, self.unknowns)}
+        text = _NAMED.sub(lambda found: found[0] if found[2] in named else found[1], text)
+        if enclosed(text, "{}") and text[1:].lstrip()[:1] in ("(", "[", "{"):
+            text = text[1:-1].strip()
+        return text
+
+    def _whole(self, pieces: list[str]) -> list[str]:
+        """Pieces of points; x1 = 0, ±1; x2 = 0 is one piece, and what the last alone says is said of all."""
+        names = [[self._unknown(each) for each in _NAME_OF.findall(piece)] for piece in pieces]
+        every = [name for one in names for name in one]
+        if len(pieces) > 1 and all(names) and len(set(every)) == len(every) == len(self.unknowns):
+            return [", ".join(pieces)]
+        shared = set(names[-1]) - {name for one in names[:-1] for name in one} if len(pieces) > 1 and all(names) else {}
+        last = [part for part in split(pieces[-1], _COMMA) if shared and self._unknown(part.split("=")[0]) in shared]
+        return [*(", ".join([piece, *last]) for piece in pieces[:-1]), pieces[-1]] if last else pieces
 
     # ---- one point ----
 
@@ -172,7 +205,7 @@ class PointReader:
         if not _EQUALS.search(inner):
             yield from self._in_order(node, [ScalarNode(node.place, each, "quoted") for each in pieces])
             return
-        for piece in pieces:
+        for piece in _grouped(pieces):
             *names, value = [each.strip() for each in _EQUALS.split(piece)]
             for name in names:
                 yield self._named(node, name), self._read(name, ScalarNode(node.place, value, "quoted"))
@@ -192,6 +225,9 @@ class PointReader:
         own = unknown if isinstance(unknown, sp.Symbol) else self._unknown(_text_of(unknown))
         if text.lower() in ANY and own is not None:
             return [(own, own)]
+        if enclosed(text, "{}"):
+            several = [ScalarNode(node.place, each.strip(), "quoted") for each in split(text[1:-1], _COMMA)]
+            return [pair for each in several for pair in self._read(unknown, each)]
         pairs = self.texts.alternatives(node)
         if own is not None and len(pairs) == 1 and self._is_any(pairs[0][0]):
             return [(own, own)]
@@ -202,7 +238,8 @@ class PointReader:
         names = {str(x): x for x in self.unknowns}
         put = {s: names[s.name] for s in value.free_symbols if s.name in names}
         for s in sorted(value.free_symbols, key=str):
-            meant = s in put or s in self.texts.decimals or s.name in self.known or s.name in MEANINGS
+            usual = s.name in MEANINGS or (s.name == "k" and self.texts.discrete)
+            meant = s in put or s in self.texts.decimals or s.name in self.known or usual
             if meant or s.name in self.texts.names.values or self._is_of_the_question(s):
                 continue
             self.whole.setdefault(s, sp.Symbol(("n", "m", "n1", "n2", "n3")[min(len(self.whole), 4)], integer=True))
@@ -217,6 +254,30 @@ class PointReader:
     def _is_of_the_question(self, symbol: Any) -> bool:
         own = self.texts.names.symbols.get(symbol.name)
         return own is not None and not own.is_integer
+
+
+def _as_text(node: Node) -> Node:
+    """A list of points that YAML took apart, [(1, 2), (3, 4)], as the text that it is; other nodes as they are."""
+    items = node.items if isinstance(node, SequenceNode) else ()
+    torn = any(isinstance(item, ScalarNode) and item.text.count("(") != item.text.count(")") for item in items)
+    text = typed(node) if torn else node.text if isinstance(node, ScalarNode) else ""
+    if not text:
+        return node
+    try:
+        return ScalarNode(node.place, translated(text) if is_latex(text) else text, "quoted")
+    except NotReadableError as error:
+        raise node.fault(str(error)) from None
+
+
+def _grouped(pieces: Sequence[str]) -> list[str]:
+    """x = 0 and ±1 as x = {0, ±1}: values without a name belong to the name before."""
+    found: list[list[str]] = []
+    for piece in pieces:
+        if _EQUALS.search(piece) or not found:
+            found.append([piece])
+        else:
+            found[-1].append(piece)
+    return [_EQUALS.sub("= {", f"{', '.join(one)}}}", count=1) if len(one) > 1 else one[0] for one in found]
 
 
 def _text_of(name: Any) -> str:

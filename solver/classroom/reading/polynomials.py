@@ -67,6 +67,13 @@ def one_side(text: str) -> str:
     return sides[1] if len(sides) == 2 and _ZERO.match(sides[0]) else text
 
 
+def with_leading_one(value: Any, variable: sp.Symbol) -> Any:
+    """Return p for the side -p of an equation -p = 0; any other value as it is."""
+    if not isinstance(value, sp.Expr) or not value.is_polynomial(variable):
+        return value
+    return -value if sp.Poly(value, variable).LC() == -1 else value
+
+
 def _highest(text: str) -> int:
     """The highest power of a variable in a text; 0 where none is raised to one."""
     powers = [found[1] or str(_RAISED.index(found[2])) for found in _POWER.finditer(text)]
@@ -184,7 +191,7 @@ def _with_roots_only(text: str, variable: str) -> str:
 
 def _factors(text: str, variable: str) -> list[str]:
     """The factors of the roots in brackets, or of one root."""
-    inside = text.strip().removeprefix("[").removesuffix("]").strip()
+    inside = text.strip().removeprefix("[").removesuffix("]").replace(";", ",").strip()
     entries = split(inside, ",") if "," in inside else by_spaces(inside)
     return [f"({variable}-({entry.strip()}))" for entry in entries if entry.strip()]
 

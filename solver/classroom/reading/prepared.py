@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -18,7 +18,9 @@ from solver.symbols import POLYNOMIAL
 
 _RULE = re.compile(r"\s*(?:->|→)\s*")
 _TURNED = re.compile(r"^(\s*[^\W\d]\w*)\s*(?:\^\(?\s*T\s*\)?|ᵀ|\^\{T\})\s*=\s*(.*[\])])\s*$", re.DOTALL)
-_NOT_ZERO = re.compile(r"\s*(?:≠|!=|\\neq?\b)\s*0\s*$")
+_NOT_ZERO = re.compile(
+    r"\s*(?:≠|!=|\\neq?\b)\s*0\s*$|\s*[,;(]\s*(?:(?:which )?is |ist )?(?:not|nicht|≠) ?(?:zero|null|0)\s*\)?\s*\.?$"
+)
 _PARTS = re.compile(r"^\s*(?:σ|sigma|Re)\s*=[^=]*[,;]\s*(?:ω|omega|ω_d|Im)\s*=[^=]*$")
 _STATED = re.compile(r"\s*([^\W\d]\w*)\s*=[^=]")
 _ADDED = re.compile(r"\s*u\w*(?:\(\w\))?\s*=\s*\+?\s*[A-Za-z]")
@@ -27,7 +29,7 @@ _SQUARE = re.compile(r"(?<![\w.])([spzλ]|lambda)([2-9])(?!\w)")
 _POWER_OF_ROW = re.compile(r"\s*[sz]\s*\^?\s*[({]?[\d⁰¹²³⁴-⁹]{1,2}[)}]?\s*(?:[|:]|$)")
 _DIGITS = re.compile(r"[\d⁰¹²³⁴-⁹]{1,2}")
 _SLASH = re.compile(r"\s/\s")
-_WORD = re.compile(r"[a-z]{2,}")
+_WORD = re.compile(r"[a-z]{2,}|[A-Z][a-z]{3,}")
 
 
 def prepared(node: Node, ours: Any, name: str) -> Node:
@@ -37,6 +39,8 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     if isinstance(ours, sp.Expr) and isinstance(node, MappingNode):
         node = _quotient(node) or node
     text = typed(node)
+    if _RULE.search(text) and isinstance(ours, list) and ours and isinstance(ours[0], Mapping):
+        return ScalarNode(node.place, _RULE.sub(" = ", text), "quoted")
     if _RULE.search(text) and not isinstance(ours, str | bool):  # {{k1 -> 22, k2 -> 7}}
         return ScalarNode(node.place, _RULE.sub(" = ", text.replace("{", "").replace("}", "")), "quoted")
     if not isinstance(node, ScalarNode) or isinstance(ours, str | bool):

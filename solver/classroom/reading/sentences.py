@@ -34,7 +34,11 @@ _MANY = re.compile(
     re.IGNORECASE,
 )
 _DOUBLE = re.compile(r"\s*,\s*(double|doppelt|twice|triple|dreifach)\s*(?:eigenvalue|root|pole)?\s*$", re.IGNORECASE)
-_IS = re.compile(r"(?<=[\w}])\s+(?:is|ist|equals)\s+(?=[-+−\d.√(])")
+_PAIR = re.compile(
+    r"(?<=[\s,])(?:the\s+|das\s+)?(?:complex\s+|konjugierte\s+|komplexe\s+)?(?:pair|paar)\s+", re.IGNORECASE
+)
+_OF = re.compile(r"\s*(?:of|von)\s+(?:the\s+)?(?:[A-Z]|\([A-Z],\s*[A-Z]\))\s+(?=\S)")
+_IS = re.compile(r"(?<=[\w})])\s+(?:is|ist|equals)\s+(?=[-+−\d.√(])")
 
 _COMPARED = re.compile(r"(?<![\w.)])([-+−]?\s*\d{1,9}(?:\.\d{1,9})?)\s*\(?\s*([<>])\s*0(?![.\d])\s*\)?")
 _BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]|\{[^{}]*\}")
@@ -59,7 +63,7 @@ NOUNS = {
     "L": "observer gain beobachter beobachterverstärkung",
     "rank": "rank rang",
     "determinant": "determinant determinante",
-    "points": "equilibria equilibrium point points ruhelagen ruhelage gleichgewichte",
+    "points": "two three four five equilibria equilibrium point points ruhelagen ruhelage gleichgewichte",
     "solutions": "solution solutions lösung lösungen",
     "closed_loop_A": "companion closed-loop",
     "null_space": "all multiples vielfache von spanned by span",
@@ -72,6 +76,7 @@ def without_words(text: str, name: str, *, count: bool = False) -> str:
     nouns = frozenset(NOUNS.get(name, NOUNS.get(name.rpartition("_")[2], "")).split()) | {name.lower()}
     text = text.strip()
     bare = _introduced(_REMARK.sub("", _UNIT.sub(r" \1", text)), nouns)
+    bare = _PAIR.sub("", bare)
     if found := _MANY.match(bare):
         bare = _introduced(f"{found[1]}{found[2]} (double)", nouns)
     bare = _DOUBLE.sub(r" (\1)", bare)
@@ -85,7 +90,9 @@ def without_words(text: str, name: str, *, count: bool = False) -> str:
 def _introduced(text: str, nouns: frozenset[str]) -> str:
     """A text from its first word on that does not belong to an introduction."""
     at = 0
-    while (found := _WORD.match(text, at)) and found[1].lower() in FILLING | nouns:
+    while found := _OF.match(text, at) or _WORD.match(text, at):
+        if found.re is _WORD and found[1].lower() not in FILLING | nouns:
+            break
         at = found.end()
     return text[at:].rstrip().rstrip(".") if at else text
 

@@ -11,6 +11,7 @@ SPELLINGS = {
 }
 """Units of answers and how they are written; under "" those that no answer has."""
 _UNIT = re.compile(r"^(.*[\d)\].])\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹\s-]*|1/s)\s*\.?$", re.DOTALL)
+_BRACKETS = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s|Hz|dB|V|ms|min)\s*\]\s*$")
 _ALWAYS_UNITS = {each for own, spellings in SPELLINGS.items() for each in spellings if own == "" or "rad" in each}
 
 
@@ -20,6 +21,7 @@ class ForeignUnitError(Exception):
 
 def without_unit(text: str, unit: str) -> str:
     """Return a number without the unit of its answer ("": it has none). Raises ForeignUnitError."""
+    text = _BRACKETS.sub(r" \1", text)
     found = _UNIT.match(text) if "∠" not in text else None  # the angle of 2∠30°
     if found is None:
         return text

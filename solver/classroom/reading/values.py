@@ -19,6 +19,7 @@ from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.labels import (
     ForeignLabelError,
+    of_another_argument,
     with_own_labels,
     without_range,
 )
@@ -39,6 +40,8 @@ from solver.problem.nodes import Node, ScalarNode
 from solver.problem.source import Fault
 
 MAX_ENTRIES = 400
+VARIABLES = {"s", "z", "t", "k", "lamda"}
+"""Letters of functions: what is labelled with another argument is another function."""
 MOST_LAYERS = 2
 """Sentences within sentences that are gone into."""
 
@@ -54,6 +57,7 @@ class Reader:
         self.discrete = discrete
         self.decimal_comma = decimal_comma
         self.expected = Expected()
+        self.equation = False
         self.texts = TextReader(names, Choices(), discrete=discrete)
 
     def read(self, node: Node, ours: Any, expected: Expected | None = None) -> Submitted:
@@ -107,7 +111,7 @@ class Reader:
         if len(node.text) > MAX_CHARACTERS or depth > MOST_LAYERS:
             return []
         for text in other_texts(node.text, ours, self.expected):
-            other = ScalarNode(node.place, text, "quoted")
+            other = prepared(ScalarNode(node.place, text, "quoted"), ours, self.expected.name)
             if found := self._like(other, ours) or self._within(other, ours, depth + 1):
                 return found
         return self._last_side(node, ours)
@@ -122,6 +126,10 @@ class Reader:
     def _last_side(self, node: ScalarNode, ours: Any) -> list[Submitted]:
         """What stands behind the last sign of equality, where no other side is another value. Raises Fault."""
         sides = sides_of(node.text)
+        of_a_variable = isinstance(ours, sp.Expr) and bool({x.name for x in symbols_of(ours)} & VARIABLES)
+        end = self.expected.name in ("y_final", "y_peak")
+        if sides and of_another_argument(f"{sides[0]} = 0", of_a_variable=of_a_variable, at_its_end=end):
+            return []
         if polynomials.variable_of(ours) is not None and sides and sides[-1] == "0":
             sides = sides[:-1]
         if not sides:
@@ -132,16 +140,17 @@ class Reader:
             return []
         found = [self._like(ScalarNode(node.place, side, "quoted"), ours) for side in sides]
         *before, last = found
-        if len(last) != 1:
+        if not last:
             return []
         known = symbols_of(last[0].value)
         values = [[each for each in one if symbols_of(each.value) <= known] for one in before]
         for side, known_values in zip(sides, values, strict=False):
-            if any(not same(each, last[0]) for each in known_values):
+            if known_values and not any(same(each, one) for each in known_values for one in last):
                 raise node.fault(f"{side} and {sides[-1]} are not equal")
         return last if values[0] or self.expected.labels.may_define(sides[0]) else []
 
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:
+        self.equation = False
         self.texts = TextReader(self.names, choices, self.expected.unit, discrete=self.discrete)
         self.texts.numbers = not symbols_of(ours)
         kinds = KindReader(self.texts, self.expected, decimal_comma=self.decimal_comma)
@@ -153,6 +162,8 @@ class Reader:
             later = replaced(value, self.texts.ones)
             self.texts.respelt = self.texts.respelt or later != value
             value, form = later, replaced(form, self.texts.ones)
+        if self.equation and (variable := polynomials.variable_of(ours)) is not None:
+            value, form = (polynomials.with_leading_one(each, variable) for each in (value, form))
         if has_step(value) and not has_step(ours) and not is_of_time(ours, self.expected.name):
             raise node.fault("a step has no meaning here")
         if word := strange_word(symbols_of(value), [*self.names.symbols, *self.names.variables]):
@@ -163,12 +174,15 @@ class Reader:
         """A text without the label before it; where an equation, a condition or a mapping is asked for it has none."""
         if not isinstance(node, ScalarNode) or isinstance(ours, Mapping) or is_condition(ours):
             return node
+        if self.expected.zero:
+            return node
         text = without_range(node.text)
         if isinstance(ours, sp.Set | list | tuple):
             text = with_own_labels(text)
             self.texts.respelt = self.texts.respelt or text != node.text
         if polynomials.variable_of(ours) is not None:
             text = polynomials.one_side(text)
+            self.equation = self.equation or text != node.text
             self.texts.respelt = self.texts.respelt or text != node.text
         if isinstance(ours, str) and words.fitting(self.expected.labels.before(text)[0], self.expected.words):
             return node  # unstable, since λ = 1
@@ -176,6 +190,10 @@ class Reader:
             label, value = self.expected.labels.before(text)
             if label and (len(value) < 2 or not words.is_name(label, self.expected.name)):  # rank = n is no "n"
                 return node
+        of_a_variable = isinstance(ours, sp.Expr) and bool({x.name for x in symbols_of(ours)} & VARIABLES)
+        end = self.expected.name in ("y_final", "y_peak")
+        if of_another_argument(text, of_a_variable=of_a_variable, at_its_end=end):
+            raise node.fault("it is labelled as something else than is asked for")
         try:
             if isinstance(ours, sp.Expr) and not isinstance(ours, sp.MatrixBase) and not symbols_of(ours):
                 text = self._said_twice(text)

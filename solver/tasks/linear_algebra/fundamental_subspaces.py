@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.row_operations import row_operations
 from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, option
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
+from solver.numeric.judges import linear_algebra as judges
 from solver.options.matrix import MatrixOf
 from solver.stated.algebra import product
 from solver.stated.matrices import rank, transpose
@@ -191,7 +193,15 @@ def zero_and_of_the_right_dimension(
         if V.rows == matrix.cols and V.cols:
             zero = sp.ImmutableMatrix(sp.zeros(matrix.rows, V.cols))
             shown = "M v" if name == "null_space" else "M^{T} y"
-            yield numeric.check_claim(Claim(product(matrix, V), zero), f"${shown} = 0$", answer=name)
+            if numeric.holds_decimals(V):  # compared with a zero, what rounding leaves would be as wrong as can be
+                yield numeric.check_residual(
+                    f"${shown} = 0$",
+                    "numpy",
+                    partial(judges.null_residual, matrix, V),
+                    answer=name,
+                )
+            else:
+                yield numeric.check_claim(Claim(product(matrix, V), zero), f"${shown} = 0$", answer=name)
 
 
 @fundamental_subspaces.verification("column_space", "row_space")
@@ -203,7 +213,14 @@ def spans_the_columns(given: Given[StateSpace, FundamentalSubspacesOptions], ans
             continue
         V = answers[name]
         yield _dimension(name, V, matrix.rows, lambda matrix=matrix: numeric.rank(matrix))
-        if V.rows == matrix.rows:
+        if V.rows == matrix.rows and numeric.holds_decimals(V):
+            yield numeric.check_residual(
+                "the vectors lie in the space",
+                "numpy.linalg.svd",
+                partial(judges.range_residual, matrix, V),
+                answer=name,
+            )
+        elif V.rows == matrix.rows:
             yield _that(
                 "the vectors lie in the space",
                 name,

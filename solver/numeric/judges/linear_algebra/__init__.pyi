@@ -15,6 +15,7 @@ from solver.numeric.judges.linear_algebra.jordan import (
     is_jordan_form,
     same_jordan_structure,
 )
+from solver.numeric.judges.linear_algebra.spaces import null_residual, range_residual
 
 __all__ = [
     "are_in_order",
@@ -25,7 +26,9 @@ __all__ = [
     "eigenpair_residual",
     "is_jordan_form",
     "left_residual",
+    "null_residual",
     "polynomial_residual",
+    "range_residual",
     "same_jordan_structure",
     "spectrum_residual",
 ]
