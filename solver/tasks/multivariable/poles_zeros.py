@@ -48,7 +48,7 @@ def poles_and_zeros_of(found: Found, *, discrete: bool, by_minors: bool = False)
         shared = [z for z in dict.fromkeys(zeros) if z in poles]
         if shared:
             yield Step("shared", unclaimed="both lists are displayed", values=shared, x=x, detail="full")
-    yield from _where_the_zeros_lie(found.zeros, zeros, discrete)
+    yield from _where_the_zeros_lie(found.zeros, zeros, poles or [], discrete)
     yield from _exceptions(found)
     return Answers(**answers)
 
@@ -177,7 +177,7 @@ def _at(G: exact.TransferMatrix, z: Expr) -> Stated:
     return value_at(denoted(f"G({G.variable})", G.matrix), G.variable, z)
 
 
-def _where_the_zeros_lie(p: Poly, zeros: list[Expr] | None, discrete: bool) -> Iterator[Step]:
+def _where_the_zeros_lie(p: Poly, zeros: list[Expr] | None, poles: list[Expr], discrete: bool) -> Iterator[Step]:
     """Zeros outside the region of stability, and with parameters the condition that there are none."""
     if p.degree() == 0:
         return
@@ -185,7 +185,7 @@ def _where_the_zeros_lie(p: Poly, zeros: list[Expr] | None, discrete: bool) -> I
     if not A.free_symbols:
         placed = exact.location(A, discrete=discrete).placed if zeros is not None else ()
         outside = [each.root.value for each in placed if each.position == 1]
-        on = [each.root.value for each in placed if each.position == 0]
+        on = [each.root.value for each in placed if each.position == 0 and each.root.value not in poles]
         if outside or on:
             yield Step(
                 "outside",
