@@ -9,8 +9,8 @@ import sympy as sp
 from benchmarks.matrices import companion_of_integers, dense, random_integers
 from solver.tasks import catalogue
 
-LARGEST = {"phase_portrait": 2}
-"""Tasks about one order only."""
+LARGEST = {"phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3}
+"""Tasks about one order only, and those whose answers fill the page from the next order on."""
 
 PARAMETER = {"stability_range": "A", "parameter_condition": "B"}
 """Tasks about a parameter k, and the matrix that holds it."""
@@ -134,6 +134,8 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "reduced_observer": lambda n: {"poles": poles(n - 1)},
     "observer_feedback": lambda n: {"poles": poles(n), "observer_poles": poles(n)},
     **dict.fromkeys(REGULATORS, _weights),
+    "finite_horizon_lqr": lambda n: _weights(n) | {"final_time": "1"},
+    "minimum_energy_control": lambda n: {"initial_state": str([1] * n), "final_time": "1"},
 }
 """What a question needs beside the plant, by the order of the plant."""
 

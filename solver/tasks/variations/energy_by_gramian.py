@@ -12,7 +12,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, exponential, product
 from solver.stated.calculus import integral
 from solver.stated.matrices import inverse, transpose
-from solver.tasks.variations.energy_by_variations import LARGEST, cost_of, motion_and_cost
+from solver.tasks.variations.energy_by_variations import by_hand, cost_of, motion_and_cost
 from solver.tasks.variations.energy_question import Transfer, scalar_or_column
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def control_by_gramian(transfer: Transfer, best: exact.MinimumEnergy) -> Derivat
     unknowns = [sp.Symbol(f"eta{i + 1}") for i in range(n)]
     whole = not best.unreached.rows
     equations = list(zip((best.gramian * sp.Matrix(unknowns)).flat(), best.gap.flat(), strict=True))
-    solved = system_solved(equations, unknowns, best.eta.flat()) if n <= LARGEST and whole else ()
+    solved = system_solved(equations, unknowns, best.eta.flat()) if whole and by_hand(equations) else ()
     yield Step("weights", claims={"solve": Claim(product(best.gramian, best.eta), best.gap, r"$W\eta = d$")},
                steps=solved, eta=best.eta, whole=whole)  # fmt: skip
     backwards = exponential(product(T - t, transpose(transfer.A)))

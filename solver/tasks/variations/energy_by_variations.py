@@ -19,8 +19,14 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
-LARGEST = 3
-"""The equations for more constants are not solved by hand."""
+LARGEST, LARGEST_ROUGH = 3, 2
+"""The equations for more constants are not solved by hand; nor these, where they hold exponentials or waves."""
+
+
+def by_hand(equations: list[tuple[Any, Any]]) -> bool:
+    """Whether a pen would solve the equations, given by their sides."""
+    rough = any(left.has(sp.exp, sp.E, sp.sin, sp.cos) for left, _ in equations)
+    return len(equations) <= (LARGEST_ROUGH if rough else LARGEST)
 
 
 def hamiltonian_of(transfer: Transfer) -> Expr:
@@ -103,7 +109,7 @@ def _ends(transfer: Transfer, x: ImmutableMatrix, c: ImmutableMatrix, values: Im
             put_in = value_at(put_in, constant, value)
         claims[f"end{i}"] = Claim(put_in, wanted, Phrase("end {i} with the constants put in", i=i + 1))
     equations = list(zip(at_end, transfer.xf.flat(), strict=True))
-    solved = system_solved(equations, c.flat(), values.flat()) if len(c) <= LARGEST else ()
+    solved = system_solved(equations, c.flat(), values.flat()) if by_hand(equations) else ()
     M, _ = exact.affine(at_end, c.flat())
     return Step(
         "ends",
