@@ -6,7 +6,16 @@ from typing import Any
 
 from tests.classroom.corpus.judges.registry import JUDGES
 
-for _topic in ("linear_algebra", "motion", "stability", "structure", "representation", "design", "optimal"):
+for _topic in (
+    "linear_algebra",
+    "motion",
+    "stability",
+    "structure",
+    "representation",
+    "design",
+    "optimal",
+    "modelling",
+):
     import_module(f"{__name__}.{_topic}")
 
 
