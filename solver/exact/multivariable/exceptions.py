@@ -26,7 +26,7 @@ def parameter_exceptions(minors: RationalMinors) -> tuple[sp.Eq, ...]:
     if not minors.G.domain.is_FractionField or not minors.rank:
         return ()
     values = [*_meetings(minors), *_lost_poles(minors), *_lost_zeros(minors)]
-    found = dict.fromkeys(factor for value in values for factor in vanishing_factors(sp.sympify(value)))
+    found = dict.fromkeys(factor for value in values for factor in vanishing_factors(sp.S.Zero + value))
     return tuple(sp.Eq(factor, 0) for factor in found if not _is_the_same(minors, factor))
 
 

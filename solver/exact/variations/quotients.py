@@ -90,7 +90,7 @@ def _reduced(N: ExponentialSum, D: ExponentialSum) -> tuple[ExponentialSum, Expo
             terms.append((Mode(monomial, exponent, sp.S.Zero, False), c))
         return ExponentialSum.of(terms)
 
-    return back(above).times(sp.sympify(factor)), back(below)
+    return back(above).times(sp.S.Zero + factor), back(below)
 
 
 def _rational_parts(X: sp.Expr) -> dict[sp.Expr, sp.Expr]:

@@ -73,7 +73,7 @@ def _written(root: exact.Root) -> Expr:
 
 def companion_of(p: Poly) -> ImmutableMatrix:
     """A matrix with a monic polynomial as its characteristic one."""
-    low, n = [sp.sympify(c) for c in reversed(p.all_coeffs()[1:])], p.degree()
+    low, n = [*reversed(p.all_coeffs()[1:])], p.degree()
     return sp.ImmutableMatrix(n, n, lambda i, j: -low[j] if i == n - 1 else sp.Integer(int(j == i + 1)))
 
 
@@ -219,7 +219,7 @@ def _where_the_zeros_lie(p: Poly, zeros: list[Expr] | None, poles: list[Expr], d
 
 def _edge(p: Poly, discrete: bool) -> list[Any]:
     """Conditions for a zero at the point of constant signals."""
-    value = sp.cancel(p.eval(1 if discrete else 0))
+    value = sp.cancel(p.as_expr().xreplace({p.gen: sp.S.One if discrete else sp.S.Zero}))
     return [sp.Eq(factor, 0) for factor in exact.vanishing_factors(value)]
 
 

@@ -155,7 +155,7 @@ def invariant_zeros(wrong: Wrong) -> Iterable[Any]:
 def what_is_there(wrong: Wrong) -> Reason | None:
     """A listed zero where G has its full rank, a listed pole where G is finite; else how many there must be."""
     G = _transfer(wrong)
-    listed = [sp.sympify(value) for value in wrong.value]
+    listed = [sp.S.Zero + value for value in wrong.value]
     if G.matrix.free_symbols - {G.variable} or any(not value.is_number for value in listed):
         return None
     for value in listed:
