@@ -12,7 +12,7 @@ _REFERENCE = re.compile(r"\s*\+\s*[rvw](?:\([tk]\)|\[k\])?\s*$")
 _BEFORE = re.compile(r"^\s*[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
-_NEGATED = re.compile(r"^\s*[-−]\s*(?=\()")
+_OUTER = re.compile(r"^\s*([-+]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
 MOST_STATES = 9
 
@@ -73,8 +73,9 @@ def _terms(law: str) -> list[str]:
 def _coefficients(law: str) -> list[str]:
     """What stands before x1, x2, … in a sum, in their order; nothing where anything else stands there."""
     outer = ""
-    if (found := _NEGATED.match(law)) and matching(law, found.end()) == len(law) - 1:
-        outer, law = "-", law[found.end() + 1 : -1]
+    if (found := _OUTER.match(law)) and matching(law, found.end()) == len(law) - 1:
+        factor = found[1].strip()
+        outer, law = f"({factor}1)*" if factor in ("", "-", "+") else f"({factor})*", law[found.end() + 1 : -1]
     named: dict[int, str] = {}
     for term in _terms(law):
         match = _TERM.match(term)

@@ -57,6 +57,7 @@ _DEFINED = re.compile(
     r"(?:[A-Za-z][\w.]*|\\?lim\w*|lim_?\(.*\)\s*\w*)\s*\(.*\)|\|.*\||[\[({].*[\])}]|e\^[({]\s*A\s*t\s*[)}]"
     r"|\(\s*[sz]\s*I\s*-\s*A\s*\)\s*\^[({]?-1[)}]?|(?:∂|d\s?)\w+\s*/\s*(?:∂|d\s?)\w+|lim[\W_].*\)|[A-Za-z]_?∞"
 )
+_NAMES = re.compile(r"[\[({]\s*[^\W\d]\w*(?:\s*[,;\s]\s*[^\W\d]\w*)+\s*[\])}]")
 _LIMIT = re.compile(r"\\?lim[\W_].*\)|[A-Za-z]_?∞")
 _ARGUMENTS = re.compile(r"(?<=[\w}*'])\s*\(([^()=]*)\)$")
 _VARIABLE = re.compile(r"\\?[^\W\d_]\w{0,6}")
@@ -116,7 +117,13 @@ class Labels:
 
     def may_define(self, text: str) -> bool:
         """Whether a text beside a sign = may be what the answer is called or how it is found, and no multiple of it."""
-        if _NAME.fullmatch(text) or _LIMIT.fullmatch(text) or _normal(text) in self.own or _SIMILAR.fullmatch(text):
+        if (
+            _NAME.fullmatch(text)
+            or _NAMES.fullmatch(text)
+            or _LIMIT.fullmatch(text)
+            or _normal(text) in self.own
+            or _SIMILAR.fullmatch(text)
+        ):
             return True
         if _CHANGES.match(text):
             return False
@@ -134,7 +141,7 @@ def of_another_argument(text: str, *, of_a_variable: bool, at_its_end: bool) -> 
     label = found[1].strip()
     argument = _ARGUMENTS.search(label)
     if at_its_end:
-        return argument is not None and argument[1].strip() in ("0", "0+", "0⁺")
+        return label.startswith("y") and argument is not None and argument[1].strip() in ("0", "0+", "0⁺")
     changed = _TIMES_VARIABLE.match(label) or _DERIVED.search(label)
     return bool(changed) or (argument is not None and _VARIABLE.fullmatch(argument[1].strip()) is None)
 

@@ -130,7 +130,11 @@ class PointReader:
             return [", ".join(pieces)]
         shared = set(names[-1]) - {name for one in names[:-1] for name in one} if len(pieces) > 1 and all(names) else {}
         last = [part for part in split(pieces[-1], _COMMA) if shared and self._unknown(part.split("=")[0]) in shared]
-        return [*(", ".join([piece, *last]) for piece in pieces[:-1]), pieces[-1]] if last else pieces
+        if last:
+            return [*(", ".join([piece, *last]) for piece in pieces[:-1]), pieces[-1]]
+        own = set(names[0]) - {name for one in names[1:] for name in one} if len(pieces) > 1 and all(names) else set()
+        first = [part for part in split(pieces[0], _COMMA) if own and self._unknown(part.split("=")[0]) in own]
+        return [pieces[0], *(", ".join([*first, piece]) for piece in pieces[1:])] if first else pieces
 
     # ---- one point ----
 

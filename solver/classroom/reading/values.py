@@ -186,6 +186,8 @@ class Reader:
             self.texts.respelt = self.texts.respelt or text != node.text
         if isinstance(ours, str) and words.fitting(self.expected.labels.before(text)[0], self.expected.words):
             return node  # unstable, since λ = 1
+        if isinstance(ours, bool) and words.truth(text, self.expected.name) is not None:
+            return node
         if isinstance(ours, bool):
             label, value = self.expected.labels.before(text)
             if label and (len(value) < 2 or not words.is_name(label, self.expected.name)):  # rank = n is no "n"

@@ -50,6 +50,8 @@ _WHOLLY = {
     "matrix",
 }
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
+_CRITERION = re.compile(r"\s*(?:det|rank|rang)\b[^,;]*[=<≠][^,;]*[,;]\s*(\S.*)$", re.IGNORECASE | re.DOTALL)
+"""det = 0, not controllable: what is concluded stands behind."""
 _ANSWERS = {"yes", "no", "ja", "nein", "true", "false", "wahr", "falsch", "oui", "non"}
 _FINITE = {"finite", "endlichen", "such", "transmission", "invariant"}
 
@@ -81,6 +83,8 @@ def truth(text: str, name: str = "") -> bool | None:
 
 def _with_reason(text: str, name: str, against: set[str]) -> bool | None:
     """What a text says before its reason, where that denies nothing; words `against` it spoil what is denied."""
+    if (found := _CRITERION.match(text)) is not None:
+        return truth(found[1], name)
     claim, *reason = _REASON.split(text, maxsplit=1)
     if not reason or not claim.strip():
         return None
