@@ -67,7 +67,7 @@ def pole_polynomial_residual(plant: Quadruple, polynomial: Any, x: Any) -> float
         coefficients = _coefficients(polynomial, x, point)
         if coefficients is None or len(coefficients) != n + 1:
             return float("inf")
-        right = _pencil_polynomial(np.eye(n, dtype=int).astype(object), small, n)
+        right = _pencil_polynomial(np.eye(n, dtype=int).astype(object), small, n, _radius(small))
         size = max(abs(c) for c in right)
         gap = max(
             (abs(a - b) / (abs(a) + size * ROUNDING) for a, b in zip(right, coefficients, strict=True)), default=0
@@ -80,7 +80,7 @@ def normal_rank(plant: Quadruple) -> int:
     """Return the rank of G at a random point, parameters at random values."""
     A, B, C, D = quadruple_at(plant, points_of(plant)[0])
     E, M = _pencil(A, B, C, D, "invariant")
-    return _rank(E, M) - len(A)
+    return _rank(E, M, _radius(A)) - len(A)
 
 
 def directions_residual(plant: Quadruple, directions: Any, zeros: Sequence[Any] | None) -> float:
@@ -120,7 +120,7 @@ def _blocked(A: Array, B: Array, C: Array, D: Array, z: Any, u: Array) -> float:
 
 def _approximate_zeros(A: Array, B: Array, C: Array, D: Array) -> list[Any]:
     """The transmission zeros to many digits, where they are simple: common roots of two compressions."""
-    first, *others = _compressed(*_pencil(A, B, C, D, "invariant"), len(A))
+    first, *others = _compressed(*_pencil(A, B, C, D, "invariant"), len(A), _radius(A))
     if len(first) < 2:
         return []
     roots = MANY.context.polyroots(first[::-1], maxsteps=200, extraprec=200)
@@ -148,7 +148,7 @@ def _determinants_of(A: Any, B: Any, C: Any, D: Any, point: Any, kind: Kind) -> 
         return ([MANY.number(1)],)
     if kind == "transmission":
         a, b, c = minimal_part(a, b, c)
-    return tuple(_compressed(*_pencil(a, b, c, d, kind), len(a)))
+    return tuple(_compressed(*_pencil(a, b, c, d, kind), len(a), _radius(a)))
 
 
 def _left_over(polynomials: Sequence[list[Any]], divisor: list[Any], roots: list[Any] | None) -> float:
@@ -176,11 +176,11 @@ def _pencil(A: Array, B: Array, C: Array, D: Array, kind: Kind) -> tuple[Array, 
     return E[:rows, :columns], M[:rows, :columns]
 
 
-def _compressed(E: Array, M: Array, n: int) -> list[list[Any]]:
+def _compressed(E: Array, M: Array, n: int, radius: Any) -> list[list[Any]]:
     """The determinants of two random compressions to normal rank; of a regular pencil its own."""
-    r = _rank(E, M)
+    r = _rank(E, M, radius)
     if E.shape == (r, r):
-        return [_pencil_polynomial(E, M, n)]
+        return [_pencil_polynomial(E, M, n, radius)]
     random = Random(SEED)  # noqa: S311 - nothing secret
     found = []
     for _ in range(2):
@@ -189,21 +189,26 @@ def _compressed(E: Array, M: Array, n: int) -> list[list[Any]]:
             for rows, columns in ((r, E.shape[0]), (E.shape[1], r))
         )
         L, R = L.reshape(r, E.shape[0]), R.reshape(E.shape[1], r)
-        found.append(_pencil_polynomial(L @ E @ R, L @ M @ R, n))
+        found.append(_pencil_polynomial(L @ E @ R, L @ M @ R, n, radius))
     return found
 
 
-def _rank(E: Array, M: Array) -> int:
-    """The rank of xE − M at a random x."""
-    x = MANY.number(complex(0.7312, 1.1173)) * (1 + length(M.reshape(-1)))
+def _radius(A: Array) -> Any:
+    """The size of the largest eigenvalue, one at least: where polynomials in x have coefficients of one size."""
+    found: Any = np.abs(np.linalg.eigvals(np.asarray(MANY.approximate(A), dtype=complex))) if len(A) else []
+    return MANY.number(max([1.0, *(float(size) for size in found)])).real
+
+
+def _rank(E: Array, M: Array, radius: Any) -> int:
+    """The rank of xE − M at a random x, somewhat beyond the eigenvalues."""
+    x = MANY.number(complex(0.7312, 1.1173)) * radius
     return rank_of(x * E - M)
 
 
-def _pencil_polynomial(E: Array, M: Array, n: int) -> list[Any]:
+def _pencil_polynomial(E: Array, M: Array, n: int, radius: Any) -> list[Any]:
     """The coefficients (lowest power first) of det(xE − M), of degree n at most, by values on a circle."""
     if not len(M):
         return [MANY.number(1)]
-    radius = max(MANY.number(1).real, *(abs(entry) for entry in M.reshape(-1)))
     turn = [MANY.context.expjpi(MANY.context.mpf(2 * k) / (n + 1)) for k in range(n + 1)]
     values = [determinant(radius * w * E - M) for w in turn]
     scaled = [sum(values[k] * turn[(-i * k) % (n + 1)] for k in range(n + 1)) / (n + 1) for i in range(n + 1)]
