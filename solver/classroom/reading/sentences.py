@@ -12,6 +12,8 @@ from solver.classroom.reading.brackets import split
 
 MOST_SIDES = 6
 _SIDES = re.compile(r"\s*(?:≈|≅|:=|(?<![<>=!:≤≥])==?(?![=>]))\s*")
+_SPACES = re.compile(r"[^\S\n]+|\n\s*\n")
+"""Runs of spaces, which patterns would go through again and again."""
 _SO = re.compile(
     r"\s*[,;.]?\s*(?:⇒|⟹|→|=>|->|\\Rightarrow|\\implies"
     r"|\b(?:hence|therefore|thus|so|daher|folglich)\b)\s*"
@@ -74,7 +76,7 @@ NOUNS = {
 def without_words(text: str, name: str, *, count: bool = False) -> str:
     """Return a value without the words that introduce it and the remarks behind its items; "" where there are none."""
     nouns = frozenset(NOUNS.get(name, NOUNS.get(name.rpartition("_")[2], "")).split()) | {name.lower()}
-    text = text.strip()
+    text = _SPACES.sub(" ", text).strip()
     bare = _introduced(_REMARK.sub("", _UNIT.sub(r" \1", text)), nouns)
     bare = _PAIR.sub("", bare)
     if found := _MANY.match(bare):
@@ -114,5 +116,5 @@ def sides_of(text: str) -> list[str]:
 
 def concluded(text: str) -> str:
     """Return what stands behind the last "hence", =>, "so"; "" where there is nothing of the kind."""
-    pieces = split(text, _SO)
+    pieces = split(_SPACES.sub(" ", text), _SO)
     return pieces[-1].strip() if len(pieces) > 1 else ""

@@ -61,7 +61,7 @@ _MIXED = re.compile(r"([+-]?)\s*(\d{1,9})\s+(\d{1,9}/\d{1,9})")
 
 def truth(text: str, name: str = "") -> bool | None:
     """Return what a text says of whether something has a property, yes or "not controllable"; None if nothing."""
-    text = _SUBJECT.sub("", text, count=1).replace("isable", "izable")
+    text = _SUBJECT.sub("", " ".join(text.split()), count=1).replace("isable", "izable")
     said = [word for word in _words(text) if word not in _WHOLLY]
     words = " ".join(said)
     if words in YES | NO or (said and _REASONED.match(text.strip()) and said[0] in YES | NO):
