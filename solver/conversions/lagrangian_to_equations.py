@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from solver.derivation import Derivation
 from solver.derivation.conversion import Provided, conversion
+from solver.jets import jet_symbol
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.systems import Equations, Lagrangian
-from solver.systems.equations import jet_symbol
 from solver.tasks.modelling.euler_lagrange import Motion, equations_of_motion_of
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.conversion import Provided, conversion
+from solver.jets import jet_symbol
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
 from solver.systems import Equations, StateSpace
-from solver.systems.equations import jet_symbol
 from solver.tasks.modelling.row_equations import signals_of
 
 if TYPE_CHECKING:

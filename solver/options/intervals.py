@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation.options import VALUE, OptionKind, Schema
+from solver.jets import jet_symbol
 from solver.problem.named_functions import known_jet
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from solver.problem.source import Report
-from solver.systems.equations import jet_symbol
 
 if TYPE_CHECKING:
     from solver.problem.context import Context

@@ -8,12 +8,12 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from solver.jets import Jet, jet_symbol
 from solver.problem.expressions import ExpressionError, Names, parse_equation, parse_expression, uses_decimal
 from solver.problem.expressions.notation import FUNCTIONS
 from solver.problem.expressions.tokens import Kind, Token, tokenize
 from solver.problem.lexicon import Lexicon
 from solver.problem.nodes import ScalarNode
-from solver.systems.equations import Jet, jet_symbol
 
 Jets = dict[sp.Symbol, Jet]
 MAX_ORDER = 12

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
+from solver.jets import Jet, jet_symbol
 from solver.problem.source import did_you_mean
-from solver.systems.equations import Jet, jet_symbol
 
 if TYPE_CHECKING:
     from sympy import Symbol

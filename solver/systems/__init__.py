@@ -6,9 +6,10 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
+from solver.jets import jet_symbol
 from solver.systems.circuit import Circuit, signals_of, symbol_of
 from solver.systems.earlier_part import EarlierPart
-from solver.systems.equations import Equations, jet_symbol
+from solver.systems.equations import Equations
 from solver.systems.functional import Functional
 from solver.systems.kind import Kind, System
 from solver.systems.lagrangian import Lagrangian

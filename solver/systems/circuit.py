@@ -8,8 +8,8 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from solver.jets import Jet, jet_symbol
 from solver.lazy import sympy as sp
-from solver.systems.equations import Jet, jet_symbol
 from solver.systems.kind import Key, Kind, ListOf, MappingTo, Reader, Value, Values
 from solver.systems.netlists import KEY, floating, read_netlist
 from solver.systems.networks import GROUND, Element, Tree, nodes_of, normal_tree

@@ -7,11 +7,11 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from solver.jets import Jet, jet_symbol
 from solver.lazy import sympy as sp
 from solver.stated.algebra import total
 from solver.stated.calculus import integral, value_at
 from solver.systems.ends import End, IntegralConstraint
-from solver.systems.equations import Jet, jet_symbol
 from solver.systems.kind import AtEnd, Key, Keyed, Kind, ListOf, MappingTo, Reader, Value, Values
 
 if TYPE_CHECKING:

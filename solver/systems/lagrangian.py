@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from solver.jets import Jet, jet_symbol
 from solver.lazy import sympy as sp
 from solver.systems.bodies import Body, Spring
-from solver.systems.equations import Jet, check_outputs, jet_symbol
+from solver.systems.equations import check_outputs
 from solver.systems.kind import Key, Keyed, Kind, ListOf, MappingTo, Reader, Value, Values
 
 if TYPE_CHECKING:

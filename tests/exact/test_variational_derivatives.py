@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.calculus.euler import euler_equations
 
 from solver import exact
-from solver.systems.equations import jet_symbol
+from solver.jets import jet_symbol
 
 t = sp.Symbol("t")
 X = [jet_symbol(("x", k)) for k in range(6)]

@@ -111,7 +111,16 @@ TIMED = (
 
 FREE = {
     "smith_form": (".stages", ".leads", ".is_long", ".is_general", ".rows", ".shape"),
-    "smith_mcmillan": (".smith.stages", ".smith.leads", ".smith.is_long", ".smith.is_general", ".smith.rows", ".G.", ".form", ".shape"),
+    "smith_mcmillan": (
+        ".smith.stages",
+        ".smith.leads",
+        ".smith.is_long",
+        ".smith.is_general",
+        ".smith.rows",
+        ".G.",
+        ".form",
+        ".shape",
+    ),
     "kalman_decomposition": (".hidden_modes", ".reached", ".unseen"),
     "controllable_decomposition": (".hidden_modes", ".reached", ".unseen"),
     "observable_decomposition": (".hidden_modes", ".reached", ".unseen"),

@@ -58,7 +58,7 @@ def test_lines_planes_and_names(system, options, found):
 
 
 def test_no_derivative_at_all_is_rest_everywhere():
-    found = solved("equations: [\"x' = 0\"]")
+    found = solved('equations: ["x\' = 0"]')
     assert found.status is Status.VERIFIED
     x = sp.Symbol("x", real=True)
     assert found.answers["points"] == [{x: x}]

@@ -5,11 +5,11 @@ import sympy as sp
 
 from solver import exact
 from solver.derivation import CheckStatus
+from solver.jets import jet_symbol
 from solver.numeric import check_steps
 from solver.numeric.judges import variations as judges
 from solver.render.wording import Wording
 from solver.systems.ends import End
-from solver.systems.equations import jet_symbol
 from solver.systems.functional import Functional
 from solver.tasks.variations.extremal_checks import problem_of
 from solver.tasks.variations.found_extremal import Extremal

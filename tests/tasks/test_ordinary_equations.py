@@ -4,9 +4,9 @@ import pytest
 import sympy as sp
 
 from solver.derivation import CheckStatus, Unsolved
+from solver.jets import jet_symbol
 from solver.numeric import check_steps
 from solver.render.wording import Wording
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations.ordinary_equations import solved, way_of
 
 t = sp.Symbol("t")

@@ -14,8 +14,8 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.modelling.turns import Solved, solved_in_turn
+from solver.jets import jet_symbol
 from solver.systems.circuit import Circuit, current, symbol_of, voltage
-from solver.systems.equations import jet_symbol
 from solver.systems.networks import GROUND, Element, Way
 
 Side = tuple[sp.Expr, sp.Expr]

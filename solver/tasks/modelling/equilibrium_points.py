@@ -97,8 +97,11 @@ def by_rest(given: Given[Equations, EquilibriumPointsOptions]) -> Derivation[Ans
         zero=list(rest.zero),
         same=list(rest.same),
         held=[(model.symbol((name, 0)), value) for name, value in (given.options.inputs or {}).items()],
-        kept=[u for name, u in zip(model.inputs, rest.inputs, strict=True)
-              if name not in (given.options.inputs or {}) and u not in question.told],
+        kept=[
+            u
+            for name, u in zip(model.inputs, rest.inputs, strict=True)
+            if name not in (given.options.inputs or {}) and u not in question.told
+        ],
         unknowns=list(question.told),
         discrete=model.discrete,
     )

@@ -15,8 +15,8 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
+    from solver.jets import Jet
     from solver.systems import Equations
-    from solver.systems.equations import Jet
 
 T = TypeVar("T")
 

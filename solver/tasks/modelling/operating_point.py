@@ -16,8 +16,8 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
+    from solver.jets import Jet
     from solver.systems import Equations
-    from solver.systems.equations import Jet
 
 
 LONG = 10**9

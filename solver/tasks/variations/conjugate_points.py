@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
+from solver.jets import jet_symbol
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, total
 from solver.stated.calculus import derivative, partial_derivative, value_at
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations.ordinary_equations import solution_of, way_of
 from solver.tasks.variations.unknowns import Constants, unknown_of
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from solver.derivation import Claim, Derivation, Step, lemma
+from solver.jets import jet_symbol
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.calculus import value_at
 from solver.stated.matrices import determinant
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations.conjugate_points import LETTER, FirstConjugate, jets_along, name_of_variation
 from solver.tasks.variations.ordinary_equations import solved, way_of
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.jets import jet_symbol
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations.unknowns import MOST, Unknown
 
 if TYPE_CHECKING:

@@ -8,11 +8,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
+from solver.jets import jet_symbol
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.calculus import denoted, partial_derivative, time_derivative
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations.jets import following, jets_of
 from solver.words import Phrase, formula
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Options, Step, Task, Unsolved
+from solver.jets import jet_symbol
 from solver.lazy import numeric
 from solver.numeric.judges import variations as judges
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations import extremal_checks, extremal_mistakes
 from solver.tasks.variations.constants import fitted_of
 from solver.tasks.variations.end_conditions import end_conditions_of, is_open

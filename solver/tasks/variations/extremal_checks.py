@@ -7,9 +7,9 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Answers, Check, Given, Task
+from solver.jets import jet_symbol
 from solver.lazy import numeric
 from solver.numeric.judges import variations as judges
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations.end_conditions import is_open
 
 if TYPE_CHECKING:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.jets import jet_symbol
 from solver.lazy import sympy as sp
-from solver.systems.equations import jet_symbol
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol

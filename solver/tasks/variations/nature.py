@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
+from solver.jets import jet_symbol
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.calculus import partial_derivative
-from solver.systems.equations import jet_symbol
 from solver.tasks.variations.conjugate_points import begins_fixed, first_zero_of, jets_along, stand_apart
 from solver.tasks.variations.coupled_points import coupled_point_of
 from solver.tasks.variations.free_ends import sign_at_free_end, sign_of_moving_end

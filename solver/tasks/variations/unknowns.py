@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
+from solver.jets import jet_symbol
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.systems.equations import jet_symbol
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol

@@ -35,7 +35,7 @@ def smith_residual(M: Any, factors: Sequence[Any] | None, x: Any) -> float:
     if factors is None:
         return WRONG
     worst = 0.0
-    without_x = [each.xreplace({x: sp.Integer(2)}) for each in (M, *map(sp.sympify, factors))]
+    without_x = [each.xreplace({x: sp.Integer(2)}) for each in (M, *(sp.S.Zero + factor for factor in factors))]
     for point in points_of(*without_x):
         rows = [[_coefficients(M[i, j], x, point) for j in range(M.cols)] for i in range(M.rows)]
         listed = [_coefficients(each, x, point) for each in factors]

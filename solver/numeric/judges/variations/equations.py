@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from solver.jets import jet_symbol
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.variations.problem import Along, Problem, numbers
-from solver.systems.equations import jet_symbol
 
 TRIALS = 2
 MOVED = 1e-7

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.polynomial import Polynomial
 
+from solver.jets import jet_symbol
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
-from solver.systems.equations import jet_symbol
 
 FROM, TO = 0.4, 1.3
 """Times between which the functions are taken: away from 0, where 1/t or log(t) have none."""

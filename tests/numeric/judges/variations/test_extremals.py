@@ -3,9 +3,9 @@
 import pytest
 import sympy as sp
 
+from solver.jets import jet_symbol
 from solver.numeric.judges import variations as judges
 from solver.numeric.judges.variations import End, Problem
-from solver.systems.equations import jet_symbol
 
 t, a = sp.Symbol("t"), sp.Symbol("a", positive=True)
 x, rate, second = (jet_symbol(("x", k)) for k in range(3))
