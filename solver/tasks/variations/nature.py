@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 WORDS = {"convex": "minimum", "concave": "maximum", "positive": "minimum", "negative": "maximum"}
 UNDECIDED, NEITHER = "undecided", "neither"
 SUFFICIENT = ("none", "beyond", "free", "moving")
-BEYOND = ("coupled", "jacobi", "zero")
+BEYOND = ("order", "coupled", "jacobi", "zero")
 VIOLATED = ("inside", "focal", "free_against", "moving_against")
 """Conditions by which Jacobi's equation and what is free at the end decide."""
 

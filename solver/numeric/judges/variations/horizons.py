@@ -12,18 +12,15 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
-import sympy as sp
-from numpy.linalg import LinAlgError
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Point
 from solver.numeric.evaluation.expressions import evaluate
-from solver.numeric.evaluation.points import PointSource, free_symbols
-from solver.numeric.evaluation.values import NotEvaluable, Undefined
-from solver.numeric.judges.variations.sampled import functions_at, real, relative
+from solver.numeric.evaluation.points import free_symbols
+from solver.numeric.evaluation.values import Undefined
+from solver.numeric.judges.variations.sampled import at_admissible_points, functions_at, real, relative
 
-TRIES = 20
 TIMES = np.array([0.0, 0.31, 0.73, 1.0])
 """Where functions of time are compared, as parts of the horizon."""
 FINE, SMALL = 1e-10, 1e-13
@@ -115,21 +112,9 @@ class Solved:
 
 def solved(horizon: Horizon, *values: Any) -> list[Solved]:
     """Return the question at two admissible points; symbols of weights and times are positive there."""
-    t = sp.Symbol("t")
-    symbols = frozenset().union(*map(free_symbols, (*horizon, *values))) - {t}
+    symbols = frozenset().union(*map(free_symbols, (*horizon, *values)))
     own = frozenset().union(*map(free_symbols, (*horizon[2:6], horizon.factor)))
-    source, found = PointSource(symbols), []
-    for _ in range(TRIES if symbols else 1):
-        point = {s: abs(v) if s in own else v for s, v in source.draw().items()}
-        try:
-            found.append(Solved(horizon, point))
-        except (LinAlgError, Undefined):
-            continue
-        if len(found) == (2 if symbols else 1):
-            break
-    if not found:
-        raise NotEvaluable("no values of the parameters were found for which the problem has a solution")
-    return found
+    return at_admissible_points(lambda point: Solved(horizon, point), symbols, own)
 
 
 def worst(horizon: Horizon, judge: Callable[[Solved], float], *values: Any) -> float:

@@ -1,18 +1,44 @@
-"""Functions of t as numbers at several times, and how far numbers are from each other."""
+"""Questions in numbers at admissible points, functions of t at several times, and how far numbers differ."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, TypeVar
 
 import numpy as np
 import sympy as sp
+from numpy.linalg import LinAlgError
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.environment import Environment, Point
 from solver.numeric.evaluation.expressions import value_of
-from solver.numeric.evaluation.points import free_symbols
-from solver.numeric.evaluation.values import ShapeMismatch, Undefined
+from solver.numeric.evaluation.points import PointSource, free_symbols
+from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
 from solver.words import Phrase
+
+Found = TypeVar("Found")
+TRIES = 20
+
+
+def at_admissible_points(make: Callable[[Point], Found], symbols: frozenset[Any], own: frozenset[Any]) -> list[Found]:
+    """Return what is made of a question at two points of its symbols but t, at one where it has none.
+
+    The `own` symbols (of weights, times and factors) are positive there; where `make` raises Undefined the point is not
+    admissible. Raises NotEvaluable where none is.
+    """
+    symbols -= {sp.Symbol("t")}
+    source, found = PointSource(symbols), []
+    for _ in range(TRIES if symbols else 1):
+        point = {s: abs(v) if s in own else v for s, v in source.draw().items()}
+        try:
+            found.append(make(point))
+        except (LinAlgError, Undefined):
+            continue
+        if len(found) == (2 if symbols else 1):
+            break
+    if not found:
+        raise NotEvaluable("no values of the parameters were found for which the problem has a solution")
+    return found
 
 
 def real(matrix: Any) -> Array:

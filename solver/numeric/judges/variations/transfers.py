@@ -12,18 +12,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import sympy as sp
-from numpy.linalg import LinAlgError
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Point
 from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.points import PointSource, free_symbols
-from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
-from solver.numeric.judges.variations.sampled import functions_at, real, relative
+from solver.numeric.evaluation.values import ShapeMismatch, Undefined
+from solver.numeric.judges.variations.sampled import at_admissible_points, functions_at, real, relative
 from solver.words import Phrase
 
-TRIES = 20
 NODES = 24
 """Of Gauss's formula, in each of the pieces of the horizon."""
 MOST_PIECES = 40
@@ -115,21 +113,9 @@ class Optimal:
 
 def optimal(transfer: Transfer, *values: Any) -> list[Optimal]:
     """Return the optimum at two admissible points; symbols of weights, times and factors are positive there."""
-    t = sp.Symbol("t")
-    symbols = frozenset().union(*map(free_symbols, (*transfer, *values))) - {t}
+    symbols = frozenset().union(*map(free_symbols, (*transfer, *values)))
     own = frozenset().union(*map(free_symbols, (transfer.R, transfer.T, transfer.factor)))
-    source, found = PointSource(symbols), []
-    for _ in range(TRIES if symbols else 1):
-        point = {s: abs(v) if s in own else v for s, v in source.draw().items()}
-        try:
-            found.append(Optimal(transfer, point))
-        except (LinAlgError, Undefined):
-            continue
-        if len(found) == (2 if symbols else 1):
-            break
-    if not found:
-        raise NotEvaluable("no values of the parameters were found for which the problem has a solution")
-    return found
+    return at_admissible_points(lambda point: Optimal(transfer, point), symbols, own)
 
 
 def _worst(transfer: Transfer, judge: Callable[[Optimal], float], *values: Any) -> float:
