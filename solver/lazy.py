@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import wraps
 from importlib import import_module
-from inspect import isfunction, unwrap
+from inspect import isfunction
 from typing import TYPE_CHECKING, Any
 
 from solver.startup import LazyModule
@@ -38,7 +38,7 @@ class Kernels(LazyModule):
 
     def __getattr__(self, attribute: str) -> Any:
         value = super().__getattr__(attribute)
-        if isfunction(unwrap(value)):  # those that remember their results too
+        if isfunction(value):
             value = self._noting(attribute, value)
             setattr(self, attribute, value)
         return value
