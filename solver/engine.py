@@ -142,6 +142,7 @@ def given_of(part: Part, method: str, earlier: Earlier, steps: list[Step] | None
     _refuse(task, asked.system, asked.options)
     plant = _plant(task, task.given(signed(asked.system), asked.options, method))
     given: Given[Any, Any] = yield_into([] if steps is None else steps, plant)
+    _refuse_any(given.options.misfits(given.system))
     if not task.complex_entries and not has_real_entries(given.system):
         raise Unsolved("linear_algebra/not_real")
     return given
@@ -178,7 +179,11 @@ def _system_of(part: Part, earlier: Earlier, own: Mapping[str, Any]) -> Any:
 
 def _refuse(task: Task[Any, Any], system: System, options: Mapping[str, Any]) -> None:
     """Refuse what could not be judged before, since it was taken from an earlier part."""
-    for _, fault in task.refused(system, options):
+    _refuse_any(task.refused(system, options))
+
+
+def _refuse_any(faults: Iterable[tuple[str, Reason]]) -> None:
+    for _, fault in faults:
         raise Unsolved("engine/refused", fault=fault)
 
 

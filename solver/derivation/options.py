@@ -58,6 +58,10 @@ class OptionKind(ABC, Generic[T]):
     def read(self, node: Node, name: str, context: Context) -> T:
         """Return the value of the option `name`; raises Fault at the node."""
 
+    def misfit(self, name: str, value: T, system: System) -> Reason | None:  # noqa: ARG002 - most fit any system
+        """Return why a value that was read before the system was known does not fit it, None if it does."""
+        return None
+
 
 class ImpliedKind(OptionKind[T]):
     """A kind with a value of its own where nothing is said."""
@@ -164,6 +168,12 @@ class Options:
     def faults(self, system: System) -> Iterable[tuple[str, Reason]]:  # noqa: ARG002 - for those that must fit it
         """Yield each option that does not fit the system, with what is wrong; options of other tasks have their own."""
         return ()
+
+    def misfits(self, system: System) -> list[tuple[str, Reason]]:
+        """Return each option whose value has another shape than its kind asks of it beside the system, and why."""
+        given = {name: each.kind for name, each in self.declared().items() if getattr(self, name) is not None}
+        found = ((name, kind.misfit(name, getattr(self, name), system)) for name, kind in given.items())
+        return [(name, reason) for name, reason in found if reason is not None]
 
     @property
     def values(self) -> list[Any]:

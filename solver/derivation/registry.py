@@ -222,8 +222,8 @@ class Task(Generic[S, O]):
 
     def refused(self, system: System, values: Mapping[str, Any]) -> Iterable[Refusal]:
         """Return what makes the question wrong; None stands for the value of an option that is not known yet."""
-        options = self.options_class.of(values)
-        return chain(options.faults(system), *(refuse(system, options) for refuse in self.refusals))
+        asked = self.options_class.of(values)
+        return asked.misfits(system) or chain(asked.faults(system), *(each(system, asked) for each in self.refusals))
 
     def consequence(
         self, answer: str, *, of: tuple[str, ...], symbolic: bool = True, completing: bool = False

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, ClassVar
 
 from solver.derivation.options import OptionKind, Schema
 from solver.problem.nodes import Node
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
     from solver.problem.context import Context
+    from solver.systems import System
 
 SIZES = {"n": 2, "m": 1, "p": 1}
 """States, inputs and outputs of the plant in examples."""
@@ -54,3 +56,11 @@ class MatrixOf(OptionKind["ImmutableMatrix"]):
     def read(self, node: Node, name: str, context: Context) -> ImmutableMatrix:
         """Return a matrix of the shape asked for; a flat list of the right length fits a column or a row."""
         return context.matrix(node, name, (self.rows, self.columns), self.flat)
+
+    def misfit(self, name: str, value: ImmutableMatrix, system: System) -> Reason | None:
+        """Return what shape the system asks for, where the matrix has another one."""
+        sizes = (system.size(of) if isinstance(of, str) else of for of in (self.rows, self.columns))
+        wanted = tuple(own if size is None else size for size, own in zip(sizes, value.shape, strict=True))
+        if wanted == value.shape:
+            return None
+        return Reason("engine/misfit", {"name": name, "shape": value.shape, "wanted": wanted})

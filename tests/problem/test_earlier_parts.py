@@ -130,3 +130,20 @@ def test_the_sources_of_a_part_are_its_system_and_its_options():
     )
     assert problem.parts[2].sources == ("a", "b")
     assert problem.parts[2].system.gain == Reference("b", "K")
+
+
+@pytest.mark.parametrize("system", ["{from: a}", "{transfer_function: 1/(s^3 + 2s + 5)}"])
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "lqr, R: 1, initial_state: [1, 0]",
+        "response, input: 1, initial_state: [1, 0]",
+        "minimum_energy_control, final_time: 1, initial_state: [1, 0]",
+        "finite_horizon_lqr, final_time: 1, terminal_weight: [[1, 0], [0, 1]]",
+    ],
+)
+def test_matrices_of_another_size_than_a_system_that_is_found_later_are_refused(system, asked):
+    text = "system: {transfer_function: 1/(s^3 + 2s + 5)}\nfind:\n  a: realization\n"
+    part = solved(text + f"  b: {{task: {asked}, system: {system}}}\n")["b"]
+    assert part.status is Status.UNSOLVED
+    assert part.reason.values["fault"].kind == "engine/misfit"

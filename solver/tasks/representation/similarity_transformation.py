@@ -61,13 +61,14 @@ similarity_transformation.together(state_equations(r"\xi"))
 
 @similarity_transformation.refusal
 def of_a_matrix_that_is_no_change_of_coordinates(
-    system: System, options: SimilarityTransformationOptions
+    system: System,  # noqa: ARG001 - T alone decides
+    options: SimilarityTransformationOptions,
 ) -> Iterable[Refusal]:
-    """T is n×n and has an inverse."""
-    T, n = options.T, getattr(system, "order", None)
+    """T is square and has an inverse."""
+    T = options.T
     if T is None:
         return
-    if T.rows != T.cols or n not in (None, T.rows):
+    if T.rows != T.cols:
         yield "T", Reason("representation/size_of_T", {"rows": T.rows, "columns": T.cols})
     elif exact.is_singular(T):
         yield "T", Reason("representation/singular_T")
