@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import solver
-from solver.exact.linear_algebra.fields import domain_matrix, matrix_of, side_by_side
+from solver.exact.linear_algebra.fields import NotExact, domain_matrix, matrix_of, side_by_side
 
 a, b = sp.symbols("a b", positive=True)
 k, theta = sp.symbols("k theta", real=True)
@@ -57,3 +57,12 @@ system: {A: [["-a sqrt(2g)/(2S sqrt(h))", 0], ["a sqrt(2g)/(2S sqrt(h))", "-exp(
 find: {a: transfer_function, b: controllability}
 """
     assert [part.status for part in solver.solve(text).parts] == ["verified"] * 2
+
+
+@pytest.mark.parametrize("functions", [(sp.exp,), (sp.sin, sp.cos), (sp.exp, sp.sin)])
+def test_functions_of_decimals_have_no_field(functions):
+    rates = (sp.Float("0.341"), sp.Float("-0.682"))
+    entries = [f(rate * k) * rate for f in functions for rate in rates]
+    for M in (sp.Matrix([entries]), sp.Matrix([[*entries, sp.sqrt(2)]])):
+        with pytest.raises(NotExact):
+            domain_matrix(M)

@@ -124,6 +124,15 @@ def test_the_control_arrives_when_it_is_simulated(numbers, ends):
     assert np.abs(end - ends[2:]).max() < 1e-6 * size
 
 
+@pytest.mark.parametrize("weights", [{}, {"R": sp.ImmutableMatrix([[2, 1], [1, 2]])}])
+def test_modes_in_decimals_are_led_to_the_end_by_both_methods(weights):
+    plant = system([[0, 1, 0], [0, 0, 1], [-1, -1, 0]], B=[[0, 1], [0, 0], [1, 0]] if weights else [[0], [0], [1]])
+    asked = transfer((1, 0, 0), (0, 0, 0), **weights)
+    found = [ask("minimum_energy_control", plant, method, **asked) for method in METHODS]
+    assert [each.status for each in found] == [Status.VERIFIED] * 2
+    assert abs(found[0].answers["cost"] - found[1].answers["cost"]) < 1e-12 * abs(found[0].answers["cost"])
+
+
 def test_corrupted_answers_are_rejected():
     asked = transfer((1, 1))
     answers = ask("minimum_energy_control", CHAIN, "variations", **asked).answers

@@ -36,7 +36,10 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
     """
     if real and M.has(sp.I):
         raise NotExact("linear_algebra/not_real")
-    written = half_angles(M)
+    try:
+        written = half_angles(M)
+    except ValueError as failure:
+        raise NotExact("linear_algebra/not_numbers") from failure
     matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
     if matrix.domain.is_EXRAW or matrix.domain.is_EX:
         matrix = _over_surds_and_parameters(written)

@@ -25,7 +25,8 @@ def generators_in(M: sp.MatrixBase) -> tuple[sp.MatrixBase, dict[sp.Symbol, sp.E
     for each in sorted(M.atoms(sp.exp), key=str):
         number, product = each.args[0].as_coeff_Mul()
         powers = product.as_powers_dict()
-        if not product.free_symbols or not all(x.is_Symbol and k.is_Integer for x, k in powers.items()):
+        known = number.is_Rational and all(x.is_Symbol and k.is_Integer for x, k in powers.items())
+        if not product.free_symbols or not known:
             raise ValueError("a function of parameters that is no generator")
         shares.setdefault(product, []).append((each, number))
     put = {}
@@ -46,13 +47,18 @@ def generators_in(M: sp.MatrixBase) -> tuple[sp.MatrixBase, dict[sp.Symbol, sp.E
 
 
 def half_angles(M: sp.MatrixBase) -> sp.MatrixBase:
-    """M with rational functions of tangents in place of sines and cosines; multiples of an angle in terms of it."""
+    """M with rational functions of tangents in place of sines and cosines; multiples of an angle in terms of it.
+
+    Raises ValueError for angles whose ratio is not known, as it is a decimal.
+    """
     shares: dict[sp.Expr, list[sp.Rational]] = {}
     angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}
     for angle in angles:
         number, product = angle.as_coeff_Mul()
         shares.setdefault(product, []).append(number)
     several = {product: numbers for product, numbers in shares.items() if len(numbers) > 1}
+    if not all(number.is_Rational for numbers in several.values() for number in numbers):
+        raise ValueError("angles in decimals")
     if several:
         M = M.xreplace({f: of for product, numbers in several.items() for f, of in _in_one_angle(product, numbers)})
         angles = {f.args[0] for f in M.atoms(sp.sin, sp.cos)}

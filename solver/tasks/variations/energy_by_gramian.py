@@ -40,8 +40,8 @@ def gramian_of(transfer: Transfer, best: exact.MinimumEnergy) -> Derivation[None
 
 def _square(transfer: Transfer, moved: ImmutableMatrix) -> ImmutableMatrix:
     """e^{At} B R⁻¹ Bᵀ e^{Aᵀt}, multiplied out."""
-    law = exact.weighted_transpose(moved, transfer.R)
-    return sp.ImmutableMatrix((moved * law).expand())
+    inverted = exact.weighted_transpose(sp.ImmutableMatrix(sp.eye(transfer.R.rows)), transfer.R)
+    return sp.ImmutableMatrix((moved * inverted * moved.T).expand())  # no field: the modes may be in decimals
 
 
 @lemma("energy_by_gramian")

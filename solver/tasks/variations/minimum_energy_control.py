@@ -107,7 +107,7 @@ def arrives_at_the_least_cost(given: Given[WithInput, EnergyOptions], answers: A
     )
     yield numeric.check_residual(
         r"$\int u^{T}R\,v\,dt = 0$ for other controls $u + v$ that arrive: each of them costs more",
-        "quadrature",
+        "Gauss–Legendre quadrature",
         lambda: judges.orthogonality_residual(transfer, u),
         FLOATS,
     )
