@@ -12,8 +12,6 @@ from solver.derivation import Check, Claim
 from solver.stated.algebra import product, quotient
 from solver.stated.matrices import determinant, rank
 
-DIVIDED = "polynomial division"
-
 
 def of_smith_form(found: Any, M: Any, x: Any) -> Iterator[Claim | Check]:
     """U M V is the form, U and V are unimodular, the factors are monic and each divides the next."""
@@ -23,7 +21,7 @@ def of_smith_form(found: Any, M: Any, x: Any) -> Iterator[Claim | Check]:
     for unimodular in (found.left, found.right) if found.left is not None else ():
         constant = unimodular.subs(x, 0).det()
         yield Claim(determinant(unimodular), sp.cancel(constant))
-        yield Check.that("a unimodular matrix", "determinant", sp.cancel(constant) != 0)
+        yield Check.that("a unimodular matrix", "compared", sp.cancel(constant) != 0)
     yield Claim(rank(M), sp.Integer(found.rank))
     yield from _divides_the_next([each.as_expr() for each in found.invariants], x)
     listed = [*found.invariant_factors]
@@ -34,9 +32,9 @@ def of_smith_form(found: Any, M: Any, x: Any) -> Iterator[Claim | Check]:
 
 def _divides_the_next(factors: list[Any], x: Any) -> Iterator[Check]:
     for each in factors:
-        yield Check.that("a monic polynomial", "leading coefficient", sp.Poly(each, x).LC() == 1)
+        yield Check.that("a monic polynomial", "coefficients", sp.Poly(each, x).LC() == 1)
     for one, following in pairwise(factors):
-        yield Check.that("each divides the next", DIVIDED, sp.rem(following, one, x).equals(0) is True)
+        yield Check.that("each divides the next", "sympy.rem", sp.rem(following, one, x).equals(0) is True)
 
 
 def of_smith_mcmillan(found: Any, G: Any) -> Iterator[Claim | Check]:
@@ -47,7 +45,7 @@ def of_smith_mcmillan(found: Any, G: Any) -> Iterator[Claim | Check]:
     yield from of_smith_form(found.smith, found.numerator, x)
     for e, (above, below) in zip(found.smith.invariants, found.fractions, strict=True):
         yield Claim(quotient(e.as_expr(), d), above.as_expr() / below.as_expr())
-        yield Check.that("lowest terms", "gcd", above.gcd(below).degree() <= 0)
+        yield Check.that("lowest terms", "sympy.gcd", above.gcd(below).degree() <= 0)
     yield from _divides_the_next([above.as_expr() for above, _ in found.fractions], x)
     yield from _divides_the_next([below.as_expr() for _, below in reversed(found.fractions)], x)
     for entry, (above, below) in zip(found.diagonal, found.fractions, strict=False):
@@ -69,8 +67,8 @@ def of_determinantal_divisors(found: Any, M: Any, x: Any) -> Iterator[Claim | Ch
             for rows in combinations(range(M.rows), k)
             for columns in combinations(range(M.cols), k)
         ]
-        yield Check.that("a monic polynomial", "leading coefficient", d.LC() == 1)
+        yield Check.that("a monic polynomial", "coefficients", d.LC() == 1)
         left = [sp.div(minor, d.as_expr(), x) for minor in minors]
-        yield Check.that("it divides all minors", DIVIDED, all(rest.equals(0) is True for _, rest in left))
+        yield Check.that("it divides all minors", "sympy.div", all(rest.equals(0) is True for _, rest in left))
         common = sp.gcd_list([each for each, _ in left])
-        yield Check.that("no more is common to them", "gcd", not common.has(x))
+        yield Check.that("no more is common to them", "sympy.gcd", not common.has(x))

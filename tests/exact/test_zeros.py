@@ -77,6 +77,12 @@ def test_few_minors_decide_what_all_have_in_common():
         assert sp.expand(minor.factored - minor.value.as_expr()) == 0
 
 
+def test_a_matrix_of_rank_zero_has_no_minors_that_decide():
+    found = system_matrix(M(0, 0, []), M(0, 1, []), M(1, 0, []), M([[0]]), s)
+    assert (found.rank, found.square, found.deciding) == (0, False, ())
+    assert found.zero_polynomial.as_expr() == 1
+
+
 def test_what_is_hidden_from_both_sides():
     A = M.diag(-1, -2, -3)
     both = common_decoupling_polynomial(A, (s + 2) * (s + 3), s + 3, s + 1, s)

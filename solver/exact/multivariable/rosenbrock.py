@@ -66,7 +66,9 @@ class SystemMatrix:
 
     @cached_property
     def deciding(self) -> tuple[PolynomialMinor, ...]:
-        """Minors of normal rank with the greatest common divisor of all; none where few do not suffice."""
+        """Minors of normal rank with the greatest common divisor of all; none where few do not suffice, or P is 0."""
+        if not self.rank:
+            return ()
         wanted, found, divisor = self.zero_polynomial, [], None
         for minor in islice(self._largest(), MOST_TRIED):
             together = minor.value.monic() if divisor is None else divisor.gcd(minor.value).monic()

@@ -129,4 +129,4 @@ def smith_form_of(rows: Rows, x: sp.Symbol) -> SmithForm:
 def _is_hopeless(rows: Rows) -> bool:
     """Whether Euclid's algorithm would be long: three rows and columns of polynomials of degree three and more."""
     filled = [p for row in rows for p in row if not p.is_zero]
-    return min(len(rows), len(rows[0])) > 2 and all(p.degree() > 2 for p in filled)
+    return min(len(rows), len(rows[0])) > 2 and bool(filled) and all(p.degree() > 2 for p in filled)
