@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.conversions.forward_path import forward_path_of
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.conversion import conversion, converted_to
 from solver.lazy import exact
@@ -23,7 +24,7 @@ Fractions = tuple[tuple["Expr", ...], ...]
 
 
 @conversion(MatrixFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion"))
-@lemma("loop")
+@lemma("matrix_loop")
 def transfer_matrix_of_loop(loop: MatrixFeedback) -> Derivation[TransferFunction]:
     """C G (I + H C G)⁻¹ on rational functions, or C G.
 
@@ -35,8 +36,7 @@ def transfer_matrix_of_loop(loop: MatrixFeedback) -> Derivation[TransferFunction
     _expect_sizes(loop, *G.matrix.shape)
     x, C, H = G.variable, loop.controller, loop.feedback
     L = _multiplied(C, G.matrix)
-    claims = {"forward": Claim(product(C, G.matrix), L, "forward path $C G$")}
-    yield Step("forward", claims=claims, x=x, C=C, G=G.matrix, open=H is None, several=True)
+    yield from forward_path_of(C, G.matrix, L, x, open_loop=H is None, several=True)
     T = L if H is None else (yield from _closed(L, H, x, alone=C == 1))
     fractions = [[sp.fraction(entry) for entry in row] for row in T.tolist()]
     if any(sp.degree(p, x) > sp.degree(q, x) for row in fractions for p, q in row if p != 0):
@@ -45,7 +45,7 @@ def transfer_matrix_of_loop(loop: MatrixFeedback) -> Derivation[TransferFunction
     return transfer_system(G, T, numerators, denominators)
 
 
-@lemma("loop")
+@lemma("matrix_loop")
 def _closed(L: ImmutableMatrix, H: Any, x: Symbol, *, alone: bool) -> Derivation[ImmutableMatrix]:
     """L (I + H L)⁻¹: the matrix, its determinant, its inverse, the product. `alone`: there is no controller in L."""
     identity = sp.ImmutableMatrix(sp.eye(L.cols))
@@ -100,7 +100,7 @@ def _cancelled(M: Any) -> ImmutableMatrix:
 
 
 @conversion(MatrixFeedback, StateSpace, gives=lambda _: ("matrix", "A", "B", "C", "D", "transfer_function"))
-@lemma("loop")
+@lemma("matrix_loop")
 def states_of_loop(loop: MatrixFeedback) -> Derivation[StateSpace]:
     """The states of G, then those of C, then those of H, each realized with as few as possible where it is none yet.
 
@@ -117,7 +117,7 @@ def states_of_loop(loop: MatrixFeedback) -> Derivation[StateSpace]:
         C = yield from _element(loop.controller, "C", G.C.rows, x, discrete=loop.discrete)
         L = exact.in_series(L, C)
         stated = product(loop.controller, stated)
-        yield _joined("series", L, stated, x, own=C.A.rows)
+        yield Step("series", claims=_as_stated(L, stated, x), **_blocks(L), own=C.A.rows)
     if loop.feedback is not None:
         H = yield from _element(loop.feedback, "H", L.C.rows, x, discrete=loop.discrete)
         T = exact.fed_back(L, H)
@@ -127,7 +127,7 @@ def states_of_loop(loop: MatrixFeedback) -> Derivation[StateSpace]:
         back = stated if loop.feedback == 1 else product(loop.feedback, stated)
         stated = product(stated, inverse(total(identity, back)))
         told = {"direct": not L.D.is_zero_matrix, "unity": loop.feedback == 1}
-        yield _joined("fed_back", T, stated, x, own=H.A.rows, **told)
+        yield Step("fed_back", claims=_as_stated(T, stated, x), **_blocks(T), own=H.A.rows, **told)
         L = T
     if L.A.rows == 0:
         raise Unsolved("conversions/constant_plant")
@@ -136,13 +136,17 @@ def states_of_loop(loop: MatrixFeedback) -> Derivation[StateSpace]:
     return StateSpace(L.A, L.B, L.C, L.D, start, loop.discrete, loop.sample_time, names, G.input_names)
 
 
-def _joined(kind: str, found: exact.Realization, stated: Stated, x: Symbol, *, own: int, **told: Any) -> Step:
-    """The matrices of elements put together; `own` is the number of states of the one that came last."""
-    claim = Claim(stated, _transfer(found, x), Phrase("the states have the transfer matrix"))
-    return Step(kind, claims={"transfer": claim}, A=found.A, B=found.B, C=found.C, D=found.D, own=own, **told)
+def _as_stated(found: exact.Realization, stated: Stated, x: Symbol) -> dict[str, Claim]:
+    """That states have the transfer matrix stated."""
+    return {"transfer": Claim(stated, _transfer(found, x), Phrase("the states have the transfer matrix"))}
 
 
-@lemma("loop")
+def _blocks(found: exact.Realization) -> dict[str, Any]:
+    """The matrices of a realization, by the names that the wording has for them."""
+    return {"A": found.A, "B": found.B, "C": found.C, "D": found.D}
+
+
+@lemma("matrix_loop")
 def _states_of_plant(loop: MatrixFeedback) -> Derivation[StateSpace]:
     """The plant with its own states; a transfer matrix is realized with as few as possible."""
     if not isinstance(loop.plant, TransferFunction):
@@ -152,7 +156,7 @@ def _states_of_plant(loop: MatrixFeedback) -> Derivation[StateSpace]:
     return StateSpace(found.A, found.B, found.C, found.D, input_names=loop.plant.input_names)
 
 
-@lemma("loop")
+@lemma("matrix_loop")
 def _element(value: Any, name: str, size: int, x: Symbol, *, discrete: bool) -> Derivation[exact.Realization]:
     """A controller, or what is in the feedback path, with states."""
     matrix = value if hasattr(value, "shape") else sp.ImmutableMatrix(value * sp.eye(size))
@@ -161,7 +165,7 @@ def _element(value: Any, name: str, size: int, x: Symbol, *, discrete: bool) -> 
     return (yield from _realized(matrix, name, x, discrete=discrete))
 
 
-@lemma("loop")
+@lemma("matrix_loop")
 def _realized(M: ImmutableMatrix, name: str, x: Symbol, *, discrete: bool) -> Derivation[exact.Realization]:
     """As few states as possible for a transfer matrix; raises Unsolved where it is improper."""
     if not M.has(x):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from solver.conversions.forward_path import forward_path_of
 from solver.conversions.matrix_feedback import transfer_matrix_of_loop, transfer_system
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.conversion import composition, conversion, converted_to
@@ -41,15 +42,7 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
     (p, q), (c, d) = (G.numerators[0][0], G.denominators[0][0]), _polynomials(C)
     top, bottom = _by_powers(c * p, x), _by_powers(d * q, x)
     path = quotient(top, bottom)
-    yield Step(
-        "forward",
-        claims={"forward": Claim(product(C, quotient(p, q)), path, "forward path $C G$")},
-        x=x,
-        C=C,
-        G=quotient(p, q),
-        open=H is None,
-        several=False,
-    )
+    yield from forward_path_of(C, quotient(p, q), path, x, open_loop=H is None, several=False)
     if H is not None:
         h, k = _polynomials(H)
         N, D = _by_powers(top * k, x), _by_powers(bottom * k + top * h, x)

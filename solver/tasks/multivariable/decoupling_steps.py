@@ -11,7 +11,7 @@ from solver.arithmetic.determinants import expanded, first_line
 from solver.arithmetic.factors import factors_multiplied
 from solver.arithmetic.inverses import inverted
 from solver.arithmetic.products import multiplied
-from solver.derivation import Claim, Derivation, Step, Unsolved
+from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, total
@@ -73,6 +73,7 @@ def _by_channel(poles: Sequence[Any] | None, degrees: Sequence[int]) -> tuple[tu
     return (*found, *([tuple(flat)] if flat else []))
 
 
+@lemma("decoupling")
 def interaction_of(plant: WithBoth) -> Derivation[tuple[exact.Interaction, list[Any] | None]]:
     """Differentiate each output until an input acts on it; the decoupling matrix, and whether it has an inverse.
 
@@ -168,6 +169,7 @@ def _infeasible(found: exact.Interaction, matrices: tuple[ImmutableMatrix, ...])
     )
 
 
+@lemma("decoupling")
 def polynomials_of(
     plant: WithBoth, found: exact.Interaction, poles: Sequence[Any] | None, x: Symbol
 ) -> Derivation[Polynomials]:
@@ -200,6 +202,7 @@ def polynomials_of(
     return own.polynomials
 
 
+@lemma("decoupling")
 def law_of(
     plant: WithBoth, found: exact.Interaction, polynomials: Polynomials, x: Symbol
 ) -> Derivation[exact.DecouplingLaw]:
@@ -217,6 +220,7 @@ def law_of(
     return law
 
 
+@lemma("decoupling")
 def closed_loop_of(
     plant: WithBoth, law: exact.DecouplingLaw, polynomials: Polynomials, x: Symbol
 ) -> Derivation[tuple[ImmutableMatrix, ImmutableMatrix]]:
@@ -240,6 +244,7 @@ def closed_loop_of(
     return loop, G
 
 
+@lemma("decoupling")
 def hidden_motion_of(
     plant: WithBoth, found: exact.Interaction, loop: ImmutableMatrix, polynomials: Polynomials, x: Symbol
 ) -> Derivation[None]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from solver.tasks.variations.found_extremal import Extremal
 
 
-@lemma("conjugate_points")
+@lemma("coupled_points")
 def coupled_point_of(system: Functional, found: Extremal) -> Derivation[FirstConjugate]:
     """Jacobi's equations together; U of the solutions that begin with zero; the first zero of det U."""
     t, at = system.t, system.start

@@ -132,8 +132,8 @@ def _at_end(system: Functional, found: Extremal, name: str, u: Any, sign: int) -
         return "jacobi"
     decide = sign_of_moving_end if system.stop is None else sign_at_free_end
     own = yield from decide(system, found, name, u)
-    kind = "moving" if system.stop is None else "free"
-    return f"{kind}_open" if own is None else f"{kind}_zero" if own == 0 else kind if own == sign else f"{kind}_against"
+    end = "moving" if system.stop is None else "free"
+    return f"{end}_open" if own is None else f"{end}_zero" if own == 0 else end if own == sign else f"{end}_against"
 
 
 @lemma("nature")
