@@ -60,6 +60,10 @@ def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
     needs = catalogue()[task].needs
     if "lagrangian" in needs:
         return chain_of_masses(n)
+    if "functional" in needs:
+        return sums_of_squares(n)
+    if "polynomial_matrix" in needs:
+        return {"polynomial_matrix": str((sp.Symbol("s") * sp.eye(n) - plant(n, kind)[0]).tolist())}
     return equations(n, kind) if "equations" in needs else matrices(task, method, n, kind)
 
 
@@ -70,6 +74,15 @@ def chain_of_masses(n: int) -> dict[str, str]:
     springs = ", ".join(f'{{stiffness: 2, length: "{b} - {a}"}}' for a, b in zip(["0", *q], q, strict=False))
     inside = f"{{coordinates: [{', '.join(q)}], bodies: [{bodies}], springs: [{springs}], forces: {{{q[-1]}: u}}}}"
     return {"lagrangian": inside, "inputs": "[u]"}
+
+
+def sums_of_squares(n: int) -> dict[str, str]:
+    """∫ Σ (xᵢ'² + i² xᵢ²) dt from 0 to 1, from 0 to 1 in every function."""
+    names = [f"x{i}" for i in range(1, n + 1)]
+    integrand = " + ".join(f"{x}'^2 + {i * i} {x}^2" for i, x in enumerate(names, 1))
+    ends = ", ".join(f"{x}: [0, 1]" for x in names)
+    functional = f'{{integrand: "{integrand}", functions: [{", ".join(names)}], from: 0, to: 1, ends: {{{ends}}}}}'
+    return {"functional": functional}
 
 
 def plant(n: int, kind: str) -> tuple[sp.MatrixBase, sp.MatrixBase, sp.MatrixBase]:

@@ -70,6 +70,8 @@ def same(read, value):
     if isinstance(value, sp.MatrixBase):
         return read.shape == value.shape and all(map(same, read, value))
     value = sp.sympify(value)
+    if value in (sp.oo, -sp.oo):
+        return read == value
     plain = value.xreplace({symbol: sp.Symbol(symbol.name) for symbol in value.free_symbols})
     difference = sp.expand(read - plain) if isinstance(plain, sp.Expr) else 0 if read == plain else 1
     points = {symbol: sp.Rational(7, 5) + index for index, symbol in enumerate(sorted(read.free_symbols, key=str))}

@@ -130,6 +130,10 @@ def test_nothing_promised_is_left_out():
     assert set(PROMISED) <= set(catalogue())
 
 
+BY_STEPS = {"P", "K", "x", "u"}
+"""Over a finite horizon in discrete time one value a step, elsewhere a single one."""
+
+
 def answers_declared(fact):
     """The names of the answers of which something is declared, in whatever task."""
     return {answer.name for task in catalogue().values() for answer in task.answers.values() if getattr(answer, fact)}
@@ -137,14 +141,16 @@ def answers_declared(fact):
 
 def test_what_marking_knows_of_an_answer_is_declared_wherever_it_stands():
     counts, in_order, vectors = (answers_declared(fact) for fact in ("count", "ordered", "vectors"))
-    assert counts == {"rank", "right_half_plane_roots", "imaginary_axis_roots", "orders"}
-    assert in_order == {"orders", "definiteness", "determinants"}
+    assert counts == {"rank", "right_half_plane_roots", "imaginary_axis_roots", "orders", "normal_rank"}
+    assert in_order - BY_STEPS == {
+        "orders", "definiteness", "determinants", "costates", "diagonal", "invariant_factors", "relative_degrees",
+    }  # fmt: skip
     assert vectors == {
         "right_eigenvectors", "left_eigenvectors", "eigenvectors", "T", "null_space", "column_space", "row_space",
-        "left_null_space",
+        "left_null_space", "zero_directions",
     }  # fmt: skip
     for task in catalogue().values():
         for answer in task.answers.values():
             assert answer.count == (answer.name in counts)
-            assert answer.ordered == (answer.name in in_order)
+            assert answer.ordered == (answer.name in in_order) or answer.name in BY_STEPS
             assert not answer.vectors or answer.free is True

@@ -10,9 +10,7 @@ import sympy as sp
 
 from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.variations.exponential_sums import ExponentialSum, Mode, tidied
-
-TIMES = ("t", "tau", "T")
-"""Names of times, which are not negative."""
+from solver.symbols import TIME
 
 MOST_TERMS, MOST_WITH_ROOTS = 60, 12
 """Common factors of longer sums are not looked for; nor of these, where they hold roots."""
@@ -130,7 +128,7 @@ def _cleared(coefficients: Sequence[sp.Expr], lead: sp.Expr) -> sp.Expr:
 def _rate(mode: Mode) -> sp.Expr:
     """How fast an exponential grows: its exponent with the times put to one."""
     symbols: set[Any] = mode.exponent.free_symbols
-    return mode.exponent.xreplace({s: sp.S.One for s in symbols if s.name in TIMES})
+    return mode.exponent.xreplace({s: sp.S.One for s in symbols if s.name in {*TIME, "T"}})
 
 
 def _falls(mode: Mode) -> bool:

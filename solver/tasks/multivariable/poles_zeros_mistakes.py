@@ -37,7 +37,7 @@ COUNTED_BY_ENTRY = Slip(
     "the poles of all entries are counted together; entries share poles, and the minors tell how often",
 )
 ONCE = Slip("multiplicity", "each value is listed once; multiplicities count")
-HIDDEN = Slip("hidden_modes", "these are the eigenvalues of $A$; a mode that is hidden is no pole of $G$")
+HIDDEN = Slip("hidden_modes_kept", "these are the eigenvalues of $A$; a mode that is hidden is no pole of $G$")
 WITH_HIDDEN = Slip("invariant_for_transmission", "decoupling zeros are among them, which are no transmission zeros")
 
 

@@ -168,7 +168,7 @@ FOLLOWED = {
     "superdiagonal": "ones above the diagonal",
 }
 for each in ("observable", "controllable"):
-    slip = Slip("form", Phrase("it is the {each} form", each=each))
+    slip = Slip("other_form", Phrase("it is the {each} form", each=each))
     realization.mistaken_question(slip)(partial(with_form, form=each))
 for each, what in FOLLOWED.items():
     slip = Slip("convention", Phrase("it follows the other convention: {what}", what=what))
