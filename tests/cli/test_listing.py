@@ -119,8 +119,8 @@ KINDS = {
     Channel("input"): "an input by number from 1 or by name",
     Channel("state"): "a state by number from 1 or by name",
     Names(): "a list of names",
-    LoopElement(): "an expression in s (discrete: z)",
-    LoopElement(switched=True): "unity, none or an expression in s (discrete: z)",
+    LoopElement(): "an expression in s (discrete: z) or a matrix of them",
+    LoopElement(switched=True): "unity, none, an expression in s (discrete: z) or a matrix of them",
     TransferFunctionOption(): "a transfer function",
 }
 

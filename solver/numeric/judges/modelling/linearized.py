@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 from random import Random
 from typing import Any
 
@@ -70,38 +71,56 @@ class Around:
         return {"A": rows[:, :n], "B": rows[:, n:], "C": through[:, :n], "D": through[:, n:]}
 
 
+@dataclass(frozen=True)
+class Asked:
+    """A question about a point by what tells it from others: what is compared is the identity alone."""
+
+    identity: tuple[Any, ...]
+    question: Question = field(compare=False)
+    values: Mapping[Any, Any] = field(compare=False)
+    symbols: Sequence[Any] = field(compare=False)
+    discrete: bool = field(compare=False)
+    adjusted: bool = field(compare=False)
+
+
 def resting_points(
     question: Question, values: Mapping[Any, Any], others: Sequence[Any], *, discrete: bool, adjusted: bool = True
-) -> Iterator[Around]:
-    """Yield numbers at which a point of states and inputs is one of rest; names, then parameters, are adjusted to it.
+) -> Sequence[Around]:
+    """Return numbers at which a point of states and inputs is one of rest; names, then parameters, are adjusted to it.
 
     `values` are the point by symbols, `others` whatever else is to be evaluated there.
     """
-    random = Random(SEED)  # noqa: S311 - nothing secret
     everything = [*question.equations, *question.outputs, *values.values(), *others]
     known = {symbol for symbol in question.jets if symbol not in values or values[symbol] != symbol}
-    symbols = sorted(free_symbols(everything) - known, key=str)
+    symbols = tuple(sorted(free_symbols(everything) - known, key=str))
+    fields = (tuple(each.items()) if isinstance(each, Mapping) else tuple(each) for each in question)
+    identity = (*fields, tuple(values.items()), symbols, discrete, adjusted)
+    return _resting_points(Asked(identity, question, values, symbols, discrete, adjusted))
+
+
+@lru_cache(maxsize=16)
+def _resting_points(asked: Asked) -> tuple[Around, ...]:
+    """The same points serve all answers about them: to find them takes most of the time."""
+    random = Random(SEED)  # noqa: S311 - nothing secret
+    question, values, symbols, discrete = asked.question, asked.values, asked.symbols, asked.discrete
     whole = whole_symbols(symbols=frozenset(symbols))
-    source, done = PointSource(symbols, whole), 0
+    source = PointSource(symbols, whole)
     free_ones = [s for s in symbols if s not in whole]
     names = [s for s in free_ones if s in question.jets]
+    real_ones: list[Around] = []
     complex_ones: list[Around] = []
     for _ in range(ATTEMPTS):
         numbers = dict(source.draw())
         found = _at(question, values, numbers, random, discrete=discrete)
-        for free in (names, free_ones) if adjusted else ():
+        for free in (names, free_ones) if asked.adjusted else ():
             if found is not None and _off(found) > REST:
                 found = _adjusted(question, values, numbers, free, random, discrete=discrete) or found
-        if found is None or (adjusted and (_off(found) > REST or found.size > LARGE)):
+        if found is None or (asked.adjusted and (_off(found) > REST or found.size > LARGE)):
             continue
-        if not found.is_real:
-            complex_ones.append(found)
-            continue
-        yield found
-        done += 1
-        if done == TRIALS:
-            return
-    yield from complex_ones[: TRIALS - done]
+        (real_ones if found.is_real else complex_ones).append(found)
+        if len(real_ones) == TRIALS:
+            break
+    return tuple([*real_ones, *complex_ones][:TRIALS])
 
 
 def _off(found: Around) -> float:
