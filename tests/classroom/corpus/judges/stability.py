@@ -55,22 +55,31 @@ def lyapunov(point: Point):
 @judge("routh_hurwitz", "condition")
 def condition(point: Point, meant: Meaning):
     """True exactly where the roots decay: at many points, and on both sides of each bound that is named."""
-    for wide in (False, True):
-        for other in points(point.question, 150, widely=wide):
-            if abs(gap := margin(other)) > SLACK and _told(meant.words, other) != (gap < 0):
-                return [1.0]
-    names = point.question.symbols
-    if len(names) == 1:
-        for value in np.arange(-30.03, 30.03, 0.05):
-            other = Point(point.question, {names[0]: point.exactly(str(round(value, 4)))})
-            if all(holds(each, other) for each in point.question.conditions) and _allowed(point, names[0], value):
-                gap = margin(other)
-                if abs(gap) > 1e-3 and _told(meant.words, other) != (gap < 0):
-                    return [1.0]
+    if any(_told(meant.words, other) != (gap < 0) for other, gap in _margins(point)):
+        return [1.0]
     for text in meant.words:
         if re.search(r"[<>]=", text) and "=" in text:  # roots on the border do not decay
             return [1.0]
     return [0.0]
+
+
+SAMPLED: dict[str, list[tuple[Point, float]]] = {}
+"""By each question the points that are tried, with their margins: all its submissions are held to the same."""
+
+
+def _margins(point: Point) -> list[tuple[Point, float]]:
+    """Points at random, near and far, and of a single parameter close to each other, without those at the border."""
+    question = point.question
+    if (key := repr(question)) not in SAMPLED:
+        drawn = [other for wide in (False, True) for other in points(question, 150, widely=wide)]
+        found = [(other, gap) for other in drawn if abs(gap := margin(other)) > SLACK]
+        names = question.symbols
+        for value in np.arange(-30.03, 30.03, 0.05) if len(names) == 1 else ():
+            other = Point(question, {names[0]: point.exactly(str(round(value, 4)))})
+            if all(holds(each, other) for each in question.conditions) and _allowed(point, names[0], value):
+                found += [(other, gap)] if abs(gap := margin(other)) > 1e-3 else []
+        SAMPLED[key] = found
+    return SAMPLED[key]
 
 
 def _allowed(point: Point, name: str, value: float) -> bool:
