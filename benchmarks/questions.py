@@ -9,8 +9,11 @@ import sympy as sp
 from benchmarks.matrices import companion_of_integers, dense, random_integers
 from solver.tasks import catalogue
 
-LARGEST = {"phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3}
-"""Tasks about one order only, and those whose answers fill the page from the next order on."""
+LARGEST = {
+    "phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3, "smith_form": 4,
+    "smith_mcmillan_form": 5, "relative_gain_array": 5,
+}  # fmt: skip
+"""Tasks about one order only, and those whose answers or steps fill the page from the next order on."""
 
 PARAMETER = {"stability_range": "A", "parameter_condition": "B"}
 """Tasks about a parameter k, and the matrix that holds it."""

@@ -36,6 +36,10 @@ LOST = 1e-9
 """What is left over of a polynomial relative to its terms when no root is divided out, or a wrong one."""
 
 
+MONIC = 1e-15
+"""What a leading coefficient may differ from one: it is one in any decimals."""
+
+
 def zeros_residual(plant: Quadruple, zeros: Sequence[Any], kind: Kind) -> float:
     """Return 0 for the zeros of a kind with multiplicity, else what is left over when they are divided out."""
     worst = 0.0
@@ -50,7 +54,7 @@ def zero_polynomial_residual(plant: Quadruple, polynomial: Any, x: Any, kind: Ki
     worst = 0.0
     for point in points_of(plant, polynomial.xreplace({x: 1})):
         coefficients = _coefficients(polynomial, x, point)
-        if coefficients is None or abs(coefficients[-1] - 1) > LOST:
+        if coefficients is None or abs(coefficients[-1] - 1) > MONIC:
             return float("inf")
         found = _left_over(_determinants(plant, point, kind), coefficients, None)
         worst = worst_of((worst, found))
