@@ -31,7 +31,7 @@ SETS = {"conditions", "points", "solutions"}
 
 UP_TO_A_CONSTANT = {"potential", "lagrangian"}
 
-SCALABLE = {"equations"}
+SCALABLE = {"equations", "riccati_equations"}
 """Lists of expressions that are zero: any factor is right."""
 
 UNDECIDED = (
