@@ -228,7 +228,7 @@ def test_what_no_gain_gives_is_unsolved_with_the_reason(rows, inputs, asked, say
     ("changed", "at", "says"),
     [
         ({"eigenvectors": [[1, 1], [0, 1], [1, 0]]}, "eigenvectors", "3 columns are to be given, not 2"),
-        ({"eigenvectors": [[1, 1, 0], [0, 1, 1]]}, "eigenvectors", "columns of 3 entries"),
+        ({"eigenvectors": [[1, 1, 0], [0, 1, 1]]}, "eigenvectors", "it must be 3×3"),
         ({"eigenvectors": [[1, 0, 0], [0, 0, 1], [1, 0, 0]]}, "eigenvectors", "column 2 is zero"),
         ({"eigenvectors": [[1, 0, 0], [0, 1, I], [1, 0, 1]]}, "eigenvectors", "column 3 is complex"),
         ({"poles": (-1, -2)}, "poles", "give 3, not 2"),
