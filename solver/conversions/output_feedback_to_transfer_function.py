@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from solver.conversions.forward_path import forward_path_of
+from solver.conversions.forward_path import by_powers, forward_path_of, polynomials_of
 from solver.conversions.matrix_feedback import transfer_matrix_of_loop, transfer_system
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.derivation.conversion import composition, conversion, converted_to
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, quotient, total
 from solver.systems import DeadTime, MatrixFeedback, OutputFeedback, System, TransferFunction
-
-if TYPE_CHECKING:
-    from sympy import Expr, Symbol
 
 
 @composition("controller", "feedback", order=2)
@@ -39,13 +36,13 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
     if G.matrix.shape != (1, 1):
         return (yield from transfer_matrix_of_loop(MatrixFeedback(G, loop.controller, loop.feedback)))
     x, C, H = G.variable, loop.controller, loop.feedback
-    (p, q), (c, d) = (G.numerators[0][0], G.denominators[0][0]), _polynomials(C)
-    top, bottom = _by_powers(c * p, x), _by_powers(d * q, x)
+    (p, q), (c, d) = (G.numerators[0][0], G.denominators[0][0]), polynomials_of(C)
+    top, bottom = by_powers(c * p, x), by_powers(d * q, x)
     path = quotient(top, bottom)
     yield from forward_path_of(C, quotient(p, q), path, x, open_loop=H is None, several=False)
     if H is not None:
-        h, k = _polynomials(H)
-        N, D = _by_powers(top * k, x), _by_powers(bottom * k + top * h, x)
+        h, k = polynomials_of(H)
+        N, D = by_powers(top * k, x), by_powers(bottom * k + top * h, x)
         if D == 0:
             raise Unsolved("conversions/ill_posed_loop")
         claims = {
@@ -57,15 +54,3 @@ def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFuncti
     if sp.degree(top, x) > sp.degree(bottom, x):
         raise Unsolved("conversions/improper_loop")
     return transfer_system(G, sp.ImmutableMatrix([[sp.cancel(top / bottom)]]), ((top,),), ((bottom,),))
-
-
-def _by_powers(polynomial: Expr, x: Symbol) -> Expr:
-    """Multiplied out and sorted by powers of x."""
-    sorted_by_powers: Expr = sp.Poly(polynomial, x).as_expr()
-    return sorted_by_powers
-
-
-def _polynomials(element: Expr) -> tuple[Expr, Expr]:
-    """Numerator and denominator of a quotient of polynomials in lowest terms."""
-    top, bottom = sp.fraction(sp.together(element))
-    return sp.expand(top), sp.expand(bottom)

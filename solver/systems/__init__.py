@@ -14,7 +14,7 @@ from solver.systems.functional import Functional
 from solver.systems.kind import Kind, System
 from solver.systems.lagrangian import Lagrangian
 from solver.systems.late_input import LateInput
-from solver.systems.loops import MatrixFeedback, OutputFeedback, StateFeedback
+from solver.systems.loops import MatrixFeedback, OpenLoop, OutputFeedback, StateFeedback
 from solver.systems.polynomial import Polynomial
 from solver.systems.polynomial_matrix import PolynomialMatrix
 from solver.systems.state_space import StateSpace
@@ -41,6 +41,7 @@ __all__ = [
     "Lagrangian",
     "LateInput",
     "MatrixFeedback",
+    "OpenLoop",
     "OutputFeedback",
     "Polynomial",
     "PolynomialMatrix",

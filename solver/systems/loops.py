@@ -10,6 +10,8 @@ from solver.systems.surrounded import Surrounded
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix, Symbol
 
+    from solver.systems.transfer_function import TransferFunction
+
 
 class Loop(Surrounded):
     """A plant with something around it that closes a loop."""
@@ -62,3 +64,50 @@ class MatrixFeedback(OutputFeedback):
         if of == "p" and hasattr(self.controller, "shape"):
             return int(self.controller.shape[0])
         return None if of == "n" else self.plant.size(of)
+
+
+@dataclass(frozen=True)
+class OpenLoop(Surrounded):
+    """L = C G H of one input and one output, what a signal passes on its way round a loop; L = L₀ e^{−T s}.
+
+    `rational` is L₀, its numerator and denominator with nothing cancelled between C, G and H; `delay` is T ≥ 0.
+    `C`, `G` (without the dead time) and `H` are its factors; H = 1 where no feedback was named, `closed` is then False.
+    """
+
+    rational: TransferFunction
+    delay: Expr
+    C: Expr
+    G: Expr
+    H: Expr
+    closed: bool = False
+
+    @property
+    def variable(self) -> Symbol:
+        """The symbol s (discrete: z)."""
+        return self.rational.variable
+
+    @property
+    def numerator(self) -> Expr:
+        """The numerator of L₀, as a polynomial."""
+        return self.rational.numerators[0][0]
+
+    @property
+    def denominator(self) -> Expr:
+        """The denominator of L₀, as a polynomial."""
+        return self.rational.denominators[0][0]
+
+    @property
+    def around(self) -> set[Symbol]:
+        """The free symbols of L, but for the variable."""
+        found: set[Any] = {*self.rational.parameters, *self.delay.free_symbols}
+        return found
+
+    @property
+    def provides(self) -> frozenset[str]:
+        """A task can ask for what runs round the loop."""
+        return frozenset({"open_loop"})
+
+    @property
+    def described(self) -> str:
+        """What it is given by, in words."""
+        return self.plant.described

@@ -1,0 +1,1 @@
+"""Numbers of transfer functions and of their step responses: gains, time constants, reduced models."""

@@ -1,0 +1,1 @@
+"""Compensators and PID controllers that meet specifications."""

@@ -1,0 +1,1 @@
+"""Values on the imaginary axis: corners, crossovers, margins, encirclements."""

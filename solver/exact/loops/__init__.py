@@ -1,0 +1,1 @@
+"""Errors of loops, sensitivities, and graphs of signals."""

@@ -1,0 +1,1 @@
+"""Root loci: segments, asymptotes, breakaway points, crossings, angles."""

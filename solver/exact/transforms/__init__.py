@@ -1,0 +1,1 @@
+"""Transforms by rules, their inverses, and what solves linear differential equations."""
