@@ -27,6 +27,7 @@ IN_WORDS = {
     "motion": "A",
     "rest": "equations (or A)",
     "gains": "a transfer matrix (or A, B and C)",
+    "path": "a transfer function (or A, B and C)",
     "polynomial_matrix": "a matrix of polynomials",
 }
 

@@ -9,7 +9,13 @@ from solver.derivation import Option, Task
 from solver.systems import kinds
 
 WIDTH = 110
-OTHER_NAMES = {"x0": "initial_state", "motion": "A", "rest": "equations", "gains": "transfer_matrix"}
+OTHER_NAMES = {
+    "x0": "initial_state",
+    "motion": "A",
+    "rest": "equations",
+    "gains": "transfer_matrix",
+    "path": "transfer_function",
+}
 
 
 def new_problem(task: Task[Any, Any]) -> str:

@@ -110,8 +110,8 @@ class DeadTime:
 
     @property
     def provides(self) -> frozenset[str]:
-        """A task can ask for the two factors, and how the output moves from rest."""
-        return frozenset({"dead_time", "motion"})
+        """A task can ask for the two factors, for the path that they make, and how the output moves from rest."""
+        return frozenset({"dead_time", "motion", "path"})
 
     @property
     def described(self) -> str:
