@@ -1,0 +1,47 @@
+"""Signals that act on a loop: a usual one by its name, or a function of time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation.options import VALUE, OptionKind, Schema
+from solver.lazy import sympy as sp
+from solver.problem.nodes import Node, ScalarNode
+from solver.problem.source import did_you_mean
+
+if TYPE_CHECKING:
+    from solver.problem.context import Context
+
+POWERS = {"step": 0, "ramp": 1, "parabola": 2}
+"""The usual ones by name, n of tⁿ/n!."""
+
+
+@dataclass(frozen=True, slots=True)
+class Signal(OptionKind[Any]):
+    """The unit step, the unit ramp t, the unit parabola t²/2, or an expression in t; the value is the expression."""
+
+    @property
+    def words(self) -> str:
+        """What is written, in words."""
+        return f"{', '.join(POWERS)}, or an expression in t"
+
+    @property
+    def schema(self) -> Schema:
+        """A number or a text."""
+        return VALUE
+
+    @property
+    def example(self) -> str:
+        """A ramp."""
+        return "ramp"
+
+    def read(self, node: Node, name: str, context: Context) -> Any:
+        """Return the function of time; a word that is nearly one of the names is no parameter."""
+        word = node.text if isinstance(node, ScalarNode) else ""
+        if word in POWERS:
+            n = POWERS[word]
+            return sp.Symbol("t") ** n / sp.factorial(n)
+        if word.isalpha() and (meant := did_you_mean(word.lower(), POWERS)):
+            raise node.fault(f"{name} must be {self.words}, not '{word}'", suggestion=meant)
+        return context.expression(node, ("t",))
