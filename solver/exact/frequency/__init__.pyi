@@ -1,3 +1,27 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-__all__: list[str] = []
+from solver.exact.frequency.axis import Angle, OnAxis, on_axis
+from solver.exact.frequency.crossings import Crossover, GainCrossovers, gain_crossovers
+from solver.exact.frequency.encirclements import Arc, Encirclements, encirclements
+from solver.exact.frequency.following import phase_crossings
+from solver.exact.frequency.margins import Margins, in_decibels, margins_of, phase_margin_of
+from solver.exact.frequency.real_axis import PhaseCrossovers, phase_crossovers
+
+__all__ = [
+    "Angle",
+    "Arc",
+    "Crossover",
+    "Encirclements",
+    "GainCrossovers",
+    "Margins",
+    "OnAxis",
+    "PhaseCrossovers",
+    "encirclements",
+    "gain_crossovers",
+    "in_decibels",
+    "margins_of",
+    "on_axis",
+    "phase_crossings",
+    "phase_crossovers",
+    "phase_margin_of",
+]
