@@ -154,6 +154,8 @@ class Writer:
         display = self._display(case.part, {case.part.id: case.result})
         wording = self._wording(display)
         title = f"{general.title}: {inline_as_text(wording.special('title', case))}"
+        task, asked = catalogue()[case.part.task], replace(case.part, prompt="")
+        again = wording.given(asked.system) if task.needs else question_of(asked, task, wording, self.labels)
         return replace(
             self._worded(case.result, case.part, display),
             title=title,
@@ -162,7 +164,7 @@ class Writer:
             marks="",
             out_of=0.0,
             question=wording.special("question", case),
-            given=wording.given(case.part.system),
+            given=again,
             case=f"{case.parameter} = {sympy_text(case.value)}",
         )
 

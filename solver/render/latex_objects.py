@@ -91,6 +91,16 @@ class ObjectPrinter:
     def _print_Heaviside(self, expr: Any) -> Row:
         return row(FUNCTIONS["Heaviside"], parenthesized(self._print(expr.args[0])))
 
+    def _print_DiracDelta(self, expr: Any) -> Row:
+        """An impulse; its derivatives with dots, from the third on with their order in brackets."""
+        order = int(expr.args[1]) if len(expr.args) > 1 else 0
+        sign: Node = FUNCTIONS["DiracDelta"]
+        if order in {1, 2}:
+            sign = Accent({1: r"\dot", 2: r"\ddot"}[order], sign)
+        elif order:
+            sign = Scripts(sign, None, row(Fenced("(", row(str(order)), ")")))
+        return row(sign, parenthesized(self._print(expr.args[0])))
+
     def _print_Piecewise(self, expr: Any) -> Row:
         pieces = (tuple(each.args) for each in expr.args)
         return row(Table("cases", tuple((self._print(value), self._span(when)) for value, when in pieces)))

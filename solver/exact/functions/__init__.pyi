@@ -11,7 +11,7 @@ from solver.exact.functions.covering import (
     covered,
     put_together,
 )
-from solver.exact.functions.fractions import Fraction, fractions_of
+from solver.exact.functions.fractions import Fraction, fractions_of, keeps_quadratic
 from solver.exact.functions.geometric import geometric_terms
 from solver.exact.functions.interpolation import Condition, interpolation
 from solver.exact.functions.jordan_blocks import exponential_of_blocks, function_of_blocks, power_of_blocks
@@ -61,6 +61,7 @@ __all__ = [
     "geometric_terms",
     "interpolation",
     "interpolation_coefficients",
+    "keeps_quadratic",
     "matrix_function",
     "pairs_for",
     "partial_fractions",

@@ -144,6 +144,14 @@ def polynomial(p: sp.Poly, x: sp.Symbol) -> sp.Expr:
     return in_powers(p.rep.to_list(), p.domain, x)
 
 
+def spectrum_of_polynomial(p: sp.Poly) -> Spectrum:
+    """The roots of a polynomial over a field, factor by factor; raises NotExact as `spectrum` does."""
+    _, listed = p.factor_list()
+    monic = [(q.set_domain(p.domain).monic(), multiplicity) for q, multiplicity in listed]
+    factors = [_factor(q, multiplicity) for q, multiplicity in monic]
+    return Spectrum(tuple(sorted(factors, key=_order)), _exceptions([q for q, _ in monic]) if monic else ())
+
+
 def roots_of(p: sp.Poly, multiplicity: int = 1) -> tuple[Root, ...]:
     """The roots of an irreducible polynomial over a field; raises NotExact as `spectrum` does."""
     return _factor(p.to_field().monic(), multiplicity).roots
