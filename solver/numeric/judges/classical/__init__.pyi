@@ -1,3 +1,6 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
-__all__: list[str] = []
+from solver.numeric.judges.classical.poles import shown_poles, time_constants_residual
+from solver.numeric.judges.classical.values import dc_gain_residual, leading_gain_residual
+
+__all__ = ["dc_gain_residual", "leading_gain_residual", "shown_poles", "time_constants_residual"]

@@ -1,0 +1,55 @@
+"""Classical control in the time domain: gains, poles and what a step response shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Check, Claim
+from solver.lazy import numeric
+from solver.numeric.judges import classical as judges
+from solver.stated.complex_numbers import real_part
+
+ORACLE = "mpmath (50 digits)"
+
+
+def of_value_at_zero(found: Any, G: Any) -> Iterator[Claim | Check]:
+    """The order is that of the zero of the denominator, and G₀(0) the quotient of the last coefficients."""
+    x = G.variable
+    top, bottom = G.numerators[0][0], G.denominators[0][0]
+    yield Claim(bottom, sp.expand(x**found.order * found.below), "integrators of the denominator")
+    rest = sp.Matrix([[top / found.below]])
+    check = partial(judges.dc_gain_residual, rest, found.value, x)
+    yield numeric.check_residual("value beside the integrators", ORACLE, check)
+
+
+def of_pole_zero_factors(found: Any, G: Any) -> Iterator[Claim]:
+    """The factors make the function, and so do the roots."""
+    x, fraction = G.variable, G.numerators[0][0] / G.denominators[0][0]
+    yield Claim(fraction, found.function, "the function in factors")
+    top, bottom = (sp.Mul(*(x - root for root in roots)) for roots in (found.zeros, found.poles))
+    yield Claim(fraction, found.gain * top / bottom, "the function by its roots")
+
+
+def of_pole_factors(found: Any, G: Any) -> Iterator[Claim]:
+    """The factors make the denominator."""
+    yield Claim(G.denominators[0][0], found, "the denominator in factors")
+
+
+def of_decay(found: Any, poles: Any) -> Iterator[Claim | Check]:
+    """Every pole is in a mode, with its real part; signs and order are those of numbers."""
+    listed = [pole for mode in found.modes for pole in mode.every]
+    yield Check.that("every pole belongs to a mode", "counted", sorted(map(str, listed)) == sorted(map(str, poles)))
+    for mode in found.modes:
+        for pole in mode.poles:
+            yield Claim(real_part(pole), -mode.rate, "the real part of a pole")
+        if mode.sign is not None and not mode.rate.free_symbols:
+            yield Check.that("the sign of a rate", ORACLE, bool(sp.N(mode.rate * mode.sign, 30) > 0) or mode.sign == 0)
+    rates = [sp.N(mode.rate, 30) for mode in found.modes]
+    if all(rate.is_number for rate in rates):
+        rising = all(a <= b + sp.Float("1e-25") for a, b in pairwise(rates))
+        yield Check.that("the slowest mode comes first", ORACLE, bool(rising))

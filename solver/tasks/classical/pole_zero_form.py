@@ -1,0 +1,180 @@
+"""The pole-zero form G = k Π(s − zᵢ)/Π(s − pᵢ) of a transfer function."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Slip,
+    Step,
+    Task,
+    Unsolved,
+)
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.numeric.judges import classical as judges
+from solver.numeric.judges import representation
+from solver.stated.algebra import product, quotient
+from solver.tasks import meanings
+from solver.tasks.classical.paths import Path, numbers_of, path_of, quietly, stated_path
+from solver.tasks.figures import plane, roots
+from solver.tasks.plant_options import LoopOptions
+from solver.tasks.representation.lowest_terms import from_roots
+from solver.words import Phrase, Reason
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+    from solver.tasks.classical.paths import Plant
+
+pole_zero_form: Task[Plant, LoopOptions] = Task(
+    "pole_zero_form",
+    title="Pole-zero form",
+    doc="A transfer function as its gain times the factors of its zeros over those of its poles.",
+    needs=("path",),
+    options=LoopOptions,
+    answers=[
+        AnswerName("G", "G", "the transfer function in factors", earned=("form",)),
+        AnswerName("zeros", "z_i", "the zeros, with multiplicity", optional=True, earned=("numerator",)),
+        AnswerName("poles", "p_i", "the poles, with multiplicity", optional=True, earned=("denominator",)),
+        AnswerName("gain", "k", "the factor before the fraction", earned=("numerator", "gain")),
+    ],
+)
+
+
+@pole_zero_form.method(source="Dorf and Bishop, Modern Control Systems, section 2.4", time="continuous")
+def by_the_roots(given: Given[Plant, LoopOptions]) -> Derivation[Answers]:
+    """The leading coefficients make the gain; the roots of what is left are the zeros and the poles."""
+    path = yield from path_of(given)
+    x = path.variable
+    if path.top == 0:
+        raise Unsolved("pole_zero_form/zero", x=x)
+    form = _form_of(path)
+    leads = [sp.Poly(p, x).LC() for p in path.shown]
+    yield Step("gain", claims={"gain": Claim(quotient(*leads), form.gain, "gain")}, x=x, shown=path.shown,
+               leads=leads, late=path.delay != 0)  # fmt: skip
+    yield _roots("numerator", path.top / form.gain, form.top, form.zeros, x)
+    yield _roots("denominator", path.bottom, form.bottom, form.poles, x)
+    yield _whole(path, form)
+    G = sp.exp(-path.delay * x) * form.function if path.delay != 0 else form.function
+    return Answers(G=G, zeros=form.zeros, poles=form.poles, gain=form.gain)
+
+
+def _form_of(path: Path) -> exact.PoleZeroForm:
+    """The factors; raises Unsolved where parameters leave roots without a usable form."""
+    try:
+        return exact.pole_zero_factors(path.fraction)
+    except exact.NotExact:
+        G = path.fraction
+        which = [p for p, found in ((path.top, G.zeros), (path.bottom, G.poles)) if found is None]
+        raise Unsolved("pole_zero_form/no_roots", polynomials=which) from None
+
+
+def _roots(kind: str, polynomial: Expr, factors: Expr, found: list[Expr], x: Any) -> Step:
+    """A monic polynomial, its factors and its roots."""
+    claims = {}
+    if found:
+        p = sp.Poly(sp.cancel(polynomial), x).as_expr()
+        claims = {
+            "factors": Claim(p, factors, Phrase("factors of the {which}", which=kind)),
+            "roots": Claim(p, from_roots(x, found), Phrase("roots of the {which}", which=kind)),
+        }
+    paired = any(root.has(sp.I) for root in found)
+    return Step(kind, claims=claims, unclaimed="" if found else "it is a constant", x=x, roots=found, paired=paired,
+                decimal=any(root.has(sp.Float) for root in found), factored=factors)  # fmt: skip
+
+
+def _whole(path: Path, form: exact.PoleZeroForm) -> Step:
+    """Gain, zeros and poles put together."""
+    x = path.variable
+    stated = quotient(*path.shown)
+    factors = [sp.exp(-path.delay * x)] if path.delay != 0 else []
+    right = product(*factors, form.gain, quotient(form.top, form.bottom)) if form.gain != 1 or factors else quotient(
+        form.top, form.bottom
+    )  # fmt: skip
+    claim = Claim(product(*factors, stated) if factors else stated, right, "pole-zero form")
+    figure = plane("Poles and zeros", roots("poles", form.poles), roots("zeros", form.zeros, "ring"), stable=True)
+    return Step("form", claims={"form": claim}, x=x, right=right, excess=len(form.poles) - len(form.zeros),
+                figures=figure)  # fmt: skip
+
+
+@pole_zero_form.verification("G")
+def has_the_values_of_the_given(given: Given[Plant, LoopOptions], answers: Answers) -> Iterable[Check]:
+    """The same function at random points."""
+    yield numeric.check_claim(
+        Claim(stated_path(given.system), sp.ImmutableMatrix([[answers["G"]]])), "$G(s)$ at random points"
+    )
+
+
+@pole_zero_form.verification("poles", "zeros", "gain")
+def are_those_of_the_minimal_part(given: Given[Plant, LoopOptions], answers: Answers) -> Iterable[Check]:
+    """Poles by the eigenvalues of the minimal part, zeros by its system matrix, the gain far from the origin."""
+    plant = numbers_of(given.system)
+    residuals = {
+        "poles": ("the poles are the eigenvalues of the minimal part", representation.pole_residual),
+        "zeros": ("the zeros are where the minimal part blocks", representation.zero_residual),
+    }
+    for name, (label, residual) in residuals.items():
+        if name in answers:
+            check = partial(residual, plant, list(answers[name]))
+            yield numeric.check_residual(label, "orthogonal bases (50 digits)", check, answer=name)
+    if "gain" in answers:
+        check = partial(judges.leading_gain_residual, plant, answers["gain"])
+        yield numeric.check_residual("the first Markov parameter that is not zero", "mpmath (50 digits)", check,
+                                     answer="gain")  # fmt: skip
+
+
+@pole_zero_form.consequence("G", of=("zeros", "poles", "gain"))
+def function_of_its_roots(given: Given[Plant, LoopOptions], found: Mapping[str, Any]) -> Any:
+    """k Π(s − z)/Π(s − p), with the dead time of the question."""
+    s = sp.Symbol("s")
+    top, bottom = (sp.Mul(*(s - root for root in found[name])) for name in ("zeros", "poles"))
+    return getattr(given.system, "factor", sp.Integer(1)) * found["gain"] * top / bottom
+
+
+DC = Slip("dc_gain", "it is the DC gain $G(0)$, which belongs to factors $1 - s/p$; here the factors are $s - p$")
+SIGN = Slip("sign", "the signs are turned: $s + a$ has the root $-a$")
+EXCHANGED = Slip("exchanged", "zeros and poles are exchanged")
+
+
+@pole_zero_form.mistake(DC, "gain")
+def gain_of_the_time_constant_form(wrong: Attempt[Plant, LoopOptions]) -> Iterable[Expr]:
+    """G without its poles and zeros at the origin, at zero."""
+    s = sp.Symbol("s")
+    path = quietly(path_of(wrong.given))
+    top, bottom = (sp.Poly(p, s).terms()[-1][1] for p in (path.top, path.bottom))
+    yield sp.cancel(top / bottom)
+
+
+@pole_zero_form.mistake(SIGN, "zeros", "poles")
+def with_the_other_sign(wrong: Attempt[Plant, LoopOptions]) -> Iterable[list[Expr]]:
+    """The roots times −1."""
+    yield [-root for root in wrong.ours]
+
+
+@pole_zero_form.mistake(EXCHANGED, "zeros", "poles")
+def of_the_other_polynomial(wrong: Attempt[Plant, LoopOptions]) -> Iterable[list[Expr]]:
+    """Poles for zeros, zeros for poles."""
+    found = exact.pole_zero_factors(quietly(path_of(wrong.given)).fraction)
+    yield found.poles if wrong.name == "zeros" else found.zeros
+
+
+@pole_zero_form.meaning("poles", "zeros")
+def value_at_one_of_them(wrong: Attempt[Plant, LoopOptions]) -> Reason | None:
+    """The value of G where it has no pole, or no zero."""
+    return meanings.finite_at(wrong.value, stated_path(wrong.given.system), sp.Symbol("s"), zeros=wrong.name == "zeros")
+
+
+@pole_zero_form.meaning("G")
+def value_at_a_point(wrong: Attempt[Plant, LoopOptions]) -> Reason | None:
+    """Its value and that of the given function."""
+    return meanings.at_a_point(wrong.value, stated_path(wrong.given.system))
