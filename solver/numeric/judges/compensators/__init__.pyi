@@ -1,3 +1,5 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
-__all__: list[str] = []
+from solver.numeric.judges.compensators.pid import PidQuestion, pid_residual
+
+__all__ = ["PidQuestion", "pid_residual"]
