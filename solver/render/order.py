@@ -161,6 +161,8 @@ def _add_power(rank: _Rank, base: Any, exponent: Any) -> None:
         rank.fraction = 1
         rank.multiplicity -= float(exponent)
         _add_rate(rank, *_mean_root(base))
+    elif base.is_Add:  # (s + 2)² + 9
+        rank.main_degree += float(exponent) * any(symbol.name in POLYNOMIAL for symbol in base.free_symbols)
     else:
         _add_factor(rank, base)
 

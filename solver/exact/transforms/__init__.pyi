@@ -9,6 +9,14 @@ from solver.exact.transforms.comparison import (
     is_found_otherwise,
 )
 from solver.exact.transforms.images import DelayedImage, RationalImage, ratio_of_images, rational_image, read_image
+from solver.exact.transforms.rules import (
+    TransformedTerm,
+    TransformPiece,
+    abscissa_of,
+    late_image,
+    transform_of_pieces,
+    transform_pieces,
+)
 
 __all__ = [
     "AllCompared",
@@ -16,10 +24,16 @@ __all__ = [
     "Divided",
     "Division",
     "RationalImage",
+    "TransformPiece",
+    "TransformedTerm",
+    "abscissa_of",
     "compared_at_all",
     "divided_again",
     "is_found_otherwise",
+    "late_image",
     "ratio_of_images",
     "rational_image",
     "read_image",
+    "transform_of_pieces",
+    "transform_pieces",
 ]
