@@ -135,6 +135,24 @@ class Plane:
 
 
 @dataclass(frozen=True, slots=True)
+class Locus:
+    """The roots of D + K N for K ≥ 0: the coefficients of N and D, highest power first, numbers all; `gain` is K's LaTeX.
+
+    `angles` of asymptotes are in degrees, from `centroid`. `meetings` are points with their K > 0, where branches meet,
+    `crossings` frequencies ω with their K, where branches cross the imaginary axis.
+    """
+
+    caption: str
+    numerator: tuple[Any, ...]
+    denominator: tuple[Any, ...]
+    gain: str = "K"
+    centroid: Any = None
+    angles: tuple[Any, ...] = ()
+    meetings: tuple[tuple[Any, Any], ...] = ()
+    crossings: tuple[tuple[Any, Any], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Diagram:
     """A block diagram known by name (`solver/figures`), with the LaTeX to write into its blocks and at its arrows."""
 
@@ -208,7 +226,7 @@ class Schematic:
     alt: str = ""
 
 
-Figure = Plot | Panels | Motion | Plane | Diagram | Chains | Parts | Schematic | Mechanism
+Figure = Plot | Panels | Motion | Plane | Locus | Diagram | Chains | Parts | Schematic | Mechanism
 
 
 @dataclass(frozen=True, slots=True)

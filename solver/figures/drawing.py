@@ -11,6 +11,7 @@ from solver.derivation.figures import (
     Drawing,
     DrawnPanels,
     Figure,
+    Locus,
     Motion,
     Panels,
     Parts,
@@ -21,6 +22,7 @@ from solver.derivation.figures import (
 from solver.derivation.mechanisms import Mechanism
 from solver.figures import alternatives
 from solver.figures.laid_out import layout_of
+from solver.figures.loci import of_locus, on_locus
 from solver.figures.motions import moved
 from solver.figures.planes import on_plane
 from solver.figures.sampling import sampled
@@ -48,6 +50,8 @@ def drawing_of(figure: Figure, say: Callable[[str], str] = str) -> Drawing:
         return replace(panels, alt=" ".join(alternatives.of_plot(plot, say) for plot in panels.plots))
     if isinstance(figure, Plane):
         return replace(on_plane(figure, say), alt=alternatives.of_plane(figure, say))
+    if isinstance(figure, Locus):
+        return replace(on_locus(figure), alt=of_locus(figure, say))
     if isinstance(figure, Schematic | Parts | Mechanism):
         return replace(figure, alt=TOLD[type(figure)](figure, say))
     chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""

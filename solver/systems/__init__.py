@@ -7,6 +7,7 @@ from importlib import import_module
 from pathlib import Path
 
 from solver.jets import jet_symbol
+from solver.systems.characteristic_equation import CharacteristicEquation
 from solver.systems.circuit import Circuit, signals_of, symbol_of
 from solver.systems.earlier_part import EarlierPart
 from solver.systems.equations import Equations
@@ -31,6 +32,7 @@ def kinds() -> dict[str, Kind]:
 
 
 __all__ = [
+    "CharacteristicEquation",
     "Circuit",
     "DeadTime",
     "DelayedMatrix",

@@ -1,3 +1,53 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
-__all__: list[str] = []
+from solver.exact.root_locus.breakaway import Meeting, meetings, turning_polynomial
+from solver.exact.root_locus.crossings import (
+    Crossing,
+    OnTheAxis,
+    Range,
+    crossings,
+    in_squares,
+    on_imaginary_axis,
+    stable_gains,
+)
+from solver.exact.root_locus.directions import Angle, Directions, arrivals, degrees_of, departures
+from solver.exact.root_locus.equation import (
+    LocusEquation,
+    PlacedRoot,
+    affine_parts,
+    expressions_of,
+    locus_equation,
+    roots_with_factors,
+    written,
+)
+from solver.exact.root_locus.lines import Asymptotes, RealPoint, asymptotes, real_axis_segments, real_points
+
+__all__ = [
+    "Angle",
+    "Asymptotes",
+    "Crossing",
+    "Directions",
+    "LocusEquation",
+    "Meeting",
+    "OnTheAxis",
+    "PlacedRoot",
+    "Range",
+    "RealPoint",
+    "affine_parts",
+    "arrivals",
+    "asymptotes",
+    "crossings",
+    "degrees_of",
+    "departures",
+    "expressions_of",
+    "in_squares",
+    "locus_equation",
+    "meetings",
+    "on_imaginary_axis",
+    "real_axis_segments",
+    "real_points",
+    "roots_with_factors",
+    "stable_gains",
+    "turning_polynomial",
+    "written",
+]

@@ -1,0 +1,119 @@
+"""Usual mistakes with root loci, and what wrong points mean."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Attempt, Slip
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.numeric.judges import root_locus as judges
+from solver.tasks.root_locus.locus_equation import polynomial_of
+from solver.tasks.told import short
+from solver.words import Reason
+
+if TYPE_CHECKING:
+    from solver.derivation import Task
+    from solver.systems import CharacteristicEquation
+    from solver.tasks.root_locus.root_locus import RootLocusOptions
+
+    Wrong = Attempt[CharacteristicEquation, RootLocusOptions]
+
+EVEN = Slip("even_multiples", "the angles are those of the even multiples of 180°/(n − m); the odd ones are asked for")
+ODD = Slip("odd_multiples", "the angles are those of the odd multiples of 180°/(n − m); the gain is negative: even ones")
+OVER_ALL = Slip("all_poles", "it is divided by the number of poles n; n − m branches go to infinity")
+ADDED = Slip("zeros_added", "the zeros are added; their sum is subtracted from that of the poles")
+TURNED = Slip("zeros_first", "the sum of the poles is subtracted from that of the zeros; it is the other way round")
+CANDIDATES = Slip("not_on_the_locus", "all roots of N D' − N' D are listed; those with K < 0 or complex K do not belong")
+SIGN = Slip("departure_sign", "the sign is reversed: the angles of the zeros and of the poles are taken the other way round")
+HALF_TURN = Slip("half_turn", "the 180° of the angle condition are missing")
+MIRROR = Slip("opposite_direction", "it is the opposite direction, or the 180° are counted twice")
+
+NEAR = 1e-6
+
+
+def register(task: Task[CharacteristicEquation, RootLocusOptions]) -> None:
+    """Register what goes wrong, and what tells a wrong point."""
+    task.mistake(EVEN, "asymptote_angles")(other_multiples)
+    task.mistake(OVER_ALL, "centroid")(divided_by_the_poles)
+    task.mistake(ADDED, "centroid")(zeros_added)
+    task.mistake(TURNED, "centroid")(zeros_first)
+    task.mistake(CANDIDATES, "breakaway_points", "breakaway_gains")(all_candidates)
+    task.mistake(SIGN, "departure_angles", "arrival_angles")(reversed_angles)
+    task.mistake(HALF_TURN, "departure_angles", "arrival_angles")(without_half_turn)
+    task.meaning("breakaway_points")(extra_or_missing_point)
+
+
+def _equation(wrong: Wrong) -> exact.LocusEquation:
+    p, K, _ = polynomial_of(wrong.given.system, wrong.given.options.parameter)
+    constant = p.xreplace({K: sp.Integer(0)})
+    return exact.locus_equation(sp.expand(p.xreplace({K: sp.Integer(1)}) - constant), constant, wrong.given.system.variable)
+
+
+def other_multiples(wrong: Wrong) -> Iterable[Any]:
+    """The directions of the locus of the other sign."""
+    equation = _equation(wrong)
+    q, start = equation.excess, 0 if equation.positive else 180
+    if q > 0:
+        yield [sp.Rational(start + 360 * k, q) for k in range(q)]
+        yield [sp.Rational(start + 360 * k, q) - (360 if 2 * (start + 360 * k) > 360 * q else 0) for k in range(q)]
+
+
+def _sums(wrong: Wrong) -> tuple[exact.LocusEquation, exact.Asymptotes] | None:
+    equation = _equation(wrong)
+    lines = exact.asymptotes(equation)
+    return None if lines is None else (equation, lines)
+
+
+def divided_by_the_poles(wrong: Wrong) -> Iterable[Any]:
+    """The difference of the sums over n."""
+    if found := _sums(wrong):
+        yield sp.expand((found[1].poles - found[1].zeros) / found[0].denominator.degree())
+
+
+def zeros_added(wrong: Wrong) -> Iterable[Any]:
+    """The sum of poles and zeros over n − m."""
+    if found := _sums(wrong):
+        yield sp.expand((found[1].poles + found[1].zeros) / found[0].excess)
+
+
+def zeros_first(wrong: Wrong) -> Iterable[Any]:
+    """The centroid with the sign reversed."""
+    if found := _sums(wrong):
+        yield sp.expand((found[1].zeros - found[1].poles) / found[0].excess)
+
+
+def all_candidates(wrong: Wrong) -> Iterable[Any]:
+    """All roots of N D' − N' D, and all real ones, or their gains."""
+    found = [each for each in exact.meetings(_equation(wrong)) if each.why != "zero"]
+    for listed in (found, [each for each in found if each.point.real]):
+        yield [each.point.value if wrong.name == "breakaway_points" else each.gain for each in listed]
+
+
+def reversed_angles(wrong: Wrong) -> Iterable[Any]:
+    """−θ, and the sum with the signs of poles and zeros exchanged."""
+    yield [-angle for angle in wrong.ours]
+    yield [360 - angle for angle in wrong.ours]
+
+
+def without_half_turn(wrong: Wrong) -> Iterable[Any]:
+    """The sum of the angles alone."""
+    yield [angle + 180 for angle in wrong.ours]
+    yield [angle - 180 for angle in wrong.ours]
+
+
+def extra_or_missing_point(wrong: Wrong) -> Reason | None:
+    """A point at which no branches meet, with K there; or one that is missing."""
+    p, K, _ = polynomial_of(wrong.given.system, wrong.given.options.parameter)
+    locus = judges.locus_of(p, wrong.given.system.variable, K)
+    wanted = [complex(point) for point, _ in judges.meeting_points(locus)]
+    own = [complex(sp.N(each)) for each in wrong.value]
+    for value, each in zip(own, wrong.value, strict=True):
+        gain = complex(locus.gain(value))
+        if all(abs(value - other) > 1e-2 * (1 + abs(other)) for other in wanted):
+            kind = "meets_nowhere" if abs(gain.imag) > NEAR * (1 + abs(gain)) or gain.real >= 0 else "meets_below_zero"
+            values = {"point": short(each), "gain": short(sp.Float(gain.real) + sp.I * sp.Float(gain.imag) if kind == "meets_nowhere" else sp.Float(gain.real)), "K": K}
+            return Reason(f"root_locus/{kind}", values)
+    missing = [other for other in wanted if all(abs(value - other) > 1e-2 * (1 + abs(other)) for value in own)]
+    return Reason("root_locus/meeting_missing", {"count": len(missing)}) if missing else None
