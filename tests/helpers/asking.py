@@ -31,6 +31,7 @@ EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
         "poles": (sp.Integer(-1), sp.Integer(-2)),
         "observer_poles": (sp.Integer(-4), sp.Integer(-5)),
     },
+    "steady_state_error": {"reference": sp.Integer(1), "feedback": sp.Integer(1)},
     "response": {"kind": "zero_state", "input": (sp.Integer(1),)},
 }
 """Options that suit most plants, for tasks that cannot be asked without them; used where all tasks are tried."""

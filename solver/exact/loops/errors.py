@@ -1,0 +1,146 @@
+"""What remains of an error: the limit of s E(s), and the constants of a loop that tell it.
+
+E has poles inside, which die out, and at the origin, which remain; any other pole is of a signal that goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from solver.exact.linear_algebra.affine import tidy
+from solver.exact.linear_algebra.signs import is_positive
+from solver.exact.stability.conditions import all_positive
+from solver.exact.stability.inequalities import sign_of
+from solver.exact.stability.location import is_stable_polynomial
+from solver.exact.time_response.input_generators import read_inputs
+from solver.exact.time_response.signals import read_signal, written
+
+
+@dataclass(frozen=True)
+class ErrorConstants:
+    """The number of integrators of L, at least 0, and the limits of L, s L and s² L for s → 0 from above.
+
+    A limit is ∞ or −∞ where there are more integrators, or None where parameters decide which; `lead` is the limit of
+    sᵏ L that is neither zero nor infinite.
+    """
+
+    integrators: int
+    limits: tuple[sp.Expr | None, ...]
+    lead: sp.Expr
+
+
+@dataclass(frozen=True)
+class LongRun:
+    """What E(s) says of e(t) for t → ∞: its pole at the origin of this order, and lim sᵒʳᵈᵉʳ E there.
+
+    `others` is the polynomial of the poles that are neither at the origin nor known to be inside, 1 without; `settles`:
+    they are inside all the same (None: parameters decide). `value` is the limit of e, which may be infinite; None where
+    there is none or the sign of an infinite one is not known. `quotient` is the lead as what is put in leaves it, the
+    numerator and the denominator at the origin.
+    """
+
+    order: int
+    lead: sp.Expr
+    others: sp.Expr
+    settles: bool | None
+    value: sp.Expr | None
+    quotient: tuple[sp.Expr, sp.Expr]
+
+
+def lasting(signal: sp.Expr, t: sp.Symbol) -> sp.Expr:
+    """A signal as it is once all has begun: steps are one, impulses are over; raises NotExact for other functions."""
+    read = read_signal(signal, t, discrete=False)
+    return sp.Add(*(c * written(term, t, discrete=False) for (_, term), c in read.terms.items()))
+
+
+def usual_parts(signal: sp.Expr, t: sp.Symbol) -> tuple[sp.Expr, ...] | None:
+    """The c₀, c₁, c₂ of c₀ + c₁ t + c₂ t²/2; None for other signals."""
+    if not signal.is_polynomial(t) or sp.degree(signal, t) > 2:
+        return None
+    p = sp.Poly(signal, t)
+    return p.nth(0), p.nth(1), 2 * p.nth(2)
+
+
+def error_constants(
+    numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, positive: Sequence[sp.Expr] = ()
+) -> ErrorConstants:
+    """The constants of L = numerator/denominator, common factors cancelled, where some expressions are positive."""
+    top, bottom = _lowest(numerator / denominator, s)
+    zeros, poles = _at_origin(top), _at_origin(bottom)
+    integrators = max(poles - zeros, 0)
+    lead = tidy(top.nth(zeros) / bottom.nth(poles))
+    limits: list[sp.Expr | None] = []
+    for power in range(3):
+        excess = poles - zeros - power
+        sign = _sign_where(lead, positive) if excess > 0 else 0
+        infinite = None if sign is None else sign * sp.oo
+        limits.append(infinite if excess > 0 else lead if excess == 0 else sp.S.Zero)
+    return ErrorConstants(integrators, tuple(limits), lead)
+
+
+def long_run(E: sp.Expr, s: sp.Symbol, inside: sp.Expr, positive: Sequence[sp.Expr] = ()) -> LongRun:
+    """What remains of e; the roots of the polynomial `inside` are known to be there, and these to be `positive`."""
+    top, bottom = _lowest(E, s)
+    order = _at_origin(bottom)
+    lead = tidy(top.nth(0) / bottom.nth(order)) if order else sp.S.Zero
+    others = _without(sp.Poly(sp.cancel(bottom.as_expr() / s**order), s), sp.Poly(inside, s))
+    settles = is_stable_polynomial(others.all_coeffs(), discrete=False) if others.degree() > 0 else True
+    value = None
+    if settles:
+        sign = _sign_where(lead, positive) if order > 1 else None
+        value = lead if order < 2 else None if sign is None else sign * sp.oo
+    put_in = (top.nth(0), bottom.nth(order)) if order else (sp.S.Zero, sp.S.One)
+    return LongRun(order, lead, others.as_expr(), settles, value, put_in)
+
+
+def _lowest(F: sp.Expr, s: sp.Symbol) -> tuple[sp.Poly, sp.Poly]:
+    """Numerator and denominator of a rational function in lowest terms."""
+    above, below = sp.fraction(sp.cancel(sp.together(F)))
+    return sp.Poly(above, s), sp.Poly(below, s)
+
+
+def _at_origin(p: sp.Poly) -> int:
+    """How often s divides a polynomial; 0 of the zero polynomial."""
+    return 0 if p.is_zero else min(powers[0] for powers in p.monoms())
+
+
+def _without(p: sp.Poly, inside: sp.Poly) -> sp.Poly:
+    """A polynomial without the roots that another one has, whatever their multiplicities."""
+    common = sp.gcd(p, inside)
+    while common.degree() > 0:
+        p = sp.quo(p, common)
+        common = sp.gcd(p, common)
+    return p
+
+
+def _sign_where(x: sp.Expr, positive: Sequence[sp.Expr]) -> int | None:
+    """The sign of x where some expressions are positive; None where that does not decide it."""
+    sign = sign_of(x)
+    if sign is not None or not positive:
+        return sign
+    if is_positive(x):
+        return 1
+    return next((sign for sign in (1, -1) if all_positive([*positive, -sign * x]) is sp.false), None)
+
+
+def error_transform(transfer: sp.Expr, image: sp.Expr) -> sp.Expr:
+    """The product in lowest terms, numerator and denominator as products of their factors."""
+    above, below = sp.fraction(sp.cancel(sp.together(transfer * image)))
+    product: sp.Expr = sp.factor(above) / sp.factor(below)
+    return product
+
+
+def rational(F: sp.Expr) -> sp.Expr:
+    """A quotient of quotients as one of polynomials in lowest terms."""
+    quotient: sp.Expr = sp.cancel(sp.together(F))
+    return quotient
+
+
+def transform_of(signal: sp.Expr, t: sp.Symbol, s: sp.Symbol) -> sp.Expr:
+    """The transform of a signal that begins at zero and does not jump later."""
+    (piece,) = read_inputs([signal], t, discrete=False)
+    image: sp.Expr = piece.image(s, discrete=False)[0]
+    return image

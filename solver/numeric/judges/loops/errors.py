@@ -1,0 +1,207 @@
+"""What remains of an error, judged twice: by s E(s) beside the origin, and by the signals of the loop simulated.
+
+A loop is its factors C, G, H as expressions in s and whether it is closed; signals are expressions in t.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.compare import worst_of
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.points import admissible, free_symbols
+from solver.numeric.evaluation.quadrature import legendre
+from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.representation.minimal import MANY, numbers_at
+
+POINTS = 2
+TRIED = 400
+BESIDE = (1e-13, 5e-14)
+"""So far from the origin s E(s) is taken, in units of the slowest root."""
+WRONG = float("inf")
+SETTLED = 40.0
+"""The time of a simulation in units of the slowest time constant."""
+STEPS = 4000
+
+Point = Mapping[Any, complex]
+Quotient = tuple[Array, Array]
+"""Numerator and denominator in numbers, the highest power first."""
+
+
+@dataclass(frozen=True)
+class LoopInNumbers:
+    """The factors of a loop at a point, and the poles of what it makes of its signals."""
+
+    C: Quotient
+    G: Quotient
+    H: Quotient
+    factors: tuple[Any, ...]
+    """C, G, H as they are given."""
+    closed: bool
+
+    @property
+    def characteristic(self) -> Array:
+        """The denominator of the loop, nothing cancelled."""
+        (c, d), (p, q), (h, k) = self.C, self.G, self.H
+        open_loop = _times(d, q, k) if self.closed else _times(d, q)
+        return np.polyadd(open_loop, _times(c, p, h)) if self.closed else open_loop
+
+    @property
+    def poles(self) -> Array:
+        """The roots of the characteristic polynomial, those at zero left out where the loop is open."""
+        roots = np.roots(np.trim_zeros(self.characteristic, "f"))
+        return roots if self.closed else roots[np.abs(roots) > 1e-9]
+
+    @property
+    def numerators(self) -> tuple[Array, Array]:
+        """What the output has above the characteristic polynomial, of the reference and of the disturbance."""
+        (c, d), (p, _), (_, k) = self.C, self.G, self.H
+        return (_times(c, p, k), _times(p, d, k)) if self.closed else (_times(c, p), _times(p, d))
+
+    def error_at(self, s: Any, value: Any, point: Point) -> tuple[Any, Any]:
+        """Return what the error makes of the reference and of the disturbance where s has a value, in many digits."""
+        here = Environment.at([{**point, s: value}], MANY)
+        C, G, H = (np.ravel(value_of(each, here).value)[0] for each in self.factors)
+        below = 1 + C * G * H if self.closed else 1
+        return 1 - C * G / below, -G / below
+
+
+def _times(*factors: Array) -> Array:
+    return reduce(np.polymul, factors)
+
+
+def stable_loops(factors: Sequence[Any], s: Any, others: Any, *, closed: bool) -> list[tuple[Point, LoopInNumbers]]:
+    """Return the loop in numbers at some values of the parameters for which it is stable; raises NotEvaluable."""
+    symbols = free_symbols([*factors, *others]) - {s}
+    found = []
+    for point in admissible(symbols, TRIED if symbols else 1):
+        C, G, H = (_quotient(each, s, point) for each in factors)
+        loop = LoopInNumbers(C, G, H, tuple(factors), closed)
+        if all(root.real < 0 for root in loop.poles):
+            found.append((point, loop))
+        if len(found) == (POINTS if symbols else 1):
+            return found
+    if not found:
+        raise NotEvaluable("no values of the parameters were found for which the loop is stable")
+    return found
+
+
+def _quotient(element: Any, s: Any, point: Point) -> Quotient:
+    known = {symbol: sp.Float(complex(value).real, 17) for symbol, value in point.items()}
+    above, below = sp.fraction(sp.together(sp.sympify(element).xreplace(known)))
+    top, bottom = (np.array([float(c) for c in sp.Poly(each, s).all_coeffs()]) for each in (above, below))
+    return top, bottom
+
+
+def residual_beside_origin(
+    loops: Sequence[tuple[Point, LoopInNumbers]], signals: Sequence[Any], s: Any, t: Any, error: Any
+) -> float:
+    """Return how far s E(s) beside the origin is from the limit of e; ∞ where one of them alone is without end."""
+    worst = 0.0
+    for point, loop in loops:
+        found = [_scaled_transform(loop, signals, s, t, point, beside) for beside in BESIDE]
+        (claimed,) = numbers_at([error], point) if error not in (sp.oo, -sp.oo) else (error,)
+        ratio = abs(found[1]) / (abs(found[0]) or MANY.context.mpf(1))
+        grows = bool(abs(found[1]) > 1e6 and ratio > 1.5)
+        if claimed in (sp.oo, -sp.oo):
+            right = grows and (found[1].real > 0) == (claimed == sp.oo)
+            worst = worst if right else WRONG
+        elif grows:
+            return WRONG
+        else:
+            limit = 2 * found[1] - found[0]
+            worst = worst_of((worst, float(abs(limit - claimed) / max(1, abs(claimed)))))
+    return worst
+
+
+def _scaled_transform(loop: LoopInNumbers, signals: Sequence[Any], s: Any, t: Any, point: Point, beside: float) -> Any:
+    """The product s E(s) = Σ W(s) ∫ f(x/s) e^{−x} dx at a point beside the origin."""
+    slowest = min((abs(root) for root in loop.poles), default=1.0)
+    value = MANY.context.mpf(beside) * float(slowest)
+    total = MANY.context.mpf(0)
+    for transfer, signal in zip(loop.error_at(s, value, point), signals, strict=True):
+        if signal != 0:
+            total += transfer * _mean(signal, t, point, value)
+    return total
+
+
+def _mean(signal: Any, t: Any, point: Point, s: Any) -> Any:
+    """∫ f(x/s) e^{−x} dx from 0 to ∞, by Gauss's rule on panels that become shorter towards zero."""
+    x, w = legendre(MANY, 40)
+    edges = [MANY.context.mpf(0), *(MANY.context.mpf(2) ** i for i in range(-60, 8))]
+    nodes, weights = [], []
+    for a, b in pairwise(edges):
+        half = (b - a) / 2
+        nodes += [a + half * (1 + each) for each in x]
+        weights += [half * each for each in w]
+    u = np.array(nodes, dtype=object)
+    values = np.ravel(value_of(signal, _times_at(point, t, u / s)).value)
+    decay = np.array([MANY.context.exp(-each) for each in u], dtype=object)
+    return np.sum(values * decay * np.array(weights, dtype=object))
+
+
+def _times_at(point: Point, t: Any, times: Array) -> Environment:
+    return Environment.at([{**point, t: each} for each in times], MANY)
+
+
+def residual_of_simulation(
+    loops: Sequence[tuple[Point, LoopInNumbers]], signals: Sequence[Any], t: Any, error: Any
+) -> float:
+    """Return how far the error of the simulated loop is from its limit, late; ∞ where one alone is without end."""
+    worst = 0.0
+    for point, loop in loops:
+        early, late = _simulated(loop, signals, t, point)
+        if error in (sp.oo, -sp.oo):
+            grows = abs(late) > 1.5 * abs(early) and (late > 0) == (error == sp.oo)
+            worst = worst if grows else WRONG
+            continue
+        (claimed,) = (complex(each).real for each in numbers_at([error], point))
+        worst = worst_of((worst, abs(late - claimed) / max(1e-3, abs(claimed), abs(early - late))))
+    return worst
+
+
+def _simulated(loop: LoopInNumbers, signals: Sequence[Any], t: Any, point: Point) -> tuple[float, float]:
+    """e at two late times, from r, d and the output, whose state goes on by e^{Ah} with the signals linear between."""
+    from scipy.signal import lsim  # noqa: PLC0415
+
+    slowest = min((-root.real for root in loop.poles), default=1.0)
+    unit = np.linspace(0.0, SETTLED, STEPS + 1)
+    here = {symbol: complex(value) for symbol, value in point.items()}
+    e = np.zeros(len(unit))
+    for number, (top, signal) in enumerate(zip(loop.numerators, signals, strict=True)):
+        if signal == 0:
+            continue
+        rows = [{**here, t: complex(time)} for time in unit / slowest]
+        f = np.ravel(value_of(signal, Environment.at(rows)).value).real * np.ones(len(unit))
+        above, below = (_slower(each, slowest) for each in (top, loop.characteristic))
+        _, y, _ = lsim((above, below), f, unit)
+        e += (f if number == 0 else 0.0) - y
+    return float(e[len(e) // 2]), float(e[-1])
+
+
+def _slower(polynomial: Array, rate: float) -> Array:
+    """The coefficients in s/rate."""
+    n = len(polynomial) - 1
+    return np.array([c * rate ** (n - i) for i, c in enumerate(polynomial)])
+
+
+def order_at_origin(numerator: Any, denominator: Any, s: Any) -> set[int]:
+    """Return the orders of the pole of a quotient at the origin that are found, by how fast it grows there."""
+    found = set()
+    F = numerator / denominator
+    for point in admissible(free_symbols([numerator, denominator]) - {s}, POINTS):
+        near, nearer = (
+            abs(np.ravel(value_of(F, Environment.at([{**point, s: MANY.context.mpf(at)}], MANY)).value)[0])
+            for at in ("1e-18", "1e-20")
+        )
+        found.add(round(float(MANY.context.log10(nearer / near)) / 2) if nearer and near else 0)
+    return found

@@ -1,0 +1,193 @@
+"""What remains of the error e = r − y: by the final value theorem, or by the error constants of the loop."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Step,
+    Task,
+    Unsolved,
+    option,
+)
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.numeric.judges import loops as judges
+from solver.options.loop_element import UNITY, LoopElement
+from solver.options.signal import Signal
+from solver.stated.algebra import power, product, quotient, total
+from solver.stated.limits import limit
+from solver.tasks.loops import error_mistakes
+from solver.tasks.loops.error_constants import CONSTANTS, LIMITS, constants_of
+from solver.tasks.loops.error_transforms import limit_of, shares_of
+from solver.tasks.loops.loop_stability import stable_loop
+from solver.tasks.plant_options import LoopOptions
+from solver.words import Phrase
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+    from solver.systems import OpenLoop
+
+
+@dataclass(frozen=True, kw_only=True)
+class ErrorOptions(LoopOptions):
+    """What acts on the loop."""
+
+    reference: Expr = option(Signal(), "the reference r", default="step")
+    disturbance: Expr | None = option(Signal(), "a disturbance at the input of the plant, whose part is added")
+    feedback: Expr | None = option(
+        LoopElement(switched=True),
+        "what is in the feedback path, H; none: the error r − y without a loop",
+        default=UNITY,
+        loop="loop",
+    )
+
+
+steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
+    "steady_state_error",
+    title="Steady-state error",
+    doc="The limit of e = r − y, the type of the loop and its error constants.",
+    needs=("open_loop",),
+    options=ErrorOptions,
+    example={"transfer_function": "10/(s(s + 2))", "reference": "ramp"},
+    answers=[
+        AnswerName(
+            "error",
+            r"e(\infty)",
+            "the limit of the error r − y",
+            principal=True,
+            earned=("stable", "unity", "reference", "disturbance", "final_value", "by_constants"),
+        ),
+        AnswerName("system_type", r"\text{type}", "the number of integrators of L", count=True, earned=("constants",)),
+        AnswerName("position_constant", "K_p", "lim L(s) for s → 0", optional=True, earned=("constants",)),
+        AnswerName("velocity_constant", "K_v", "lim s L(s) for s → 0", optional=True, earned=("constants",)),
+        AnswerName("acceleration_constant", "K_a", "lim s² L(s) for s → 0", optional=True, earned=("constants",)),
+    ],
+)
+
+
+@steady_state_error.method(
+    "final_value",
+    title="Final value theorem",
+    source="Ogata, Modern Control Engineering, §5–8",
+    time="continuous",
+)
+def by_final_value(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
+    """The limit of s E(s), where all poles of s E(s) are inside."""
+    loop = _without_dead_time(given)
+    inside = yield from stable_loop(loop)
+    shares = yield from shares_of(loop, given.options.reference, given.options.disturbance or sp.S.Zero)
+    e: Expr = (yield from limit_of(shares, inside)) if shares else sp.S.Zero
+    constants = yield from constants_of(loop, inside)
+    return Answers(error=e, **constants)
+
+
+@steady_state_error.method(
+    "error_constants",
+    title="Error constants",
+    source="Ogata, Modern Control Engineering, §5–8",
+    time="continuous",
+)
+def by_constants(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
+    """1/(1 + K_p), 1/K_v, 1/K_a for each step, ramp and parabola in the reference; of stable loops with H = 1."""
+    loop, r = _without_dead_time(given), given.options.reference
+    t = sp.Symbol("t")
+    powers = exact.usual_parts(r, t)
+    missing = (
+        "loop" if not loop.closed
+        else "unity" if loop.H != 1
+        else "disturbance" if given.options.disturbance not in (None, 0)
+        else "reference" if powers is None
+        else ""
+    )  # fmt: skip
+    if missing:
+        raise Unsolved("steady_state_error/no_constants", missing=missing, r=r)
+    inside = yield from stable_loop(loop)
+    constants = yield from constants_of(loop, inside)
+    N, D = loop.numerator, loop.denominator
+    E = exact.error_transform(D / (D + N), exact.transform_of(r, t, loop.variable)) if r != 0 else sp.S.Zero
+    found = exact.long_run(E, loop.variable, inside.polynomial, inside.positive)
+    if found.value is None:
+        raise Unsolved("steady_state_error/sign", lead=found.lead, order=found.order)
+    yield _told_by_constants(powers, constants, found.value, r)
+    return Answers(error=found.value, **constants)
+
+
+def _told_by_constants(powers: Any, constants: Mapping[str, Any], e: Expr, r: Expr) -> Step:
+    """The error as a sum of one quotient for each power of t."""
+    rows: list[Any] = []
+    for n, (c, name) in enumerate(zip(powers, CONSTANTS, strict=True)):
+        K = constants.get(name)
+        if c != 0 and K is not None:
+            rows.append((n, c, K, quotient(c, total(1, K)) if n == 0 else quotient(c, K)))
+    finite = [stated for _, _, K, stated in rows if K not in (sp.oo, -sp.oo, 0)]
+    claims = {}
+    if finite and e not in (sp.oo, -sp.oo):
+        claims = {"e": Claim(total(*finite) if len(finite) > 1 else finite[0], e, "the error")}
+    return Step("by_constants", claims=claims, unclaimed="" if claims else "a quotient by zero or by infinity",
+                rows=rows, e=e, r=r)  # fmt: skip
+
+
+def _without_dead_time(given: Given[OpenLoop, ErrorOptions]) -> OpenLoop:
+    """The loop; raises Unsolved where there is a dead time in it."""
+    if given.system.delay != 0:
+        raise Unsolved("loops/dead_time", closed=given.system.closed)
+    return given.system
+
+
+BESIDE = "mpmath, s E(s) beside the origin (50 digits)"
+SIMULATED = "scipy.signal.lsim, the loop simulated"
+
+
+@steady_state_error.verification("error")
+def is_what_remains(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterable[Check]:
+    """By s E(s) beside the origin, from the factors of the loop, and by a simulation of the loop."""
+    loop, error = given.system, answers["error"]
+    s, t = loop.variable, sp.Symbol("t")
+    signals = [given.options.reference, given.options.disturbance or sp.S.Zero]
+    label = Phrase("$e(\\infty)$ is what remains of $r - y$")
+
+    def loops() -> Any:
+        return judges.stable_loops((loop.C, loop.G, loop.H), s, [*signals, error], closed=loop.closed)
+
+    yield numeric.check_residual(
+        label, BESIDE, lambda: judges.residual_beside_origin(loops(), signals, s, t, error), 1e-9, answer="error"
+    )
+    yield numeric.check_residual(
+        label, SIMULATED, lambda: judges.residual_of_simulation(loops(), signals, t, error), 1e-3, answer="error"
+    )
+
+
+@steady_state_error.verification("system_type")
+def is_the_order_of_the_pole(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterable[Check]:
+    """How fast L grows near the origin."""
+    loop = given.system
+    found = judges.order_at_origin(loop.numerator, loop.denominator, loop.variable)
+    own = answers["system_type"]
+    yield Check.that("the order of the pole of $L$ at the origin", "mpmath", {max(n, 0) for n in found} == {own})
+
+
+@steady_state_error.verification(*CONSTANTS)
+def are_limits(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterable[Check]:
+    """The limits of sⁿ L; of an infinite one that of 1/(sⁿ L), which is zero."""
+    loop = given.system
+    s, L = loop.variable, quotient(loop.numerator, loop.denominator)
+    for n, name in enumerate(CONSTANTS):
+        if name in answers:
+            stated, value = product(power(s, n), L) if n else L, answers[name]
+            if value in (sp.oo, -sp.oo):
+                stated, value = quotient(1, stated), sp.S.Zero
+            claim = Claim(limit(stated, s, sp.S.Zero, "+"), value)
+            yield numeric.check_claim(claim, LIMITS[n], answer=name)
+
+
+error_mistakes.register(steady_state_error)
