@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any
 
+from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
 
 
@@ -226,14 +227,28 @@ class Schematic:
     alt: str = ""
 
 
-Figure = Plot | Panels | Motion | Plane | Locus | Diagram | Chains | Parts | Schematic | Mechanism
+Figure = (
+    Plot
+    | Panels
+    | Motion
+    | Plane
+    | Locus
+    | Diagram
+    | Chains
+    | Parts
+    | Schematic
+    | Mechanism
+    | BodeDiagram
+    | NyquistDiagram
+)
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnCurve:
     """A curve as numbers: `x` and `y` of the same length, without gaps.
 
-    `style` is that of a `Curve`, the sign of some `Roots`, or "area", whose edge the curve is.
+    `style` is that of a `Curve`, the sign of some `Roots`, "area", whose edge the curve is, "dashed arrow", "arc" (a
+    thin line with an arrowhead) or "span" (a stretch of a straight line, measured and named).
     """
 
     label: str
@@ -244,7 +259,10 @@ class DrawnCurve:
 
 @dataclass(frozen=True, slots=True)
 class DrawnPlot:
-    """A plot as numbers: what pages draw. `window` is (x_min, x_max, y_min, y_max), `alt` tells what is seen."""
+    """A plot as numbers: what pages draw. `window` is (x_min, x_max, y_min, y_max), `alt` tells what is seen.
+
+    `logarithmic` is said of the abscissa; the ticks of the ordinate are multiples of `y_step`, if it is not 0.
+    """
 
     caption: str
     x_label: str
@@ -254,6 +272,8 @@ class DrawnPlot:
     equal: bool
     window: tuple[float, float, float, float]
     alt: str = ""
+    logarithmic: bool = False
+    y_step: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -45,7 +45,7 @@ def of_plane(plane: Plane, say: Say) -> str:
         told = ", ".join(f"{text_of(say(name))} ≥ {number_text(x)}" for name, x in shown.items() if x)
         if told:
             found.append(say(Phrase("shaded: {limits}", limits=told)))
-    return _sentences([say("the z-plane" if plane.discrete else "the s-plane"), *found])
+    return sentences([say("the z-plane" if plane.discrete else "the s-plane"), *found])
 
 
 def _roots(each: Placed, say: Say, *, discrete: bool) -> str:
@@ -97,7 +97,7 @@ def _where(each: Placed, say: Say, *, discrete: bool) -> str:
 def of_chains(figure: Chains, say: Say) -> str:
     """Tell which state follows which in each chain."""
     rows = (" → ".join(text_of(f"x_{{{state + 1}}}") for state in states) for states in figure.rows)
-    return _sentences(say(Phrase("chain: {states}", states=states)) for states in rows)
+    return sentences(say(Phrase("chain: {states}", states=states)) for states in rows)
 
 
 def of_parts(figure: Parts, say: Say) -> str:
@@ -108,7 +108,7 @@ def of_parts(figure: Parts, say: Say) -> str:
         relations = [say("driven by the input")] * part.driven + [say("seen in the output")] * part.seen
         relations += [say(Phrase("acts on the part {name}", name=figure.parts[i].name)) for i in part.acts_on]
         told[-1] += "".join(f"; {each}" for each in relations)
-    return _sentences(told)
+    return sentences(told)
 
 
 def of_schematic(figure: Schematic, say: Say) -> str:
@@ -117,7 +117,7 @@ def of_schematic(figure: Schematic, say: Say) -> str:
         _element(each, say(name) if name else text_of(each.label), say)
         for each, name in zip(figure.components, figure.names or ("",) * len(figure.components), strict=True)
     ]
-    return _sentences([say("circuit diagram"), *told])
+    return sentences([say("circuit diagram"), *told])
 
 
 def _element(each: Component, name: str, say: Say) -> str:
@@ -137,13 +137,13 @@ def of_diagram(layout: Layout, say: Say) -> str:
     labels = [text_of(each.text) for each in layout.items if isinstance(each, Label) and each.text]
     signals = dict.fromkeys(label for label in labels if label not in ("+", "−", "-"))
     told = [Phrase("boxes: {names}", names=", ".join(blocks)), Phrase("signals: {names}", names=", ".join(signals))]
-    return _sentences(map(say, told))
+    return sentences(map(say, told))
 
 
 def of_plot(plot: DrawnPlot, say: Say) -> str:
     """Tell of each curve where it begins and ends, and its largest and smallest value if they lie between."""
     told = [_curve(each, plot, say) for each in plot.curves if each.style not in BESIDE and each.x]
-    return _sentences([*told, *_guides(plot.curves, say)])
+    return sentences([*told, *_guides(plot.curves, say)])
 
 
 def _curve(each: DrawnCurve, plot: DrawnPlot, say: Say) -> str:
@@ -171,5 +171,6 @@ def _guides(curves: Iterable[DrawnCurve], say: Say) -> Iterator[str]:
             yield say(Phrase("marked: {name} = {value}", name=text_of(each.label), value=value))
 
 
-def _sentences(texts: Iterable[str]) -> str:
+def sentences(texts: Iterable[str]) -> str:
+    """Return texts as sentences, each with a capital letter."""
     return ". ".join(text[:1].upper() + text[1:] if text[1:2].isalpha() else text for text in texts if text) + "."

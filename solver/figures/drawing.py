@@ -19,16 +19,30 @@ from solver.derivation.figures import (
     Plot,
     Schematic,
 )
+from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
 from solver.figures import alternatives
+from solver.figures.bode import bode_of
 from solver.figures.laid_out import layout_of
 from solver.figures.loci import of_locus, on_locus
 from solver.figures.motions import moved
+from solver.figures.nyquist import nyquist_of
 from solver.figures.planes import on_plane
 from solver.figures.sampling import sampled
+from solver.figures.told_frequencies import told_bode, told_nyquist
 from solver.figures.told_mechanisms import of_mechanism
 
-TOLD: dict[type, Callable[[Any, Callable[[str], str]], str]] = {
+Say = Callable[[str], str]
+
+DRAWN: dict[type, tuple[Callable[[Any, Say], Any], Callable[[Any, Say], str]]] = {
+    Plane: (on_plane, alternatives.of_plane),
+    Locus: (lambda figure, _: on_locus(figure), of_locus),
+    BodeDiagram: (lambda figure, _: bode_of(figure), told_bode),
+    NyquistDiagram: (lambda figure, _: nyquist_of(figure), told_nyquist),
+}
+"""Who draws figures as plots, and who tells what is seen in them."""
+
+TOLD: dict[type, Callable[[Any, Say], str]] = {
     Schematic: alternatives.of_schematic,
     Parts: alternatives.of_parts,
     Mechanism: of_mechanism,
@@ -36,7 +50,7 @@ TOLD: dict[type, Callable[[Any, Callable[[str], str]], str]] = {
 """Who tells what is seen in figures that are drawn from their data as they are."""
 
 
-def drawing_of(figure: Figure, say: Callable[[str], str] = str) -> Drawing:
+def drawing_of(figure: Figure, say: Say = str) -> Drawing:
     """Return a figure without expressions, with what is seen in it in words; `say` words a phrase."""
     if isinstance(figure, Plot):
         plot = sampled(figure)
@@ -48,14 +62,15 @@ def drawing_of(figure: Figure, say: Callable[[str], str] = str) -> Drawing:
             else DrawnPanels(figure.caption, tuple(map(sampled, figure.plots)))
         )
         return replace(panels, alt=" ".join(alternatives.of_plot(plot, say) for plot in panels.plots))
-    if isinstance(figure, Plane):
-        return replace(on_plane(figure, say), alt=alternatives.of_plane(figure, say))
-    if isinstance(figure, Locus):
-        return replace(on_locus(figure), alt=of_locus(figure, say))
+    if type(figure) in DRAWN:
+        drawn, told = DRAWN[type(figure)]
+        found: Drawing = replace(drawn(figure, say), alt=told(figure, say))
+        return found
     if isinstance(figure, Schematic | Parts | Mechanism):
         return replace(figure, alt=TOLD[type(figure)](figure, say))
     chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""
-    return replace(figure, alt=f"{chains} ".lstrip() + alternatives.of_diagram(layout_of(figure), say))
+    rest: Any = figure
+    return replace(rest, alt=f"{chains} ".lstrip() + alternatives.of_diagram(layout_of(rest), say))
 
 
 __all__ = ["drawing_of"]

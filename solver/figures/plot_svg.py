@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from itertools import pairwise
+from math import ceil, floor, log, log10
 from typing import Any
 
 import matplotlib as mpl
@@ -14,10 +15,19 @@ from solver.derivation.figures import DrawnCurve, DrawnPanels, DrawnPlot, Mark
 from solver.figures.palette import AREA, COLOURS, GRID, INK, PAPER, SIGNS, SOFT, dark_style
 
 DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)))
+LINES: dict[str, Any] = {"dashed": (0, (4, 3)), "dashed arrow": (0, (4, 3)), "arc": (0, (1, 1.5))}
+ARROWS = {"arrow", "dashed arrow", "arc"}
+UNNAMED = {"guide", "area", "span"}
+"""What is not in the legend."""
+
+PLAIN = 4
+"""Powers of ten up to this one are written out."""
+
 WIDTH, HEIGHT, SQUARE, LOW = 6.4, 3.6, 4.6, 2.3
 SETTINGS: Any = {
     "svg.hashsalt": "solve",
     "svg.fonttype": "path",
+    "figure.dpi": 72,  # that of SVG: texts are measured once
     "font.size": 10.5,
     "mathtext.fontset": "stix",
     "font.family": "STIXGeneral",
@@ -67,7 +77,11 @@ def _draw(axes: Any, plot: DrawnPlot) -> None:
     for mark in plot.marks:
         if mark.sign == "dot":
             axes.plot([mark.x], [mark.y], "o", color=INK, markersize=4.5, zorder=4)
-        _name(axes, mark, plot.window)
+        _name(axes, mark, plot)
+    if plot.logarithmic:
+        _logarithmic(axes, plot)
+    if plot.y_step:
+        axes.set_yticks(ticks(plot))
     axes.set_xlim(x_min, x_max)
     axes.set_ylim(y_min, y_max)
     if plot.equal:
@@ -76,29 +90,50 @@ def _draw(axes: Any, plot: DrawnPlot) -> None:
     axes.set_ylabel(math(plot.y_label))
     if named and any(each.style in SIGNS for each in plot.curves):
         axes.legend(frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=min(2, named))
+    elif plot.logarithmic and named:
+        axes.legend(frameon=False, loc="lower left")
     elif named > 1 or (named and names_of(plot.curves) != [plot.y_label]):
         axes.legend(frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 
-def _name(axes: Any, mark: Mark, window: tuple[float, float, float, float]) -> None:
+def _logarithmic(axes: Any, plot: DrawnPlot) -> None:
+    """A logarithmic abscissa with a tick for each decade, and finer lines between."""
+    axes.set_xscale("log")
+    first, last = round(log10(plot.window[0])), round(log10(plot.window[1]))
+    every = range(first, last + 1)
+    axes.set_xticks([10.0**k for k in every], [f"{10.0**k:g}" if abs(k) <= PLAIN else f"$10^{{{k}}}$" for k in every])
+    axes.set_xticks([], minor=True)
+    fine = [i * 10.0**k for k in every[:-1] for i in range(2, 10)]
+    axes.vlines(fine, 0, 1, transform=axes.get_xaxis_transform(), color=GRID, linewidth=0.35, zorder=0.4)
+
+
+def ticks(plot: DrawnPlot) -> list[float]:
+    """Return the multiples of the step of the ordinate within the window."""
+    _, _, low, high = plot.window
+    return [plot.y_step * k for k in range(ceil(low / plot.y_step), floor(high / plot.y_step) + 1)]
+
+
+def _name(axes: Any, mark: Mark, plot: DrawnPlot) -> None:
     """Write the name of a point beside it, on the side where there is room."""
     if mark.label:
-        right, up = side_of(mark.x, mark.y, window)
+        right, up = side_of(mark.x, mark.y, plot)
         axes.annotate(
             math(mark.label), (mark.x, mark.y), textcoords="offset points", xytext=(6 * right, 6 * up),
             ha="left" if right > 0 else "right", va="bottom" if up > 0 else "top", zorder=5,
         )  # fmt: skip
 
 
-def side_of(x: float, y: float, window: tuple[float, float, float, float]) -> tuple[int, int]:
+def side_of(x: float, y: float, plot: DrawnPlot) -> tuple[int, int]:
     """Return on which side of a point its name has room: 1 or −1 for right or left, above or below."""
-    x_min, x_max, y_min, y_max = window
+    x_min, x_max, y_min, y_max = plot.window
+    if plot.logarithmic:
+        x, x_min, x_max = log(x), log(x_min), log(x_max)
     return (-1 if x - x_min > 0.8 * (x_max - x_min) else 1), (-1 if y - y_min > 0.9 * (y_max - y_min) else 1)
 
 
 def names_of(curves: tuple[DrawnCurve, ...]) -> list[str]:
     """Return the names in the legend, in order."""
-    return list(dict.fromkeys(each.label for each in curves if each.label and each.style not in ("guide", "area")))
+    return list(dict.fromkeys(each.label for each in curves if each.label and each.style not in UNNAMED))
 
 
 def _draw_curves(axes: Any, plot: DrawnPlot) -> int:
@@ -109,7 +144,10 @@ def _draw_curves(axes: Any, plot: DrawnPlot) -> int:
             axes.fill(each.x, each.y, facecolor=AREA, edgecolor="none", zorder=0.5)
         elif each.style == "guide":
             axes.plot(each.x, each.y, linestyle=(0, (4, 3)), color=SOFT, linewidth=0.9, zorder=1.5)
-            _name(axes, Mark(each.x[-1], each.y[-1], each.label), plot.window)
+            _name(axes, Mark(each.x[-1], each.y[-1], each.label), plot)
+        elif each.style == "span":
+            axes.plot(each.x, each.y, color=COLOURS[1], linewidth=2.2, solid_capstyle="butt", zorder=3)
+            _name(axes, Mark(*halfway(each), each.label), plot)
         else:
             _draw_curve(axes, each, names, first=each is next(c for c in plot.curves if c.label == each.label))
     return len(names)
@@ -130,9 +168,10 @@ def _draw_curve(axes: Any, each: DrawnCurve, names: list[str], *, first: bool) -
         axes.vlines(each.x, 0, each.y, color=colour, linewidth=0.9)
         axes.plot(each.x, each.y, "osD^"[place % 4], color=colour, markersize=4.5, label=label)
     else:
-        line = (0, (4, 3)) if each.style == "dashed" else DASHES[place % len(DASHES)] if each.label else "-"
-        axes.plot(each.x, each.y, linestyle=line, color=colour, linewidth=1.6, label=label)
-        if each.style == "arrow" and len(each.x) > 1:
+        line = LINES.get(each.style) or (DASHES[place % len(DASHES)] if each.label else "-")
+        width = 1.0 if each.style == "arc" else 1.6
+        axes.plot(each.x, each.y, linestyle=line, color=colour, linewidth=width, label=label)
+        if each.style in ARROWS and len(each.x) > 1:
             _arrowhead(axes, each, colour)
 
 
@@ -152,6 +191,11 @@ def middle(curve: DrawnCurve) -> int:
     steps = np.hypot(np.diff(curve.x), np.diff(curve.y))
     way = np.concatenate([[0.0], np.cumsum(steps)])
     return max(int(np.searchsorted(way, way[-1] / 2)), 1)
+
+
+def halfway(curve: DrawnCurve) -> tuple[float, float]:
+    """Return the middle of a stretch."""
+    return (curve.x[0] + curve.x[-1]) / 2, (curve.y[0] + curve.y[-1]) / 2
 
 
 def math(latex: str) -> str:

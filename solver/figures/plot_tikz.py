@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from solver.derivation.figures import DrawnCurve, DrawnPanels, DrawnPlot, Mark
 from solver.figures.palette import COLOURS, SIGNS
-from solver.figures.plot_svg import middle, names_of, side_of
+from solver.figures.plot_svg import ARROWS, halfway, middle, names_of, side_of, ticks
 
 DASHES = (
     "solid",
@@ -12,6 +12,7 @@ DASHES = (
     "dash pattern=on 2pt off 1.5pt",
     "dash pattern=on 6pt off 2pt on 1pt off 2pt",
 )
+LINES = {"dashed": "dashed", "dashed arrow": "dashed", "arc": "densely dotted"}
 MARKS = ("*", "square*", "diamond*", "triangle*")
 ROOTS = {"cross": "x", "ring": "o", "square": "square", "diamond": "diamond"}
 SIZE = {True: "width=8cm, height=8cm, axis equal image", False: "width=11cm, height=6.4cm"}
@@ -49,14 +50,19 @@ def _axis(plot: DrawnPlot, place: list[str], *, named: bool = True) -> str:
         *place,
         "axis lines=left, grid=major, grid style={black!12}",
         "legend style={draw=none, fill=none, at={(0.5,-0.17)}, anchor=north}" if signs
+        else "legend pos=south west, legend style={draw=none, fill=none}" if plot.logarithmic
         else "legend pos=outer north east, legend style={draw=none, fill=none}",
         "scaled ticks=false, tick label style={/pgf/number format/fixed}",
         "clip=false" if _all_inside(plot) else "clip mode=individual",
     ]  # fmt: skip
+    if plot.logarithmic:
+        options += ["xmode=log", "xminorgrids=true", "minor grid style={black!6}"]
+    if plot.y_step:
+        options.append(f"ytick={{{','.join(f'{each:g}' for each in ticks(plot))}}}")
     names = names_of(plot.curves)
     seen = {""} if names != [plot.y_label] else {"", plot.y_label}
-    lines = [*_zero_lines(plot.window), *(line for each in plot.curves for line in _curve(each, names, seen, plot))]
-    lines += [_mark(mark, plot.window) for mark in plot.marks]
+    lines = [*_zero_lines(plot), *(line for each in plot.curves for line in _curve(each, names, seen, plot))]
+    lines += [_mark(mark, plot) for mark in plot.marks]
     body = "\n".join(lines)
     return f"\\begin{{axis}}[{', '.join(options)}]\n{body}\n\\end{{axis}}"
 
@@ -69,9 +75,9 @@ def _all_inside(plot: DrawnPlot) -> bool:
     )
 
 
-def _zero_lines(window: tuple[float, float, float, float]) -> list[str]:
+def _zero_lines(plot: DrawnPlot) -> list[str]:
     """The axes through the origin, where it is inside."""
-    x_min, x_max, y_min, y_max = window
+    x_min, x_max, y_min, y_max = plot.window
     ends = []
     if y_min < 0 < y_max:
         ends.append(f"{_point(x_min, 0)} {_point(x_max, 0)}")
@@ -80,14 +86,14 @@ def _zero_lines(window: tuple[float, float, float, float]) -> list[str]:
     return [rf"\addplot[black!40, thin, forget plot] coordinates {{{each}}};" for each in ends]
 
 
-def _mark(mark: Mark, window: tuple[float, float, float, float]) -> str:
+def _mark(mark: Mark, plot: DrawnPlot) -> str:
     dots = "only marks, mark size=2pt" if mark.sign == "dot" else "draw=none"
-    name = rf" node[{_side(mark.x, mark.y, window)}] {{${mark.label}$}};" if mark.label else ";"
+    name = rf" node[{_side(mark.x, mark.y, plot)}] {{${mark.label}$}};" if mark.label else ";"
     return rf"\addplot[{dots}, forget plot] coordinates {{{_point(mark.x, mark.y)}}}{name}"
 
 
-def _side(x: float, y: float, window: tuple[float, float, float, float]) -> str:
-    right, up = side_of(x, y, window)
+def _side(x: float, y: float, plot: DrawnPlot) -> str:
+    right, up = side_of(x, y, plot)
     return f"{'above' if up > 0 else 'below'} {'right' if right > 0 else 'left'}"
 
 
@@ -102,8 +108,12 @@ def _curve(each: DrawnCurve, names: list[str], seen: set[str], plot: DrawnPlot) 
     if each.style == "area":
         return [rf"\addplot[draw=none, fill=black!8, forget plot] coordinates {{{coordinates}}} \closedcycle;"]
     if each.style == "guide":
-        name = rf" node[{_side(each.x[-1], each.y[-1], plot.window)}] {{${label}$}};" if label else ";"
+        name = rf" node[{_side(each.x[-1], each.y[-1], plot)}] {{${label}$}};" if label else ";"
         return [rf"\addplot[black!55, thin, densely dashed, forget plot] coordinates {{{coordinates}}}{name}"]
+    if each.style == "span":
+        (x, y), side = halfway(each), _side(*halfway(each), plot)
+        name = rf"\addplot[draw=none, forget plot] coordinates {{{_point(x, y)}}} node[{side}] {{${label}$}};"
+        return [rf"\addplot[curve1, line width=1.6pt, forget plot] coordinates {{{coordinates}}};", name]
     place = names.index(label) if label else 0
     colour = f"curve{place % len(COLOURS)}" if label else "black!60"
     arrow = []
@@ -113,8 +123,9 @@ def _curve(each: DrawnCurve, names: list[str], seen: set[str], plot: DrawnPlot) 
     elif each.style == "samples":
         style = f"{colour}, ycomb, mark={MARKS[place % 4]}, mark size=1.6pt"
     else:
-        style = f"{colour}, thick, {'dashed' if each.style == 'dashed' else DASHES[place % 4] if label else 'solid'}"
-    if each.style == "arrow" and len(each.x) > 1:
+        line = LINES.get(each.style) or (DASHES[place % 4] if label else "solid")
+        style = f"{colour}, {'thin' if each.style == 'arc' else 'thick'}, {line}"
+    if each.style in ARROWS and len(each.x) > 1:
         at = middle(each)
         head = f"{_point(each.x[at - 1], each.y[at - 1])} {_point(each.x[at], each.y[at])}"
         arrow = [rf"\addplot[{colour}, thick, -latex, forget plot] coordinates {{{head}}};"]

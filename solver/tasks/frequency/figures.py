@@ -1,0 +1,86 @@
+"""Bode's and Nyquist's diagrams of loops whose values are numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation.frequency_figures import BodeDiagram, FrequencyResponse, MarkedFrequency, NyquistDiagram
+from solver.lazy import exact
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+DIGITS = 4
+LARGE = 8
+"""A curve that goes farther than this from the origin hides what happens at −1."""
+
+
+def response_of(L: exact.OnAxis, name: str = "L") -> FrequencyResponse:
+    """Return a function on the axis in Bode's form, in numbers."""
+    c, power = L.start
+    roots = tuple((complex(r), m) for r, m in L.roots)
+    return FrequencyResponse(name, float(c), power, roots, float(L.delay))
+
+
+def bode_figure(
+    caption: str,
+    *loops: tuple[str, exact.OnAxis],
+    margins: exact.Margins | None = None,
+    marked: Iterable[tuple[Expr, str]] = (),
+    asymptotes: bool = False,
+) -> tuple[BodeDiagram, ...]:
+    """Return Bode's diagram of functions under their names (LaTeX); marked are the margins of the first one.
+
+    `marked` are further frequencies with their names.
+    """
+    marks = [*_margins(margins), *(MarkedFrequency(float(omega), name) for omega, name in marked)]
+    responses = tuple(response_of(L, name) for name, L in loops)
+    return (BodeDiagram(caption, responses, tuple(marks), asymptotes),)
+
+
+def _margins(found: exact.Margins | None) -> Iterable[MarkedFrequency]:
+    """The crossovers that decide with their margins; the others without."""
+    if found is None:
+        return
+    for each in found.gains.found:
+        decides = each is found.at_gain
+        name = rf"\omega_{{g}} = {_short(each.omega)}" if decides else ""
+        margin = rf"\mathrm{{PM}} = {_short(found.phase_margin)}^{{\circ}}" if decides else ""
+        yield MarkedFrequency(float(each.omega), name, "gain", margin)
+    for each in found.phases.found:
+        decides = each is found.at_phase
+        name = rf"\omega_{{\varphi}} = {_short(each.omega)}" if decides else ""
+        margin = rf"\mathrm{{GM}} = {_short(found.gain_margin_db)}\ \text{{dB}}" if decides else ""
+        if each.omega != 0:
+            yield MarkedFrequency(float(each.omega), name, "phase", margin)
+
+
+def _short(value: Any) -> str:
+    """A number with few digits."""
+    text = f"{float(value):.{DIGITS}g}"
+    digits, _, power = text.partition("e")
+    return rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
+
+
+def nyquist_figures(
+    caption: str, near: str, L: exact.OnAxis, crossings: Sequence[Expr], name: str = "L"
+) -> tuple[NyquistDiagram, ...]:
+    """Return Nyquist's diagram; of a curve that goes far from −1 also what happens near that point."""
+    response = response_of(L, name)
+    named = tuple((float(x), _short(x)) for x in dict.fromkeys(crossings))
+    whole = NyquistDiagram(caption, response, named)
+    if not _goes_far(L, named):
+        return (whole,)
+    return whole, NyquistDiagram(near, response, named, near=True)
+
+
+def _goes_far(L: exact.OnAxis, crossings: Sequence[tuple[float, str]]) -> bool:
+    c, power = L.start
+    sizes = [abs(x) for x, _ in crossings] + ([abs(float(c))] if power == 0 else [])
+    if power == 0 and L.excess == 0:
+        sizes.append(abs(float(L.N.LC() / L.D.LC())))
+    return max(sizes, default=0.0) > LARGE
+
+
+__all__ = ["bode_figure", "nyquist_figures", "response_of"]
