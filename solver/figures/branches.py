@@ -1,7 +1,8 @@
 """The branches of a root locus as curves: roots of D + K N followed from gain to gain, in steps as short as they need.
 
-Between two gains at which roots meet no two branches touch, so each is followed by itself: the tangent predicts the next
-roots, and a step is halved until it is clear which is which. At a meeting the pieces end and begin in the point itself.
+Between two gains at which roots meet no two branches touch, so each is followed by itself: the tangent predicts the
+next roots, and a step is halved until it is clear which is which. At a meeting the pieces end and begin in the point
+itself.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ class Branches:
         gain, roots = start, self._roots(start)
         path, step = [roots], 1e-3 * max(start, TINY * self._scale)
         for _ in range(MOST):
-            if gain >= stop or gain > LARGEST * self._scale or self._all_ended(roots):
+            if gain >= stop or gain > LARGEST * self._scale or self._all_ended(gain, roots):
                 break
             step = min(step, stop - gain)
             following = self._matched(gain, roots, gain + step)
@@ -121,10 +122,11 @@ class Branches:
             found.append(left.pop(int(np.argmin(np.abs(np.array(left) - root)))) if left else root)
         return np.array(found)
 
-    def _all_ended(self, roots: Array) -> bool:
-        """Whether every root is near a zero or far away."""
+    def _all_ended(self, gain: float, roots: Array) -> bool:
+        """Whether every root is near a zero, or far away and on its way farther."""
         zeros = np.roots(self.numerator) if len(self.numerator) > 1 else np.array([])
-        far = np.abs(roots - self.middle) > 1.5 * self.side
+        leaving = np.real((roots - self.middle) * np.conj(self._tangent(gain, roots))) > 0
+        far = leaving & (np.abs(roots - self.middle) > 1.5 * self.side)
         near = np.array([np.min(np.abs(zeros - root), initial=np.inf) < CLOSE * self.side for root in roots])
         return bool(np.all(far | near))
 

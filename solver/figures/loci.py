@@ -1,9 +1,10 @@
-"""A root locus as a plot: branches with arrows, poles, zeros, asymptotes, meeting points and crossings with their gains."""
+"""A root locus as a plot: branches with arrows, poles, zeros, asymptotes, meeting points, crossings, and gains."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from math import cos, radians, sin
+from dataclasses import replace
+from math import cos, floor, log10, radians, sin
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,12 @@ MARGIN = 0.28
 
 FAR = 6
 """A pole or zero so many times farther away than all others is told at the edge."""
+
+SHIFTS = (0.0, -0.09, 0.06, -0.15, 0.12, -0.21, 0.18)
+"""Where the name of a point may stand, above it or below, in parts of the window's side."""
+
+WIDE, HIGH = 0.25, 0.058
+"""How wide and how high a name is, in the same parts."""
 
 SHORT = 0.1
 """A piece shorter than this part of the window has no arrow."""
@@ -44,7 +51,9 @@ def on_locus(locus: Locus) -> DrawnPlot:
         if places:
             xs, ys = (tuple(getattr(place, side) for place in places) for side in ("real", "imag"))
             curves.append(DrawnCurve(rf"\text{{{each.name}}}", each.sign, xs, ys))
-    marks = [*_marks(locus, meetings, crossings), *_several((poles, zeros), beyond), *_at_the_edge(beyond, window)]
+    dots = [*_dots(locus, meetings, crossings)]
+    named = _apart([mark for mark in (*dots, *_several((poles, zeros), beyond)) if mark.label], window)
+    marks = [*(replace(dot, label="") for dot in dots), *named, *_at_the_edge(beyond, window)]
     labels = (r"\operatorname{Re} s", r"\operatorname{Im} s")
     return DrawnPlot(locus.caption, *labels, tuple(curves), tuple(marks), equal=True, window=window)
 
@@ -145,14 +154,24 @@ def _inside(piece: Any, window: Window) -> Iterator[Any]:
             start = None
 
 
-def _marks(locus: Locus, meetings: list[tuple[complex, float]], crossings: list[tuple[float, float]]) -> Iterator[Mark]:
+def _dots(locus: Locus, meetings: list[tuple[complex, float]], crossings: list[tuple[float, float]]) -> Iterator[Mark]:
     """Meeting points and crossings; of a pair the upper one has the gain as its name."""
     for point, gain in meetings:
-        yield Mark(point.real, point.imag, "" if point.imag < 0 else f"{locus.gain} = {gain:.3g}")
+        yield Mark(point.real, point.imag, "" if point.imag < 0 else _named(locus.gain, gain))
     for omega, gain in crossings:
-        yield Mark(0.0, omega, f"{locus.gain} = {gain:.3g}")
+        yield Mark(0.0, omega, _named(locus.gain, gain))
         if omega:
             yield Mark(0.0, -omega)
+
+
+def _named(name: str, gain: float) -> str:
+    """A gain with three digits."""
+    size = floor(log10(gain))
+    if -4 < size < 5:
+        digits = max(2 - size, 0)
+        text = f"{gain:.{digits}f}"
+        return f"{name} = {text.rstrip('0').rstrip('.') if '.' in text else text}"
+    return rf"{name} = {gain / 10.0**size:.3g} \cdot 10^{{{size}}}"
 
 
 def _several(sets: Sequence[Placed], beyond: set[complex]) -> Iterator[Mark]:
@@ -161,6 +180,26 @@ def _several(sets: Sequence[Placed], beyond: set[complex]) -> Iterator[Mark]:
         for place, times in each.places:
             if times > 1 and place not in beyond:
                 yield Mark(place.real, place.imag, rf"{times}\times", "none")
+
+
+def _apart(marks: Sequence[Mark], window: Window) -> list[Mark]:
+    """Names without their dots, moved up or down until none covers another."""
+    side = window[1] - window[0]
+    taken: list[tuple[float, float]] = []
+    found = []
+    for mark in marks:
+        height = next(
+            (mark.y + shift * side for shift in SHIFTS if not _covered(mark.x, mark.y + shift * side, taken, side)),
+            mark.y,
+        )
+        taken.append((mark.x, height))
+        found.append(Mark(mark.x, height, mark.label, "none"))
+    return found
+
+
+def _covered(x: float, y: float, taken: Sequence[tuple[float, float]], side: float) -> bool:
+    """Whether a name at this point would cover one of those that are there."""
+    return any(abs(x - a) < WIDE * side and abs(y - b) < HIGH * side for a, b in taken)
 
 
 def _at_the_edge(beyond: set[complex], window: Window) -> Iterator[Mark]:
@@ -192,7 +231,8 @@ def of_locus(locus: Locus, say: Say) -> str:
             told.append(say(Phrase("branches meet at {point} for {K} = {gain}", point=text, K=K,
                                    gain=number_text(number(gain)))))  # fmt: skip
     for omega, gain in locus.crossings:
-        size = number_text(number(omega))
+        size, at_gain = number_text(number(omega)), number_text(number(gain))
+        point = "0" if size == "0" else f"±{size}j"
         told.append(say(Phrase("branches cross the imaginary axis at {point} for {K} = {gain}",
-                               point="0" if size == "0" else f"±{size}j", K=K, gain=number_text(number(gain)))))  # fmt: skip
+                               point=point, K=K, gain=at_gain)))  # fmt: skip
     return ". ".join(text[:1].upper() + text[1:] for text in told) + "."

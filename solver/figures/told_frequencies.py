@@ -28,7 +28,8 @@ def told_bode(figure: BodeDiagram, say: Say) -> str:
         if mark.omega > 0:
             size, angle = _at(figure.responses[0], mark.omega)
             values = {"omega": number_text(mark.omega), "size": size, "angle": angle}
-            margin = f" ({text_of(mark.margin).replace("^∘", "°")})" if mark.margin else ""
+            name = text_of(mark.margin).replace("^∘", "°")
+            margin = f" ({name})" if mark.margin else ""
             told.append(say(Phrase("marked: ω = {omega} rad/s with {size} dB and {angle}°", **values)) + margin)
     return sentences(told)
 

@@ -1,4 +1,4 @@
-"""Where poles of a loop meet: multiple roots of D + K N, the roots of N D' − N' D at which K is real and not negative."""
+"""Where poles of a loop meet: multiple roots of D + K N, roots of N D' − N' D at which K is real and not negative."""
 
 from __future__ import annotations
 

@@ -45,12 +45,16 @@ class Directions:
 
 def departures(equation: LocusEquation) -> tuple[Directions, ...]:
     """The directions at the complex poles of the upper half plane, in the order of the poles."""
-    return tuple(_directions(equation, each, pole=True) for each in roots_with_factors(equation.denominator) if each.upper)
+    return tuple(
+        _directions(equation, each, pole=True) for each in roots_with_factors(equation.denominator) if each.upper
+    )
 
 
 def arrivals(equation: LocusEquation) -> tuple[Directions, ...]:
     """The directions at the complex zeros of the upper half plane, from which their branches come."""
-    return tuple(_directions(equation, each, pole=False) for each in roots_with_factors(equation.numerator) if each.upper)
+    return tuple(
+        _directions(equation, each, pole=False) for each in roots_with_factors(equation.numerator) if each.upper
+    )
 
 
 def _directions(equation: LocusEquation, at: PlacedRoot, *, pole: bool) -> Directions:

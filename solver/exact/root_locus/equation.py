@@ -1,4 +1,4 @@
-"""D(s) + K N(s) = 0, what the poles of a loop with a gain K satisfy, in lowest terms, and values at roots of polynomials.
+"""D(s) + K N(s) = 0, which the poles of a loop with a gain K satisfy, in lowest terms; values at roots of polynomials.
 
 Source: W. R. Evans, Graphical Analysis of Control Systems, Trans. AIEE 67 (1948).
 """

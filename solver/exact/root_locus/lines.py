@@ -55,7 +55,7 @@ def real_axis_segments(equation: LocusEquation) -> list[sp.Interval]:
 
 @dataclass(frozen=True)
 class Asymptotes:
-    """`angles` in degrees, from −180° (excluded) to 180°; they start at `centroid`, from the sums of poles and zeros."""
+    """`angles` in degrees, in (−180°, 180°], and their `centroid`; `poles` and `zeros` are the sums of these."""
 
     angles: tuple[sp.Rational, ...]
     centroid: sp.Expr

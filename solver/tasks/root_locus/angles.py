@@ -58,5 +58,3 @@ def _signed(row: dict[str, Any]) -> Any:
 def _unreduced(total: Any, q: int, m: int) -> Any:
     """(total + 360 q)/m, before it is brought between −180° and 180°."""
     return (total + 360 * q) / m
-
-

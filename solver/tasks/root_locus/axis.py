@@ -68,8 +68,8 @@ def _crossings(form: Form, found: tuple[exact.Crossing, ...], p: Expr, *, along:
         at = value_at(p.xreplace({form.K: each.gain}), form.s, sp.I * each.frequency)
         claims[f"crossing{i}"] = Claim(at, sp.Integer(0), Phrase("crossing {i} of the imaginary axis", i=i))
     rows = [{"omega": each.frequency, "square": each.square, "gain": each.gain} for each in found]
-    return Step("crossings", claims=claims, unclaimed="" if claims else "no such point was found; the answer has a check",
-                rows=rows, K=form.K, along=along, s=form.s)  # fmt: skip
+    none = "" if claims else "there is no such point; the answer has a check"
+    return Step("crossings", claims=claims, unclaimed=none, rows=rows, K=form.K, along=along, s=form.s)
 
 
 def _conditions(ranges: tuple[exact.Range, ...], K: Any) -> list[Any]:
@@ -80,5 +80,3 @@ def _conditions(ranges: tuple[exact.Range, ...], K: Any) -> list[Any]:
             low, high = sp.Gt(K, each.low), sp.Lt(K, each.high) if each.high != sp.oo else sp.true
             found.append(sp.And(low, high))
     return found
-
-

@@ -40,7 +40,9 @@ def polynomial_of(given: CharacteristicEquation, name: str | None) -> tuple[Expr
     if loop is not None and loop.delay != 0:
         raise Unsolved("root_locus/dead_time", delay=loop.delay)
     inside = sorted(set(given.given.parameters) - {s}, key=str)
-    named = [each for each in inside if each.name == (name or GAIN)] or (inside if not name and len(inside) == 1 else [])
+    named = [each for each in inside if each.name == (name or GAIN)] or (
+        inside if not name and len(inside) == 1 else []
+    )
     others = [each for each in inside if each not in named]
     if others:
         raise Unsolved("root_locus/other_parameters", others=others, named=named)
@@ -67,7 +69,9 @@ def locus_equation_of(given: CharacteristicEquation, name: str | None) -> Deriva
         raise Unsolved("root_locus/constant", K=K)
     if sp.degree(N, s) > sp.degree(D, s):
         raise Unsolved("root_locus/improper", K=K, N=N, D=D)
-    stated: Any = p if loop is None else total(loop.denominator, product(K, loop.numerator) if before else loop.numerator)
+    stated: Any = (
+        p if loop is None else total(loop.denominator, product(K, loop.numerator) if before else loop.numerator)
+    )
     shown = product(K, N)
     yield Step(
         "gain" if before else "affine",

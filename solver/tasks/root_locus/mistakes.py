@@ -20,22 +20,24 @@ if TYPE_CHECKING:
 
     Wrong = Attempt[CharacteristicEquation, RootLocusOptions]
 
-EVEN = Slip("even_multiples", "the angles are those of the even multiples of 180°/(n − m); the odd ones are asked for")
-ODD = Slip("odd_multiples", "the angles are those of the odd multiples of 180°/(n − m); the gain is negative: even ones")
+OTHER = Slip(
+    "other_multiples", "these are the even multiples of 180°/(n − m) in place of the odd ones, or the other way"
+)
 OVER_ALL = Slip("all_poles", "it is divided by the number of poles n; n − m branches go to infinity")
 ADDED = Slip("zeros_added", "the zeros are added; their sum is subtracted from that of the poles")
 TURNED = Slip("zeros_first", "the sum of the poles is subtracted from that of the zeros; it is the other way round")
-CANDIDATES = Slip("not_on_the_locus", "all roots of N D' − N' D are listed; those with K < 0 or complex K do not belong")
-SIGN = Slip("departure_sign", "the sign is reversed: the angles of the zeros and of the poles are taken the other way round")
+CANDIDATES = Slip("not_on_the_locus", "all candidates are listed; those with K < 0 or complex K do not belong")
+SIGN = Slip("departure_sign", "the sign is reversed: angles of zeros and of poles are taken the other way round")
 HALF_TURN = Slip("half_turn", "the 180° of the angle condition are missing")
-MIRROR = Slip("opposite_direction", "it is the opposite direction, or the 180° are counted twice")
 
 NEAR = 1e-6
+ROUGH = 1e-2
+"""A point that is farther from another, relative to its size, is not the same rounded."""
 
 
 def register(task: Task[CharacteristicEquation, RootLocusOptions]) -> None:
     """Register what goes wrong, and what tells a wrong point."""
-    task.mistake(EVEN, "asymptote_angles")(other_multiples)
+    task.mistake(OTHER, "asymptote_angles")(other_multiples)
     task.mistake(OVER_ALL, "centroid")(divided_by_the_poles)
     task.mistake(ADDED, "centroid")(zeros_added)
     task.mistake(TURNED, "centroid")(zeros_first)
@@ -48,7 +50,8 @@ def register(task: Task[CharacteristicEquation, RootLocusOptions]) -> None:
 def _equation(wrong: Wrong) -> exact.LocusEquation:
     p, K, _ = polynomial_of(wrong.given.system, wrong.given.options.parameter)
     constant = p.xreplace({K: sp.Integer(0)})
-    return exact.locus_equation(sp.expand(p.xreplace({K: sp.Integer(1)}) - constant), constant, wrong.given.system.variable)
+    slope = sp.expand(p.xreplace({K: sp.Integer(1)}) - constant)
+    return exact.locus_equation(slope, constant, wrong.given.system.variable)
 
 
 def other_multiples(wrong: Wrong) -> Iterable[Any]:
@@ -111,9 +114,10 @@ def extra_or_missing_point(wrong: Wrong) -> Reason | None:
     own = [complex(sp.N(each)) for each in wrong.value]
     for value, each in zip(own, wrong.value, strict=True):
         gain = complex(locus.gain(value))
-        if all(abs(value - other) > 1e-2 * (1 + abs(other)) for other in wanted):
-            kind = "meets_nowhere" if abs(gain.imag) > NEAR * (1 + abs(gain)) or gain.real >= 0 else "meets_below_zero"
-            values = {"point": short(each), "gain": short(sp.Float(gain.real) + sp.I * sp.Float(gain.imag) if kind == "meets_nowhere" else sp.Float(gain.real)), "K": K}
-            return Reason(f"root_locus/{kind}", values)
-    missing = [other for other in wanted if all(abs(value - other) > 1e-2 * (1 + abs(other)) for value in own)]
+        if all(abs(value - other) > ROUGH * (1 + abs(other)) for other in wanted):
+            below = gain.real < 0 and abs(gain.imag) < NEAR * (1 + abs(gain))
+            told = sp.Float(gain.real) if below else sp.Float(gain.real) + sp.I * sp.Float(gain.imag)
+            kind = "meets_below_zero" if below else "meets_nowhere"
+            return Reason(f"root_locus/{kind}", {"point": short(each), "gain": short(told), "K": K})
+    missing = [other for other in wanted if all(abs(value - other) > ROUGH * (1 + abs(other)) for value in own)]
     return Reason("root_locus/meeting_missing", {"count": len(missing)}) if missing else None

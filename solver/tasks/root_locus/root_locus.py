@@ -151,7 +151,11 @@ def branches_meet_there(given: Given[CharacteristicEquation, RootLocusOptions], 
     yield from _in_pairs(
         answers,
         ("breakaway_points", "breakaway_gains"),
-        ("branches meet at these points only", "branches meet for these gains only", "the gains are those of the points"),
+        (
+            "branches meet at these points only",
+            "branches meet for these gains only",
+            "the gains are those of the points",
+        ),
         lambda points, gains: judges.breakaway_residual(_locus(given), points, gains),
     )
 

@@ -33,7 +33,7 @@ Placed = tuple[Any, int]
 
 @dataclass(frozen=True)
 class Locus:
-    """N and D without common factors, highest power first as mpmath's numbers; `zeros` and `poles` with multiplicity."""
+    """N and D without common factors, highest power first in many digits; `zeros` and `poles` with multiplicities."""
 
     numerator: tuple[Any, ...]
     denominator: tuple[Any, ...]
@@ -98,7 +98,7 @@ def asymptote_angles_residual(locus: Locus, angles: Sequence[Any]) -> float:
 
 
 def centroid_residual(locus: Locus, centroid: Any) -> float:
-    """Return the part of the first order by which −D/N differs far away from a power of the distance to the centroid."""
+    """Return the part of first order by which −D/N differs far away from a power of the distance to the centroid."""
     q, far = locus.excess, MP.mpf(10) ** FAR
     if q < 1:
         return float("inf")

@@ -1,4 +1,4 @@
-"""Points and directions of root loci judged: where branches meet, cross the imaginary axis, leave poles, reach zeros."""
+"""Points and directions of root loci judged: where branches meet, cross the axis, leave poles, reach zeros."""
 
 from __future__ import annotations
 
@@ -78,9 +78,9 @@ def axis_points(locus: Locus) -> list[tuple[Any, Any]] | None:
         omega = MP.re(root)
         gain = locus.gain(MP.mpc(0, omega))
         real = abs(MP.im(root)) < NEAR * (1 + abs(root)) and omega >= 0
-        if real and NEAR < MP.re(gain) < MP.inf and abs(MP.im(gain)) < MP.sqrt(NEAR) * (1 + abs(gain)):
-            if all(abs(omega - other) > MP.sqrt(NEAR) for other, _ in found):
-                found.append((omega, MP.re(gain)))
+        new = all(abs(omega - other) > MP.sqrt(NEAR) for other, _ in found)
+        if real and new and NEAR < MP.re(gain) < MP.inf and abs(MP.im(gain)) < MP.sqrt(NEAR) * (1 + abs(gain)):
+            found.append((omega, MP.re(gain)))
     return found
 
 
