@@ -1,3 +1,19 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
-__all__: list[str] = []
+from solver.numeric.judges.frequency.loops import (
+    NumericLoop,
+    NumericMargins,
+    numeric_loop,
+    numeric_margins,
+    roots_outside,
+    unstable_poles,
+)
+
+__all__ = [
+    "NumericLoop",
+    "NumericMargins",
+    "numeric_loop",
+    "numeric_margins",
+    "roots_outside",
+    "unstable_poles",
+]
