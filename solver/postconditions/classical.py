@@ -53,3 +53,37 @@ def of_decay(found: Any, poles: Any) -> Iterator[Claim | Check]:
     if all(rate.is_number for rate in rates):
         rising = all(a <= b + sp.Float("1e-25") for a, b in pairwise(rates))
         yield Check.that("the slowest mode comes first", ORACLE, bool(rising))
+
+
+def of_damping_of(found: Any, coefficients: Any) -> Iterator[Claim | Check]:
+    """The polynomial is that of ω_n and ζ; the case is that of its roots."""
+    b2, b1, b0 = found.coefficients
+    yield Claim(found.omega_n**2 * b2, b0, "the natural frequency")
+    yield Claim(2 * found.zeta * found.omega_n * b2, b1, "the damping ratio")
+    words = judges.damping_words(tuple(coefficients))
+    if found.damping:
+        yield Check.that("the case of damping", ORACLE, words == {found.damping.replace(" ", "_")})
+    elif not b1.free_symbols:
+        yield Check.that("no case of damping", ORACLE, words == {""} or bool(b2.free_symbols | b0.free_symbols))
+
+
+def of_damping_cases(found: Any, damping: Any, wanted: Any = None) -> Iterator[Claim | Check]:
+    """Each case holds where the roots say; the roots meet at the critical value."""
+    fault = judges.cases_fault(damping.coefficients, found.where)
+    yield Check.that("the cases of damping", ORACLE, not fault)
+    if found.critical is not None:
+        check = partial(judges.critical_residual, damping.coefficients, wanted or found.parameter, found.critical)
+        yield numeric.check_residual("the critical value", ORACLE, check)
+
+
+def of_poles_of_damping(found: Any, damping: Any) -> Iterator[Claim]:
+    """The poles are the roots."""
+    x = sp.Symbol("s")
+    for pole in found:
+        yield Claim((x**2 + damping.twice * x + damping.square).subs(x, pole), sp.Integer(0), "a pole")
+
+
+def of_damped_frequency(found: Any, damping: Any) -> Iterator[Claim]:
+    """ω_d² = ω_n² − (ζω_n)²."""
+    if found is not None:
+        yield Claim(found**2, damping.square - damping.twice**2 / 4, "the damped frequency")

@@ -208,7 +208,7 @@ class ObjectPrinter:
 
     def _named_value(self, name: Any, value: Any) -> Row:
         if isinstance(name, str):
-            return row(self._print(name), Text(": "), self._print(value))
+            return row(self._print(name.replace("_", " ")), Text(": "), self._print(value))
         return row(self._print(name), *((Text(" free"),) if name == value else (Operator("="), self._print(value))))
 
     def _print_FiniteSet(self, expr: Any) -> Row:

@@ -39,5 +39,5 @@ def _lines(value: Any, show: Show, *, narrow: bool) -> list[tuple[Row, Row]]:
     lines = []
     for i, point in enumerate(points, 1):
         lines += [(NOTHING, row(Text(f"{i}.")))] if len(points) > 1 else []
-        lines += [(show(x), row(EQUALS, show(each))) for x, each in point.items()]
+        lines += [(show(x), row(Text(": ") if isinstance(x, str) else EQUALS, show(each))) for x, each in point.items()]
     return lines

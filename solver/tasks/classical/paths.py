@@ -64,7 +64,8 @@ class Path:
     @property
     def parameters(self) -> tuple[Symbol, ...]:
         """The parameters, sorted by name."""
-        return tuple(sorted({*self.given.parameters, *self.delay.free_symbols}, key=str))
+        symbols: set[Any] = {*self.given.parameters, *self.delay.free_symbols}
+        return tuple(sorted(symbols, key=str))
 
 
 @lemma("paths")

@@ -1,6 +1,23 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
+from solver.numeric.judges.classical.damping import (
+    cases_fault,
+    critical_residual,
+    damping_ratio_residual,
+    damping_words,
+    natural_frequency_residual,
+)
 from solver.numeric.judges.classical.poles import shown_poles, time_constants_residual
 from solver.numeric.judges.classical.values import dc_gain_residual, leading_gain_residual
 
-__all__ = ["dc_gain_residual", "leading_gain_residual", "shown_poles", "time_constants_residual"]
+__all__ = [
+    "cases_fault",
+    "critical_residual",
+    "damping_ratio_residual",
+    "damping_words",
+    "dc_gain_residual",
+    "leading_gain_residual",
+    "natural_frequency_residual",
+    "shown_poles",
+    "time_constants_residual",
+]
