@@ -9,6 +9,7 @@ from solver.exact.transforms.comparison import (
     is_found_otherwise,
 )
 from solver.exact.transforms.images import DelayedImage, RationalImage, ratio_of_images, rational_image, read_image
+from solver.exact.transforms.operators import Operators, images_of_unknowns, operators_of
 from solver.exact.transforms.rules import (
     TransformedTerm,
     TransformPiece,
@@ -23,14 +24,17 @@ __all__ = [
     "DelayedImage",
     "Divided",
     "Division",
+    "Operators",
     "RationalImage",
     "TransformPiece",
     "TransformedTerm",
     "abscissa_of",
     "compared_at_all",
     "divided_again",
+    "images_of_unknowns",
     "is_found_otherwise",
     "late_image",
+    "operators_of",
     "ratio_of_images",
     "rational_image",
     "read_image",

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -38,6 +39,11 @@ class RationalImage:
     def rest(self, s: sp.Symbol) -> sp.Expr:
         """The strictly proper rest in lowest terms, its denominator in irreducible factors."""
         return self.proper.expression(s)[0] if self.proper is not None else sp.S.Zero
+
+    @property
+    def as_shown(self) -> RationalImage:
+        """The same, given in lowest terms with its denominator in factors."""
+        return replace(self, given=self.whole, cancels=False)
 
     def function(self, t: sp.Symbol) -> sp.Expr:
         """The function of t ≥ 0 with this image, impulses and their derivatives included."""
@@ -85,8 +91,23 @@ def _split(F: sp.Expr, N: sp.Poly, D: sp.Poly, s: sp.Symbol, *, cancels: bool) -
         proper = RationalMatrix((1, 1), numerator, chi, found.factors)
     over, under = (in_powers(each.rep.to_list(), K, s) for each in (N, D))
     coefficients = [] if direct.is_zero else [in_powers([c], K, s) for c in reversed(direct.rep.to_list())]
-    factored = sp.Mul(*(factor.polynomial(s) ** factor.multiplicity for factor in found.factors))
-    return RationalImage(F, over / factored, over, under, tuple(coefficients), proper, found.exceptions, cancels)
+    factors = [(factor.polynomial(s), factor.multiplicity) for factor in found.factors]
+    return RationalImage(
+        F, _quotient(over, factors, s), over, under, tuple(coefficients), proper, found.exceptions, cancels
+    )
+
+
+def _quotient(over: sp.Expr, factors: Sequence[tuple[sp.Expr, int]], s: sp.Symbol) -> sp.Expr:
+    """N over the factors, with T s + 1 in place of T (s + 1/T); a minus that all terms of N have is put in front."""
+    symbolic = any((p.free_symbols - {s}) for p, _ in factors) or bool(over.free_symbols - {s})
+    if not symbolic:
+        minus = all(term.could_extract_minus_sign() for term in sp.Add.make_args(over))
+        found: sp.Expr = sp.Mul(-over if minus else over, *(p**-m for p, m in factors))
+        return -found if minus else found
+    cleared = [(*sp.fraction(sp.together(p)), m) for p, m in factors]
+    above, below = sp.fraction(sp.together(over))
+    constant = sp.cancel(sp.Mul(1 / below, *(q**m for _, q, m in cleared)))
+    return constant * sp.factor(above) * sp.Mul(*(sp.collect(sp.expand(p), s) ** -m for p, _, m in cleared))
 
 
 def read_image(F: sp.Expr, s: sp.Symbol) -> tuple[DelayedImage, ...]:

@@ -23,13 +23,14 @@ if TYPE_CHECKING:
 def transformed(f: Expr, pieces: Sequence[exact.TransformPiece], names: Names) -> Derivation[set[str]]:
     """The terms of each piece and its shift; returns which rules were used."""
     used: set[str] = set()
+    shown: set[Expr] = set()
     t, sifted = names.t, _is_sifted(f, names.t)
     yield from _taken_apart(f, pieces, names)
     for number, piece in enumerate(pieces, 1):
         part = str(number) if len(pieces) > 1 else ""
         if piece.delay != 0 and piece.function.has(t):
             yield _moved(piece, part, names)
-        yield from terms_of(piece.terms, names, used)
+        yield from terms_of(piece.terms, names, used, shown)
         if piece.impulse != 0:
             used |= {"impulse"} | ({"sifting"} if sifted else set())
             yield Step("impulse", unclaimed="the transform of an impulse, by definition", weight=piece.impulse,
@@ -77,12 +78,15 @@ def _moved(piece: exact.TransformPiece, part: str, names: Names) -> Step:
 
 
 @lemma("transform_rules")
-def terms_of(terms: Sequence[exact.TransformedTerm], names: Names, used: set[str]) -> Derivation[None]:
-    """The pairs that are in the table at once, and the others line by line."""
+def terms_of(
+    terms: Sequence[exact.TransformedTerm], names: Names, used: set[str], shown: set[Expr]
+) -> Derivation[None]:
+    """The pairs that are in the table at once, and the others line by line; each function is `shown` once."""
     t, s = names.t, names.s
-    pairs = [(each, each.pairs(t, s)) for each in terms]
+    used |= {each.entry for each in terms}
+    pairs = [(each, each.pairs(t, s)) for each in terms if each.function(t) not in shown]
     at_once = [(each, found) for each, found in pairs if len(found) == 1]
-    used |= {each.entry for each, _ in pairs}
+    shown |= {each.function(t) for each in terms}
     if at_once:
         claims = {
             f"pair{i}": Claim(laplace(found[0].function, t, s), found[0].image, "pair of the table")
