@@ -65,7 +65,7 @@ def _covered(image: RationalMatrix, fractions: Sequence[Fraction], x: sp.Symbol)
     entries = [_covered_entry(entry, image, factor, root, order, x) for entry in _numerators(image)]
     functions = [sp.ImmutableMatrix(*image.shape, entries)]
     for _ in range(order - 1):
-        functions.append(functions[-1].applyfunc(lambda entry: _slope(entry, x)))
+        functions.append(functions[-1].applyfunc(lambda entry: slope_of_quotient(entry, x)))
     by_power = {each.power: each.constant for each in fractions}
     nothing = sp.ImmutableMatrix(sp.zeros(*image.shape))
     coefficients = tuple(by_power.get(j, nothing) for j in range(order, 0, -1))
@@ -140,7 +140,7 @@ def _beside(factor: Factor, own: Sequence[Root | None], x: sp.Symbol) -> list[sp
     return found
 
 
-def _slope(entry: sp.Expr, x: sp.Symbol) -> sp.Expr:
+def slope_of_quotient(entry: sp.Expr, x: sp.Symbol) -> sp.Expr:
     """The derivative of N/(q₁ᵏ q₂ˡ …), over the same factors to one power more."""
     parts: tuple[Any, ...] = sp.Mul.make_args(entry)
     below = {each.base: -each.exp for each in parts if each.is_Pow and each.exp.is_negative and each.base.has(x)}

@@ -19,6 +19,8 @@ from solver.tasks.transforms.back_transform import (
     put_together,
     split_by_delays,
 )
+from solver.tasks.transforms.by_convolution import with_convolution
+from solver.tasks.transforms.by_residues import with_residues
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -65,6 +67,22 @@ def no_such_image(_system: Any, options: InverseLaplaceOptions) -> Iterable[Refu
 def with_partial_fractions(given: Given[StateSpace, InverseLaplaceOptions]) -> Derivation[Answers]:
     """F as a sum of fractions that a table of transforms has, each coefficient found by itself."""
     return (yield from _transformed_back(given, by_partial_fractions))
+
+
+@inverse_laplace_transform.method(
+    "residues", title="Residues", source="Churchill, Operational Mathematics, §67", time="continuous"
+)
+def by_residues(given: Given[StateSpace, InverseLaplaceOptions]) -> Derivation[Answers]:
+    """The sum of the residues of F(s) e^{st}, of repeated poles by derivatives."""
+    return (yield from _transformed_back(given, with_residues))
+
+
+@inverse_laplace_transform.method(
+    "convolution", title="Convolution", source="Nise, Control Systems Engineering, §2.2", time="continuous"
+)
+def by_convolution(given: Given[StateSpace, InverseLaplaceOptions]) -> Derivation[Answers]:
+    """F = F₁ F₂ with both in the table; f is the integral of f₁(τ) f₂(t − τ)."""
+    return (yield from _transformed_back(given, with_convolution))
 
 
 def _transformed_back(given: Given[StateSpace, InverseLaplaceOptions], way: Way) -> Derivation[Answers]:
