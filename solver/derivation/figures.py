@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from typing import Any
 
+from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
 
@@ -240,6 +241,7 @@ Figure = (
     | Mechanism
     | BodeDiagram
     | NyquistDiagram
+    | FlowGraph
 )
 
 
@@ -314,5 +316,5 @@ def _worded(value: Any, say: Callable[[str], str], *, read: bool = False) -> Any
     return value
 
 
-Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts | Schematic | Mechanism
+Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts | Schematic | Mechanism | FlowGraph
 """A figure without expressions."""

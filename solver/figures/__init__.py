@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from solver.derivation.figures import Chains, Diagram, Drawing, DrawnPanels, Parts, Schematic
+from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.mechanisms import Mechanism
 
 
@@ -10,7 +11,7 @@ def svg(drawing: Drawing) -> str:
     """Return a figure as an SVG document, the same bytes for the same data."""
     from solver.figures import diagrams, plot_svg  # noqa: PLC0415 - with them comes matplotlib
 
-    if isinstance(drawing, Diagram | Chains | Parts):
+    if isinstance(drawing, Diagram | Chains | Parts | FlowGraph):
         return diagrams.svg(drawing)
     if isinstance(drawing, Schematic):
         from solver.figures import schematics  # noqa: PLC0415 - with it comes schemdraw
@@ -27,7 +28,7 @@ def tikz(drawing: Drawing) -> str:
     r"""Return a figure as a tikzpicture (packages tikz, pgfplots and circuitikz)."""
     from solver.figures import diagrams, plot_tikz  # noqa: PLC0415 - as above
 
-    if isinstance(drawing, Diagram | Chains | Parts):
+    if isinstance(drawing, Diagram | Chains | Parts | FlowGraph):
         return diagrams.tikz(drawing)
     if isinstance(drawing, Schematic):
         from solver.figures import schematics  # noqa: PLC0415 - as above

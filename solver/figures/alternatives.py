@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from solver.derivation.figures import Chains, Component, DrawnCurve, DrawnPlot, Parts, Plane, Schematic
+from solver.derivation.flow_figures import FlowGraph
 from solver.figures.layout import Block, Label, Layout
 from solver.figures.planes import Placed, limits_of, placed
 from solver.formula.terminal import flat
@@ -109,6 +110,16 @@ def of_parts(figure: Parts, say: Say) -> str:
         relations += [say(Phrase("acts on the part {name}", name=figure.parts[i].name)) for i in part.acts_on]
         told[-1] += "".join(f"; {each}" for each in relations)
     return sentences(told)
+
+
+def of_flow_graph(figure: FlowGraph, say: Say) -> str:
+    """Tell each branch: from where to where, with which gain."""
+    names = [text_of(name) for name in figure.nodes]
+    told = [
+        say(Phrase("{a} to {b}: {gain}", a=names[a], b=names[b], gain=text_of(gain) if gain else "1"))
+        for a, b, gain in figure.branches
+    ]
+    return sentences([say("signal-flow graph"), *told])
 
 
 def of_schematic(figure: Schematic, say: Say) -> str:

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.patches import Circle, Rectangle
 
 from solver.derivation.figures import Chains, Diagram, Parts
+from solver.derivation.flow_figures import FlowGraph
 from solver.figures.laid_out import layout_of
 from solver.figures.layout import RADIUS, Block, Dot, Item, Label, Sum, Wire
 from solver.figures.matrices import LINE, entries_of, widths_of
@@ -20,7 +21,7 @@ SCALE = 1.15
 EDGE: dict[str, Any] = {"edgecolor": INK, "linewidth": 1.1}
 
 
-def svg(diagram: Diagram | Chains | Parts) -> str:
+def svg(diagram: Diagram | Chains | Parts | FlowGraph) -> str:
     """Return the diagram as an SVG document, the same bytes for the same labels."""
     layout = layout_of(diagram)
     x_min, x_max, y_min, y_max = layout.bounds
@@ -98,7 +99,7 @@ def _before(points: tuple[tuple[float, float], ...]) -> tuple[float, float]:
     return (x1 - (x1 - x0) * near, y1 - (y1 - y0) * near)
 
 
-def tikz(diagram: Diagram | Chains | Parts) -> str:
+def tikz(diagram: Diagram | Chains | Parts | FlowGraph) -> str:
     """Return the diagram as a tikzpicture."""
     lines = [_line(item) for item in layout_of(diagram).items]
     return "\n".join([r"\begin{tikzpicture}[>=latex, line width=0.6pt]", *lines, r"\end{tikzpicture}"])

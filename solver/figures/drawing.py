@@ -19,6 +19,7 @@ from solver.derivation.figures import (
     Plot,
     Schematic,
 )
+from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
 from solver.figures import alternatives
@@ -46,6 +47,7 @@ TOLD: dict[type, Callable[[Any, Say], str]] = {
     Schematic: alternatives.of_schematic,
     Parts: alternatives.of_parts,
     Mechanism: of_mechanism,
+    FlowGraph: alternatives.of_flow_graph,
 }
 """Who tells what is seen in figures that are drawn from their data as they are."""
 
@@ -66,7 +68,7 @@ def drawing_of(figure: Figure, say: Say = str) -> Drawing:
         drawn, told = DRAWN[type(figure)]
         found: Drawing = replace(drawn(figure, say), alt=told(figure, say))
         return found
-    if isinstance(figure, Schematic | Parts | Mechanism):
+    if isinstance(figure, Schematic | Parts | Mechanism | FlowGraph):
         return replace(figure, alt=TOLD[type(figure)](figure, say))
     chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""
     rest: Any = figure

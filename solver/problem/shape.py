@@ -23,7 +23,7 @@ MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
 RESERVED = (
-    "circuit", "polynomial_matrix", "signal_flow", "op_amp",
+    "circuit", "polynomial_matrix", "op_amp",
 )  # fmt: skip
 """Kinds of system that are known but can't be read yet."""
 

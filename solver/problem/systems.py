@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from solver.problem.branches import node_name_of, read_branch
 from solver.problem.context import Earlier
 from solver.problem.functions_of_time import FunctionsOfTime
 from solver.problem.lexicon import BARRED, Lexicon, name_of
@@ -221,6 +222,24 @@ class SystemReader(FunctionsOfTime):
         return [
             [entry for item in items if (entry := self._quotient(item, delayed=delayed)) is not None] for items in lists
         ]
+
+    def branches(self, key: str) -> list[tuple[str, str, sp.Expr]]:
+        """Return the branches [from, to, gain] of a graph; those that cannot be read are missing, and told."""
+        found = []
+        for row in _items(self.node[key]):
+            with self.report:
+                found.append(read_branch(row, self.lexicon, self.discrete))
+        return found
+
+    def node_name(self, key: str) -> str:
+        """Return the name of a node of a graph; "" if it is wrong."""
+        with self.report:
+            return node_name_of(scalar(self.node[key]))
+        return ""
+
+    def complain_branch(self, key: str, item: int, message: str) -> None:
+        """Keep a fault at a branch."""
+        self.report.diagnostics.append(_items(self.node[key])[item].diagnostic(message))
 
     def _rows(self, key: str) -> list[tuple[Node, ...]]:
         """The items of each row; complains of rows that have not the length of the first."""

@@ -18,6 +18,7 @@ from solver.systems.late_input import LateInput
 from solver.systems.loops import MatrixFeedback, OpenLoop, OutputFeedback, StateFeedback
 from solver.systems.polynomial import Polynomial
 from solver.systems.polynomial_matrix import PolynomialMatrix
+from solver.systems.signal_flow import SignalFlow
 from solver.systems.state_space import StateSpace
 from solver.systems.transfer_function import DeadTime, DelayedMatrix, TransferFunction
 
@@ -47,6 +48,7 @@ __all__ = [
     "OutputFeedback",
     "Polynomial",
     "PolynomialMatrix",
+    "SignalFlow",
     "StateFeedback",
     "StateSpace",
     "System",

@@ -175,6 +175,15 @@ class Reader(Protocol):
     def quotients(self, key: str, *, delayed: bool = False) -> Sequence[Sequence[Quotient]]:
         """Return a matrix of proper quotients of polynomials; `delayed` says that they may have a factor e^{−Ts}."""
 
+    def branches(self, key: str) -> Sequence[tuple[str, str, Expr]]:
+        """Return the branches [from, to, gain] of a graph; those that cannot be read are missing, and told."""
+
+    def node_name(self, key: str) -> str:
+        """Return the name of a node of a graph; "" if it is wrong."""
+
+    def complain_branch(self, key: str, item: int, message: str) -> None:
+        """Keep a fault at a branch."""
+
     def dynamic_names(self, key: str) -> Sequence[str]:
         """Return the names that occur with a derivative (discrete: at a sample), in the order of the file."""
 

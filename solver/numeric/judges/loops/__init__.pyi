@@ -6,5 +6,15 @@ from solver.numeric.judges.loops.errors import (
     residual_of_simulation,
     stable_loops,
 )
+from solver.numeric.judges.loops.flow_graphs import are_loops, are_paths, determinant_residual, transfer_residual
 
-__all__ = ["order_at_origin", "residual_beside_origin", "residual_of_simulation", "stable_loops"]
+__all__ = [
+    "are_loops",
+    "are_paths",
+    "determinant_residual",
+    "order_at_origin",
+    "residual_beside_origin",
+    "residual_of_simulation",
+    "stable_loops",
+    "transfer_residual",
+]
