@@ -1,5 +1,17 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.compensators.lag_design import LagAt, LagDesign, LagRound, NoLag, lag_at, lag_by_bode
+from solver.exact.compensators.lead_design import (
+    FreeLead,
+    LeadAt,
+    LeadDesign,
+    LeadRound,
+    NoLead,
+    alpha_of,
+    lead_at,
+    lead_by_bode,
+    lead_with_free_gain,
+)
 from solver.exact.compensators.pid import (
     ClosedLoop,
     ComparedGains,
@@ -13,6 +25,15 @@ from solver.exact.compensators.pid import (
     wanted_polynomial,
 )
 from solver.exact.compensators.reaction_curve import NoCurve, ReactionCurve, reaction_curve
+from solver.exact.compensators.sections import (
+    Compensated,
+    LeastGain,
+    Plant,
+    Section,
+    compensated,
+    compensator_parts,
+    least_gain,
+)
 from solver.exact.compensators.ultimate_gain import (
     Axis,
     Crossing,
@@ -26,14 +47,36 @@ __all__ = [
     "Axis",
     "ClosedLoop",
     "ComparedGains",
+    "Compensated",
     "Crossing",
+    "FreeLead",
     "GainInterval",
+    "LagAt",
+    "LagDesign",
+    "LagRound",
+    "LeadAt",
+    "LeadDesign",
+    "LeadRound",
+    "LeastGain",
     "NoCurve",
+    "NoLag",
+    "NoLead",
+    "Plant",
     "ReactionCurve",
+    "Section",
     "Tuned",
     "TuningRule",
     "UltimateGain",
+    "alpha_of",
     "closed_by",
+    "compensated",
+    "compensator_parts",
+    "lag_at",
+    "lag_by_bode",
+    "lead_at",
+    "lead_by_bode",
+    "lead_with_free_gain",
+    "least_gain",
     "on_the_axis",
     "pid_parts",
     "placed_gains",

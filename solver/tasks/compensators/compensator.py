@@ -1,0 +1,107 @@
+"""Lemmas: the compensator that was found, and whether the loop with it does what is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Answers, Claim, Derivation, Step, lemma
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.stated.algebra import product, quotient
+from solver.tasks.compensators.closed_loop import loop_closed_by
+from solver.tasks.compensators.specifications import CompensatorOptions, accuracy, crossover_claims, written
+from solver.tasks.frequency.figures import bode_figure
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+
+@lemma("compensator")
+def checked(
+    G: exact.Plant, loop: exact.Compensated, before: exact.Compensated | None, options: CompensatorOptions
+) -> Derivation[Answers]:
+    """C as it is, the margins of C G, the error, the closed loop."""
+    s, K = G.s, loop.K
+    top, bottom = exact.compensator_parts(K, loop.sections, s)
+    C = top / bottom
+    factors = [quotient(each.T * s + 1, each.alpha * each.T * s + 1) for each in loop.sections]
+    yield Step("controller", claims={"C": Claim(product(K, *factors), C, "the compensator")}, s=s, K=K,
+               sections=loop.sections)  # fmt: skip
+    error = error_of(G, loop, options)
+    yield _check(G, loop, before, options, error)
+    if G.delay == 0:
+        other = None if before is None else (sp.expand(before.K * G.numerator), G.denominator)
+        yield from loop_closed_by((top, bottom), (G.numerator, G.denominator), s,
+                                  "After a step of the reference, with the compensator and with its gain alone", other)  # fmt: skip
+    answers = Answers(
+        controller=C,
+        K=K,
+        T=of_sections([each.T for each in loop.sections]),
+        alpha=of_sections([each.alpha for each in loop.sections]),
+        phase_margin=loop.margins.phase_margin,
+        gain_crossover=loop.margins.gain_crossover,
+    )
+    if error is not None:
+        answers["error"] = error
+    return answers
+
+
+def of_sections(values: Sequence[Any]) -> Any:
+    """Return the value of the one section, the list of those of several."""
+    return values[0] if len(values) == 1 else list(values)
+
+
+def error_of(G: exact.Plant, loop: exact.Compensated, options: CompensatorOptions) -> Expr | None:
+    """Return the error after a unit step, where something is asked of it."""
+    if options.error is None:
+        return None
+    c, nu = G.axis.start
+    return sp.Integer(0) if nu < 0 else 1 / (1 + loop.K * c)
+
+
+def _check(
+    G: exact.Plant,
+    loop: exact.Compensated,
+    before: exact.Compensated | None,
+    options: CompensatorOptions,
+    error: Expr | None,
+) -> Step:
+    """The crossover and the margin of C G, and a table of what is asked and reached."""
+    found, crossover = loop.margins, loop.margins.at_gain
+    C = (
+        sp.Mul(*exact.compensator_parts(loop.K, loop.sections, G.s)[:1])
+        / exact.compensator_parts(loop.K, loop.sections, G.s)[1]
+    )
+    claims = {} if crossover is None else crossover_claims(C * written(G), G.s, crossover.omega, crossover.phase)
+    loops = [("CG", loop.axis), *([("KG", before.axis)] if before is not None else [])]
+    return Step(
+        "check",
+        claims=claims,
+        unclaimed="" if claims else "there is no crossover",
+        crossover=crossover,
+        margin=found.phase_margin,
+        asked=_asked(options),
+        asked_error=options.error,
+        constant=constant_of(G, loop, options),
+        error=error,
+        stable=loop.stable,
+        s=G.s,
+        figures=bode_figure("The loop with the compensator and with its gain alone", *loops, margins=found),
+    )
+
+
+def _asked(options: CompensatorOptions) -> dict[str, Any]:
+    """What is asked, by name."""
+    names = ("phase_margin", "crossover")
+    return {name: value for name in names if (value := getattr(options, name)) is not None}
+
+
+def constant_of(G: exact.Plant, loop: exact.Compensated, options: CompensatorOptions) -> tuple[str, Any, Any] | None:
+    """The error constant asked for, and that of C G."""
+    asked = accuracy(options)
+    if asked is None or asked[0] == "error":
+        return None
+    name, value = asked
+    limit = exact.least_gain(G, name, value).limit
+    return name, value, loop.K * limit
