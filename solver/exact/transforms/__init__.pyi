@@ -9,6 +9,15 @@ from solver.exact.transforms.comparison import (
     is_found_otherwise,
 )
 from solver.exact.transforms.images import DelayedImage, RationalImage, ratio_of_images, rational_image, read_image
+from solver.exact.transforms.jumps import (
+    ActingPiece,
+    ImpulseBalance,
+    acting_pieces,
+    fitted_constants,
+    impulse_balance,
+    right_sides,
+    values_after,
+)
 from solver.exact.transforms.operators import Operators, images_of_unknowns, operators_of
 from solver.exact.transforms.poles import Pole, poles_of
 from solver.exact.transforms.products import factors_for_convolution
@@ -22,20 +31,25 @@ from solver.exact.transforms.rules import (
 )
 
 __all__ = [
+    "ActingPiece",
     "AllCompared",
     "DelayedImage",
     "Divided",
     "Division",
+    "ImpulseBalance",
     "Operators",
     "Pole",
     "RationalImage",
     "TransformPiece",
     "TransformedTerm",
     "abscissa_of",
+    "acting_pieces",
     "compared_at_all",
     "divided_again",
     "factors_for_convolution",
+    "fitted_constants",
     "images_of_unknowns",
+    "impulse_balance",
     "is_found_otherwise",
     "late_image",
     "operators_of",
@@ -43,6 +57,8 @@ __all__ = [
     "ratio_of_images",
     "rational_image",
     "read_image",
+    "right_sides",
     "transform_of_pieces",
     "transform_pieces",
+    "values_after",
 ]

@@ -211,6 +211,8 @@ def moved_by(delay: Expr, function: Expr, t: Symbol) -> Expr:
     """f(t − T) from t = T on, zero before; impulses need no step."""
     if delay == 0:
         return function
+    if not function.has(sp.DiracDelta):
+        return exact.shifted(sp.ImmutableMatrix([function]), t, delay)[0] if function != 0 else function
     pulses, others = sp.sift(sp.Add.make_args(sp.expand(function)), lambda term: term.has(sp.DiracDelta), binary=True)
     late = [exact.shifted(sp.ImmutableMatrix([sp.Add(*others)]), t, delay)[0]] if others else []
     return sp.Add(*late, *(term.xreplace({t: t - delay}) for term in pulses))

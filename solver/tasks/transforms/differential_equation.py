@@ -10,6 +10,7 @@ from solver.derivation.registry import Refusal
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import transforms as judges
+from solver.tasks.transforms.characteristic import by_characteristic
 from solver.tasks.transforms.equation_question import DifferentialOptions, Question
 from solver.tasks.transforms.transformed_equations import by_laplace, told
 from solver.words import Phrase, Reason, formula
@@ -61,6 +62,19 @@ def with_the_laplace_transform(given: Given[Equations, DifferentialOptions]) -> 
     """Each equation transformed with the values at 0−, solved for the transforms, and back."""
     asked = Question.of(given)
     found = yield from by_laplace(asked)
+    return (yield from told(asked, found))
+
+
+@differential_equation.method(
+    "characteristic_equation",
+    title="Characteristic equation",
+    source="W. Walter, Ordinary Differential Equations, §20",
+    time="continuous",
+)
+def with_the_characteristic_equation(given: Given[Equations, DifferentialOptions]) -> Derivation[Answers]:
+    """The homogeneous solution, a particular one by undetermined coefficients, the constants from the values at 0+."""
+    asked = Question.of(given)
+    found = yield from by_characteristic(asked)
     return (yield from told(asked, found))
 
 
