@@ -32,7 +32,7 @@ def transfer_function_of_graph(graph: SignalFlow) -> Derivation[TransferFunction
     M, b, names = _equations(graph)
     i = names.index(graph.output)
     replaced = sp.ImmutableMatrix(M.rows, M.cols, lambda j, k: b[j] if k == i else M[j, k])
-    above, below = exact.determinant(replaced), exact.determinant(M)
+    above, below = (sp.cancel(sp.together(exact.determinant(each))) for each in (replaced, M))
     if below == 0:
         raise Unsolved("loops/ill_posed_graph")
     D = sp.Mul(*(polynomials_of(each.gain)[1] for each in graph.branches))
@@ -47,8 +47,12 @@ def transfer_function_of_graph(graph: SignalFlow) -> Derivation[TransferFunction
         r=graph.symbol(graph.input),
         y=graph.symbol(graph.output),
     )
-    claim = Claim(quotient(determinant(replaced), determinant(M)), quotient(top, bottom), "Cramer's rule")
-    yield Step("transfer", claims={"G": claim}, s=s, r=graph.symbol(graph.input), y=graph.symbol(graph.output))
+    claims = {
+        "below": Claim(determinant(M), below, "determinant of the equations"),
+        "above": Claim(determinant(replaced), above, "determinant with the column of the output replaced"),
+        "G": Claim(quotient(above, below), quotient(top, bottom), "Cramer's rule"),
+    }
+    yield Step("transfer", claims=claims, s=s, r=graph.symbol(graph.input), y=graph.symbol(graph.output))
     if sp.degree(top, s) > sp.degree(bottom, s):
         raise Unsolved("conversions/improper_loop")
     return TransferFunction(

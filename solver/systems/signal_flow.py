@@ -120,7 +120,7 @@ def _faults(branches: Sequence[Branch], start: str, end: str) -> Iterator[tuple[
     for item, each in enumerate(branches):
         if each.target == start:
             yield item, f"a branch leads into the input {start}: an input is given; let the branch end at another node"
-    letters = {symbol.name for each in branches for symbol in each.gain.free_symbols}
+    letters = {str(symbol) for each in branches for symbol in each.gain.free_symbols}
     for item, each in enumerate(branches):
         for name in (each.source, each.target):
             if name in letters:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import sympy as sp
 
@@ -71,7 +72,8 @@ class Removed:
 
 def in_lowest(F: sp.Expr) -> sp.Expr:
     """A rational function in lowest terms; what is a product stays one."""
-    if F.is_Mul and not any((each.is_Pow and each.exp.is_negative) or each.is_Add for each in F.args):
+    factors: tuple[Any, ...] = F.args
+    if F.is_Mul and not any((each.is_Pow and each.exp.is_negative) or each.is_Add for each in factors):
         return F
     above, below = sp.fraction(sp.cancel(sp.together(F)))
     return sp.factor(above) / sp.factor(below)

@@ -82,7 +82,7 @@ def by_mason_of(graph: SignalFlow, edges: Edges) -> Derivation[exact.Mason]:
     return found
 
 
-def _letters(graph: SignalFlow) -> dict[str, str]:
+def _letters(graph: SignalFlow) -> dict[str, Any]:
     """The letters of paths and loops, none of which stands in a gain."""
     names = {symbol.name for symbol in graph.parameters} | set(graph.nodes)
     taken = {name[0] for name in names}
@@ -135,6 +135,8 @@ def by_elimination_of(graph: SignalFlow, edges: Edges) -> Derivation[Expr]:
     row = exact.longest_row(edges, start, end)
     while (node := exact.next_node(edges, start, end)) is not None:
         removed = exact.node_removed(edges, node)
+        if removed is None:
+            break
         edges = removed.after
         yield _eliminated(removed, edges, named, (start, end, row))
     if any(name not in (start, end) for source, target, _ in edges for name in (source, target)):

@@ -35,7 +35,7 @@ def _matrices(branches: Branches, others: Sequence[Any]) -> list[tuple[Mapping[A
     """Return I − A at some points, A[target, source] the gains; raises NotEvaluable where it is singular."""
     names = _nodes(branches)
     symbols = free_symbols([*(gain for *_, gain in branches), *others])
-    found = []
+    found: list[tuple[Mapping[Any, complex], Array]] = []
     for point in PointSource(symbols).several(SEVERAL if symbols else 1):
         M = np.eye(len(names), dtype=complex)
         for source, target, gain in branches:
