@@ -92,7 +92,7 @@ def _gain(axis: OnTheAxis, at: PlacedRoot) -> sp.Expr | None:
 
 def _root(square: sp.Expr) -> sp.Expr:
     """ω; a decimal where a square root stands below the root."""
-    found = square_root(square)
+    found = sp.sqrtdenest(square_root(square))
     nested = any(each.base.has(sp.Pow) for each in found.atoms(sp.Pow) if not each.base.is_Rational)
     return sp.Float(sp.N(square, DIGITS + 10) ** sp.Rational(1, 2), DIGITS) if nested else found
 

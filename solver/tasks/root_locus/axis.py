@@ -33,41 +33,45 @@ def crossings_of(form: Form) -> Derivation[Axis]:
     parts = exact.on_imaginary_axis(form.equation)
     a, c, b, d = (exact.in_squares(p, omega) for p in (*parts.real, *parts.imaginary))
     real, imaginary = a + form.K * c, b + form.K * d
-    eliminated = exact.in_squares(parts.eliminated, omega)
+    along = bool(parts.eliminated.is_zero)
+    alone = "" if along else "second" if d == 0 else "first" if c == 0 else ""
+    left = {"second": b, "first": a, "": exact.in_squares(parts.eliminated, omega)}[alone]
     p = form.D + form.K * form.N
-    there = value_at(p, form.s, sp.I * omega)
+    there = sp.I * omega
     claims = {
-        "parts": Claim(there, real + sp.I * omega * imaginary, "real and imaginary part"),
-        "eliminated": Claim(_eliminated(a, b, c, d), eliminated, "$K$ eliminated"),
+        "parts": Claim(value_at(p, form.s, there), real + there * imaginary, "real and imaginary part"),
+        "eliminated": Claim({"second": b, "first": a, "": _eliminated(a, b, c, d)}[alone], left, "$K$ eliminated"),
     }
-    factors = sp.factor(eliminated)
-    if factors != eliminated and eliminated.free_symbols:
-        claims["factors"] = Claim(eliminated, factors, "its factors")
-    yield Step("parts", claims=claims, p=p, s=form.s, K=form.K, omega=omega, real=real, imaginary=imaginary,
-               c=c, d=d, along=parts.eliminated.is_zero)  # fmt: skip
+    factors = sp.factor(left)
+    if factors != left and left.free_symbols:
+        claims["factors"] = Claim(left, factors, "its factors")
+    yield Step("parts", claims=claims, p=p, s=form.s, K=form.K, there=there, real=real, imaginary=imaginary,
+               alone=alone, along=along)  # fmt: skip
     found = exact.crossings(form.equation)
-    yield _crossings(form, found, p, along=parts.eliminated.is_zero)
+    yield _crossings(form, found, p, omega, along=along)
     ranges = exact.stable_gains(form.equation)
     yield Step("ranges", unclaimed="counted by the Routh array at one gain of each range",
                ranges=[(each.low, each.high, each.outside, each.on) for each in ranges], K=form.K,
                conditions=_conditions(ranges, form.K), n=form.equation.denominator.degree(),
                fixed=form.equation.common.degree())  # fmt: skip
-    return Axis(found, bool(parts.eliminated.is_zero))
+    return Axis(found, along)
 
 
 def _eliminated(a: Expr, b: Expr, c: Expr, d: Expr) -> Any:
     """A d − b c without what is zero."""
-    if d == 0:
-        return product(sp.Integer(-1), b, c) if b != 0 else sp.Integer(0)
     return difference(product(a, d), product(b, c)) if b != 0 and c != 0 else product(a, d)
 
 
-def _crossings(form: Form, found: tuple[exact.Crossing, ...], p: Expr, *, along: bool) -> Step:
+def _crossings(form: Form, found: tuple[exact.Crossing, ...], p: Expr, omega: Expr, *, along: bool) -> Step:
     claims = {}
     for i, each in enumerate(found, 1):
         at = value_at(p.xreplace({form.K: each.gain}), form.s, sp.I * each.frequency)
         claims[f"crossing{i}"] = Claim(at, sp.Integer(0), Phrase("crossing {i} of the imaginary axis", i=i))
-    rows = [{"omega": each.frequency, "square": each.square, "gain": each.gain} for each in found]
+    rows = [
+        {"omega": w, "squared": omega**2, "square": each.square, "point": sp.I * w, "gain": each.gain}
+        for each in found
+        for w in (each.frequency,)
+    ]
     none = "" if claims else "there is no such point; the answer has a check"
     return Step("crossings", claims=claims, unclaimed=none, rows=rows, K=form.K, along=along, s=form.s)
 

@@ -25,8 +25,8 @@ def meetings_of(form: Form) -> Derivation[list[exact.Meeting]]:
     turning = exact.written(p)
     found = exact.meetings(form.equation)
     slopes = sp.expand(sp.diff(N, s)), sp.expand(sp.diff(D, s))
-    claims = {
-        "numerator": Claim(derivative(N, s), slopes[0], "the derivative of $N$"),
+    claims = {"numerator": Claim(derivative(N, s), slopes[0], "the derivative of $N$")} if N.has(s) else {}
+    claims |= {
         "denominator": Claim(derivative(D, s), slopes[1], "the derivative of $D$"),
         "turning": Claim(_turning(N, D, slopes), turning, "what is zero where branches meet"),
     }
@@ -60,4 +60,4 @@ def _gains(form: Form, found: tuple[exact.Meeting, ...]) -> Step:
             "real": each.point.real, "claim": f"gain{i}" if each.gain is not None else "",
         })  # fmt: skip
     return Step("gains", claims=claims, unclaimed="" if claims else "L has zeros at all of them", rows=rows, K=form.K,
-                s=form.s, some=[row["point"] for row in rows if row["why"] in ("", "pole")])  # fmt: skip
+                s=form.s, shown=[row["claim"] for row in rows if row["claim"] and row["why"] != "pole"])  # fmt: skip

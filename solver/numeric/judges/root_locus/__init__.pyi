@@ -5,6 +5,7 @@ from solver.numeric.judges.root_locus.loci import (
     asymptote_angles_residual,
     centroid_residual,
     locus_of,
+    number,
     segments_residual,
 )
 from solver.numeric.judges.root_locus.places import (
@@ -25,5 +26,6 @@ __all__ = [
     "directions_residual",
     "locus_of",
     "meeting_points",
+    "number",
     "segments_residual",
 ]
