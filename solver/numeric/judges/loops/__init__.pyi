@@ -7,12 +7,15 @@ from solver.numeric.judges.loops.errors import (
     stable_loops,
 )
 from solver.numeric.judges.loops.flow_graphs import are_loops, are_paths, determinant_residual, transfer_residual
+from solver.numeric.judges.loops.sensitivities import loop_sensitivity_residual, parameter_sensitivity_residual
 
 __all__ = [
     "are_loops",
     "are_paths",
     "determinant_residual",
+    "loop_sensitivity_residual",
     "order_at_origin",
+    "parameter_sensitivity_residual",
     "residual_beside_origin",
     "residual_of_simulation",
     "stable_loops",
