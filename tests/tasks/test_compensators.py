@@ -193,3 +193,88 @@ def test_the_least_gain_can_be_judged_alone():
 )
 def test_specifications_that_mean_nothing_are_refused(options, place):
     assert [where for where, _ in catalogue()["lead_compensator"].refused(VALVE, options)] == [place]
+
+
+def test_ogatas_lead_by_the_root_locus():
+    poles = (-2 + 2 * sp.sqrt(3) * sp.I, -2 - 2 * sp.sqrt(3) * sp.I)
+    result = ask("lead_compensator", OGATA_LEAD, LOCUS, poles=poles)
+    assert result.status is Status.VERIFIED, result.reason
+    assert [step.kind for step in result.steps][:3] == ["angle", "bisector", "magnitude"]
+    answers = result.answers
+    assert float(1 / answers["T"]) == pytest.approx(2.9, rel=0.02)  # Ogata, example 6-6: zero -2.9, pole -5.4
+    assert float(1 / (answers["alpha"] * answers["T"])) == pytest.approx(5.4, rel=0.02)
+    ogata = r(468, 100) * (s + r(29, 10)) / (s + r(54, 10))
+    assert judged("lead_compensator", OGATA_LEAD, {"controller": ogata}, LOCUS, poles=poles) == {CheckStatus.PASSED}
+    for wrong in (ogata / 2, 1 / ogata, sp.Integer(3), ogata.subs(s, 2 * s)):
+        statuses = judged("lead_compensator", OGATA_LEAD, {"controller": wrong}, LOCUS, poles=poles)
+        assert CheckStatus.FAILED in statuses, wrong
+
+
+def test_ogatas_lag_by_the_root_locus():
+    G = plant(r(106, 100), s * (s + 1) * (s + 2))
+    asked = {"velocity_constant": sp.Integer(5), "poles": tuple(r(-33, 100) + k * r(58, 100) * sp.I for k in (1, -1))}
+    result = ask("lag_compensator", G, LOCUS, **asked)
+    assert result.status is Status.VERIFIED, result.reason
+    C = result.answers["controller"]
+    assert sp.limit(s * C * G.matrix[0, 0], s, 0) == 5
+    ogata = r(9656, 10000) * (s + r(1, 20)) / (s + r(1, 200)) * r(104, 100)  # example 6-7, with the constant met
+    assert judged("lag_compensator", G, {"controller": ogata}, LOCUS, **asked) == {CheckStatus.PASSED}
+
+
+@tried(8)
+@given(st.integers(1, 4), st.integers(1, 5), st.integers(1, 6))
+def test_a_pole_asked_for_is_a_pole(a, sigma, omega):
+    G = plant(sp.Integer(3), s * (s + a))
+    poles = (-sigma + omega * sp.I, -sigma - omega * sp.I)
+    result = ask("lead_compensator", G, LOCUS, poles=poles)
+    if result.status is not Status.VERIFIED:
+        assert any(word in str(result.reason) for word in ("No section", "turns the other way")), result.reason
+        return
+    numerator, denominator = sp.fraction(sp.together(result.answers["controller"] * G.matrix[0, 0]))
+    roots = np.roots([float(c) for c in sp.Poly(numerator + denominator, s).all_coeffs()])
+    assert min(abs(roots - complex(poles[0]))) < 0.01 * abs(complex(poles[0]))
+
+
+def test_both_sections_by_the_bode_diagram():
+    G = plant(sp.Integer(1), s * (s + 1) * (s + 2))
+    asked = {"velocity_constant": sp.Integer(10), "phase_margin": sp.Integer(50)}
+    result = ask("lead_lag_compensator", G, **asked)
+    assert result.status is Status.VERIFIED, result.reason
+    answers = result.answers
+    assert answers["K"] == 20
+    assert answers["alpha"][0] < 1 < answers["alpha"][1]
+    _, margin = margin_of(answers["controller"], G)
+    assert margin >= 50 - 0.05
+    ogata = 20 * (r(10, 7) * s + 1) * (r(100, 15) * s + 1) / ((r(1, 7) * s + 1) * (r(1000, 15) * s + 1))  # 7-28
+    assert judged("lead_lag_compensator", G, {"controller": ogata}, **asked) == {CheckStatus.PASSED}
+    C = answers["controller"]
+    assert judged("lead_lag_compensator", G, answers, **asked) == {CheckStatus.PASSED}
+    for wrong in (1 / C, C / 2, C.subs(s, s / 9), C * C, 20 * (s + 1) / (s / 9 + 1)):
+        assert CheckStatus.FAILED in judged("lead_lag_compensator", G, {"controller": wrong}, **asked), wrong
+    for name in ("T", "alpha"):
+        turned = {"controller": C, name: answers[name][::-1]}
+        assert CheckStatus.FAILED in judged("lead_lag_compensator", G, turned, **asked), name
+
+
+def test_both_sections_by_the_root_locus():
+    G = plant(sp.Integer(4), s * (s + r(1, 2)))
+    asked = {"velocity_constant": sp.Integer(80), "poles": tuple(r(-5, 2) + k * r(433, 100) * sp.I for k in (1, -1))}
+    result = ask("lead_lag_compensator", G, LOCUS, **asked)
+    assert result.status is Status.VERIFIED, result.reason
+    assert sp.limit(s * result.answers["controller"] * G.matrix[0, 0], s, 0) == 80
+
+
+@pytest.mark.parametrize(
+    ("task", "G", "asked", "why"),
+    [
+        ("lead", TRIPLE, {"poles": (-1 + 3 * sp.I, -1 - 3 * sp.I)}, "less than the angle"),
+        ("lead", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I)}, "lies on the root locus"),
+        ("lag", OGATA_LEAD, {"poles": (-3 + 2 * sp.I, -3 - 2 * sp.I), "velocity_constant": sp.Integer(5)}, "not near"),
+        ("lag", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I), "velocity_constant": sp.Integer(1)}, "is needed"),
+        ("lead", OGATA_LEAD, {"poles": (-2 + 3 * sp.I, -2 - 3 * sp.I), "velocity_constant": sp.Integer(90)}, "lead-lag"),
+    ],
+)  # fmt: skip
+def test_poles_that_cannot_be_are_said(task, G, asked, why):
+    result = ask(f"{task}_compensator", G, LOCUS, **asked)
+    assert result.status is Status.UNSOLVED
+    assert why in str(result.reason)

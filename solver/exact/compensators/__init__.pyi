@@ -12,6 +12,15 @@ from solver.exact.compensators.lead_design import (
     lead_by_bode,
     lead_with_free_gain,
 )
+from solver.exact.compensators.lead_lag_design import LeadLagDesign, LeadLagRound, lead_lag_by_bode
+from solver.exact.compensators.locus_design import (
+    AtThePoint,
+    LagOnLocus,
+    LeadOnLocus,
+    NoLocus,
+    lag_on_locus,
+    lead_on_locus,
+)
 from solver.exact.compensators.pid import (
     ClosedLoop,
     ComparedGains,
@@ -44,6 +53,7 @@ from solver.exact.compensators.ultimate_gain import (
 )
 
 __all__ = [
+    "AtThePoint",
     "Axis",
     "ClosedLoop",
     "ComparedGains",
@@ -53,14 +63,19 @@ __all__ = [
     "GainInterval",
     "LagAt",
     "LagDesign",
+    "LagOnLocus",
     "LagRound",
     "LeadAt",
     "LeadDesign",
+    "LeadLagDesign",
+    "LeadLagRound",
+    "LeadOnLocus",
     "LeadRound",
     "LeastGain",
     "NoCurve",
     "NoLag",
     "NoLead",
+    "NoLocus",
     "Plant",
     "ReactionCurve",
     "Section",
@@ -73,8 +88,11 @@ __all__ = [
     "compensator_parts",
     "lag_at",
     "lag_by_bode",
+    "lag_on_locus",
     "lead_at",
     "lead_by_bode",
+    "lead_lag_by_bode",
+    "lead_on_locus",
     "lead_with_free_gain",
     "least_gain",
     "on_the_axis",

@@ -10,11 +10,16 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, quotient
 from solver.tasks.compensators.closed_loop import loop_closed_by
+from solver.tasks.compensators.locus import upper
 from solver.tasks.compensators.specifications import CompensatorOptions, accuracy, crossover_claims, written
+from solver.tasks.figures import plane, roots
 from solver.tasks.frequency.figures import bode_figure
 
 if TYPE_CHECKING:
     from sympy import Expr
+
+NEAR = 1e-9
+"""What decimals leave of the difference of conjugate roots."""
 
 
 @lemma("compensator")
@@ -32,8 +37,8 @@ def checked(
     yield _check(G, loop, before, options, error)
     if G.delay == 0:
         other = None if before is None else (sp.expand(before.K * G.numerator), G.denominator)
-        yield from loop_closed_by((top, bottom), (G.numerator, G.denominator), s,
-                                  "After a step of the reference, with the compensator and with its gain alone", other)  # fmt: skip
+        caption = "After a step of the reference, with the compensator and with its gain alone"
+        yield from loop_closed_by((top, bottom), (G.numerator, G.denominator), s, caption, other)
     answers = Answers(
         controller=C,
         K=K,
@@ -69,12 +74,17 @@ def _check(
 ) -> Step:
     """The crossover and the margin of C G, and a table of what is asked and reached."""
     found, crossover = loop.margins, loop.margins.at_gain
-    C = (
-        sp.Mul(*exact.compensator_parts(loop.K, loop.sections, G.s)[:1])
-        / exact.compensator_parts(loop.K, loop.sections, G.s)[1]
-    )
+    top, bottom = exact.compensator_parts(loop.K, loop.sections, G.s)
+    C = top / bottom
     claims = {} if crossover is None else crossover_claims(C * written(G), G.s, crossover.omega, crossover.phase)
     loops = [("CG", loop.axis), *([("KG", before.axis)] if before is not None else [])]
+    pictures: tuple[Any, ...] = bode_figure(
+        "The loop with the compensator and with its gain alone", *loops, margins=found
+    )
+    if options.poles is not None:
+        roots_found = exact.closed_by((top, bottom), (G.numerator, G.denominator), G.s).poles
+        caption = "The poles of the closed loop, and those asked for"
+        pictures = plane(caption, roots("poles", roots_found), roots("asked for", options.poles, "square"))
     return Step(
         "check",
         claims=claims,
@@ -83,12 +93,26 @@ def _check(
         margin=found.phase_margin,
         asked=_asked(options),
         asked_error=options.error,
+        pair=_pair(G, loop, options),
         constant=constant_of(G, loop, options),
         error=error,
         stable=loop.stable,
         s=G.s,
-        figures=bode_figure("The loop with the compensator and with its gain alone", *loops, margins=found),
+        figures=pictures,
     )
+
+
+def _pair(G: exact.Plant, loop: exact.Compensated, options: CompensatorOptions) -> dict[str, Any] | None:
+    """The pole asked for, the pole of the loop next to it, and the others but for its conjugate."""
+    if options.poles is None:
+        return None
+    C = exact.compensator_parts(loop.K, loop.sections, G.s)
+    poles = exact.closed_by(C, (G.numerator, G.denominator), G.s).poles
+    wanted = upper(options.poles)
+    near = min(poles, key=lambda pole: abs(complex(pole) - complex(wanted)))
+    others = [p for p in poles if p != near and abs(complex(p) - complex(near).conjugate()) > NEAR]
+    dominant = all(complex(p).real < 5 * complex(near).real for p in others)
+    return {"wanted": wanted, "found": sp.N(near, 30), "others": others, "dominant": dominant}
 
 
 def _asked(options: CompensatorOptions) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from solver.tasks.compensators import compensator_mistakes
 from solver.tasks.compensators.compensating import answers_of, judged_by
 from solver.tasks.compensators.compensator import checked
 from solver.tasks.compensators.lag import lag_for_a_crossover, lag_in_attempts
+from solver.tasks.compensators.locus import lag_for_a_pole
 from solver.tasks.compensators.specifications import (
     CompensatorOptions,
     compensator_faults,
@@ -59,3 +60,17 @@ def by_the_bode_diagram(given: Given[OpenLoop, CompensatorOptions]) -> Derivatio
             raise Unsolved("compensators/not_needed", margin=before.margins.phase_margin, wanted=options.phase_margin)
         loop = yield from lag_in_attempts(G, K, options)
     return (yield from checked(G, loop, before, options))
+
+
+@lag_compensator.method(
+    "root_locus",
+    title="Root locus",
+    source="Ogata, Modern Control Engineering, §6–7",
+    time="continuous",
+)
+def by_the_root_locus(given: Given[OpenLoop, CompensatorOptions]) -> Derivation[Answers]:
+    """The gain at the pole, the constant with it, and a zero and a pole near the origin that raise it."""
+    options = given.options
+    G = plant_of(given.system, options)
+    found = yield from lag_for_a_pole(G, options)
+    return (yield from checked(G, found.loop, None, options))

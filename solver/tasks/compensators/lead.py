@@ -60,7 +60,7 @@ def _section(G: exact.Plant, K: Expr, last: exact.LeadRound, found: exact.LeadDe
         "phase": Claim(
             total(difference(wanted, found.before.margins.phase_margin), last.extra), last.phase, "the phase needed"
         ),
-        "alpha": Claim(quotient(*_of_sine(last.phase)), exactly, "α"),
+        "alpha": Claim(quotient(*of_sine(last.phase)), exactly, "α"),
         "size": Claim(size, sp.sqrt(last.alpha), "the magnitude there"),
         "T": Claim(quotient(sp.Integer(1), product(last.omega, sp.sqrt(last.alpha))), T, "T"),
     }
@@ -68,7 +68,8 @@ def _section(G: exact.Plant, K: Expr, last: exact.LeadRound, found: exact.LeadDe
                 T=last.section.T)  # fmt: skip
 
 
-def _of_sine(phase: Expr) -> tuple[Any, Any]:
+def of_sine(phase: Expr) -> tuple[Any, Any]:
+    """State 1 − sin φ and 1 + sin φ."""
     sine = sp.sin(sp.pi * phase / 180)
     sine = sp.N(sine, 30)
     return difference(sp.Integer(1), sine), total(sp.Integer(1), sine)
@@ -127,7 +128,7 @@ def _free(G: exact.Plant, found: exact.FreeLead, wanted: Expr, extra: Expr) -> S
     needed = total(difference(difference(wanted, sp.Integer(180)), found.angle), extra)
     claims = {
         "needed": Claim(needed, found.phase, "the phase needed"),
-        "alpha": Claim(quotient(*_of_sine(found.phase)), exact.alpha_of(found.phase), "α"),
+        "alpha": Claim(quotient(*of_sine(found.phase)), exact.alpha_of(found.phase), "α"),
         "T": Claim(quotient(sp.Integer(1), product(found.omega, sp.sqrt(found.alpha))), T, "T"),
         "size": _size(G, sp.Integer(1), found.omega, size),
         "K": Claim(quotient(sp.sqrt(found.alpha), size), K, "K"),

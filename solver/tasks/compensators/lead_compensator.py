@@ -9,8 +9,9 @@ from solver.derivation import Answers, Derivation, Given, Refusal, Task, Unsolve
 from solver.lazy import exact
 from solver.tasks.compensators import compensator_mistakes
 from solver.tasks.compensators.compensating import answers_of, judged_by
-from solver.tasks.compensators.compensator import checked
+from solver.tasks.compensators.compensator import checked, constant_of, error_of
 from solver.tasks.compensators.lead import lead_for_a_crossover, lead_in_attempts
+from solver.tasks.compensators.locus import lead_for_a_pole
 from solver.tasks.compensators.specifications import (
     CompensatorOptions,
     accuracy,
@@ -64,3 +65,23 @@ def by_the_bode_diagram(given: Given[OpenLoop, CompensatorOptions]) -> Derivatio
             raise Unsolved("compensators/not_needed", margin=before.margins.phase_margin, wanted=options.phase_margin)
         loop = yield from lead_in_attempts(G, K, options)
     return (yield from checked(G, loop, before, options))
+
+
+@lead_compensator.method(
+    "root_locus",
+    title="Root locus",
+    source="Ogata, Modern Control Engineering, §6–6",
+    time="continuous",
+)
+def by_the_root_locus(given: Given[OpenLoop, CompensatorOptions]) -> Derivation[Answers]:
+    """The angle that is missing at the pole, zero and pole by the bisector, the gain by the magnitude."""
+    options = given.options
+    G = plant_of(given.system, options)
+    found = yield from lead_for_a_pole(G, options)
+    constant = constant_of(G, found.loop, options)
+    error = error_of(G, found.loop, options)
+    if constant is not None and constant[2] < constant[1]:
+        raise Unsolved("compensators/constant_not_met", name=constant[0], wanted=constant[1], found=constant[2])
+    if error is not None and options.error is not None and error > options.error:
+        raise Unsolved("compensators/constant_not_met", name="error", wanted=options.error, found=error)
+    return (yield from checked(G, found.loop, None, options))
