@@ -168,7 +168,7 @@ def of_crossings(found: Sequence[Any], equation: Any) -> Iterator[Claim | Check]
 
 
 def of_stable_gains(found: Sequence[Any], equation: Any) -> Iterator[Check]:
-    """The ranges follow each other from zero to infinity; within each so many roots lie to the right, or on the axis."""
+    """Ranges follow each other from zero to infinity; in each so many roots lie to the right, or on the axis."""
     ends = [found[0].low, *(each.high for each in found)] if found else []
     whole = bool(found) and ends[0] == 0 and ends[-1] == sp.oo
     whole = whole and all(each.high == following.low for each, following in pairwise(found))
