@@ -7,12 +7,16 @@ import re
 SPELLINGS = {
     "rad/s": ("rad/s", "rad/sec", "rad s^-1", "rad s⁻¹", "rad*s^-1", "1/s", "s^-1", "s⁻¹", "rads^-1"),
     "s": ("s", "sec", "secs", "second", "seconds", "sek", "Sekunden"),
-    "": ("dB", "Hz", "kHz", "mHz", "deg", "degree", "degrees", "°", "rad", "ms", "min", "rpm", "V", "volt", "grad"),
+    "°": ("°", "deg", "degree", "degrees", "Grad", "grad"),
+    "dB": ("dB", "db", "decibel", "decibels"),
+    "": ("Hz", "kHz", "mHz", "rad", "ms", "min", "rpm", "V", "volt"),
 }
 """Units of answers and how they are written; under "" those that no answer has."""
 _UNIT = re.compile(r"^(.*[\d)\].])\s*([A-Za-zµ°][A-Za-z0-9/*^⁻¹\s-]*|1/s)\s*\.?$", re.DOTALL)
 _BRACKETS = re.compile(r"(?<=[\w).])\s*\[\s*(rad/s|1/s|s|Hz|dB|V|ms|min)\s*\]\s*$")
-_ALWAYS_UNITS = {each for own, spellings in SPELLINGS.items() for each in spellings if own == "" or "rad" in each}
+_ALWAYS_UNITS = {
+    each for own, spellings in SPELLINGS.items() for each in spellings if own in ("", "°", "dB") or "rad" in each
+}
 
 
 class ForeignUnitError(Exception):

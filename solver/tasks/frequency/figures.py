@@ -46,12 +46,12 @@ def _margins(found: exact.Margins | None) -> Iterable[MarkedFrequency]:
     for each in found.gains.found:
         decides = each is found.at_gain
         name = rf"\omega_{{g}} = {_short(each.omega)}" if decides else ""
-        margin = rf"\mathrm{{PM}} = {_short(found.phase_margin)}^{{\circ}}" if decides else ""
+        margin = rf"\varphi_{{m}} = {_short(found.phase_margin)}^{{\circ}}" if decides else ""
         yield MarkedFrequency(float(each.omega), name, "gain", margin)
     for each in found.phases.found:
         decides = each is found.at_phase
         name = rf"\omega_{{\varphi}} = {_short(each.omega)}" if decides else ""
-        margin = rf"\mathrm{{GM}} = {_short(found.gain_margin_db)}\ \text{{dB}}" if decides else ""
+        margin = rf"G_{{m}} = {_short(found.gain_margin_db)}\ \text{{dB}}" if decides else ""
         if each.omega != 0:
             yield MarkedFrequency(float(each.omega), name, "phase", margin)
 

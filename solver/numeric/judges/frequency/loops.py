@@ -153,6 +153,26 @@ def unstable_poles(loop: NumericLoop) -> tuple[int, int]:
     return _by_the_argument(loop)
 
 
+def closed_loop_poles(numerator: Any, denominator: Any, s: Any, delay: Any) -> tuple[int, int]:
+    """How many poles of a closed loop lie to the right and on the axis, nothing cancelled in L."""
+    with mpmath.workdps(WORKING):
+        N, D = (tuple(_number(c) for c in sp.Poly(p, s).all_coeffs()) for p in (numerator, denominator))
+        return unstable_poles(NumericLoop(N, D, _number(sp.sympify(delay))))
+
+
+def margin_residual(value: Any, known: Sequence[Any], name: str) -> float:
+    """How far a value is, relatively, from the nearest of those that are right; oo is right where there are none."""
+    if not known or not value.is_finite:
+        return 0.0 if not known and value == sp.oo else float("inf")
+    own = _number(value)
+    if name == "gain_margin_db":
+        known = [20 * mpmath.log10(each) for each in known]
+    away = [abs(own - each) for each in known]
+    if name == "phase_margin":
+        away = [abs(mpmath.fmod(each + 180, 360) - 180) for each in away]
+    return float(min(gap / (1 + abs(each)) for gap, each in zip(away, known, strict=True)))
+
+
 def roots_outside(p: Sequence[Any]) -> tuple[int, int]:
     """How many roots of a polynomial lie in the right half plane, and on the axis."""
     factors = sp.Poly([sp.Float(str(c), WORKING) if not isinstance(c, sp.Expr) else c for c in p], sp.Dummy("s"))
@@ -243,5 +263,12 @@ def _bracketed(f: Callable[[Any], Any], low: float, high: float) -> Any:
 
 
 __all__ = [
-    "NumericLoop", "NumericMargins", "numeric_loop", "numeric_margins", "roots_outside", "unstable_poles",
+    "NumericLoop",
+    "NumericMargins",
+    "closed_loop_poles",
+    "margin_residual",
+    "numeric_loop",
+    "numeric_margins",
+    "roots_outside",
+    "unstable_poles",
 ]  # fmt: skip

@@ -1,0 +1,132 @@
+"""What is said of crossings of a loop, judged by its values: lists, directions, equations, half turns at infinity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from solver.numeric.judges.frequency.loops import WORKING, NumericLoop
+
+NEAR = mpmath.mpf(10) ** -18
+SAMPLES = ("0.37", "1.91", "5.3", "17.7")
+BESIDE = mpmath.mpf(10) ** -6
+
+
+def decimal(value: Any) -> Any:
+    """A number with 40 digits."""
+    return mpmath.mpmathify(sp.N(value, WORKING))
+
+
+def list_residual(wanted: Sequence[Any], found: Sequence[Any]) -> float:
+    """The largest relative difference of two lists of numbers, item by item; infinite where their lengths differ."""
+    if len(wanted) != len(found):
+        return float("inf")
+    pairs = [(each, decimal(own)) for each, own in zip(wanted, found, strict=True)]
+    return max((float(abs(a - b) / (abs(a) or 1)) for a, b in pairs), default=0.0)
+
+
+def is_real(loop: NumericLoop) -> bool:
+    """Whether L(jω) is real at several frequencies."""
+    values = [loop.value(mpmath.mpf(w)) for w in SAMPLES]
+    return all(abs(mpmath.im(value)) < NEAR * abs(value) for value in values)
+
+
+def is_everywhere(loop: NumericLoop, level: Any) -> bool:
+    """Whether |L(jω)| has a value at several frequencies."""
+    return all(abs(abs(loop.value(mpmath.mpf(w))) - decimal(level)) < NEAR for w in SAMPLES)
+
+
+def _ratios(p: Any, w: Any, wanted: Any) -> bool:
+    """Whether a polynomial in ω² is a multiple of what is wanted at several frequencies."""
+    found = [decimal(p.subs(w, sp.Rational(omega) ** 2)) / wanted(mpmath.mpf(omega)) for omega in SAMPLES]
+    return all(abs(each - found[0]) < NEAR * abs(found[0]) for each in found)
+
+
+def _parts(loop: NumericLoop, omega: Any) -> tuple[Any, Any]:
+    s = mpmath.mpc(0, omega)
+    return mpmath.polyval(loop.N, s), mpmath.polyval(loop.D, s)
+
+
+def is_size_equation(loop: NumericLoop, p: Any, w: Any, level: Any) -> bool:
+    """Whether p(ω²) is a multiple of |N|² − level² |D|²."""
+
+    def wanted(omega: Any) -> Any:
+        above, below = _parts(loop, omega)
+        return abs(above) ** 2 - decimal(level) ** 2 * abs(below) ** 2
+
+    with mpmath.workdps(WORKING):
+        return _ratios(p, w, wanted)
+
+
+def is_slope_equation(loop: NumericLoop, p: Any, w: Any) -> bool:
+    """Whether ω p(ω²) is a multiple of the imaginary part of N times the conjugate of D."""
+
+    def wanted(omega: Any) -> Any:
+        above, below = _parts(loop, omega)
+        return mpmath.im(above * mpmath.conj(below)) / omega
+
+    with mpmath.workdps(WORKING):
+        return _ratios(p, w, wanted)
+
+
+def fits(loop: NumericLoop, omega: Any, square: Any, magnitude: Any, phase: Any, size: Any) -> bool:
+    """Whether ω², |L| and the phase in degrees, in (−180, 180], belong to a frequency; `size` is what |L| must be."""
+    with mpmath.workdps(WORKING):
+        at = decimal(omega)
+        value = loop.value(at) if at else loop.at_rest
+        turned = mpmath.degrees(mpmath.arg(-value)) - decimal(phase) - 180
+        return bool(
+            abs(at**2 - decimal(square)) < NEAR * (1 + at**2)
+            and abs(abs(value) - decimal(magnitude)) < NEAR * (1 + abs(value))
+            and abs(turned - 360 * mpmath.nint(turned / 360)) < NEAR * 1000
+            and -180 < decimal(phase) <= 180
+            and (size is None or abs(size - decimal(magnitude)) < NEAR * (1 + size))
+        )
+
+
+def has_phase(loop: NumericLoop, omega: Any, degrees: Any) -> bool:
+    """Whether the phase at a frequency is a value in degrees, up to full turns."""
+    with mpmath.workdps(WORKING):
+        turned = mpmath.degrees(mpmath.arg(loop.value(decimal(omega)))) - decimal(degrees)
+        return bool(abs(turned - 360 * mpmath.nint(turned / 360)) < NEAR * 1000)
+
+
+def direction(loop: NumericLoop, omega: Any) -> int:
+    """How L passes the negative real axis as ω rises: 1 from below to above, −1 the other way, 0 if it touches it."""
+    with mpmath.workdps(WORKING):
+        at = decimal(omega)
+        if at == 0:
+            return int(mpmath.sign(mpmath.im(loop.value(BESIDE))))
+        before, after = (mpmath.im(loop.value(at * each)) for each in (1 - BESIDE, 1 + BESIDE))
+        return int(mpmath.sign(after - before)) if before * after < 0 else 0
+
+
+def are_half_turns(numerator: Any, denominator: Any, s: Any, found: Sequence[tuple[Any, int]]) -> bool:
+    """Whether there is an arc for each pole on the axis, with as many half turns as its multiplicity."""
+    _, below = sp.fraction(sp.cancel(numerator / denominator))
+    listed = [complex(c) for c in sp.Poly(below, s).all_coeffs()]
+    roots = np.roots(listed)
+    on = [z for z in roots if abs(z.real) < 1e-4 * (1 + abs(z)) and z.imag >= -1e-4]
+    if sum(count for _, count in found) != len([z for z in on if _vanishes(below, s, z)]):
+        return False
+    return all(any(abs(z.imag - float(omega)) < 1e-3 * (1 + abs(z)) for z in on) for omega, _ in found)
+
+
+def _vanishes(p: Any, s: Any, z: complex) -> bool:
+    """Whether a polynomial is zero where the axis is nearest to a rough root."""
+    even, odd = (sp.Poly(part, s) for part in (p + p.subs(s, -s), p - p.subs(s, -s)))
+    common = even.gcd(odd)
+    if common.degree() <= 0:
+        return False
+    roots = np.roots([complex(c) for c in common.all_coeffs()])
+    return any(abs(z - root) < 1e-2 * (1 + abs(z)) and abs(root.real) < 1e-4 * (1 + abs(root)) for root in roots)
+
+
+__all__ = [
+    "are_half_turns", "decimal", "direction", "fits", "has_phase", "is_everywhere", "is_real", "is_size_equation",
+    "is_slope_equation", "list_residual",
+]  # fmt: skip

@@ -1,0 +1,135 @@
+"""Loops on the imaginary axis: crossovers, margins, turns about −1, judged by other people's algorithms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Check, Claim
+from solver.numeric.judges import frequency as judges
+from solver.stated.algebra import quotient
+
+NEAR = 1e-12
+ORACLE = "companion matrices; with a dead time samples and bisection"
+
+
+def _loop(L: Any) -> judges.NumericLoop:
+    return judges.numeric_loop(L.N.as_expr(), L.D.as_expr(), L.variable, L.delay)
+
+
+def of_on_axis(found: Any, numerator: Any, denominator: Any, s: Any, delay: Any = sp.S.Zero) -> Iterator[Claim | Check]:
+    """N/D is the quotient, in lowest terms."""
+    yield Claim(quotient(found.N.as_expr(), found.D.as_expr()), numerator / denominator)
+    yield Check.that("the variable and the dead time", "compared", found.variable == s and found.delay == delay)
+    yield Check.that("lowest terms", "sympy.gcd", sp.gcd(found.N.as_expr(), found.D.as_expr()).is_number)
+
+
+def of_gain_crossovers(found: Any, L: Any, level: Any = sp.S.One) -> Iterator[Claim | Check]:
+    """The frequencies are all those with |L| = level, with the phases there."""
+    loop = _loop(L)
+    yield Check.that("whether |L| is constant", "compared", not (found.everywhere and found.found))
+    if found.everywhere:
+        yield Check.that("|L| is constant", "samples", judges.is_everywhere(loop, level))
+        return
+    yield _are(loop.gain_crossovers(judges.decimal(level)), [each.omega for each in found.found])
+    yield Check.that(
+        "the equation",
+        "samples",
+        judges.is_size_equation(loop, found.polynomial.as_expr(), found.polynomial.gen, level),
+    )
+    for each in found.found:
+        yield _is_there(loop, each, sizes=judges.decimal(level))
+
+
+def of_phase_crossovers(found: Any, L: Any) -> Iterator[Claim | Check]:
+    """The frequencies are all those with L real (with a dead time up to the last), with its values."""
+    loop = _loop(L)
+    yield Check.that("L is real on the whole axis", "samples", found.everywhere == judges.is_real(loop))
+    if found.everywhere:
+        return
+    last = found.real_axis[-1][0] if L.late and found.real_axis else None
+    wanted = [pair for pair in loop.real_crossings() if last is None or pair[0] <= judges.decimal(last) * (1 + NEAR)]
+    yield _are([w for w, _ in wanted], [omega for omega, _ in found.real_axis])
+    yield _are([value for _, value in wanted], [value for _, value in found.real_axis])
+    negative = [(w, value) for w, value in wanted if value < 0]
+    shown = [each for each in found.found if each.omega != 0]
+    yield _are([w for w, _ in negative], [each.omega for each in shown])
+    yield Check.that("L(0)", "compared", (loop.at_rest < 0) == (len(shown) < len(found.found)))
+    for each in found.found:
+        yield _is_there(loop, each, sizes=None)
+        yield Check.that("the direction of a crossing", "samples", judges.direction(loop, each.omega) == each.clockwise)
+    if not L.late:
+        yield Check.that(
+            "the equation", "samples", judges.is_slope_equation(loop, found.polynomial.as_expr(), found.polynomial.gen)
+        )
+    elif found.found:
+        yield Check.that("the last crossing", "compared", found.last == found.found[-1].omega)
+
+
+def _is_there(loop: Any, each: Any, *, sizes: Any) -> Check:
+    """|L| and the phase at a crossover, its square."""
+    fits = judges.fits(loop, each.omega, each.square, each.magnitude, each.phase, sizes)
+    return Check.that("size and phase at a crossover", "mpmath", fits)
+
+
+def of_margins_of(found: Any, L: Any) -> Iterator[Claim | Check]:
+    """The margins are those nearest to −1."""
+    wanted = judges.numeric_margins(_loop(L))
+    for name, place, known in (
+        ("gain_crossover", 0, wanted.gains), ("phase_margin", 1, wanted.gains),
+        ("phase_crossover", 0, wanted.phases), ("gain_margin", 1, wanted.phases), ("gain_margin_db", 1, wanted.phases),
+    ):  # fmt: skip
+        residual = judges.margin_residual(getattr(found, name), [pair[place] for pair in known], name)
+        yield Check.within(name, ORACLE, residual, NEAR)
+    yield from of_gain_crossovers(found.gains, L)
+    if not found.phases.everywhere:
+        yield from of_phase_crossovers(found.phases, L)
+
+
+def of_in_decibels(found: Any, ratio: Any) -> Iterator[Claim | Check]:
+    """20 log₁₀ of the ratio."""
+    if ratio.is_finite:
+        yield Claim(sp.log(ratio) * 20 / sp.log(10), found)
+    else:
+        yield Check.that("an infinite ratio", "compared", found == ratio)
+
+
+def of_phase_margin_of(found: Any, phase: Any) -> Iterator[Claim | Check]:
+    """180° more, up to a full turn, in (−180, 180]."""
+    yield Check.that("a margin in (−180, 180]", "compared", bool(-180 < found <= 180))
+    turns = (found - phase - 180) / 360
+    yield Check.that("180° more, up to full turns", "compared", bool(abs(sp.N(turns - round(turns), 30)) < 1e-20))
+
+
+def of_encirclements(found: Any, numerator: Any, denominator: Any, s: Any, delay: Any = sp.S.Zero) -> Iterator[Check]:
+    """Poles of L and of the loop by their roots, with a dead time by the argument principle; N is their difference."""
+    outside, on = judges.closed_loop_poles(numerator, denominator, s, delay)
+    P, _ = judges.roots_outside(sp.Poly(denominator, s).all_coeffs())
+    yield Check.that("poles of L in the right half plane", "mpmath.polyroots", found.open_loop == P)
+    if not found.through:
+        yield Check.that(
+            "poles of the loop in the right half plane", "roots or the argument", found.closed_loop == outside
+        )
+    yield Check.that("N = Z − P", "compared", found.clockwise == found.closed_loop - found.open_loop)
+    yield Check.that("L is −1 somewhere, or a pole on the axis cancels", "roots",
+                     (found.through or found.on_axis > 0) == bool(on))  # fmt: skip
+    if delay == 0:
+        yield Check.that("poles of the loop on the axis", "roots", found.on_axis == on)
+    turns = sum(each.clockwise * (1 if each.omega == 0 else 2) for each in found.beyond)
+    counted = turns + sum(each.passes for each in found.arcs) + found.closing
+    yield Check.that("the crossings add up", "counted", found.real or found.through or counted == found.clockwise)
+    yield Check.that("half turns at infinity", "multiplicities", judges.are_half_turns(
+        numerator, denominator, s, [(each.omega, each.half_turns) for each in found.arcs]) or found.real)  # fmt: skip
+
+
+def of_phase_crossings(found: Any, L: Any, degrees: Any) -> Iterator[Check]:
+    """The phase there is the one that was asked for, up to full turns."""
+    loop = _loop(L)
+    for omega in found:
+        yield Check.that("the phase at a frequency", "mpmath", judges.has_phase(loop, omega, degrees))
+
+
+def _are(wanted: Iterable[Any], found: Iterable[Any]) -> Check:
+    return Check.within("all crossings", ORACLE, judges.list_residual(list(wanted), list(found)), NEAR)

@@ -1,0 +1,146 @@
+"""Gain and phase margin of a loop, from where L(jω) crosses the unit circle and the negative real axis."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Step, Task
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.numeric.judges import frequency as judges
+from solver.tasks.frequency import margin_mistakes
+from solver.tasks.frequency.closed_loop import is_stable
+from solver.tasks.frequency.crossovers import crossovers_of
+from solver.tasks.frequency.figures import bode_figure
+from solver.tasks.plant_options import LoopOptions
+
+if TYPE_CHECKING:
+    from solver.systems import OpenLoop
+
+stability_margins: Task[OpenLoop, LoopOptions] = Task(
+    "stability_margins",
+    title="Stability margins",
+    doc="Crossover frequencies, gain margin and phase margin of the loop; of several crossovers the nearest to −1.",
+    needs=("open_loop",),
+    options=LoopOptions,
+    example={"transfer_function": "10/(s(s + 1)(s + 5))"},
+    answers=[
+        AnswerName("gain_crossover", r"\omega_{g}", "the gain crossover, where |L| = 1 (oo: there is none)",
+                   unit="rad/s", earned=("gain_crossovers",)),
+        AnswerName("phase_crossover", r"\omega_{\varphi}", "the phase crossover, where ∠L = −180° (oo: there is none)",
+                   unit="rad/s", earned=("phase_crossovers", "late_crossovers")),
+        AnswerName("gain_margin", r"G_{m}", "the gain margin 1/|L| there, a ratio (oo: none)", earned=("gain_margin",)),
+        AnswerName("gain_margin_db", r"G_{m,\text{dB}}", "the gain margin in decibels", unit="dB",
+                   earned=("gain_margin",)),
+        AnswerName("phase_margin", r"\varphi_{m}", "the phase margin 180° + ∠L at the gain crossover, in degrees",
+                   free=True, unit="°", earned=("phase",)),
+        AnswerName("stable", r"\text{stable}", "whether the closed loop is stable", earned=("verdict", "counted")),
+    ],
+)  # fmt: skip
+
+margin_mistakes.register(stability_margins)
+
+
+@stability_margins.method(source="Ogata, Modern Control Engineering, §7–7", time="continuous")
+def on_the_axis(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
+    """|L(jω)| = 1 and Im L(jω) = 0 are solved for ω, and the margins read off there."""
+    loop = given.system
+    L = exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay)
+    found = yield from crossovers_of(L)
+    stable = yield from is_stable(loop)
+    yield _picture(L, found, stable=stable)
+    return Answers(
+        gain_crossover=found.gain_crossover,
+        phase_crossover=found.phase_crossover,
+        gain_margin=found.gain_margin,
+        gain_margin_db=found.gain_margin_db,
+        phase_margin=found.phase_margin,
+        stable=stable,
+    )
+
+
+def _picture(L: exact.OnAxis, found: exact.Margins, *, stable: bool) -> Step:
+    """Bode's diagram with the margins, and what they mean."""
+    caption = "Bode diagram of $L$ with its margins"
+    ratios = [each.magnitude for each in found.phases.found]
+    above, below = ([x for x in ratios if (x > 1) == side and x != 1] for side in (True, False))
+    gain, margin = found.gain_margin, found.phase_margin
+    delay = None
+    if stable and found.at_gain is not None and margin > 0:
+        delay = sp.N(margin * sp.pi / 180 / found.at_gain.omega, 30)
+    return Step(
+        "picture",
+        unclaimed="drawn from the numbers found above",
+        figures=bode_figure(caption, ("L", L), margins=found),
+        stable=stable,
+        gain=gain,
+        margin=margin,
+        conditional=stable and bool(above),
+        least=max((1 / x for x in above), default=None) if stable else None,
+        most=min((1 / x for x in below), default=None) if stable else None,
+        contradicts=not stable and bool(gain > 1) and bool(margin > 0),
+        delay=delay,
+        none=found.at_gain is None and found.at_phase is None,
+    )
+
+
+ORACLE = "companion matrices; with a dead time samples and bisection"
+TOLERANCE = 1e-9
+NAMES = {
+    "gain_crossover": (0, "gains", "$|L(j\\omega)| = 1$, and of such frequencies the one that decides"),
+    "phase_margin": (1, "gains", "$180° + \\angle L(j\\omega_g)$"),
+    "phase_crossover": (0, "phases", "$L(j\\omega) < 0$, and of such frequencies the one that decides"),
+    "gain_margin": (1, "phases", "$1/|L(j\\omega_\\varphi)|$"),
+    "gain_margin_db": (1, "phases", "$-20\\log_{10}|L(j\\omega_\\varphi)|$"),
+}
+
+
+@stability_margins.verification("gain_crossover", "phase_crossover", "gain_margin", "gain_margin_db", "phase_margin")
+def are_those_of_the_values(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
+    """All crossovers are found anew in numbers; phase margins are judged up to full turns."""
+    loop = given.system
+    wanted = judges.numeric_margins(judges.numeric_loop(loop.numerator, loop.denominator, loop.variable, loop.delay))
+    for name, (place, of, label) in NAMES.items():
+        if name in answers:
+            known = [pair[place] for pair in getattr(wanted, of)]
+            yield Check.within(
+                label, ORACLE, judges.margin_residual(answers[name], known, name), TOLERANCE, answer=name
+            )
+
+
+@stability_margins.verification("stable")
+def is_told_by_the_poles(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
+    """The poles of the loop in numbers; with a dead time their number by the argument principle."""
+    loop = given.system
+    outside, on = judges.closed_loop_poles(loop.numerator, loop.denominator, loop.variable, loop.delay)
+    label = "no pole of the closed loop in the right half plane or on the axis"
+    oracle = "the argument principle on a contour" if loop.delay != 0 else "mpmath.polyroots"
+    yield Check.that(label, oracle, bool(answers["stable"]) == (not outside and not on))
+
+
+@stability_margins.consequence("gain_margin_db", of=("gain_margin",))
+def in_decibels(_given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
+    """20 log₁₀ of the ratio."""
+    value = found["gain_margin"]
+    return exact.in_decibels(value) if value.is_positive else None
+
+
+@stability_margins.consequence("phase_margin", of=("gain_crossover",))
+def at_the_gain_crossover(given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
+    """180° + ∠L at the student's own frequency."""
+    loop, omega = given.system, found["gain_crossover"]
+    if not omega.is_positive or omega == sp.oo:
+        return None
+    L = exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay)
+    return exact.phase_margin_of(L.phase(omega))
+
+
+@stability_margins.consequence("gain_margin", of=("phase_crossover",))
+def at_the_phase_crossover(given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
+    """1/|L| at the student's own frequency."""
+    loop, omega = given.system, found["phase_crossover"]
+    if not omega.is_positive or omega == sp.oo:
+        return None
+    L = exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay)
+    return 1 / L.magnitude(omega)
