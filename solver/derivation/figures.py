@@ -155,6 +155,21 @@ class Locus:
 
 
 @dataclass(frozen=True, slots=True)
+class ParameterRegion:
+    """Where all `conditions`, polynomials in the symbols `x` and `y`, are positive; shaded in the plane of both.
+
+    `names` are the curves on which they are zero, `labels` those of the axes, all as LaTeX.
+    """
+
+    caption: str
+    x: Any
+    y: Any
+    conditions: tuple[Any, ...]
+    names: tuple[str, ...]
+    labels: tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
 class Diagram:
     """A block diagram known by name (`solver/figures`), with the LaTeX to write into its blocks and at its arrows."""
 
@@ -234,6 +249,7 @@ Figure = (
     | Motion
     | Plane
     | Locus
+    | ParameterRegion
     | Diagram
     | Chains
     | Parts

@@ -14,6 +14,7 @@ from solver.derivation.figures import (
     Locus,
     Motion,
     Panels,
+    ParameterRegion,
     Parts,
     Plane,
     Plot,
@@ -28,6 +29,7 @@ from solver.figures.laid_out import layout_of
 from solver.figures.loci import of_locus, on_locus
 from solver.figures.motions import moved
 from solver.figures.nyquist import nyquist_of
+from solver.figures.parameter_regions import of_parameters, on_parameters
 from solver.figures.planes import on_plane
 from solver.figures.sampling import sampled
 from solver.figures.told_frequencies import told_bode, told_nyquist
@@ -68,6 +70,8 @@ def drawing_of(figure: Figure, say: Say = str) -> Drawing:
         drawn, told = DRAWN[type(figure)]
         found: Drawing = replace(drawn(figure, say), alt=told(figure, say))
         return found
+    if isinstance(figure, ParameterRegion):
+        return replace(on_parameters(figure), alt=of_parameters(figure, say))
     if isinstance(figure, Schematic | Parts | Mechanism | FlowGraph):
         return replace(figure, alt=TOLD[type(figure)](figure, say))
     chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""

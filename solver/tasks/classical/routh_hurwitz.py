@@ -18,6 +18,7 @@ from solver.tasks import consequences
 from solver.tasks.form_meanings import routh_entry
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.counterexamples import counterexample
+from solver.tasks.stability.parameter_region import parameter_region
 from solver.tasks.stability.routh_array import rows_of
 from solver.words import Phrase, Reason
 
@@ -203,6 +204,7 @@ def _condition(
         conditions=undecided,
         never=[entry for entry in undecided if exact.sign_of(entry) in (0, -1)],
         special=special,
+        figures=parameter_region(() if special else positive, wanted, condition),
     )
     return {"condition": condition}
 

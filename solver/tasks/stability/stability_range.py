@@ -31,6 +31,7 @@ from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.boundary import edges_of
 from solver.tasks.stability.counterexamples import counterexample
 from solver.tasks.stability.hurwitz_conditions import hurwitz_conditions_of
+from solver.tasks.stability.parameter_region import parameter_region
 from solver.tasks.stability.routh_array import routh_array_of
 from solver.words import Phrase, Reason
 
@@ -193,6 +194,7 @@ def _together(
         truth="always" if condition is sp.true else "never" if condition is sp.false else "",
         positive=[symbol for symbol in assumed if symbol.is_positive],
         negative=[symbol for symbol in assumed if symbol.is_negative],
+        figures=parameter_region(conditions, wanted, condition),
     )
     yield from edges_of(plant, condition, x)
     return Answers(condition=condition)
