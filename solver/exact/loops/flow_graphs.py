@@ -76,7 +76,18 @@ def in_lowest(F: sp.Expr) -> sp.Expr:
     if F.is_Mul and not any((each.is_Pow and each.exp.is_negative) or each.is_Add for each in factors):
         return F
     above, below = sp.fraction(sp.cancel(sp.together(F)))
-    return sp.factor(above) / sp.factor(below)
+    return _multiplied_in(sp.factor(above)) / _multiplied_in(sp.factor(below))
+
+
+def _multiplied_in(product: sp.Expr) -> sp.Expr:
+    """A product with its number in the factor that it makes monic: s² + 12s + 20.002 for 0.002 (500s² + …)."""
+    number, rest = product.as_coeff_Mul()
+    factors = list(sp.Mul.make_args(rest))
+    for i, each in enumerate(factors):
+        alone = number != 1 and each.is_Add and len(each.free_symbols) == 1 and each.is_polynomial()
+        if alone and sp.LC(each, *each.free_symbols) * number == 1:
+            return sp.Mul(*factors[:i], sp.expand(number * each), *factors[i + 1 :])
+    return product
 
 
 def merged(edges: Sequence[Edge]) -> tuple[Edge, ...]:
@@ -107,9 +118,15 @@ def mason(edges: Sequence[Edge], start: str, end: str) -> Mason:
 
 
 def transfer_form(F: sp.Expr) -> sp.Expr:
-    """A rational function in lowest terms, above in factors, below multiplied out."""
+    """A rational function in lowest terms, above in factors, below multiplied out, monic where that is shorter."""
     above, below = sp.fraction(sp.cancel(sp.together(F)))
-    found: sp.Expr = sp.factor(above) / sp.expand(below)
+    below = sp.expand(below)
+    if len(below.free_symbols) == 1:
+        p = sp.Poly(below, *below.free_symbols)
+        monic = [c / p.LC() for c in p.all_coeffs()]
+        if len("".join(map(str, monic[1:]))) < len("".join(map(str, p.all_coeffs()))):
+            above, below = above / p.LC(), sp.expand(below / p.LC())
+    found: sp.Expr = sp.factor(above) / below
     return found
 
 
