@@ -271,7 +271,7 @@ def test_both_sections_by_the_root_locus():
         ("lead", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I)}, "lies on the root locus"),
         ("lag", OGATA_LEAD, {"poles": (-3 + 2 * sp.I, -3 - 2 * sp.I), "velocity_constant": sp.Integer(5)}, "not near"),
         ("lag", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I), "velocity_constant": sp.Integer(1)}, "is needed"),
-        ("lead", OGATA_LEAD, {"poles": (-2 + 3 * sp.I, -2 - 3 * sp.I), "velocity_constant": sp.Integer(90)}, "lead-lag"),
+        ("lead", OGATA_LEAD, {"poles": (-2 + 3 * sp.I, -2 - 3 * sp.I), "velocity_constant": r(90)}, "lead-lag"),
     ],
 )  # fmt: skip
 def test_poles_that_cannot_be_are_said(task, G, asked, why):

@@ -49,7 +49,7 @@ def lag_by_bode(G: Plant, K: sp.Expr, wanted: sp.Expr, extra: sp.Expr) -> LagDes
     """Return the attempts with more and more degrees added, until the margin wanted is there."""
     before = compensated(G, K)
     rounds: list[LagRound] = []
-    added = sp.sympify(extra)
+    added = extra
     for _ in range(MOST_ROUNDS):
         tried = _attempt(G, K, wanted, added)
         rounds.append(tried)
@@ -64,7 +64,7 @@ def lag_by_bode(G: Plant, K: sp.Expr, wanted: sp.Expr, extra: sp.Expr) -> LagDes
 
 
 def _attempt(G: Plant, K: sp.Expr, wanted: sp.Expr, extra: sp.Expr) -> LagRound:
-    phase = sp.sympify(wanted - 180 + extra)
+    phase = wanted - 180 + extra
     found = [omega for omega in phase_crossings(G.axis, phase) if float(K * G.axis.magnitude(omega)) > 1]
     if not found:
         return LagRound(extra, phase, None)

@@ -84,7 +84,7 @@ def lead_by_bode(G: Plant, K: sp.Expr, wanted: sp.Expr, extra: sp.Expr) -> LeadD
     """Return the attempts with more and more degrees added, until the margin wanted is there."""
     before = compensated(G, K)
     rounds: list[LeadRound] = []
-    added = sp.sympify(extra)
+    added = extra
     for _ in range(MOST_ROUNDS):
         tried = _attempt(G, before, wanted, added)
         if tried is None:
@@ -107,7 +107,7 @@ def lead_by_bode(G: Plant, K: sp.Expr, wanted: sp.Expr, extra: sp.Expr) -> LeadD
 
 
 def _attempt(G: Plant, before: Compensated, wanted: sp.Expr, extra: sp.Expr) -> LeadRound | None:
-    phase = sp.sympify(wanted - before.margins.phase_margin + extra)
+    phase = wanted - before.margins.phase_margin + extra
     if not 0 < float(phase) <= LARGEST_PHASE:
         return None
     alpha = rounded(alpha_of(phase), 3)

@@ -57,7 +57,7 @@ def lead_lag_by_bode(G: Plant, K: sp.Expr, wanted: sp.Expr, crossover: sp.Expr |
         return LeadLagDesign(before, sp.Integer(0), sp.Integer(0), sp.Integer(0), (), "no_crossover")
     angle, size = sp.N(G.axis.continuous_phase(omega), 30), sp.N(K * G.axis.magnitude(omega), 30)
     rounds: list[LeadLagRound] = []
-    added = sp.sympify(extra)
+    added = extra
     for _ in range(MOST_ROUNDS):
         phase = sp.N(wanted - 180 - angle + added, 30)
         if not 0 < float(phase) <= LARGEST_PHASE:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -14,8 +15,13 @@ from solver.exact.design.placement import monic, polynomial_in, roots_of
 from solver.exact.linear_algebra.affine import affine, solve_affine, tidy
 from solver.exact.linear_algebra.spectrum import DIGITS
 
-Gains = tuple[sp.Expr, sp.Expr, sp.Expr]
-"""K_p, K_i, K_d."""
+
+class Gains(NamedTuple):
+    """The gains of the error, of its integral and of its derivative."""
+
+    K_p: sp.Expr
+    K_i: sp.Expr
+    K_d: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -55,7 +61,13 @@ def tuned(rule: TuningRule, gain: sp.Expr, time: sp.Expr) -> Tuned:
     T_d = tidy(rule.derivative * time) if rule.derivative is not None else None
     K_i = tidy(K_p / T_i) if T_i is not None else sp.Integer(0)
     K_d = tidy(K_p * T_d) if T_d is not None else sp.Integer(0)
-    return Tuned((K_p, K_i, K_d), T_i, T_d)
+    return Tuned(Gains(K_p, K_i, K_d), T_i, T_d)
+
+
+def gains_of(values: Sequence[sp.Expr]) -> Gains:
+    """Return K_p, K_i, K_d; those that are not there are zero."""
+    filled = [*values, *[sp.Integer(0)] * (3 - len(values))]
+    return Gains(filled[0], filled[1], filled[2])
 
 
 def pid_parts(gains: Gains, s: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
@@ -134,7 +146,7 @@ def placed_gains(
     """
     letters = {"P": ("K_p",), "PI": ("K_p", "K_i"), "PID": ("K_p", "K_i", "K_d")}[kind]
     unknowns = tuple(sp.Symbol(letter) for letter in letters)
-    K_p, K_i, K_d = (*unknowns, *[sp.Integer(0)] * (3 - len(unknowns)))
+    K_p, K_i, K_d = gains_of(unknowns)
     top, bottom = (K_p, sp.Integer(1)) if kind == "P" else (K_d * s**2 + K_p * s + K_i, s)
     own = tuple(sp.Poly(bottom * denominator + top * numerator, s).all_coeffs())
     wanted = tuple(sp.expand(own[0] * c) for c in monic(poles))
@@ -143,7 +155,7 @@ def placed_gains(
     if solution.residue:
         return ComparedGains(unknowns, own, wanted, None, solution.residue)
     values = [value.xreplace(dict.fromkeys(unknowns, sp.Integer(0))) for value in solution.values]
-    gains = (*(tidy(value) for value in values), *[sp.Integer(0)] * (3 - len(values)))
+    gains = gains_of([tidy(value) for value in values])
     return ComparedGains(unknowns, own, wanted, gains, free=bool(solution.free))
 
 

@@ -106,7 +106,7 @@ def least_gain(G: Plant, name: str, value: sp.Expr) -> LeastGain:
     wanted = 1 / value - 1 if name == "error" else value
     if limit == 0:
         return LeastGain(power, limit, wanted, None)
-    return LeastGain(power, limit, wanted, sp.Integer(1) if not limit.is_finite else sp.sympify(wanted / limit))
+    return LeastGain(power, limit, wanted, wanted / limit if limit.is_finite else sp.Integer(1))
 
 
 def rounded(value: Any, digits: int, way: str = "near") -> sp.Rational:

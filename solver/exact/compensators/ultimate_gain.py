@@ -35,7 +35,7 @@ class Axis:
 
 
 @dataclass(frozen=True)
-class Crossing:
+class Oscillation:
     """A gain K > 0 with roots ±jω; ω = 0 for a root at the origin; `square` is ω²."""
 
     gain: sp.Expr
@@ -60,9 +60,9 @@ class UltimateGain:
     "at_the_origin" (the root that crosses is real), "at_infinity" (the degree drops).
     """
 
-    crossings: tuple[Crossing, ...]
+    crossings: tuple[Oscillation, ...]
     intervals: tuple[GainInterval, ...]
-    ultimate: Crossing | None
+    ultimate: Oscillation | None
     why: str = ""
 
 
@@ -88,9 +88,9 @@ def ultimate_gain(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol) -> Ult
     """
     axis = on_the_axis(numerator, denominator, s)
     roots = _positive_roots(axis.equation, axis.w)
-    found = [Crossing(K, _root(w), w) for w in roots if (K := _gain(axis, w)) is not None]
+    found = [Oscillation(K, _root(w), w) for w in roots if (K := _gain(axis, w)) is not None]
     zero = _ratio(denominator, numerator, s, 0)
-    found += [Crossing(zero, sp.Integer(0), sp.Integer(0))] if zero is not None else []
+    found += [Oscillation(zero, sp.Integer(0), sp.Integer(0))] if zero is not None else []
     crossings = tuple(sorted(found, key=lambda each: (_size(each.gain), _size(each.frequency))))
     degree = sp.degree(denominator, s)
     drop = _ratio(denominator, numerator, s, degree)

@@ -27,12 +27,13 @@ def is_any_gain(given: Given[Any, CompensatorOptions]) -> bool:
 
 def answers_of(several: bool) -> list[AnswerName]:
     """Return the answers of a task; of `several` sections T and α are lists, those of the lead first."""
-    each = " of the lead and of the lag section" if several else ""
+    zero = "the time constants of the zeros, lead first" if several else "the time constant of the zero"
+    ratio = "the ratios of zero and pole, lead first" if several else "the ratio of zero and pole"
     return [
         AnswerName("controller", "C(s)", "the compensator", free=True, principal=True, earned=EARNED),
         AnswerName("K", "K", "its gain at s = 0", free=is_any_gain, principal=True, earned=("gain", "free_gain")),
-        AnswerName("T", "T", f"the time constant of the zero{each}", free=True, ordered=True, earned=EARNED),
-        AnswerName("alpha", r"\alpha", f"the ratio of zero and pole{each}", free=True, ordered=True, earned=EARNED),
+        AnswerName("T", "T", zero, free=True, ordered=True, earned=EARNED),
+        AnswerName("alpha", r"\alpha", ratio, free=True, ordered=True, earned=EARNED),
         AnswerName(
             "phase_margin", r"\mathrm{PM}", "the phase margin of the loop, in degrees", free=True, earned=("check",)
         ),

@@ -10,6 +10,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
+from solver.tasks.compensators.refusals import no_lag
 from solver.tasks.compensators.specifications import CompensatorOptions, written
 
 if TYPE_CHECKING:
@@ -61,15 +62,13 @@ def lag_for_a_crossover(G: exact.Plant, K: Expr, options: CompensatorOptions) ->
     size = Claim(absolute(at), found.size, "the magnitude there")
     if isinstance(found, exact.NoLag):
         yield Step("at_the_crossover", claims={"size": size}, omega=omega, margin=found.margin)
-        raise Unsolved(
-            f"compensators/lag_{found.why}", omega=omega, size=found.size, margin=found.margin, wanted=wanted
-        )
+        raise no_lag(found.why, omega=omega, size=found.size, margin=found.margin, wanted=wanted)
     a = sp.N(found.section.T * omega, 30)
     alpha = sp.sqrt((1 + a**2) * found.size**2 - 1) / a
     claims = {
         "size": size,
         "phase": Claim(phase(at), sp.N(_principal(found.angle), 30), "the phase there"),
-        "T": Claim(quotient(sp.Integer(found.below), omega), sp.sympify(found.below) / omega, "T"),
+        "T": Claim(quotient(sp.Integer(found.below), omega), sp.Integer(found.below) / omega, "T"),
     }
     yield Step("crossing", claims=claims, found=found, omega=omega, T=found.section.T, a=a, exactly=alpha,
                alpha=found.section.alpha, below=sp.Integer(found.below))  # fmt: skip

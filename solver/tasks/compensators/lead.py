@@ -10,6 +10,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute
+from solver.tasks.compensators.refusals import no_lead
 from solver.tasks.compensators.specifications import CompensatorOptions, written
 
 if TYPE_CHECKING:
@@ -84,7 +85,7 @@ def lead_for_a_crossover(G: exact.Plant, K: Expr | None, options: CompensatorOpt
     if K is None:
         free = exact.lead_with_free_gain(G, wanted, omega, extra)
         if isinstance(free, exact.NoLead):
-            raise Unsolved(f"compensators/lead_{free.why}", omega=omega, needed=free.needed, size=free.size,
+            raise no_lead(free.why, omega=omega, needed=free.needed, size=free.size,
                            largest=free.largest, wanted=wanted)  # fmt: skip
         yield _free(G, free, wanted, extra)
         return free.loop
@@ -92,7 +93,7 @@ def lead_for_a_crossover(G: exact.Plant, K: Expr | None, options: CompensatorOpt
     if isinstance(found, exact.NoLead):
         size = sp.N(found.size, 30)
         yield Step("at_the_crossover", claims={"size": _size(G, K, omega, size)}, omega=omega, size=size)
-        raise Unsolved(f"compensators/lead_{found.why}", omega=omega, needed=found.needed, size=size,
+        raise no_lead(found.why, omega=omega, needed=found.needed, size=size,
                        largest=found.largest, wanted=wanted)  # fmt: skip
     yield at_crossover(G, K, found, wanted)
     return found.loop

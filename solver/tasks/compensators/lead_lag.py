@@ -11,6 +11,7 @@ from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
 from solver.tasks.compensators.lead import of_sine
+from solver.tasks.compensators.refusals import not_both
 from solver.tasks.compensators.specifications import CompensatorOptions, written
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def both_in_attempts(G: exact.Plant, K: Expr, options: CompensatorOptions) -> De
         }
         yield Step("attempts", claims=claims, rounds=found.rounds, extra=extra, chosen=options.extra_phase is None)
     if found.why:
-        raise Unsolved(f"compensators/both_{found.why}", needed=found.needed, omega=found.omega, wanted=wanted)
+        raise not_both(found.why, needed=found.needed, omega=found.omega, wanted=wanted)
     yield _sections(G, K, found)
     return found.rounds[-1].loop
 
@@ -59,6 +60,6 @@ def _sections(G: exact.Plant, K: Expr, found: exact.LeadLagDesign) -> Step:
         "alpha": Claim(quotient(*of_sine(last.phase)), exact.alpha_of(last.phase), "α of the lead"),
         "T": Claim(quotient(sp.Integer(1), product(omega, sp.sqrt(lead.alpha))), T, "T of the lead"),
         "size": Claim(absolute(value_at(inner, s, sp.I * omega)), last.size, "the magnitude with the lead"),
-        "T2": Claim(quotient(sp.Integer(10), omega), sp.sympify(10) / omega, "T of the lag"),
+        "T2": Claim(quotient(sp.Integer(10), omega), sp.Integer(10) / omega, "T of the lag"),
     }
     return Step("sections", claims=claims, round=last, omega=omega, several=len(found.rounds) > 1)

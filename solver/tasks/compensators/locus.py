@@ -10,6 +10,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
+from solver.tasks.compensators.refusals import no_lead_on_locus
 from solver.tasks.compensators.specifications import CompensatorOptions, accuracy, written
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def lead_for_a_pole(G: exact.Plant, options: CompensatorOptions) -> Derivation[e
     found = exact.lead_on_locus(G, point)
     yield _angle(G, found.at)
     if isinstance(found, exact.NoLocus):
-        raise Unsolved(f"compensators/locus_{found.why}", missing=found.at.missing, theta=found.at.theta, point=point)
+        raise no_lead_on_locus(found.why, missing=found.at.missing, theta=found.at.theta, point=point)
     at = found.at
     less, more = (sp.N(sp.sin(sp.pi * each / 180), 30) for each in (found.half_less, found.half_more))
     claims = {

@@ -25,7 +25,7 @@ def gains_that_place(G: OpenLoop, kind: str, poles: Sequence[Expr]) -> Derivatio
     found = exact.placed_gains(N, D, s, kind, poles)
     own = exact.polynomial_in(s, found.own)
     wanted = exact.polynomial_in(s, found.wanted)
-    K_p, K_i, K_d = (*found.unknowns, *[sp.Integer(0)] * (3 - len(found.unknowns)))
+    K_p, K_i, K_d = exact.gains_of(found.unknowns)
     top, bottom = (K_p, sp.Integer(1)) if kind == "P" else (K_d * s**2 + K_p * s + K_i, s)
     stated = total(product(bottom, D), number_first(top, N))
     yield Step("polynomial", claims={"own": Claim(stated, own, "the characteristic polynomial")}, s=s, kind=kind)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.calculus import value_at
+from solver.tasks.compensators.refusals import no_ultimate_gain
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -36,7 +37,7 @@ def ultimate_gain_of(G: OpenLoop) -> Derivation[tuple[Expr, Expr]]:
         K=K,
     )
     if found.ultimate is None:
-        raise Unsolved(f"pid_tuning/{found.why}")
+        raise no_ultimate_gain(found.why)
     T = 2 * sp.pi / found.ultimate.frequency
     T = sp.N(T, 30) if T.has(sp.Float) else sp.radsimp(T)
     claim = Claim(quotient(2 * sp.pi, found.ultimate.frequency), T, "the period")

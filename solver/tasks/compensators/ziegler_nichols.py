@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
+from solver.derivation import Claim, Derivation, Step, lemma
 from solver.derivation.figures import Curve, Mark, Plot
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.calculus import derivative, value_at
 from solver.stated.limits import limit
+from solver.tasks.compensators.refusals import no_reaction_curve
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -35,7 +36,8 @@ def tuned_by_table(of: str, kind: str, gain: Expr, time: Expr, letters: dict[str
     if rule.derivative is not None and found.T_d is not None:
         claims["T_d"] = Claim(product(rule.derivative, time), found.T_d, "the derivative time")
         claims["K_d"] = Claim(product(K_p, found.T_d), K_d, "the gain of the derivative")
-    yield Step("table", claims=claims, rules=rules, kind=kind, of=of, **letters)
+    values: dict[str, Any] = dict(letters)
+    yield Step("table", claims=claims, rules=rules, kind=kind, of=of, **values)
     return found
 
 
@@ -61,7 +63,7 @@ def reaction_curve_of(G: OpenLoop) -> Derivation[exact.ReactionCurve]:
     """The response to a unit step, its steepest tangent, the slope R and the dead time L; raises Unsolved."""
     found = exact.reaction_curve(G.numerator, G.denominator, G.variable, G.delay)
     if isinstance(found, exact.NoCurve):
-        raise Unsolved(f"pid_tuning/{found.why}")
+        raise no_reaction_curve(found.why)
     t, y, g = found.t, found.y, found.g
     yield Step("curve", claims={"g": Claim(derivative(y, t), g, "the slope of the step response")}, y=y, t=t,
                delay=G.delay)  # fmt: skip

@@ -121,12 +121,16 @@ def ultimate_in_numbers(N: Array, D: Array) -> tuple[float, float]:
 
 def _real_on_the_axis(N: Array, D: Array) -> list[float]:
     """The ω > 0 at which D/N is real, by rising gain."""
-    turned = lambda p: np.array([c * 1j ** (len(p) - 1 - i) for i, c in enumerate(p)])  # noqa: E731 - p(jω) in ω
-    product = np.polymul(turned(D), np.conj(turned(N)))
+    product = np.polymul(_turned(D), np.conj(_turned(N)))
     roots = np.roots(np.trim_zeros(product.imag, "f"))
     found = [float(r.real) for r in roots if abs(r.imag) < 1e-7 * max(1.0, abs(r)) and r.real > 1e-9]
     polished = [_polished(product.imag, omega) for omega in found]
     return sorted(polished, key=lambda omega: abs(np.polyval(D, 1j * omega) / np.polyval(N, 1j * omega)))
+
+
+def _turned(p: Array) -> Array:
+    """p(jω) as a polynomial in ω."""
+    return np.array([c * 1j ** (len(p) - 1 - i) for i, c in enumerate(p)])
 
 
 def _polished(p: Array, x: float) -> float:
