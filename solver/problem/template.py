@@ -15,6 +15,7 @@ OTHER_NAMES = {
     "rest": "equations",
     "gains": "transfer_matrix",
     "path": "transfer_function",
+    "open_loop": "transfer_function",
 }
 
 
@@ -38,7 +39,8 @@ def _quoted(text: str) -> str:
 
 def _system(task: Task[Any, Any]) -> list[str]:
     """Lines that give the example of a kind of system with what the task needs; the rest of it as comments."""
-    needs = {OTHER_NAMES.get(need, need) for need in task.needs}
+    first = next(iter(task.methods.values()))
+    needs = {OTHER_NAMES.get(need, need) for need in task.needs or first.needs}
     continuous = bool(task.methods_for(discrete=False))
     time = "  # time: discrete" if continuous else "  time: discrete"
     if not needs:
