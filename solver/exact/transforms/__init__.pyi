@@ -15,6 +15,7 @@ from solver.exact.transforms.jumps import (
     acting_pieces,
     fitted_constants,
     impulse_balance,
+    jumps_of_inputs,
     right_sides,
     values_after,
 )
@@ -51,6 +52,7 @@ __all__ = [
     "images_of_unknowns",
     "impulse_balance",
     "is_found_otherwise",
+    "jumps_of_inputs",
     "late_image",
     "operators_of",
     "poles_of",

@@ -122,15 +122,15 @@ def read_image(F: sp.Expr, s: sp.Symbol) -> tuple[DelayedImage, ...]:
             delay, factor = _dead_time(each, s)
             marks[delay] = marks.get(delay, sp.Dummy(positive=True))
             marked = marked.xreplace({each: factor * marks[delay]})
-    above, below = sp.fraction(sp.together(marked))
-    if below.has(*marks.values()) if marks else False:
-        raise NotExact("transforms/delay_below", part=F)
     symbols = list(marks.values())
     terms: dict[sp.Expr, sp.Expr] = {}
-    powers = sp.Poly(above, *symbols).terms() if symbols else [((), above)]
-    for exponents, c in powers:
-        delay = sp.expand(sp.Add(*(n * T for n, T in zip(exponents, marks, strict=True))))
-        terms[delay] = terms.get(delay, sp.S.Zero) + c / below
+    for term in sp.Add.make_args(marked):
+        above, below = sp.fraction(sp.together(term))
+        if below.has(*symbols) if symbols else False:
+            raise NotExact("transforms/delay_below", part=F)
+        for exponents, c in sp.Poly(above, *symbols).terms() if symbols else [((), above)]:
+            delay = sp.expand(sp.Add(*(n * T for n, T in zip(exponents, marks, strict=True))))
+            terms[delay] = terms.get(delay, sp.S.Zero) + c / below
     delays = in_order(terms) or sorted(terms, key=lambda T: (T != 0, str(T)))
     found = [DelayedImage(delay, rational_image(terms[delay], s)) for delay in delays]
     return tuple(each for each in found if each.image.numerator != 0) or tuple(found[:1])

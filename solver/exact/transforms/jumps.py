@@ -117,3 +117,14 @@ def fitted_constants(
     if any(solved.residue) or solved.free:
         raise NotExact("differential_equation/singular")
     return {C: tidy(value) for C, value in zip(constants, solved.values, strict=True)}
+
+
+def jumps_of_inputs(operators: Operators, pieces: Mapping[str, Sequence[TransformPiece]], t: sp.Symbol) -> sp.Expr:
+    """Σ q_k (s^{k−1} u(0+) + … + u^{(k−1)}(0+)) of one equation: what the jumps of its inputs at zero bring into it."""
+    s, total = operators.s, sp.S.Zero
+    for j, name in enumerate(operators.inputs):
+        u = next((piece.moved for piece in pieces[name] if piece.delay == 0), sp.S.Zero)
+        for (k,), q in sp.Poly(operators.Q[0, j], s).terms():
+            starts = (sp.diff(u, t, m).xreplace({t: sp.S.Zero}) for m in range(k))
+            total += q * sp.Add(*(s ** (k - 1 - m) * value for m, value in enumerate(starts)))
+    return sp.expand(total)

@@ -11,7 +11,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
 from solver.stated.calculus import integral
 from solver.stated.transforms import inverse_laplace
-from solver.tasks.transforms.back_transform import Names, denominator_in_factors
+from solver.tasks.transforms.back_transform import Names, by_partial_fractions, denominator_in_factors
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 def with_convolution(image: exact.RationalImage, names: Names) -> Derivation[tuple[Expr, Expr]]:
     """The function of time of a product; returns it with the sum of partial fractions. Raises Unsolved."""
     s, t = names.s, names.t
+    if image.proper is not None and not image.direct and len(image.proper.partial_fractions(s)) == 1:
+        return (yield from by_partial_fractions(image, names))  # there is nothing to convolve
     factors = exact.factors_for_convolution(image, s)
     if not factors or image.proper is None:
         raise Unsolved("transforms/no_product", image=image.given, proper=not image.direct)

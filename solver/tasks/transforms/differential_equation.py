@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import transforms as judges
 from solver.tasks.transforms.characteristic import by_characteristic
 from solver.tasks.transforms.equation_question import DifferentialOptions, Question
+from solver.tasks.transforms.transform_mistakes import name_mistakes_of_equations
 from solver.tasks.transforms.transformed_equations import by_laplace, told
 from solver.words import Phrase, Reason, formula
 
@@ -98,3 +99,6 @@ def satisfies_the_equations(given: Given[Equations, DifferentialOptions], answer
             yield numeric.check_claim(Claim(left, right), label)
     except numeric.NotEvaluable as refusal:
         yield Check.skipped("the equations", "Gauss–Legendre quadrature", refusal.reason)
+
+
+name_mistakes_of_equations(differential_equation)

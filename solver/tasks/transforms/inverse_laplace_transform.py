@@ -21,6 +21,7 @@ from solver.tasks.transforms.back_transform import (
 )
 from solver.tasks.transforms.by_convolution import with_convolution
 from solver.tasks.transforms.by_residues import with_residues
+from solver.tasks.transforms.transform_mistakes import name_mistakes_of_functions
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -125,3 +126,6 @@ def adds_up_to_the_image(given: Given[StateSpace, InverseLaplaceOptions], answer
     """The sum is F at random s."""
     claim = Claim(answers["partial_fractions"], given.options.F)
     yield numeric.check_claim(claim, "the partial fractions add up to $F(s)$")
+
+
+name_mistakes_of_functions(inverse_laplace_transform)

@@ -15,6 +15,8 @@ from solver.options.expression import Expression
 from solver.stated.algebra import total
 from solver.tasks.transforms.back_transform import Names
 from solver.tasks.transforms.forward import transformed
+from solver.tasks.transforms.transform_mistakes import name_mistakes_of_images
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -41,6 +43,12 @@ laplace_transform: Task[StateSpace, LaplaceOptions] = Task(
     answers=[AnswerName("F", "F", "the transform", principal=True, earned=("by_rules", "late", "table", "impulse"))],
 )
 
+OWN_WORDS = {
+    "signals/not_real": "transforms/function_not_real",
+    "signals/no_rational_transform": "transforms/no_rule",
+}
+"""Reasons that speak of inputs, and what is said of a function."""
+
 RULES = ("linearity", "constant", "power", "exponential", "cos", "sin", "cosh", "sinh", "damping", "derivative",
          "delay", "impulse", "sifting")  # fmt: skip
 """The lines of the table of rules, in the order in which it has them."""
@@ -52,7 +60,12 @@ def no_rational_transform(_system: Any, options: LaplaceOptions) -> Iterable[Ref
     try:
         exact.transform_pieces(options.f, sp.Symbol("t"))
     except exact.NotExact as failure:
-        yield "f", failure.reason
+        own = {
+            "signals/not_real": "transforms/function_not_real",
+            "signals/no_rational_transform": "transforms/no_rule",
+        }
+        kind = failure.reason.kind
+        yield "f", Reason(own.get(kind, kind), failure.reason.values)
 
 
 @laplace_transform.method(source="Nise, Control Systems Engineering, §2.2", time="continuous")
@@ -81,3 +94,6 @@ def is_the_integral(given: Given[StateSpace, LaplaceOptions], answers: Answers) 
         yield numeric.check_claim(Claim(answers["F"], judges.transform_of(f, t, s)), label)
     except numeric.NotEvaluable as refusal:
         yield Check.skipped(label, "Gauss–Legendre quadrature", refusal.reason)
+
+
+name_mistakes_of_images(laplace_transform)
