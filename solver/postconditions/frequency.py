@@ -131,5 +131,50 @@ def of_phase_crossings(found: Any, L: Any, degrees: Any) -> Iterator[Check]:
         yield Check.that("the phase at a frequency", "mpmath", judges.has_phase(loop, omega, degrees))
 
 
+def of_resonance(found: Any, L: Any) -> Iterator[Claim | Check]:
+    """The largest magnitude of samples, refined; the slope of |T|² is zero at the roots of the polynomial."""
+    loop = _loop(L)
+    if found is None:
+        yield Check.that("no largest magnitude", "samples", judges.has_no_peak(loop))
+        return
+    peak = judges.peak_of(loop)
+    yield Check.that("whether there is a peak", "samples", (peak is None) == (found.peak is None))
+    if peak is not None and found.peak is not None:
+        each = found.peak
+        yield Check.within("the place of the peak", "samples, refined", judges.list_residual(
+            [peak], [each.omega]), 1e-8)  # fmt: skip
+        yield _is_there(loop, each, sizes=None)
+    flat = judges.are_flat(loop, found.stationary, found.polynomial.as_expr(), found.polynomial.gen)
+    yield Check.that("where the magnitude has no slope", "mpmath", flat)
+
+
+def of_bandwidth(found: Any, L: Any) -> Iterator[Claim | Check]:
+    """The level is |T(0)|/√2, and the magnitude falls to it there for the first time."""
+    loop = _loop(L)
+    if found is None:
+        yield Check.that("T(0) is zero or infinite", "compared", not loop.at_rest or abs(loop.at_rest) == sp.oo)
+        return
+    level = abs(loop.at_rest) / judges.decimal(sp.sqrt(2))
+    yield Check.within("the level", "mpmath", judges.list_residual([level], [found.level]), NEAR)
+    first = loop.gain_crossovers(level)[:1]
+    yield _are(first, [] if found.omega is None else [found.omega])
+    fits = judges.is_size_equation(loop, found.polynomial.as_expr(), found.polynomial.gen, found.level)
+    yield Check.that("the equation", "samples", fits)
+
+
+def of_phase_function(found: Any, L: Any, omega: Any) -> Iterator[Check]:
+    """The phase at several frequencies, up to full turns."""
+    loop = _loop(L)
+    for at in ("0.029", "0.37", "1.9", "23"):
+        value = found.subs(omega, sp.Float(at, 40))
+        yield Check.that("the phase at a frequency", "mpmath", judges.has_phase(loop, sp.Float(at, 40), value))
+
+
+def of_sinusoid(found: Any, u: Any, t: Any) -> Iterator[Claim | Check]:
+    """The two amplitudes make up the signal."""
+    if found is not None:
+        yield Claim(found.cosine * sp.cos(found.omega * t) + found.sine * sp.sin(found.omega * t), u)
+
+
 def _are(wanted: Iterable[Any], found: Iterable[Any]) -> Check:
     return Check.within("all crossings", ORACLE, judges.list_residual(list(wanted), list(found)), NEAR)

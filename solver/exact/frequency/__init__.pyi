@@ -6,16 +6,29 @@ from solver.exact.frequency.encirclements import Arc, Encirclements, encirclemen
 from solver.exact.frequency.following import phase_crossings
 from solver.exact.frequency.margins import Margins, in_decibels, margins_of, phase_margin_of
 from solver.exact.frequency.real_axis import PhaseCrossovers, phase_crossovers
+from solver.exact.frequency.resonance import (
+    Bandwidth,
+    Resonance,
+    Sinusoid,
+    bandwidth,
+    phase_function,
+    resonance,
+    sinusoid,
+)
 
 __all__ = [
     "Angle",
     "Arc",
+    "Bandwidth",
     "Crossover",
     "Encirclements",
     "GainCrossovers",
     "Margins",
     "OnAxis",
     "PhaseCrossovers",
+    "Resonance",
+    "Sinusoid",
+    "bandwidth",
     "encirclements",
     "gain_crossovers",
     "in_decibels",
@@ -23,5 +36,8 @@ __all__ = [
     "on_axis",
     "phase_crossings",
     "phase_crossovers",
+    "phase_function",
     "phase_margin_of",
+    "resonance",
+    "sinusoid",
 ]

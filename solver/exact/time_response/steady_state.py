@@ -39,7 +39,7 @@ def steady_state(G: sp.Expr, u: sp.Expr, y: sp.Expr, t: sp.Symbol, *, discrete: 
         wave, response = read_signal(u, t, discrete=discrete), read_signal(y, t, discrete=discrete)
     except NotExact:
         return None
-    found = _wave(wave, discrete=discrete)
+    found = wave_of(wave, discrete=discrete)
     if found is None:
         return None
     omega, cosine, sine = found
@@ -62,7 +62,7 @@ def steady_state(G: sp.Expr, u: sp.Expr, y: sp.Expr, t: sp.Symbol, *, discrete: 
     return SteadyState(omega, a + sp.I * b, magnitude, argument, output, given, sp.expand(forced), transient, settles)
 
 
-def _wave(u: Signal, *, discrete: bool) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
+def wave_of(u: Signal, *, discrete: bool) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
     """Return ω, α and β of u = α cos ωt + β sin ωt, t ≥ 0; None for other signals."""
     steady = int(discrete)
     if u.impulses or not u.terms:

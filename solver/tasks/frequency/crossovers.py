@@ -27,7 +27,7 @@ def formula_of(L: exact.OnAxis) -> Expr:
 @lemma("crossovers")
 def crossovers_of(L: exact.OnAxis) -> Derivation[exact.Margins]:
     """Where |L| = 1 with the phases there, where L is negative, and the margins of those nearest to −1."""
-    yield _on_axis(L)
+    yield from on_axis_of(L)
     found = exact.margins_of(L)
     yield _gain_crossovers(L, found)
     several = len(found.gains.found) > 1
@@ -36,6 +36,12 @@ def crossovers_of(L: exact.OnAxis) -> Derivation[exact.Margins]:
     yield _late_crossovers(L, found) if L.late else _phase_crossovers(L, found)
     yield _gain_margin(found)
     return found
+
+
+@lemma("crossovers")
+def on_axis_of(L: exact.OnAxis, name: str = "L") -> Derivation[None]:
+    """Put s = jω: real and imaginary part of numerator and denominator, and the squares of their sizes."""
+    yield _on_axis(L, name)
 
 
 def _even_odd(L: exact.OnAxis) -> dict[str, tuple[Expr, Expr]]:
@@ -48,7 +54,7 @@ def _even_odd(L: exact.OnAxis) -> dict[str, tuple[Expr, Expr]]:
     }
 
 
-def _on_axis(L: exact.OnAxis) -> Step:
+def _on_axis(L: exact.OnAxis, name_of_L: str) -> Step:
     """N(jω) and D(jω) with their real and imaginary parts, and the squares of their sizes."""
     s, omega, claims = L.variable, sp.Symbol("omega"), {}
     for name, (real, imaginary) in _even_odd(L).items():
@@ -61,7 +67,7 @@ def _on_axis(L: exact.OnAxis) -> Step:
             stated = total(*squares) if len(squares) > 1 else squares[0]
             claims[f"{name}_size"] = Claim(stated, size, Phrase("$|{name}(j\\omega)|^2$", name=name))
     return Step("on_axis", claims=claims, unclaimed="" if claims else "L is a constant", L=formula_of(L), s=s,
-                N=L.N.as_expr(), D=L.D.as_expr(), delay=L.delay)  # fmt: skip
+                N=L.N.as_expr(), D=L.D.as_expr(), delay=L.delay, name=name_of_L)  # fmt: skip
 
 
 def _gain_crossovers(L: exact.OnAxis, found: exact.Margins) -> Step:
@@ -197,4 +203,4 @@ def _gain_margin(found: exact.Margins) -> Step:
     )
 
 
-__all__ = ["angle_rows", "approximation", "crossovers_of", "formula_of"]
+__all__ = ["angle_rows", "approximation", "crossovers_of", "formula_of", "on_axis_of"]

@@ -1,16 +1,19 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.frequency.crossings import (
+    are_flat,
     are_half_turns,
     decimal,
     direction,
     fits,
+    has_no_peak,
     has_phase,
     is_everywhere,
     is_real,
     is_size_equation,
     is_slope_equation,
     list_residual,
+    peak_of,
 )
 from solver.numeric.judges.frequency.loops import (
     NumericLoop,
@@ -22,15 +25,21 @@ from solver.numeric.judges.frequency.loops import (
     roots_outside,
     unstable_poles,
 )
+from solver.numeric.judges.frequency.responses import ClosedResponse, closed_response, frequencies_asked
 
 __all__ = [
+    "ClosedResponse",
     "NumericLoop",
     "NumericMargins",
+    "are_flat",
     "are_half_turns",
     "closed_loop_poles",
+    "closed_response",
     "decimal",
     "direction",
     "fits",
+    "frequencies_asked",
+    "has_no_peak",
     "has_phase",
     "is_everywhere",
     "is_real",
@@ -40,6 +49,7 @@ __all__ = [
     "margin_residual",
     "numeric_loop",
     "numeric_margins",
+    "peak_of",
     "roots_outside",
     "unstable_poles",
 ]

@@ -116,6 +116,55 @@ def are_half_turns(numerator: Any, denominator: Any, s: Any, found: Sequence[tup
     return all(any(abs(z.imag - float(omega)) < 1e-3 * (1 + abs(z)) for z in on) for omega, _ in found)
 
 
+def _sampled(loop: NumericLoop) -> tuple[Any, Any]:
+    """Frequencies, close about the roots, and magnitudes."""
+    roots = [abs(z) for p in (loop.N, loop.D) for z in np.roots([float(c) for c in p]) if abs(z)] or [1.0]
+    close = [r * (1 + d) for r in roots for d in np.linspace(-0.05, 0.05, 401)]
+    omega = np.unique([*np.geomspace(min(roots) / 1e4, max(roots) * 1e4, 8000), *close])
+    return omega, np.abs(loop.values(omega))
+
+
+def peak_of(loop: NumericLoop) -> Any:
+    """The frequency of the largest magnitude; None where it is largest at an end."""
+    omega, sizes = _sampled(loop)
+    i = int(np.argmax(sizes))
+    if i in (0, len(omega) - 1):
+        return None
+    with mpmath.workdps(WORKING):
+        a, b = mpmath.mpf(omega[i - 1]), mpmath.mpf(omega[i + 1])
+        step = mpmath.mpf(10) ** -12
+        for _ in range(90):
+            w = (a + b) / 2
+            rises = abs(loop.value(w * (1 + step))) > abs(loop.value(w * (1 - step)))
+            a, b = (w, b) if rises else (a, w)
+        top = abs(loop.value(a))
+        ends = [abs(loop.at_rest), abs(loop.value(mpmath.mpf(omega[-1])))]
+        return a if top > max(ends) * (1 + mpmath.mpf(10) ** -11) else None
+
+
+def has_no_peak(loop: NumericLoop) -> bool:
+    """Whether the magnitude grows without bound somewhere, or does not change."""
+    _, sizes = _sampled(loop)
+    return bool(
+        np.max(sizes) > 1e3 * np.median(sizes) or not np.all(np.isfinite(sizes)) or np.ptp(sizes) < 1e-9 * np.max(sizes)
+    )
+
+
+def are_flat(loop: NumericLoop, found: Sequence[Any], p: Any, w: Any) -> bool:
+    """Whether the slope of |L| is zero at these frequencies, which are all positive roots of a polynomial in ω²."""
+    with mpmath.workdps(WORKING):
+        for omega in map(decimal, found):
+            step = omega * mpmath.mpf(10) ** -10
+            rise = abs(loop.value(omega + step)) - abs(loop.value(omega - step))
+            if abs(rise) > mpmath.mpf(10) ** -15 * abs(loop.value(omega)):
+                return False
+        listed = [decimal(c) for c in sp.Poly(p, w).all_coeffs()]
+        zeros = np.roots([float(c / max(map(abs, listed))) for c in listed])
+        positive = [z for z in zeros if abs(z.imag) < 1e-6 * (1 + abs(z)) and z.real > 1e-12]
+        distinct = [z for i, z in enumerate(positive) if all(abs(z - other) > 1e-5 * abs(z) for other in positive[:i])]
+        return len(distinct) == len(found)
+
+
 def _vanishes(p: Any, s: Any, z: complex) -> bool:
     """Whether a polynomial is zero where the axis is nearest to a rough root."""
     even, odd = (sp.Poly(part, s) for part in (p + p.subs(s, -s), p - p.subs(s, -s)))
@@ -127,6 +176,17 @@ def _vanishes(p: Any, s: Any, z: complex) -> bool:
 
 
 __all__ = [
-    "are_half_turns", "decimal", "direction", "fits", "has_phase", "is_everywhere", "is_real", "is_size_equation",
-    "is_slope_equation", "list_residual",
+    "are_flat",
+    "are_half_turns",
+    "decimal",
+    "direction",
+    "fits",
+    "has_no_peak",
+    "has_phase",
+    "is_everywhere",
+    "is_real",
+    "is_size_equation",
+    "is_slope_equation",
+    "list_residual",
+    "peak_of",
 ]  # fmt: skip

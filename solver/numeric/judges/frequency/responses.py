@@ -1,0 +1,156 @@
+"""Frequency responses judged by values of C G/(1 + C G H) at jω."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from solver.numeric.judges.frequency.crossings import decimal
+from solver.numeric.judges.frequency.loops import WORKING
+
+POINTS = ("0.0173", "0.29", "0.83", "1.37", "2.9", "7.7", "31.3", "190.7")
+"""Frequencies at which functions of ω are compared."""
+SAMPLES = 4000
+WRONG = float("inf")
+
+
+@dataclass(frozen=True)
+class ClosedResponse:
+    """T by its factors: formulas in s and the dead time T of the plant."""
+
+    C: Any
+    G: Any
+    H: Any
+    s: Any
+    delay: Any
+
+    @cached_property
+    def _function(self) -> Callable[[Any], Any]:
+        parts = [sp.lambdify(self.s, each, "mpmath") for each in (self.C, self.G, self.H)]
+        late = decimal(self.delay)
+
+        def value(omega: Any) -> Any:
+            at = mpmath.mpc(0, omega)
+            C, G, H = (part(at) for part in parts)
+            forward = C * G * mpmath.exp(-at * late)
+            return forward / (1 + forward * H)
+
+        return value
+
+    def value(self, omega: Any) -> Any:
+        """T(jω), 40 digits."""
+        with mpmath.workdps(WORKING):
+            return self._function(omega)
+
+    def magnitude_residual(self, found: Any, at: Any) -> float:
+        """How far a number, or a function of omega, is from |T(jω)|."""
+        return self._worst(found, at, lambda value, own: abs(own - abs(value)) / (1 + abs(value)))
+
+    def phase_residual(self, found: Any, at: Any) -> float:
+        """How far a number of degrees, or a function, is from the phase, up to full turns."""
+
+        def away(value: Any, own: Any) -> Any:
+            gap = own - mpmath.degrees(mpmath.arg(value))
+            return abs(gap - 360 * mpmath.nint(gap / 360)) / 180
+
+        return self._worst(found, at, away)
+
+    def _worst(self, found: Any, at: Any, away: Callable[[Any, Any], Any]) -> float:
+        worst = 0.0
+        with mpmath.workdps(WORKING):
+            for point in POINTS if at is None else (at,):
+                omega = mpmath.mpf(point) if isinstance(point, str) else decimal(point)
+                own = found.subs(sp.Symbol("omega"), sp.Float(str(omega), WORKING))
+                if own.free_symbols or own.has(sp.zoo, sp.nan, sp.oo):
+                    return WRONG
+                worst = max(worst, float(away(self.value(omega), mpmath.re(mpmath.mpmathify(sp.N(own, WORKING))))))
+        return worst
+
+    def steady_residual(self, y: Any, u: Any) -> float:
+        """How far y(t) is from Im or Re of T(jω) e^{jωt}, by the input's amplitudes at two moments."""
+        t = sp.Symbol("t")
+        omega = frequencies_asked(u, None)
+        if omega is None or y.free_symbols - {t}:
+            return WRONG
+        with mpmath.workdps(WORKING):
+            w = decimal(omega)
+            cosine = decimal(u.subs(t, 0))
+            sine = decimal(u.subs(t, sp.pi / (2 * omega)))
+            value, worst = self.value(w), 0.0
+            for moment in ("0.11", "0.73", "1.9", "4.7"):
+                at = mpmath.mpf(moment)
+                turned = value * mpmath.exp(mpmath.mpc(0, w * at))
+                wanted = cosine * mpmath.re(turned) + sine * mpmath.im(turned)
+                own = decimal(y.subs(t, sp.Float(moment, WORKING)))
+                worst = max(worst, float(abs(wanted - own) / (abs(value) * (abs(cosine) + abs(sine)))))
+        return worst
+
+    @cached_property
+    def _samples(self) -> tuple[Any, Any]:
+        """Frequencies and magnitudes, in doubles."""
+        whole = sp.fraction(sp.cancel(sp.together(self.C * self.G / (1 + self.C * self.G * self.H))))
+        roots = [
+            abs(z) for p in whole for z in np.roots([complex(c) for c in sp.Poly(p, self.s).all_coeffs()]) if abs(z)
+        ]
+        scale = (min(roots), max(roots)) if roots else (1.0, 1.0)
+        close = [abs(z) * (1 + d) for z in roots for d in np.linspace(-0.05, 0.05, 201)]
+        omega = np.unique([*np.geomspace(scale[0] / 1e4, scale[1] * 1e4, SAMPLES), *close])
+        return omega, np.array([float(abs(self._function(mpmath.mpf(w)))) for w in omega])
+
+    def peak(self) -> tuple[Any, Any, Any] | None:
+        """The frequency of the largest magnitude, that, and the phase; None where it is largest at an end."""
+        omega, sizes = self._samples
+        i = int(np.argmax(sizes))
+        if i in (0, len(omega) - 1):
+            return None
+        with mpmath.workdps(WORKING):
+            a, b = mpmath.mpf(omega[i - 1]), mpmath.mpf(omega[i + 1])
+            step = mpmath.mpf(10) ** -12
+
+            def slope(w: Any) -> Any:
+                return abs(self.value(w * (1 + step))) - abs(self.value(w * (1 - step)))
+
+            for _ in range(90):
+                middle = (a + b) / 2
+                a, b = (middle, b) if slope(middle) > 0 else (a, middle)
+            value = self.value(a)
+            return a, abs(value), mpmath.degrees(mpmath.arg(value))
+
+    def bandwidth(self) -> Any:
+        """The first frequency where the magnitude has fallen to 1/√2 of that at 0; None if it never does."""
+        omega, sizes = self._samples
+        with mpmath.workdps(WORKING):
+            level = abs(self.value(mpmath.mpf(omega[0]) * mpmath.mpf(10) ** -14)) / mpmath.sqrt(
+                2
+            )  # G may have a pole at 0
+            below = np.flatnonzero(sizes < float(level))
+            if not len(below) or below[0] == 0:
+                return None
+            a, b = mpmath.mpf(omega[below[0] - 1]), mpmath.mpf(omega[below[0]])
+            for _ in range(120):
+                middle = (a + b) / 2
+                a, b = (middle, b) if abs(self.value(middle)) > level else (a, middle)
+            return a
+
+
+def closed_response(C: Any, G: Any, H: Any, s: Any, delay: Any) -> ClosedResponse:
+    """Return T = C G e^{−Ts}/(1 + C G e^{−Ts} H)."""
+    return ClosedResponse(sp.sympify(C), sp.sympify(G), sp.sympify(H), s, sp.sympify(delay))
+
+
+def frequencies_asked(u: Any, omega: Any) -> Any:
+    """The frequency of a question: that of its input; None for a function."""
+    if u is None:
+        return omega
+    t = sp.Symbol("t")
+    angles = {abs(each.args[0].coeff(t)) for each in u.atoms(sp.cos, sp.sin)}
+    return angles.pop() if len(angles) == 1 else None
+
+
+__all__ = ["ClosedResponse", "closed_response", "frequencies_asked"]
