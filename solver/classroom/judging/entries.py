@@ -49,6 +49,8 @@ def same(each: Submitted, value: Any) -> bool:
         if isinstance(each.value, sp.MatrixBase) and isinstance(value, sp.MatrixBase):
             pairs = zip(each.form.flat(), value.flat(), strict=False)
             return each.value.shape == value.shape and all(_agrees(each, form, mine) for form, mine in pairs)
+        if isinstance(each.value, Mapping) and isinstance(value, Mapping):
+            return _same_item(each, each.form, value)
         entries = _compared(each, value, ordered=False)
     except numeric.NotEvaluable:
         return False

@@ -78,7 +78,7 @@ def _leading_to(
 
 def _telling(value: Any) -> bool:
     """Whether a mistake would hardly give the value by chance, as it would yes, no, or a rank."""
-    if isinstance(value, list):
+    if isinstance(value, list | Mapping):
         return bool(value)
     return isinstance(value, sp.MatrixBase) or (is_scalar(value) and not value.is_Integer)
 
