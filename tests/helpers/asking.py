@@ -14,6 +14,11 @@ from solver.problem.template import new_problem
 from solver.systems import StateSpace
 from solver.tasks import catalogue
 
+COMPENSATED = {
+    "error": sp.Rational(1, 20),
+    "phase_margin": sp.Integer(50),
+    "poles": (-2 + 2 * sp.I, -2 - 2 * sp.I),
+}
 EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
     "desired_poles": {"damping_ratio": sp.Rational(1, 2), "settling_time": sp.Integer(4)},
     "pole_placement": {"poles": (sp.Integer(-1), sp.Integer(-2))},
@@ -32,6 +37,8 @@ EXAMPLE_OPTIONS: dict[str, dict[str, Any]] = {
         "observer_poles": (sp.Integer(-4), sp.Integer(-5)),
     },
     "steady_state_error": {"reference": sp.Integer(1), "feedback": sp.Integer(1)},
+    "pid_tuning": {"controller_type": "PID", "poles": tuple(map(sp.Integer, (-1, -2, -3)))},
+    **dict.fromkeys(("lead_compensator", "lag_compensator", "lead_lag_compensator"), COMPENSATED),
     "response": {"kind": "zero_state", "input": (sp.Integer(1),)},
 }
 """Options that suit most plants, for tasks that cannot be asked without them; used where all tasks are tried."""

@@ -88,6 +88,8 @@ def _without_controller(question: judges.CompensatorQuestion, answers: Answers) 
                 NEAR,
                 answer=name,
             )
+        elif name in ("T", "alpha") and not judges.fits_the_sections(question, value):
+            yield Check.that("a value for each section", "counted", False, answer=name)
         else:
             yield Check.skipped(name, "numpy.roots", TOGETHER, answer=name)
 

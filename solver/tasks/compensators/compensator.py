@@ -81,7 +81,7 @@ def _check(
     pictures: tuple[Any, ...] = bode_figure(
         "The loop with the compensator and with its gain alone", *loops, margins=found
     )
-    if options.poles is not None:
+    if before is None:
         roots_found = exact.closed_by((top, bottom), (G.numerator, G.denominator), G.s).poles
         caption = "The poles of the closed loop, and those asked for"
         pictures = plane(caption, roots("poles", roots_found), roots("asked for", options.poles, "square"))
@@ -91,9 +91,9 @@ def _check(
         unclaimed="" if claims else "there is no crossover",
         crossover=crossover,
         margin=found.phase_margin,
-        asked=_asked(options),
+        asked=_asked(options) if before is not None else {},
         asked_error=options.error,
-        pair=_pair(G, loop, options),
+        pair=_pair(G, loop, options) if before is None else None,
         constant=constant_of(G, loop, options),
         error=error,
         stable=loop.stable,
@@ -102,10 +102,8 @@ def _check(
     )
 
 
-def _pair(G: exact.Plant, loop: exact.Compensated, options: CompensatorOptions) -> dict[str, Any] | None:
+def _pair(G: exact.Plant, loop: exact.Compensated, options: CompensatorOptions) -> dict[str, Any]:
     """The pole asked for, the pole of the loop next to it, and the others but for its conjugate."""
-    if options.poles is None:
-        return None
     C = exact.compensator_parts(loop.K, loop.sections, G.s)
     poles = exact.closed_by(C, (G.numerator, G.denominator), G.s).poles
     wanted = upper(options.poles)

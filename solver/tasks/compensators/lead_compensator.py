@@ -82,6 +82,6 @@ def by_the_root_locus(given: Given[OpenLoop, CompensatorOptions]) -> Derivation[
     error = error_of(G, found.loop, options)
     if constant is not None and constant[2] < constant[1]:
         raise Unsolved("compensators/constant_not_met", name=constant[0], wanted=constant[1], found=constant[2])
-    if error is not None and options.error is not None and error > options.error:
+    if error is not None and options.error is not None and abs(error) > options.error:
         raise Unsolved("compensators/constant_not_met", name="error", wanted=options.error, found=error)
     return (yield from checked(G, found.loop, None, options))

@@ -17,8 +17,10 @@ if TYPE_CHECKING:
     from sympy import Expr
 
 
-def upper(poles: tuple[Expr, ...]) -> Expr:
-    """Return the pole of the pair above the real axis."""
+def upper(poles: tuple[Expr, ...] | None) -> Expr:
+    """Return the pole of the pair above the real axis; raises Unsolved where none is asked for."""
+    if not poles:
+        raise Unsolved("compensators/no_poles")
     return next(pole for pole in poles if sp.im(sp.N(pole)) > 0)
 
 

@@ -138,6 +138,8 @@ def by_placing_the_poles(given: Given[OpenLoop, PidOptions]) -> Derivation[Answe
     G, kind, poles = given.system, given.options.controller_type, given.options.poles
     if G.delay != 0:
         raise Unsolved("pid_tuning/dead_time")
+    if not poles:
+        raise Unsolved("pid_tuning/no_poles")
     n = sp.degree(G.denominator, G.variable) + (kind != "P")
     if len(poles) != n:
         raise Unsolved("pid_tuning/number_of_poles", kind=kind, n=n, count=len(poles))
@@ -170,7 +172,9 @@ def are_those_of_the_method(given: Given[Any, PidOptions], answers: Answers) -> 
 
 
 def _question(given: Given[Any, PidOptions]) -> judges.PidQuestion:
-    options, method = given.options, given.method or "ziegler_nichols_ultimate"
+    options = given.options
+    implied = "pole_placement" if options.poles else "ziegler_nichols_step" if is_measured(options) else ""
+    method = given.method or implied or "ziegler_nichols_ultimate"
     if method == "ziegler_nichols_step" and is_measured(options):
         R, L = options.slope, options.dead_time
         return judges.PidQuestion(method, options.controller_type, variable=sp.Symbol("s"), slope=R, dead_time=L)

@@ -5,6 +5,7 @@ from solver.numeric.judges.compensators.compensators import (
     compensator_residual,
     controller_from,
     faults_of,
+    fits_the_sections,
     least_gain_residual,
 )
 from solver.numeric.judges.compensators.pid import PidQuestion, pid_residual
@@ -15,6 +16,7 @@ __all__ = [
     "compensator_residual",
     "controller_from",
     "faults_of",
+    "fits_the_sections",
     "least_gain_residual",
     "pid_residual",
 ]

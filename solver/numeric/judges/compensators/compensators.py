@@ -77,6 +77,11 @@ def controller_from(K: Any, T: Any, alpha: Any, s: Any) -> Any:
     return K * sp.Mul(*((a * s + 1) / (b * a * s + 1) for a, b in zip(times, ratios, strict=True)))
 
 
+def fits_the_sections(question: CompensatorQuestion, value: Any) -> bool:
+    """Whether there is one value for each section."""
+    return isinstance(value, list | tuple) and len(value) == 2 if question.kind == "lead_lag" else bool(value)
+
+
 @lru_cache(maxsize=32)
 def _numbers(question: CompensatorQuestion, controller: Any) -> Numbers:
     s = question.variable
@@ -186,8 +191,9 @@ def _is_accurate(question: CompensatorQuestion, loop: Numbers) -> bool:
     assert question.accuracy is not None  # noqa: S101 - the caller has seen to it
     name, value = question.accuracy
     limit = _limit(loop.N, loop.D, POWERS[name])
-    wanted = 1 / _value(value) - 1 if name == "error" else _value(value)
-    return bool(limit >= wanted * (1 - SLIGHT))
+    if name == "error":
+        return bool(abs(1 / (1 + limit)) <= _value(value) * (1 + SLIGHT))
+    return bool(limit >= _value(value) * (1 - SLIGHT))
 
 
 def _has_poles(question: CompensatorQuestion, loop: Numbers) -> bool:
