@@ -87,3 +87,23 @@ def of_damped_frequency(found: Any, damping: Any) -> Iterator[Claim]:
     """ω_d² = ω_n² − (ζω_n)²."""
     if found is not None:
         yield Claim(found**2, damping.square - damping.twice**2 / 4, "the damped frequency")
+
+
+def of_step_events(found: Any, response: Any, band: Any, *, whole: bool) -> Iterator[Claim | Check]:
+    """The times and shares are those of the response by matrix exponentials, searched and refined."""
+    system = response.system
+    plant = (system.A, system.B, system.C, system.D if system.D is not None else sp.zeros(1, 1))
+    asked = judges.Specification(sp.Integer(0), sp.sympify(band), whole)
+    judged = {
+        "final_value": found.final,
+        "settling_time": found.settling,
+        "rise_time": found.rise.time,
+        "overshoot": sp.Integer(0) if found.peak is None else found.peak.share - 1,
+        **({} if found.peak is None else {"peak_time": found.peak.time}),
+    }
+    for name, value in judged.items():
+        check = partial(judges.specification_residual, plant, asked, name, value)
+        yield numeric.check_residual(f"the {name.replace('_', ' ')} of the response", "scipy.linalg.expm", check)
+    if found.under is not None:
+        fault = judges.undershoot_residual(plant, found.under.time, found.under.share)
+        yield Check.within("the undershoot of the response", "scipy.linalg.expm", fault, 1e-9)

@@ -19,14 +19,18 @@ from solver.exact.classical.factors import (
     real_factors,
     value_at_zero,
 )
+from solver.exact.classical.step_events import Extreme, Rise, StepEvents, step_events
 
 __all__ = [
     "Cases",
     "Damping",
     "Decay",
+    "Extreme",
     "Mode",
     "NoFrequency",
     "PoleZeroForm",
+    "Rise",
+    "StepEvents",
     "ValueAtZero",
     "damped_frequency",
     "damping_cases",
@@ -37,5 +41,6 @@ __all__ = [
     "pole_zero_factors",
     "poles_of_damping",
     "real_factors",
+    "step_events",
     "value_at_zero",
 ]

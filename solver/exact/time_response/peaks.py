@@ -121,7 +121,7 @@ def _best(y: sp.Expr, t: sp.Symbol, flat: Stationary, bound: float) -> Peak | No
 def _searched(image: RationalMatrix) -> list[sp.Expr]:
     """The zeros of the slope between samples, in decimals; the largest value is at one of them."""
     with mpmath.workdps(DIGITS + 15):
-        modes = _modes(image)
+        modes = modes_of(image)
     rates = [-m.real for m, _, _ in modes if m.real < 0]
     last = LATEST / min(rates) if rates else 0.0
     fastest = max((abs(m) for m, _, _ in modes), default=1.0)
@@ -143,21 +143,21 @@ def _slope(modes: Sequence[tuple[Any, int, Any]]) -> Callable[[float], float]:
 
     def at(t: float) -> float:
         total = sum(a * exp(m * t) for m, a in real) + sum((a * cmath.exp(m * t)).real for m, a in turning)
-        return total + (float(_value(others, t, 1, cmath.exp)) if others else 0.0)
+        return total + (float(value_of_modes(others, t, 1, cmath.exp)) if others else 0.0)
 
     return at
 
 
 def _refined(modes: Sequence[tuple[complex, int, Any]], a: float, b: float) -> sp.Expr:
     with mpmath.workdps(DIGITS + 15):
-        slope = partial(_value, modes, order=1, exponential=mpmath.exp)
+        slope = partial(value_of_modes, modes, order=1, exponential=mpmath.exp)
         root = mpmath.findroot(
             slope, (a, b), solver="anderson", tol=mpmath.mpf(10) ** (-4 * DIGITS), maxsteps=200, verify=False
         )
         return sp.Float(root, DIGITS)
 
 
-def _modes(image: RationalMatrix) -> list[tuple[Any, int, Any]]:
+def modes_of(image: RationalMatrix) -> list[tuple[Any, int, Any]]:
     """λ, j and the coefficient of t^{j−1}/(j−1)! e^{λt}, in numbers."""
     found = []
     for each, order in image.poles:
@@ -169,7 +169,7 @@ def _modes(image: RationalMatrix) -> list[tuple[Any, int, Any]]:
     return found
 
 
-def _value(modes: Sequence[tuple[Any, int, Any]], t: Any, order: int, exponential: Callable[[Any], Any]) -> Any:
+def value_of_modes(modes: Sequence[tuple[Any, int, Any]], t: Any, order: int, exponential: Callable[[Any], Any]) -> Any:
     """The derivative of an order (0 or 1) of the sum of the modes, in the arithmetic of `exponential`."""
     total: Any = 0
     for value, j, c in modes:

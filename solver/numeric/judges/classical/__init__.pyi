@@ -8,9 +8,15 @@ from solver.numeric.judges.classical.damping import (
     natural_frequency_residual,
 )
 from solver.numeric.judges.classical.poles import shown_poles, time_constants_residual
+from solver.numeric.judges.classical.step_responses import (
+    Specification,
+    specification_residual,
+    undershoot_residual,
+)
 from solver.numeric.judges.classical.values import dc_gain_residual, leading_gain_residual
 
 __all__ = [
+    "Specification",
     "cases_fault",
     "critical_residual",
     "damping_ratio_residual",
@@ -19,5 +25,7 @@ __all__ = [
     "leading_gain_residual",
     "natural_frequency_residual",
     "shown_poles",
+    "specification_residual",
     "time_constants_residual",
+    "undershoot_residual",
 ]

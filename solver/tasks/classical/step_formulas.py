@@ -1,0 +1,112 @@
+"""The specifications of a step response by the formulas of second order, as a lemma."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Answers, Claim, Derivation, Step, Unsolved, lemma
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.stated.algebra import quotient
+from solver.tasks.classical.step_figure import specified_figure
+from solver.tasks.classical.step_measures import events_of, level_claims, response_of
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+    from solver.tasks.classical.paths import Path
+    from solver.tasks.classical.step_specifications import StepOptions
+
+BANDS = {"2%": 4, "5%": 3}
+"""ζω_n times the settling time."""
+
+
+@lemma("step_formulas")
+def by_second_order(path: Path, options: StepOptions) -> Derivation[Answers]:
+    """Each specification by its formula in ζ and ω_n; raises Unsolved where the formulas do not hold."""
+    found = _standard(path)
+    s, c = path.variable, BANDS[options.settling_band]
+    gain = sp.cancel(path.top / found.square)
+    standard = gain * found.square / (s**2 + found.twice * s + found.square)
+    claims = {"standard": Claim(quotient(*path.shown), standard, "standard form")}
+    yield Step("standard", claims=claims, found=found, gain=gain, turn=exact.damped_frequency(found))
+    values = {name: _formula(name, found, c) for name in ("rise_time", "peak_time", "overshoot", "settling_time")}
+    if options.whole:
+        yield _named("rise", found, values["rise_time"], path.delay)
+    else:
+        values["rise_time"] = yield from _rise_of_shares(path, options)
+        if values["overshoot"].has(sp.exp) and not path.parameters:  # beside decimals
+            values["overshoot"] = sp.N(values["overshoot"], 30)
+    for kind, name in (("peak", "peak_time"), ("overshoot", "overshoot"), ("settling", "settling_time")):
+        late = path.delay if name in ("peak_time", "settling_time") else sp.Integer(0)
+        yield _named(kind, found, values[name], late, c)
+        values[name] = values[name] + late
+    answers = Answers(**values, final_value=gain)
+    figure = () if path.parameters else specified_figure(path, response_of(path), answers, options, formulas=True)
+    yield Step("marked", detail="full", unclaimed="a figure", figures=figure, drawn=bool(figure), formulas=True)
+    return answers
+
+
+def _standard(path: Path) -> exact.Damping:
+    """ω_n and ζ of a path without zeros and with a conjugate pair of poles in the left half plane."""
+    s = path.variable
+    listed = sp.Poly(path.bottom, s).all_coeffs()
+    if path.top.has(s) or len(listed) != 3 or path.top == 0:
+        zeros = sp.degree(path.top, s) if path.top.has(s) else 0
+        raise Unsolved("step_specifications/no_formulas", order=len(listed) - 1, zeros=zeros)
+    try:
+        found = exact.damping_of(listed)
+    except exact.NoFrequency:
+        raise Unsolved("step_specifications/not_stable_form") from None
+    if found.damping in ("critically damped", "overdamped"):
+        raise Unsolved("step_specifications/no_oscillation", zeta=found.zeta)
+    if found.damping == "undamped" or found.sign in (0, -1):
+        raise Unsolved("step_specifications/not_stable_form")
+    if not found.damping:
+        raise Unsolved("step_specifications/damping_open", zeta=found.zeta)
+    return found
+
+
+def _formula(name: str, found: exact.Damping, band: int) -> Expr:
+    """A specification in its shortest exact form."""
+    sigma, turn = found.twice / 2, exact.damped_frequency(found)
+    assert turn is not None  # noqa: S101 - the poles are a pair
+    match name:
+        case "rise_time":
+            return (sp.pi - sp.acos(found.zeta)) / turn
+        case "peak_time":
+            return sp.pi / turn if turn.free_symbols else sp.radsimp(sp.pi / turn)
+        case "overshoot":
+            ratio = sigma / turn
+            return sp.exp(-sp.pi * (ratio if ratio.free_symbols else sp.radsimp(ratio)))
+    return sp.cancel(band / sigma)
+
+
+def _named(kind: str, found: exact.Damping, value: Expr, late: Expr, band: int = 0) -> Step:
+    """One formula, the numbers put in, and the result."""
+    return Step(
+        kind,
+        unclaimed="the formula is displayed with its value",
+        found=found,
+        value=value,
+        late=late,
+        whole=value + late,
+        turn=exact.damped_frequency(found),
+        band=band,
+        approximate=_rough(value + late),
+    )
+
+
+def _rough(value: Any) -> Any:
+    """The value in decimals where its exact form is not seen through at once."""
+    return sp.N(value, 30) if not value.free_symbols and not value.is_Rational else None
+
+
+def _rise_of_shares(path: Path, options: StepOptions) -> Derivation[Expr]:
+    """There is no formula for the rise from 10 to 90 %: both times are found from y itself."""
+    if path.parameters:
+        raise Unsolved("step_specifications/no_rise_formula")
+    events = events_of(path, options)
+    y, t = response_of(path).y[0], sp.Symbol("t")  # type: ignore[index]  # it has an output
+    yield Step("shares", claims=level_claims(y, t, events), events=events, y=y)
+    return events.rise.time

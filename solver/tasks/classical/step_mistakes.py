@@ -1,0 +1,96 @@
+"""Usual mistakes with the specifications of a step response."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Attempt, Slip
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.tasks.classical.paths import path_of, quietly
+
+if TYPE_CHECKING:
+    from solver.derivation import Task
+
+BAND = Slip("band", "the settling time is that of another band: $4/(\\sym{damping_ratio}\\,\\omega_n)$ belongs to 2 %, "
+            "$3/(\\sym{damping_ratio}\\,\\omega_n)$ to 5 %")  # fmt: skip
+FREQUENCY = Slip(
+    "frequency", "it is found with $\\omega_n$; the response oscillates with the damped frequency $\\omega_d$"
+)
+HALF = Slip("coefficient", "the damping ratio is taken from the wrong coefficient: that of $s$ is "
+            "$2\\,\\sym{damping_ratio}\\,\\omega_n$")  # fmt: skip
+PEAK = Slip(
+    "peak_value",
+    "it is the value at the peak; the overshoot is what it is above the final value, as a fraction of that",
+)
+PERIOD = Slip("period", "it is the whole period $2\\pi/\\omega_d$; the peak comes after half of it")
+HERTZ = Slip("hertz", "a frequency in Hz is taken for one in rad/s")
+ONE_POLE = Slip("final_gain", "it is the gain before the fraction; the final value is $G(0)$")
+
+
+def register(task: Task[Any, Any]) -> None:
+    """Register what goes wrong; by the formulas of second order, whatever the method."""
+
+    def other_band(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        found = _damping(wrong)
+        if found is not None:
+            yield from (c / (found.twice / 2) for c in (3, 4, 5))
+
+    def undamped(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        found = _damping(wrong)
+        if found is not None:
+            yield sp.pi / found.omega_n if wrong.name == "peak_time" else (sp.pi - sp.acos(found.zeta)) / found.omega_n
+
+    def whole_period(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        found = _damping(wrong)
+        if found is not None:
+            yield 2 * sp.pi / exact.damped_frequency(found)
+
+    def wrong_ratio(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        found = _damping(wrong)
+        if found is None:
+            return
+        zeta = 2 * found.zeta
+        if wrong.name == "settling_time":
+            yield from (c / found.twice for c in (3, 4))
+        elif zeta < 1:
+            turn = found.omega_n * sp.sqrt(1 - zeta**2)
+            yield {
+                "overshoot": sp.exp(-sp.pi * zeta / sp.sqrt(1 - zeta**2)),
+                "peak_time": sp.pi / turn,
+                "rise_time": (sp.pi - sp.acos(zeta)) / turn,
+            }[wrong.name]
+
+    def in_hertz(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        yield from (wrong.ours / (2 * sp.pi), wrong.ours * 2 * sp.pi)
+
+    def value_at_the_peak(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        path = quietly(path_of(wrong.given))
+        final = exact.value_at_zero(path.fraction).value
+        yield from (1 + wrong.ours, final * (1 + wrong.ours), final * wrong.ours)
+
+    def leading(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        path = quietly(path_of(wrong.given))
+        yield from {sp.LC(p, path.variable) for p in (path.top, path.shown[0])}
+
+    task.mistake(BAND, "settling_time")(other_band)
+    task.mistake(FREQUENCY, "peak_time", "rise_time")(undamped)
+    task.mistake(PERIOD, "peak_time")(whole_period)
+    task.mistake(HALF, "overshoot", "peak_time", "rise_time", "settling_time")(wrong_ratio)
+    task.mistake(HERTZ, "peak_time", "rise_time", "settling_time")(in_hertz)
+    task.mistake(PEAK, "overshoot")(value_at_the_peak)
+    task.mistake(ONE_POLE, "final_value")(leading)
+
+
+def _damping(wrong: Attempt[Any, Any]) -> exact.Damping | None:
+    """ω_n and ζ of the denominator where it has a conjugate pair alone."""
+    path = quietly(path_of(wrong.given))
+    listed = sp.Poly(path.bottom, path.variable).all_coeffs()
+    if len(listed) != 3:
+        return None
+    try:
+        found = exact.damping_of(listed)
+    except exact.NoFrequency:
+        return None
+    return found if found.damping == "underdamped" else None
