@@ -39,9 +39,17 @@ def carelessly_written(markdown):
             yield text[max(0, found.start() - 60) : found.end() + 60]
 
 
+IMPOSSIBLE = {("appC-final1", "3-infeasible"): "No lead section has this crossover"}
+"""What the course asks and nobody can give; the reason says why."""
+
+
 @pytest.mark.parametrize(**by_problem(PROBLEMS))
 def test_the_problem_is_verified(path):
     for part in solution_of(path).parts:
+        if (reason := IMPOSSIBLE.get((path.stem, part.id))) is not None:
+            assert part.status is Status.UNSOLVED
+            assert reason in str(part.reason)
+            continue
         failed = [check for check in part.checks if check.status is not CheckStatus.PASSED]
         assert part.status is Status.VERIFIED, (part.id, part.method, part.reason, failed)
         assert not failed
