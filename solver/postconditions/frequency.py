@@ -170,6 +170,22 @@ def of_phase_function(found: Any, L: Any, omega: Any) -> Iterator[Check]:
         yield Check.that("the phase at a frequency", "mpmath", judges.has_phase(loop, sp.Float(at, 40), value))
 
 
+def of_bode_form(found: Any, L: Any) -> Iterator[Claim | Check]:
+    """The factors make up L, each is 1 at 0; corners and slopes are those of the roots."""
+    s = L.variable
+    factors = [each.factor**each.power for each in found.corners]
+    yield Claim(L.N.as_expr() / L.D.as_expr(), found.gain * s**found.power * sp.Mul(*factors))
+    for each in found.corners:
+        yield Claim(each.factor.subs(s, 0), sp.S.One)
+        if each.damping is not None:
+            yield Claim(1 + 2 * each.damping * s / each.omega + s**2 / each.omega**2, each.factor)
+        else:
+            yield Claim(abs(each.factor.coeff(s)) * each.omega, sp.S.One)
+    loop = _loop(L)
+    yield Check.within("corners", "numpy.roots", judges.corner_residual(loop, found.frequencies), 1e-6)
+    yield Check.that("slopes", "numpy.roots", judges.are_slopes(loop, found.slopes))
+
+
 def of_sinusoid(found: Any, u: Any, t: Any) -> Iterator[Claim | Check]:
     """The two amplitudes make up the signal."""
     if found is not None:

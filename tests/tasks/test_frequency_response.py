@@ -111,7 +111,7 @@ find: {a: {task: frequency_response, frequency: 4}, b: frequency_response}
         ("a", "phase", "198.43", True, ""),
         ("a", "phase", "-2.8198", False, "radians"),
         ("a", "phase", "161.57", False, "sign"),
-        ("a", "magnitude", "-10.00", False, "dB"),
+        ("a", "magnitude", "-10.00", False, ""),
         ("a", "magnitude", "0.1", False, "T|^2"),
         ("b", "magnitude", "4/sqrt(omega^4 - 7omega^2 + 16)", True, ""),
         ("b", "magnitude", "4/sqrt((4 - omega^2)^2 + omega^2)", True, ""),

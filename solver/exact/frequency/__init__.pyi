@@ -1,6 +1,7 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
 from solver.exact.frequency.axis import Angle, OnAxis, on_axis
+from solver.exact.frequency.bode_forms import BodeForm, Corner, bode_form
 from solver.exact.frequency.crossings import Crossover, GainCrossovers, gain_crossovers
 from solver.exact.frequency.encirclements import Arc, Encirclements, encirclements
 from solver.exact.frequency.following import phase_crossings
@@ -20,6 +21,8 @@ __all__ = [
     "Angle",
     "Arc",
     "Bandwidth",
+    "BodeForm",
+    "Corner",
     "Crossover",
     "Encirclements",
     "GainCrossovers",
@@ -29,6 +32,7 @@ __all__ = [
     "Resonance",
     "Sinusoid",
     "bandwidth",
+    "bode_form",
     "encirclements",
     "gain_crossovers",
     "in_decibels",

@@ -1,5 +1,6 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
+from solver.numeric.judges.frequency.corners import are_slopes, bode_gain_residual, corner_residual
 from solver.numeric.judges.frequency.crossings import (
     are_flat,
     are_half_turns,
@@ -33,8 +34,11 @@ __all__ = [
     "NumericMargins",
     "are_flat",
     "are_half_turns",
+    "are_slopes",
+    "bode_gain_residual",
     "closed_loop_poles",
     "closed_response",
+    "corner_residual",
     "decimal",
     "direction",
     "fits",
