@@ -24,7 +24,8 @@ class AnswerName:
     where a number has one. `earned` are the kinds of steps that earn its
     marks beside the one in which its value is found: a key shows them. `told` are the kinds of steps that
     tell it in a form of their own, such as equations under each other, the best first: a page points there where the
-    answer is not asked for. The items of a list are expressions that are `zero`: an equation may be written for one.
+    answer is not asked for. The items of a list are expressions that are `zero`: an equation may be written for one; or they are
+    `intervals` of real numbers.
     """
 
     name: str
@@ -43,6 +44,7 @@ class AnswerName:
     earned: tuple[str, ...] = ()
     told: tuple[str, ...] = ()
     zero: bool = False
+    intervals: bool = False
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

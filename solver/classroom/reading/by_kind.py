@@ -15,6 +15,7 @@ from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import flat, is_trivial, labelled, lower, only, rows_of, text_of
 from solver.classroom.reading.prepared import with_powers, without_powers
+from solver.classroom.reading.segments import segments
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import Pair, TextReader
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -108,6 +109,8 @@ class KindReader:
             return [], []
         if self.expected.zero:
             node = as_differences(node)
+        if self.expected.intervals:
+            return (segments(node, self.texts),) * 2
         return self._list(node, () if isinstance(ours, sp.Set) else ours)
 
     def _list(self, node: Node, ours: Sequence[Any]) -> Pair:

@@ -15,7 +15,7 @@ class Expected:
     """The answer that a value is submitted for; by default nothing is known of it.
 
     Of an answer that is a `count`, a full one is `most`, where that can be told; a matrix may be made of `vectors`,
-    "columns" or "rows"; the items of a list may be expressions that are `zero`.
+    "columns" or "rows"; the items of a list may be expressions that are `zero`, or `intervals`.
     """
 
     name: str = ""
@@ -26,6 +26,7 @@ class Expected:
     most: int | None = None
     vectors: str = ""
     zero: bool = False
+    intervals: bool = False
 
     @classmethod
     def of(cls, name: str, answers: Mapping[str, AnswerName], given: Given[Any, Any] | None = None) -> Expected:
@@ -34,4 +35,5 @@ class Expected:
         others = [other for other in answers.values() if other.name != name]
         most = answer.most(given) if answer.most and given else None
         labels = Labels(answer, others)
-        return cls(name, labels, answer.words, answer.unit, answer.count, most, answer.vectors, answer.zero)
+        kinds = (answer.vectors, answer.zero, answer.intervals)
+        return cls(name, labels, answer.words, answer.unit, answer.count, most, *kinds)

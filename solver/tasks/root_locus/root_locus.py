@@ -43,7 +43,7 @@ root_locus: Task[CharacteristicEquation, RootLocusOptions] = Task(
     example={"transfer_function": "1/(s(s + 1)(s + 2))"},
     answers=[
         AnswerName("real_axis_segments", r"\text{real axis}", "the parts of the real axis that belong to the locus",
-                   earned=("segments",)),
+                   intervals=True, earned=("segments",)),
         AnswerName("asymptote_angles", r"\vartheta_{k}", "the directions of the asymptotes, in degrees",
                    earned=("asymptotes",)),
         AnswerName("centroid", r"\sigma_{a}", "where the asymptotes start", optional=True, earned=("asymptotes",)),
