@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -63,6 +64,11 @@ def _parts(p: sp.Poly) -> tuple[sp.Poly, sp.Poly]:
 
 def crossings(equation: LocusEquation) -> tuple[Crossing, ...]:
     """The points of the imaginary axis with K > 0, by rising gains; none that lie on a branch along the axis."""
+    return _crossings(equation)
+
+
+@lru_cache(maxsize=16)
+def _crossings(equation: LocusEquation) -> tuple[Crossing, ...]:
     axis = on_imaginary_axis(equation)
     found = [each for each in [_at_the_origin(equation)] if each is not None]
     for at in roots_with_factors(axis.eliminated) if not axis.eliminated.is_zero else ():

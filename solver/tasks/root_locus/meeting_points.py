@@ -24,7 +24,7 @@ def meetings_of(form: Form) -> Derivation[list[exact.Meeting]]:
     p = exact.turning_polynomial(form.equation)
     turning = exact.written(p)
     found = exact.meetings(form.equation)
-    slopes = sp.expand(sp.diff(N, s)), sp.expand(sp.diff(D, s))
+    slopes = exact.written(form.equation.numerator.diff()), exact.written(form.equation.denominator.diff())
     claims = {"numerator": Claim(derivative(N, s), slopes[0], "the derivative of $N$")} if N.has(s) else {}
     claims |= {
         "denominator": Claim(derivative(D, s), slopes[1], "the derivative of $D$"),
