@@ -1,6 +1,7 @@
 """Print the tables of speed targets: `python -m benchmarks [--quick] [GROUP]`.
 
-The groups are exponential, placement, mechanics, circuits, horizons, multivariable, transforms, command, class and growth.
+The groups are exponential, placement, mechanics, circuits, horizons, multivariable, transforms, classical,
+command, class and growth.
 
 `--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
 `--write` puts the tables that were measured into docs/performance.md.
@@ -26,6 +27,7 @@ from benchmarks import (
     mechanics,
     multivariable,
     pole_placement,
+    root_locus,
     transforms,
     zeros,
 )
@@ -53,6 +55,8 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
         yield from zeros.rows()
     if chosen in (None, "transforms"):
         yield from transforms.rows(quick=quick)
+    if chosen in (None, "classical"):
+        yield from root_locus.rows()
     if chosen in (None, "command"):
         yield from command_line.rows()
     if chosen in (None, "class"):
