@@ -19,6 +19,9 @@ LARGE = 8.0
 SMALL = 0.07
 """Crossings nearer to the origin than this part of the window have no name."""
 
+FAR = 4.0
+"""The asymptote of a curve that comes from infinity is shown where it is not farther than so many times the rest."""
+
 WIDER = 3.0
 """Decades beyond the corners, where the curve goes to its ends."""
 
@@ -34,7 +37,7 @@ def reach_of(response: FrequencyResponse, crossings: tuple[float, ...]) -> float
     L = values(response, omega)
     if response.power >= 0 and not on_the_axis_of_poles(response):
         needed.append(float(np.max(np.abs(L))))
-    elif response.power == -1:
+    elif response.power == -1 and abs(float(L[0].real)) < FAR * max([LEAST, *needed]):
         needed.append(1.2 * abs(float(L[0].real)))
     return max([LEAST / 1.25, *needed])
 

@@ -76,10 +76,11 @@ def levels(L: OnAxis, beyond: Any) -> Iterator[tuple[Any, int, int]]:
 
 
 def _between(L: OnAxis, low: Any, high: Any) -> list[tuple[Any, int, int]]:
-    """The multiples of 180° that a monotone phase passes in an interval."""
+    """The multiples of 180° that a monotone phase passes inside an interval."""
     first, final = L.turned(low), L.turned(high)
     bottom, top = min(first, final), max(first, final)
-    levels = range(int(mpmath.ceil(bottom / HALF_TURN)), int(mpmath.floor(top / HALF_TURN)) + 1)
+    first_whole, last_whole = int(mpmath.floor(bottom / HALF_TURN)) + 1, int(mpmath.ceil(top / HALF_TURN)) - 1
+    levels = range(first_whole, last_whole + 1)
     found = [(_bisected(L, low, high, HALF_TURN * k), HALF_TURN * k, 1 if final < first else -1) for k in levels]
     return sorted(found)
 

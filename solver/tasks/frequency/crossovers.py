@@ -33,7 +33,7 @@ def crossovers_of(L: exact.OnAxis) -> Derivation[exact.Margins]:
     several = len(found.gains.found) > 1
     for number, each in enumerate(found.gains.found, 1):
         yield _phase(L, each, number if several else 0)
-    yield _late_crossovers(L, found) if L.late else _phase_crossovers(L, found)
+    yield _late_crossovers(L, found.phases) if L.late else _phase_crossovers(L, found.phases)
     yield _gain_margin(found)
     return found
 
@@ -42,6 +42,14 @@ def crossovers_of(L: exact.OnAxis) -> Derivation[exact.Margins]:
 def on_axis_of(L: exact.OnAxis, name: str = "L") -> Derivation[None]:
     """Put s = jω: real and imaginary part of numerator and denominator, and the squares of their sizes."""
     yield _on_axis(L, name)
+
+
+@lemma("crossovers")
+def real_axis_of(L: exact.OnAxis) -> Derivation[exact.PhaseCrossovers]:
+    """Where L(jω) is real, and its values there."""
+    found = exact.phase_crossovers(L)
+    yield _late_crossovers(L, found, "late_axis") if L.late else _phase_crossovers(L, found, "real_axis")
+    return found
 
 
 def _even_odd(L: exact.OnAxis) -> dict[str, tuple[Expr, Expr]]:
@@ -138,7 +146,7 @@ def _signed(degrees: Expr, power_of: int) -> Any:
     return degrees if power_of == 1 else product(sp.Integer(power_of), degrees)
 
 
-def _phase_crossovers(L: exact.OnAxis, found: exact.Margins) -> Step:
+def _phase_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, kind: str = "phase_crossovers") -> Step:
     """Im(N D̄) = ω I(ω²) = 0, and the value of L at each root."""
     omega, w, s = sp.Symbol("omega"), L.parts.w, L.variable
     parts = {name: real + sp.I * imaginary for name, (real, imaginary) in _even_odd(L).items()}
@@ -148,26 +156,27 @@ def _phase_crossovers(L: exact.OnAxis, found: exact.Margins) -> Step:
         "product": Claim(product(parts["N"], conjugate(parts["D"])), whole, "$N(j\\omega)\\overline{D(j\\omega)}$")
     }
     p, roots = L.parts.imaginary, []
-    for i, (at, value) in enumerate(found.phases.real_axis, 1):
+    for i, (at, value) in enumerate(found.real_axis, 1):
         claims[f"root{i}"] = Claim(value_at(_positive(p), w, sp.expand(at**2)), sp.S.Zero, "a root in $w = \\omega^2$")
         claims[f"value{i}"] = Claim(value_at(formula_of(L), s, sp.I * at), value, "the value of $L$ on the real axis")
         roots.append(_row(at, value))
-    start = next((each for each in found.phases.found if each.omega == 0), None)
+    start = next((each for each in found.found if each.omega == 0), None)
     if start is not None:
         claims["start"] = Claim(value_at(formula_of(L), s, sp.S.Zero), -start.magnitude, "$L(0)$")
-    return Step("phase_crossovers", claims=claims, roots=roots, p=_positive(p) if not p.is_zero else sp.S.Zero, w=w,
-                imaginary=sp.expand(omega * slope), everywhere=found.phases.everywhere, start=start,
-                crossing=list(found.phases.found), moves=bool(p.degree() > 0))  # fmt: skip
+    return Step(kind, claims=claims, roots=roots, p=_positive(p) if not p.is_zero else sp.S.Zero, w=w,
+                imaginary=sp.expand(omega * slope), everywhere=found.everywhere, start=start,
+                crossing=list(found.found), moves=bool(p.degree() > 0))  # fmt: skip
 
 
-def _late_crossovers(L: exact.OnAxis, found: exact.Margins) -> Step:
+def _late_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, kind: str = "late_crossovers") -> Step:
     """With a dead time: ∠L₀ − ωT passes −180° − 360° k, an equation that is solved numerically."""
     s, claims = L.variable, {}
-    for i, each in enumerate(found.phases.found, 1):
-        at = value_at(formula_of(L), s, sp.I * each.omega)
-        claims[f"value{i}"] = Claim(at, -each.magnitude, "the value of $L$ at a phase crossover")
-    crossing = [_row(each.omega, -each.magnitude) for each in found.phases.found]
-    return Step("late_crossovers", claims=claims, crossing=crossing, delay=L.delay,
+    pairs = found.real_axis if kind == "late_axis" else [(each.omega, -each.magnitude) for each in found.found]
+    for i, (omega, value) in enumerate(pairs, 1):
+        at = value_at(formula_of(L), s, sp.I * omega)
+        claims[f"value{i}"] = Claim(at, value, "the value of $L$ on the real axis")
+    crossing = [_row(omega, value) for omega, value in pairs]
+    return Step(kind, claims=claims, crossing=crossing, delay=L.delay,
                 steady=not L.roots)  # fmt: skip
 
 
@@ -203,4 +212,4 @@ def _gain_margin(found: exact.Margins) -> Step:
     )
 
 
-__all__ = ["angle_rows", "approximation", "crossovers_of", "formula_of", "on_axis_of"]
+__all__ = ["angle_rows", "approximation", "crossovers_of", "formula_of", "on_axis_of", "real_axis_of"]

@@ -27,6 +27,7 @@ from solver.numeric.judges.frequency.loops import (
     unstable_poles,
 )
 from solver.numeric.judges.frequency.responses import ClosedResponse, closed_response, frequencies_asked
+from solver.numeric.judges.frequency.turns import crossing_residual, turns_about
 
 __all__ = [
     "ClosedResponse",
@@ -39,6 +40,7 @@ __all__ = [
     "closed_loop_poles",
     "closed_response",
     "corner_residual",
+    "crossing_residual",
     "decimal",
     "direction",
     "fits",
@@ -55,5 +57,6 @@ __all__ = [
     "numeric_margins",
     "peak_of",
     "roots_outside",
+    "turns_about",
     "unstable_poles",
 ]
