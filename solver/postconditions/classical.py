@@ -12,6 +12,7 @@ import sympy as sp
 from solver.derivation import Check, Claim
 from solver.lazy import numeric
 from solver.numeric.judges import classical as judges
+from solver.numeric.judges import representation
 from solver.stated.complex_numbers import real_part
 
 ORACLE = "mpmath (50 digits)"
@@ -107,3 +108,27 @@ def of_step_events(found: Any, response: Any, band: Any, *, whole: bool) -> Iter
     if found.under is not None:
         fault = judges.undershoot_residual(plant, found.under.time, found.under.share)
         yield Check.within("the undershoot of the response", "scipy.linalg.expm", fault, 1e-9)
+
+
+def of_reduction(found: Any, form: Any, order: int) -> Iterator[Claim | Check]:
+    """The slowest poles are kept and no pair is split; the function has them, and the value at zero."""
+    fraction = form.function
+    top, bottom = (sp.expand(each) for each in sp.fraction(sp.together(fraction)))
+    plant = representation.realized(((top,),), ((bottom,),), form.variable)
+    for name, poles in (("kept", found.poles_kept), ("dropped", found.poles_dropped)):
+        check = partial(judges.dominant_residual, plant, order, name, poles)
+        yield numeric.check_residual(f"the poles {name}", ORACLE, check)
+    check = partial(judges.reduced_residual, plant, order, found.function)
+    yield numeric.check_residual("the reduced function", ORACLE, check)
+    above, below = (sp.Mul(*(-root for root in roots)) for roots in (found.zeros_dropped, found.poles_dropped))
+    yield Claim(above / below, found.constant, "the fast factors at zero")
+    zeros = sorted(map(str, (*found.zeros_kept, *found.zeros_dropped)))
+    yield Check.that("every zero is kept or dropped", "counted", zeros == sorted(map(str, form.zeros)))
+
+
+def of_largest_error(found: Any, response: Any) -> Iterator[Check]:
+    """No sample of the response is larger, and it has this value at its time."""
+    system = response.system
+    plant = (system.A, system.B, system.C, system.D if system.D is not None else sp.zeros(1, 1))
+    check = partial(judges.largest_size_residual, plant, found.time, found.value)
+    yield numeric.check_residual("the largest size of the difference", "scipy.linalg.expm", check)

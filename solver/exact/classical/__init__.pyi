@@ -19,6 +19,14 @@ from solver.exact.classical.factors import (
     real_factors,
     value_at_zero,
 )
+from solver.exact.classical.reduction import NotReduced, Reduction, reduction
+from solver.exact.classical.reduction_errors import (
+    LargestError,
+    largest_difference,
+    largest_error,
+    reduced_modes,
+    reduced_response,
+)
 from solver.exact.classical.step_events import Extreme, Rise, StepEvents, step_events
 
 __all__ = [
@@ -26,9 +34,12 @@ __all__ = [
     "Damping",
     "Decay",
     "Extreme",
+    "LargestError",
     "Mode",
     "NoFrequency",
+    "NotReduced",
     "PoleZeroForm",
+    "Reduction",
     "Rise",
     "StepEvents",
     "ValueAtZero",
@@ -37,10 +48,15 @@ __all__ = [
     "damping_of",
     "damping_parameter",
     "decay",
+    "largest_difference",
+    "largest_error",
     "pole_factors",
     "pole_zero_factors",
     "poles_of_damping",
     "real_factors",
+    "reduced_modes",
+    "reduced_response",
+    "reduction",
     "step_events",
     "value_at_zero",
 ]

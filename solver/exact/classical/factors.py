@@ -26,7 +26,7 @@ class PoleZeroForm:
     @property
     def function(self) -> sp.Expr:
         """The rational function as the product of its factors."""
-        return self.gain * self.top / self.bottom
+        return sp.Mul(self.gain, self.top, 1 / self.bottom)
 
 
 def pole_zero_factors(G: TransferMatrix) -> PoleZeroForm:

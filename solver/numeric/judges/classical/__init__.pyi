@@ -8,8 +8,10 @@ from solver.numeric.judges.classical.damping import (
     natural_frequency_residual,
 )
 from solver.numeric.judges.classical.poles import shown_poles, time_constants_residual
+from solver.numeric.judges.classical.reductions import dominant_residual, reduced_residual
 from solver.numeric.judges.classical.step_responses import (
     Specification,
+    largest_size_residual,
     specification_residual,
     undershoot_residual,
 )
@@ -22,8 +24,11 @@ __all__ = [
     "damping_ratio_residual",
     "damping_words",
     "dc_gain_residual",
+    "dominant_residual",
+    "largest_size_residual",
     "leading_gain_residual",
     "natural_frequency_residual",
+    "reduced_residual",
     "shown_poles",
     "specification_residual",
     "time_constants_residual",

@@ -210,3 +210,20 @@ def undershoot_residual(plant: Any, time: Any, share: Any) -> float:
     at, height = (MANY.context.re(each) for each in numbers_at([time, share], {}))
     lowest = max(0.0, float(height) - 1 - float(np.min(found.samples[1])))
     return max(float(abs(1 + found.away(at) - height)), lowest)
+
+
+def largest_size_residual(plant: Any, time: Any, value: Any) -> float:
+    """Return how far a value is from that of a step response at a time, and from the largest size of all samples."""
+    m = MANY.context
+    A, B, C, D = quadruple_at(plant, {})
+    A, B, C = minimal_part(A, B, C)
+    if not len(A):
+        return float(abs(D.reshape(-1)[0] - numbers_at([value], {})[0]))
+    rest = np.array((-m.lu_solve(m.matrix(A.tolist()), m.matrix(B.tolist()))).tolist(), dtype=object).reshape(-1, 1)
+    final = m.re((C @ rest).reshape(-1)[0] + D.reshape(-1)[0])
+    found, height = StepResponse(A, C, -rest, final), m.re(numbers_at([value], {})[0])
+    largest = max(float(abs(final)), float(np.max(abs(float(final) + found.samples[1]))))
+    infinite = time in (sp.oo, -sp.oo)
+    at = final if infinite else final + found.away(m.re(numbers_at([time], {})[0]))
+    size = max(abs(height), m.mpf("1e-30"))
+    return max(float(abs(at - height) / size), 0.0, largest / float(size) - 1 - ROUNDING)

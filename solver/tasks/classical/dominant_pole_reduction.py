@@ -1,0 +1,234 @@
+"""A model of lower order by the dominant poles, with the error of its step response."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Slip,
+    Step,
+    Task,
+    Unsolved,
+    option,
+)
+from solver.derivation.figures import Curve, Mark, Plot
+from solver.lazy import exact, numeric
+from solver.lazy import sympy as sp
+from solver.numeric.judges import classical as judges
+from solver.options.integer import Integer
+from solver.stated.algebra import product, quotient
+from solver.stated.calculus import value_at
+from solver.tasks.classical.paths import Path, numbers_of, path_of, poles_of, quietly
+from solver.tasks.classical.step_measures import question_of
+from solver.tasks.plant_options import LoopOptions
+from solver.words import Phrase
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+    from solver.tasks.classical.paths import Plant
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReductionOptions(LoopOptions):
+    """How many poles are kept."""
+
+    order: int = option(Integer(1), "the number of poles kept; a conjugate pair is not split", default=2)
+
+
+dominant_pole_reduction: Task[Plant, ReductionOptions] = Task(
+    "dominant_pole_reduction",
+    title="Reduction to the dominant poles",
+    doc="A model of lower order with the slowest poles and the same DC gain, and how far its step response is off.",
+    needs=("path",),
+    options=ReductionOptions,
+    answers=[
+        AnswerName("G", "G_r", "the reduced transfer function", free=True, principal=True, earned=("reduced",)),
+        AnswerName("kept", r"p_{\text{kept}}", "the dominant poles", principal=True, earned=("chosen",)),
+        AnswerName("dropped", r"p_{\text{dropped}}", "the poles dropped", earned=("chosen",)),
+    ],
+    example={"transfer_function": "20/((s + 1)(s + 2)(s + 10))"},
+)
+
+
+@dominant_pole_reduction.method(source="Ogata, Modern Control Engineering, section 5-4", time="continuous")
+def by_dominant_poles(given: Given[Plant, ReductionOptions]) -> Derivation[Answers]:
+    """Keep the poles nearest to the imaginary axis; what is fast is replaced by its value at zero."""
+    path = yield from path_of(given)
+    yield from poles_of(path)
+    form = exact.pole_zero_factors(path.fraction)
+    found = _reduced(form, given.options.order)
+    x = path.variable
+    yield Step("chosen", unclaimed="a choice, which has a check of its own", found=found, order=given.options.order,
+               count=len(form.poles))  # fmt: skip
+    if form.zeros:
+        yield Step("zeros", unclaimed="a choice, which has a check of its own", found=found,
+                   farthest=min((sp.Abs(p) for p in found.poles_dropped), key=sp.N))  # fmt: skip
+    yield _constant(found, x)
+    yield _whole(path, form, found)
+    yield from _compared(path, found)
+    G = found.function * sp.exp(-path.delay * x) if path.delay != 0 else found.function
+    return Answers(G=G, kept=found.poles_kept, dropped=found.poles_dropped)
+
+
+def _reduced(form: exact.PoleZeroForm, order: int) -> exact.Reduction:
+    """The reduction; raises Unsolved where it says nothing new, or is not told by the parameters."""
+    try:
+        return exact.reduction(form, order)
+    except exact.NotReduced as finding:
+        values = {"count": finding.count, "order": order}
+        raise Unsolved(f"dominant_pole_reduction/{finding.why}", **values) from None
+
+
+def _constant(found: exact.Reduction, x: Any) -> Step:
+    """What the fast factors are at zero."""
+    zero = sp.Integer(0)
+    above, below = ([x - root for root in roots] for roots in (found.zeros_dropped, found.poles_dropped))
+    top, bottom = (sp.Mul(*(sp.expand(each.subs(x, zero)) for each in factors)) for factors in (above, below))
+    claim = Claim(quotient(from_at_zero(found.zeros_dropped), from_at_zero(found.poles_dropped)), found.constant,
+                  "the fast factors at zero")  # fmt: skip
+    return Step("constant", claims={"constant": claim}, x=x, found=found, top=top, bottom=bottom)
+
+
+def from_at_zero(roots: Iterable[Expr]) -> Any:
+    """Π(0 − r) as it is written."""
+    factors = [-root for root in roots]
+    return product(*factors) if len(factors) > 1 else factors[0] if factors else sp.Integer(1)
+
+
+def _whole(path: Path, form: exact.PoleZeroForm, found: exact.Reduction) -> Step:
+    """The reduced function; its DC gain, or velocity constant, is that of the whole one."""
+    x = path.variable
+    stated = product(form.gain, found.constant, quotient(found.top, found.bottom))
+    late = sp.exp(-path.delay * x) if path.delay != 0 else sp.Integer(1)
+    N = sum(1 for pole in found.poles_kept if pole == 0) - sum(1 for zero in found.zeros_kept if zero == 0)
+    whole, reduced = (sp.cancel(each * x**N) for each in (path.top / path.bottom, found.function))
+    same = reduced.subs(x, 0)
+    claims = {
+        "reduced": Claim(stated, found.function, "the reduced function"),
+        "same": Claim(whole.subs(x, sp.Integer(0)), same, "the value kept"),
+    }
+    return Step("reduced", claims=claims, x=x, integrators=N, value=same, late=path.delay, stated=product(late, stated),
+                G=found.function * late)  # fmt: skip
+
+
+def _compared(path: Path, found: exact.Reduction) -> Derivation[None]:
+    """Both step responses, and the largest difference where it stays bounded."""
+    if path.parameters:
+        return
+    both = _responses(path, found)
+    if both is None:
+        return
+    y, y_r, error = both
+    final = None if any(not _settles(pole) for pole in found.poles_kept) else found.function.subs(path.variable, 0)
+    claims = {}
+    if error is not None and error.time is not sp.oo:
+        t = sp.Symbol("t")
+        claims["error"] = Claim(value_at(y - y_r, t, error.time), error.value, "the largest difference")
+    share = None if error is None or not final else sp.N(abs(error.value / final), 30)
+    yield Step("compared", detail="full", claims=claims, unclaimed="" if claims else "a figure", error=error,
+               figures=(_figure(found, (y, y_r), error),), share=share, late=path.delay)  # fmt: skip
+
+
+def _responses(path: Path, found: exact.Reduction) -> tuple[Expr, Expr, exact.LargestError | None] | None:
+    """Y, y of the reduced function, and their largest difference; None where there are multiple poles in decimals."""
+    whole, t = question_of(path).answer, sp.Symbol("t")
+    y: Expr = whole.y[0]  # type: ignore[index]  # it has an output
+    growing = any(exact.sign_of(sp.re(pole)) == 1 for pole in found.poles_kept)
+    if found.function.has(sp.Float):
+        modes = exact.reduced_modes(found)
+        if modes is None:
+            return None
+        return y, exact.reduced_response(modes, t), None if growing else exact.largest_difference(whole, modes)
+    top, bottom = sp.fraction(sp.cancel(found.function))
+    given = replace(path.given, numerators=((sp.expand(top),),), denominators=((sp.expand(bottom),),))
+    slow = replace(path, given=given, cancels=False)
+    y_r: Expr = question_of(slow).answer.y[0]  # type: ignore[index]  # it has an output
+    return y, y_r, _error(path, found)
+
+
+def _settles(pole: Expr) -> bool:
+    return exact.sign_of(sp.re(pole)) == -1
+
+
+def _error(path: Path, found: exact.Reduction) -> exact.LargestError | None:
+    """The largest difference of both responses; None where it grows."""
+    x = path.variable
+    left = sp.fraction(sp.cancel(sp.together(path.top / path.bottom - found.function)))
+    top, bottom = (sp.Poly(each, x) for each in left)
+    if top.is_zero:
+        return exact.LargestError(sp.Integer(0), sp.Integer(0))
+    given = replace(path.given, numerators=((top.as_expr(),),), denominators=((bottom.as_expr(),),))
+    G = exact.transfer_matrix_of_fractions(given.numerators, given.denominators, x)
+    if any(not _settles(pole) for pole in G.poles or []):
+        return None
+    difference = replace(path, given=given, cancels=False)
+    return exact.largest_error(question_of(difference).answer)
+
+
+def _figure(found: exact.Reduction, both: tuple[Any, Any], error: exact.LargestError | None) -> Plot:
+    """Both responses until the slower modes have died out."""
+    t = sp.Symbol("t")
+    slowest = min((mode.rate for mode in (*found.kept, *found.dropped) if mode.sign == 1), key=sp.N)
+    stop = sp.Rational(str(float(f"{float(6 / sp.N(slowest)):.3g}")))
+    curves = (Curve(both[0], "y"), Curve(both[1], "y_r", style="dashed"))
+    seen = error is not None and error.time is not sp.oo and bool(error.time < stop)
+    marks = (Mark(error.time, sp.N(both[0].subs(t, error.time), 15), r"e_{\max}"),) if seen and error else ()
+    caption = "The step responses of the whole system and, dashed, of the reduced one"
+    return Plot(caption, "t", "y", t, sp.Integer(0), stop, curves, marks)
+
+
+@dominant_pole_reduction.verification("G", "kept", "dropped")
+def has_the_slowest_poles_and_the_gain(given: Given[Plant, ReductionOptions], answers: Answers) -> Iterable[Check]:
+    """The poles by eigenvalues, sorted by their real parts; the function has those kept, and the gain at zero."""
+    plant, order = numbers_of(given.system), given.options.order
+    for name, label in (("kept", "the slowest poles, no pair split"), ("dropped", "the other poles")):
+        if name in answers:
+            check = partial(judges.dominant_residual, plant, order, name, list(answers[name]))
+            yield numeric.check_residual(label, "mpmath.eig (50 digits)", check, answer=name)
+    if "G" in answers:
+        G = answers["G"] * sp.exp(getattr(given.system, "delay", sp.Integer(0)) * sp.Symbol("s"))
+        check = partial(judges.reduced_residual, plant, order, sp.expand(G, power_exp=True) if G.has(sp.exp) else G)
+        label = Phrase("poles, gain at zero and slow zeros of the reduced function")
+        yield numeric.check_residual(label, "mpmath.polyroots (50 digits)", check, answer="G")
+
+
+@dominant_pole_reduction.consequence("dropped", of=("kept",), symbolic=False)
+def what_is_left(given: Given[Plant, ReductionOptions], found: Mapping[str, Any]) -> Any:
+    """The poles that are not kept."""
+    left = list(quietly(poles_of(quietly(path_of(given)))))
+    for pole in found["kept"]:
+        if pole in left:
+            left.remove(pole)
+    return left
+
+
+GAIN = Slip("dc_gain", "the DC gain is not kept: a factor $s - p$ that is dropped leaves its value $-p$ at zero behind")
+FASTEST = Slip("fastest", "these are the fastest poles; the dominant ones are those nearest to the imaginary axis")
+
+
+@dominant_pole_reduction.mistake(GAIN, "G")
+def without_the_constant(wrong: Attempt[Plant, ReductionOptions]) -> Iterable[Expr]:
+    """The factors left out without their value at zero."""
+    form = exact.pole_zero_factors(quietly(path_of(wrong.given)).fraction)
+    found = _reduced(form, wrong.given.options.order)
+    yield found.function / found.constant
+
+
+@dominant_pole_reduction.mistake(FASTEST, "kept")
+def the_other_end(wrong: Attempt[Plant, ReductionOptions]) -> Iterable[list[Expr]]:
+    """The poles farthest from the axis."""
+    poles = quietly(poles_of(quietly(path_of(wrong.given))))
+    modes = exact.decay(poles).modes
+    every = [pole for mode in reversed(modes) for pole in mode.every]
+    yield every[: wrong.given.options.order]
