@@ -11,7 +11,7 @@ from solver.tasks import catalogue
 
 LARGEST = {
     "phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3, "smith_form": 4,
-    "smith_mcmillan_form": 5, "relative_gain_array": 5,
+    "smith_mcmillan_form": 5, "relative_gain_array": 5, "pid_tuning": 2,
 }  # fmt: skip
 """Tasks about one order only, and those whose answers or steps fill the page from the next order on."""
 
@@ -45,7 +45,7 @@ def question(task: str, method: str, n: int, kind: str) -> str:
     Raises KeyError where the task needs an option of which nothing is said here.
     """
     declared = catalogue()[task]
-    given = OPTIONS[task](n) if task in OPTIONS else {}
+    given = OPTIONS[task](n) if task in OPTIONS else OPTIONS_BY_METHOD.get((task, method), {})
     required = {name for name, option in declared.options_for(method).items() if option.required}
     if missing := required - set(given):
         raise KeyError(f"{task}: no value of {', '.join(sorted(missing))} in benchmarks/questions.py")
@@ -61,6 +61,11 @@ def question(task: str, method: str, n: int, kind: str) -> str:
 def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
     """The system of a question in the kind that the task needs."""
     needs = catalogue()[task].needs
+    if task.endswith("_compensator"):
+        return {"transfer_function": f"1/(s (s + 1) {' '.join(f'(s/{100 * i} + 1)' for i in range(2, n))})"}
+    if task == "pid_tuning":
+        lags = n if method == "pole_placement" else n + 1
+        return {"transfer_function": f"1/({' '.join(f'(s + {i})' for i in range(1, lags + 1))})"}
     if "lagrangian" in needs:
         return chain_of_masses(n)
     if "functional" in needs:
@@ -151,9 +156,23 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "observer_feedback": lambda n: {"poles": poles(n), "observer_poles": poles(n)},
     **dict.fromkeys(REGULATORS, _weights),
     "finite_horizon_lqr": lambda n: _weights(n) | {"final_time": "1"},
+    "laplace_transform": lambda n: {"f": f"t^{n} exp(-t) sin(2t)"},
+    "inverse_laplace_transform": lambda n: {"F": f"1/({' '.join(f'(s + {i})' for i in range(1, n + 1))})"},
+    "differential_equation": lambda _: {"input": '{u: "exp(-t)"}', "initial": "{x1: 1}"},
     "minimum_energy_control": lambda n: {"initial_state": str([1] * n), "final_time": "1"},
 }
 """What a question needs beside the plant, by the order of the plant."""
+
+OPTIONS_BY_METHOD = {
+    ("lead_compensator", "frequency_response"): {"velocity_constant": "5", "phase_margin": "45"},
+    ("lead_compensator", "root_locus"): {"poles": '["-1 ± 2j"]'},
+    ("lag_compensator", "frequency_response"): {"velocity_constant": "5", "phase_margin": "45"},
+    ("lag_compensator", "root_locus"): {"velocity_constant": "20", "poles": '["-0.5 ± 2j"]'},
+    ("lead_lag_compensator", "frequency_response"): {"velocity_constant": "20", "phase_margin": "50"},
+    ("lead_lag_compensator", "root_locus"): {"velocity_constant": "20", "poles": '["-1 ± 2j"]'},
+    ("pid_tuning", "pole_placement"): {"poles": "[-2, -3, -4]"},
+}
+"""The same of tasks whose methods need different things."""
 
 DISCRETE_OPTIONS = {"response": {"input": "(-1)^k"}}
 """What stands in place of that in discrete time."""

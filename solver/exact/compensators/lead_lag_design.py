@@ -15,7 +15,7 @@ from solver.exact.compensators.sections import Compensated, Plant, Section, comp
 from solver.exact.frequency.following import phase_crossings
 
 MOST_ROUNDS = 10
-USUAL_LEAD = 50
+USUAL_LEAD = 30
 """Degrees that the lead is to give where the phase of the plant never is −180°."""
 
 LARGEST_PHASE = 80.0

@@ -88,6 +88,9 @@ def _without_controller(question: judges.CompensatorQuestion, answers: Answers) 
                 NEAR,
                 answer=name,
             )
+        elif name == "gain_crossover" and question.crossover is not None:
+            near = judges.is_the_crossover(question, value)
+            yield Check.that("the gain crossover is the one asked for", "compared", near, answer=name)
         elif name in ("T", "alpha") and not judges.fits_the_sections(question, value):
             yield Check.that("a value for each section", "counted", False, answer=name)
         else:

@@ -6,6 +6,7 @@ from solver.numeric.judges.compensators.compensators import (
     controller_from,
     faults_of,
     fits_the_sections,
+    is_the_crossover,
     least_gain_residual,
 )
 from solver.numeric.judges.compensators.pid import PidQuestion, pid_residual
@@ -17,6 +18,7 @@ __all__ = [
     "controller_from",
     "faults_of",
     "fits_the_sections",
+    "is_the_crossover",
     "least_gain_residual",
     "pid_residual",
 ]

@@ -77,6 +77,11 @@ def controller_from(K: Any, T: Any, alpha: Any, s: Any) -> Any:
     return K * sp.Mul(*((a * s + 1) / (b * a * s + 1) for a, b in zip(times, ratios, strict=True)))
 
 
+def is_the_crossover(question: CompensatorQuestion, value: Any) -> bool:
+    """Whether a frequency is the one asked for, as nearly as that is asked."""
+    return bool(abs(_value(value) / _value(question.crossover) - 1) <= CROSSOVER)
+
+
 def fits_the_sections(question: CompensatorQuestion, value: Any) -> bool:
     """Whether there is one value for each section."""
     return isinstance(value, list | tuple) and len(value) == 2 if question.kind == "lead_lag" else bool(value)
@@ -88,6 +93,8 @@ def _numbers(question: CompensatorQuestion, controller: Any) -> Numbers:
     above, below = sp.fraction(sp.together(controller))
     if (above.free_symbols | below.free_symbols) - {s} or not (above.is_polynomial(s) and below.is_polynomial(s)):
         raise NotEvaluable("the compensator is no quotient of polynomials with numbers")
+    if above == 0:
+        raise NotEvaluable("the compensator is zero")
     c, d, N, D = (
         np.real(coefficients_at(sp.expand(p), s, {})) for p in (above, below, question.numerator, question.denominator)
     )
@@ -176,7 +183,9 @@ def has_the_shape(kind: str, loop: Numbers) -> bool:
 
 def _constant(p: Array) -> tuple[float, int]:
     """The lowest coefficient that is not zero, and its power."""
-    power = next(i for i, c in enumerate(p[::-1]) if abs(c) > 1e-13 * np.max(np.abs(p)))
+    power = next((i for i, c in enumerate(p[::-1]) if abs(c) > 1e-13 * np.max(np.abs(p))), None)
+    if power is None:
+        raise NotEvaluable("the loop passes nothing")
     return float(p[::-1][power]), power
 
 
