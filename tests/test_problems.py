@@ -39,7 +39,10 @@ def carelessly_written(markdown):
             yield text[max(0, found.start() - 60) : found.end() + 60]
 
 
-IMPOSSIBLE = {("appC-final1", "3-infeasible"): "No lead section has this crossover"}
+IMPOSSIBLE = {
+    ("appC-final1", "3-infeasible"): "No lead section has this crossover",
+    ("appC-final3", "1b"): "There is nothing to drop",
+}
 """What the course asks and nobody can give; the reason says why."""
 
 

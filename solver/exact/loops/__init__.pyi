@@ -12,7 +12,6 @@ from solver.exact.loops.errors import (
     usual_parts,
 )
 from solver.exact.loops.flow_graphs import (
-    Edge,
     Mason,
     Removed,
     Route,
@@ -26,7 +25,6 @@ from solver.exact.loops.flow_graphs import (
 )
 
 __all__ = [
-    "Edge",
     "ErrorConstants",
     "LongRun",
     "Mason",
