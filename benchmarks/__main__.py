@@ -93,6 +93,7 @@ def main() -> int:
         "circuits",
         "horizons",
         "multivariable",
+        "transforms",
         "command",
         "class",
         "growth",

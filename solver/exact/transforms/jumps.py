@@ -13,7 +13,7 @@ import sympy as sp
 from solver.exact.linear_algebra.affine import solve_affine, tidy
 from solver.exact.linear_algebra.fields import NotExact
 from solver.exact.transforms.images import rational_image
-from solver.exact.transforms.operators import Operators
+from solver.exact.transforms.operators import Operators, adjugate_and_determinant
 from solver.exact.transforms.rules import TransformPiece
 
 
@@ -89,9 +89,9 @@ def right_sides(operators: Operators, piece: ActingPiece, t: sp.Symbol) -> tuple
         for q, f in zip(operators.Q.row(i), piece.functions, strict=True):
             total += applied(q, f, t, s)
         forced.append(total)
-    adjugate = operators.P.as_mutable().adjugate(method="berkowitz") if operators.P.rows > 1 else sp.eye(1)
+    adjugate, _ = adjugate_and_determinant(operators)
     return tuple(
-        sp.expand(sp.Add(*(applied(sp.expand(adjugate[j, i]), forced[i], t, s) for i in range(len(forced)))))
+        sp.expand(sp.Add(*(applied(adjugate[j, i], forced[i], t, s) for i in range(len(forced)))))
         for j in range(len(forced))
     )
 

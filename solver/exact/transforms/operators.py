@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
+from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.affine import tidy
 from solver.exact.linear_algebra.fields import NotExact
@@ -84,19 +86,29 @@ def operators_of(
             elif c != 0:
                 P[i, list(unknowns).index(name)] += tidy(c) * s**k
         constants[i] = -rest
-    if P.det(method="berkowitz").expand() == 0:
-        raise NotExact("differential_equation/singular")
     left, right, rest = (sp.ImmutableMatrix(M) for M in (P, Q, constants))
-    return Operators(left, right, rest, tuple(unknowns), tuple(inputs), s)
+    found = Operators(left, right, rest, tuple(unknowns), tuple(inputs), s)
+    if adjugate_and_determinant(found)[1] == 0:
+        raise NotExact("differential_equation/singular")
+    return found
 
 
 def images_of_unknowns(operators: Operators, right: sp.ImmutableMatrix) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
-    """det P, and the numerators det Pⱼ of Cramer's rule, Pⱼ with the right side in column j: Xⱼ = det Pⱼ/det P."""
-    P = operators.P.as_mutable()
-    whole = in_powers_of(P.det(method="berkowitz"), operators.s)
-    parts = []
-    for j in range(P.cols):
-        changed = P.copy()
-        changed[:, j] = right
-        parts.append(sp.expand(changed.det(method="berkowitz")))
-    return whole, tuple(parts)
+    """det P, and the numerators det Pⱼ of Cramer's rule, Pⱼ with the right side in column j: Xⱼ = det Pⱼ/det P.
+
+    Expanded along that column, det Pⱼ is the sum of the right sides times the cofactors of P.
+    """
+    adjugate, whole = adjugate_and_determinant(operators)
+    parts = tuple(
+        sp.Add(*(c * r for c, r in zip(adjugate.row(j).flat(), right.flat(), strict=True) if c != 0 and r != 0))
+        for j in range(adjugate.rows)
+    )
+    return whole, parts
+
+
+@lru_cache(maxsize=16)
+def adjugate_and_determinant(operators: Operators) -> tuple[sp.ImmutableMatrix, sp.Expr]:
+    """adj P (n×n) and det P, multiplied out in powers of s."""
+    found, whole = DomainMatrix.from_Matrix(operators.P.as_mutable(), extension=True).adj_det()
+    adjugate = found.to_Matrix().applyfunc(lambda entry: in_powers_of(entry, operators.s))
+    return sp.ImmutableMatrix(adjugate), in_powers_of(found.domain.to_sympy(whole), operators.s)
