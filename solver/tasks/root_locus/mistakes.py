@@ -117,7 +117,7 @@ def extra_or_missing_point(wrong: Wrong) -> Reason | None:
         if all(abs(value - other) > ROUGH * (1 + abs(other)) for other in wanted):
             below = gain.real < 0 and abs(gain.imag) < NEAR * (1 + abs(gain))
             told = sp.Float(gain.real) if below else sp.Float(gain.real) + sp.I * sp.Float(gain.imag)
-            kind = "meets_below_zero" if below else "meets_nowhere"
-            return Reason(f"root_locus/{kind}", {"point": short(each), "gain": short(told), "K": K})
+            values = {"point": short(each), "gain": short(told), "K": K}
+            return Reason("root_locus/meets_below_zero" if below else "root_locus/meets_nowhere", values)
     missing = [other for other in wanted if all(abs(value - other) > ROUGH * (1 + abs(other)) for value in own)]
     return Reason("root_locus/meeting_missing", {"count": len(missing)}) if missing else None

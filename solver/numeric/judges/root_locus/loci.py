@@ -104,7 +104,12 @@ def centroid_residual(locus: Locus, centroid: Any) -> float:
         return float("inf")
     center = number(centroid)
     ratio = -locus.gain(center + far) * locus.numerator[0] / locus.denominator[0] / far**q
-    return float(abs(ratio - 1) * far / q / (1 + abs(center)))
+    return float(abs(ratio - 1) * far / q / (abs(center) if abs(center) > NEAR else 1))
+
+
+def relative(a: Any, b: Any) -> float:
+    """How far a is from b, in parts of b where that is not zero."""
+    return float(abs(a - b) / (abs(b) if abs(b) > NEAR else 1))
 
 
 def apart(a: Any, b: Any) -> Any:
@@ -125,7 +130,7 @@ def segments_residual(locus: Locus, segments: Sequence[Any]) -> float:
     if len(found) != len(wanted):
         return float("inf")
     pairs = [pair for ours, other in zip(wanted, found, strict=True) for pair in zip(ours, other, strict=True)]
-    return max((float(abs(a - b) / (1 + abs(a))) for a, b in pairs), default=0.0)
+    return max((relative(a, b) for a, b in pairs), default=0.0)
 
 
 def _end(value: Any, far: Any) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from solver.numeric.judges.root_locus.loci import FAR, MP, NEAR, Locus, apart, number
+from solver.numeric.judges.root_locus.loci import FAR, MP, NEAR, Locus, apart, number, relative
 
 
 def meeting_points(locus: Locus) -> list[tuple[Any, Any]]:
@@ -57,7 +57,7 @@ def _matched(found: list[tuple[Any, Any]], wanted: list[tuple[Any, Any]]) -> flo
 
 
 def _differ(a: tuple[Any, Any], b: tuple[Any, Any]) -> float:
-    return max(float(abs(x - y) / (1 + abs(y))) for x, y in zip(a, b, strict=True) if x is not None and y is not None)
+    return max(relative(x, y) for x, y in zip(a, b, strict=True) if x is not None and y is not None)
 
 
 def axis_points(locus: Locus) -> list[tuple[Any, Any]] | None:
@@ -140,6 +140,6 @@ def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> 
     worst = 0.0
     for each in found:
         best = min(range(len(wanted)), key=lambda i: apart(wanted[i], each))
-        worst = max(worst, float(apart(wanted[best], each) / 180))
+        worst = max(worst, float(apart(wanted[best], each) / max(1, abs(each))))
         del wanted[best]
     return worst
