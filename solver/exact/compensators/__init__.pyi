@@ -33,7 +33,6 @@ from solver.exact.compensators.pid import (
     placed_gains,
     tuned,
     tuning_rules,
-    wanted_polynomial,
 )
 from solver.exact.compensators.reaction_curve import NoCurve, ReactionCurve, reaction_curve
 from solver.exact.compensators.sections import (
@@ -106,5 +105,4 @@ __all__ = [
     "tuned",
     "tuning_rules",
     "ultimate_gain",
-    "wanted_polynomial",
 ]

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from solver.exact.design.placement import monic, polynomial_in, roots_of
+from solver.exact.design.placement import monic, roots_of
 from solver.exact.linear_algebra.affine import affine, solve_affine, tidy
 from solver.exact.linear_algebra.spectrum import DIGITS
 
@@ -157,8 +157,3 @@ def placed_gains(
     values = [value.xreplace(dict.fromkeys(unknowns, sp.Integer(0))) for value in solution.values]
     gains = gains_of([tidy(value) for value in values])
     return ComparedGains(unknowns, own, wanted, gains, free=bool(solution.free))
-
-
-def wanted_polynomial(poles: Sequence[sp.Expr], s: sp.Symbol) -> sp.Expr:
-    """Return Π(s − p), multiplied out."""
-    return polynomial_in(s, monic(poles))
