@@ -31,7 +31,8 @@ def open_loop_of(loop: OutputFeedback) -> Derivation[OpenLoop]:
     bottom = by_powers(d * plant.denominators[0][0] * k, x)
     if sp.degree(top, x) > sp.degree(bottom, x):
         raise Unsolved("conversions/improper_loop")
-    claim = Claim(_of_factors(C, G, H), quotient(top, bottom), "the open loop $L$")
+    found = quotient(top, bottom) if top != 0 else sp.S.Zero
+    claim = Claim(_of_factors(C, G, H), found, "the open loop $L$")
     factor = sp.exp(-delay * x)
     yield Step("open_loop", claims={"L": claim}, x=x, C=C, G=G, H=H, delay=delay, factor=factor)
     rational = transfer_system(plant, sp.ImmutableMatrix([[sp.cancel(top / bottom)]]), ((top,),), ((bottom,),))

@@ -23,7 +23,7 @@ def of_transform_of(found: Any, signal: Any, t: Any, s: Any) -> Iterator[Claim]:
 def of_lasting(found: Any, signal: Any, t: Any) -> Iterator[Claim | Check]:
     """It is the signal, late; nothing jumps in it."""
     jumps = found.atoms(sp.Heaviside, sp.DiracDelta)
-    yield Check.that("no jumps are left", "searched", not jumps)
+    yield Check.that("no jumps are left", "compared", not jumps)
     if not signal.free_symbols - {t}:
         late = 1000 + t
         yield Claim(signal.xreplace({t: late}).replace(sp.DiracDelta, lambda *_: sp.S.Zero), found.xreplace({t: late}))

@@ -88,14 +88,14 @@ def are_all_paths(given: Given[SignalFlow, ReductionOptions], answers: Answers) 
     """Paths counted over sets of nodes, their gains in numbers."""
     graph = given.system
     right = judges.are_paths(_branches(given), graph.input, graph.output, list(answers["forward_paths"]))
-    yield Check.that("these are the gains of all forward paths", "sets of nodes", right, answer="forward_paths")
+    yield Check.that("these are the gains of all forward paths", "counted", right, answer="forward_paths")
 
 
 @block_diagram_reduction.verification("loops")
 def are_all_loops(given: Given[SignalFlow, ReductionOptions], answers: Answers) -> Iterable[Check]:
     """Loops counted over sets of nodes, their gains in numbers."""
     right = judges.are_loops(_branches(given), list(answers["loops"]))
-    yield Check.that("these are the gains of all loops", "sets of nodes", right, answer="loops")
+    yield Check.that("these are the gains of all loops", "counted", right, answer="loops")
 
 
 flow_mistakes.register(block_diagram_reduction)

@@ -182,9 +182,10 @@ def _simulated(loop: LoopInNumbers, signals: Sequence[Any], t: Any, point: Point
             continue
         rows = [{**here, t: complex(time)} for time in unit / slowest]
         f = np.ravel(value_of(signal, Environment.at(rows)).value).real * np.ones(len(unit))
-        above, below = (_slower(each, slowest) for each in (top, loop.characteristic))
-        _, y, _ = lsim((above, below), f, unit)
-        e += (f if number == 0 else 0.0) - y
+        e += f if number == 0 else 0.0
+        above, below = (np.trim_zeros(_slower(each, slowest), "f") for each in (top, loop.characteristic))
+        if len(above):
+            e -= lsim((above, below), f, unit)[1]
     return float(e[len(e) // 2]), float(e[-1])
 
 
