@@ -50,7 +50,23 @@ class KindReader:
             return self._set(node, ours)
         if isinstance(ours, sp.MatrixBase):
             return self._matrix(node, ours)
-        return self._mapping(node) if isinstance(ours, Mapping) else self._value(node, ours)
+        if isinstance(ours, Mapping):
+            return self._cases(node, ours) if all(isinstance(name, str) for name in ours) else self._mapping(node)
+        return self._value(node, ours)
+
+    def _cases(self, node: Node, ours: Mapping[str, Any]) -> Pair:
+        """Cases by their names, each with the condition under which it is met."""
+        node = self._unfolded(node)
+        if not isinstance(node, MappingNode):
+            node = mapped(node, typed(node)) or node
+        if not isinstance(node, MappingNode):
+            raise node.fault("cases with their conditions are expected here, such as {underdamped: d < 4}")
+        symbols = {symbol.name for condition in ours.values() for symbol in condition.free_symbols}
+        alone = next(iter(symbols)) if len(symbols) == 1 else ""
+        read = {
+            entry.key.text.strip().lower().replace(" ", "_"): self.texts.condition(entry.value, alone) for entry in node
+        }
+        return read, read
 
     def _in_case(self, read: Any, ours: Any) -> Any:
         """A condition on k as one on K, where this is the parameter and no other is there."""

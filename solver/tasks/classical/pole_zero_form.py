@@ -29,7 +29,7 @@ from solver.tasks.classical.paths import Path, numbers_of, path_of, quietly, sta
 from solver.tasks.figures import plane, roots
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.representation.lowest_terms import from_roots
-from solver.words import Phrase, Reason
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import Expr
@@ -62,8 +62,10 @@ def by_the_roots(given: Given[Plant, LoopOptions]) -> Derivation[Answers]:
     leads = [sp.Poly(p, x).LC() for p in path.shown]
     yield Step("gain", claims={"gain": Claim(quotient(*leads), form.gain, "gain")}, x=x, shown=path.shown,
                leads=leads, late=path.delay != 0)  # fmt: skip
-    yield _roots("numerator", path.top / form.gain, form.top, form.zeros, x)
-    yield _roots("denominator", path.bottom, form.bottom, form.poles, x)
+    zeros = _roots(path.top / form.gain, form.top, form.zeros, x)
+    yield Step("numerator", claims=zeros, unclaimed=_constant(zeros), **_shown(form.zeros))
+    poles = _roots(path.bottom, form.bottom, form.poles, x)
+    yield Step("denominator", claims=poles, unclaimed=_constant(poles), **_shown(form.poles))
     yield _whole(path, form)
     G = sp.exp(-path.delay * x) * form.function if path.delay != 0 else form.function
     return Answers(G=G, zeros=form.zeros, poles=form.poles, gain=form.gain)
@@ -79,18 +81,28 @@ def _form_of(path: Path) -> exact.PoleZeroForm:
         raise Unsolved("pole_zero_form/no_roots", polynomials=which) from None
 
 
-def _roots(kind: str, polynomial: Expr, factors: Expr, found: list[Expr], x: Any) -> Step:
-    """A monic polynomial, its factors and its roots."""
-    claims = {}
-    if found:
-        p = sp.Poly(sp.cancel(polynomial), x).as_expr()
-        claims = {
-            "factors": Claim(p, factors, Phrase("factors of the {which}", which=kind)),
-            "roots": Claim(p, from_roots(x, found), Phrase("roots of the {which}", which=kind)),
-        }
-    paired = any(root.has(sp.I) for root in found)
-    return Step(kind, claims=claims, unclaimed="" if found else "it is a constant", x=x, roots=found, paired=paired,
-                decimal=any(root.has(sp.Float) for root in found), factored=factors)  # fmt: skip
+def _roots(polynomial: Expr, factors: Expr, found: list[Expr], x: Any) -> dict[str, Claim]:
+    """A monic polynomial is the product of its factors, and of x − r over its roots."""
+    if not found:
+        return {}
+    p = sp.Poly(sp.cancel(polynomial), x).as_expr()
+    return {
+        "factors": Claim(p, factors, "factors of the polynomial"),
+        "roots": Claim(p, from_roots(x, found), "roots of the polynomial"),
+    }
+
+
+def _constant(claims: Mapping[str, Claim]) -> str:
+    return "" if claims else "it is a constant"
+
+
+def _shown(found: list[Expr]) -> dict[str, Any]:
+    """The roots, and whether there are pairs or decimals among them."""
+    return {
+        "roots": found,
+        "paired": any(root.has(sp.I) for root in found),
+        "decimal": any(root.has(sp.Float) for root in found),
+    }
 
 
 def _whole(path: Path, form: exact.PoleZeroForm) -> Step:

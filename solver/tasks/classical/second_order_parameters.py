@@ -81,7 +81,7 @@ second_order_parameters: Task[Polynomial, SecondOrderOptions] = Task(
             earned=("discriminant", "critical"),
         ),
     ],
-    example={"polynomial": "{x}^2 + d {x} + 4"},
+    example={"polynomial": "s^2 + d s + 4"},
 )  # fmt: skip
 
 

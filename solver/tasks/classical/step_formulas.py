@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 BANDS = {"2%": 4, "5%": 3}
 """ζω_n times the settling time."""
+DISPLAYED = "the formula is displayed with its value, and evaluated there"
 
 
 @lemma("step_formulas")
@@ -32,15 +33,15 @@ def by_second_order(path: Path, options: StepOptions) -> Derivation[Answers]:
     yield Step("standard", claims=claims, found=found, gain=gain, turn=exact.damped_frequency(found))
     values = {name: _formula(name, found, c) for name in ("rise_time", "peak_time", "overshoot", "settling_time")}
     if options.whole:
-        yield _named("rise", found, values["rise_time"], path.delay)
+        yield Step("rise", unclaimed=DISPLAYED, **_named(found, values["rise_time"], path.delay))
     else:
         values["rise_time"] = yield from _rise_of_shares(path, options)
         if values["overshoot"].has(sp.exp) and not path.parameters:  # beside decimals
             values["overshoot"] = sp.N(values["overshoot"], 30)
-    for kind, name in (("peak", "peak_time"), ("overshoot", "overshoot"), ("settling", "settling_time")):
-        late = path.delay if name in ("peak_time", "settling_time") else sp.Integer(0)
-        yield _named(kind, found, values[name], late, c)
-        values[name] = values[name] + late
+    yield Step("peak", unclaimed=DISPLAYED, **_named(found, values["peak_time"], path.delay))
+    yield Step("overshoot", unclaimed=DISPLAYED, **_named(found, values["overshoot"], sp.Integer(0)))
+    yield Step("settling", unclaimed=DISPLAYED, **_named(found, values["settling_time"], path.delay), band=c)
+    values |= {name: values[name] + path.delay for name in ("peak_time", "settling_time")}
     answers = Answers(**values, final_value=gain)
     figure = () if path.parameters else specified_figure(path, response_of(path), answers, options, formulas=True)
     yield Step("marked", detail="full", unclaimed="a figure", figures=figure, drawn=bool(figure), formulas=True)
@@ -82,19 +83,17 @@ def _formula(name: str, found: exact.Damping, band: int) -> Expr:
     return sp.cancel(band / sigma)
 
 
-def _named(kind: str, found: exact.Damping, value: Expr, late: Expr, band: int = 0) -> Step:
+def _named(found: exact.Damping, value: Expr, late: Expr) -> dict[str, Any]:
     """One formula, the numbers put in, and the result."""
-    return Step(
-        kind,
-        unclaimed="the formula is displayed with its value",
-        found=found,
-        value=value,
-        late=late,
-        whole=value + late,
-        turn=exact.damped_frequency(found),
-        band=band,
-        approximate=_rough(value + late),
-    )
+    whole = value + late
+    return {
+        "found": found,
+        "value": value,
+        "late": late,
+        "whole": whole,
+        "turn": exact.damped_frequency(found),
+        "approximate": _rough(whole),
+    }
 
 
 def _rough(value: Any) -> Any:

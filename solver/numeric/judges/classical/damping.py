@@ -13,10 +13,10 @@ from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.representation.minimal import MANY, numbers_at
 
 CASES = ("undamped", "underdamped", "critically_damped", "overdamped")
-TRIED = 60
+TRIED = 12
 WRONG = float("inf")
 ZERO = 1e-25
-NEAR = (sp.Rational(999, 1000), sp.Rational(1001, 1000))
+NEAR = tuple(1 + sign * sp.Rational(1, 10**n) for n in (3, 12) for sign in (-1, 1))
 
 
 def natural_frequency_residual(coefficients: Sequence[Any], answer: Any) -> float:

@@ -76,7 +76,10 @@ def reduced_residual(plant: Any, order: int, G: Any) -> float:
     for point in points_of(plant, G.subs(s, 2)):
         rational = {x: sp.Rational(complex(value).real) for x, value in dict(point).items()}
         at = tuple(M.xreplace(rational) for M in plant)
-        top, bottom = (sp.Poly(each, s) for each in sp.fraction(sp.together(G.xreplace(rational))))
+        function = sp.together(G.xreplace(rational))
+        if not function.is_rational_function(s) or function.free_symbols - {s}:
+            return WRONG
+        top, bottom = (sp.Poly(each, s) for each in sp.fraction(function))
         A, B, C, D = quadruple_at(at, {})
         A, B, C = minimal_part(A, B, C)
         poles = shown_poles(at, {})
