@@ -9,6 +9,7 @@ import numpy as np
 from solver.derivation.figures import DrawnCurve, DrawnPlot, Mark
 from solver.derivation.frequency_figures import FrequencyResponse, NyquistDiagram
 from solver.figures.responses import Array, decades, factors_at, frequencies, on_the_axis, pieces, values
+from solver.figures.sampling import plain
 
 LEAST = 1.7
 """The window reaches at least so far from the origin."""
@@ -60,7 +61,7 @@ def nyquist_of(figure: NyquistDiagram) -> DrawnPlot:
     curves: list[DrawnCurve] = []
     for branch in _visible(response, radius):
         for sign, style, label in ((1, "arrow", r"\omega > 0"), (-1, "dashed arrow", r"\omega < 0")):
-            x, y = (side[::sign] for side in (branch.real, sign * branch.imag))
+            x, y = (side[::sign] for side in plain(branch.real, sign * branch.imag))
             curves.append(DrawnCurve(label, style, tuple(x.tolist()), tuple(y.tolist())))
     curves += [] if figure.near else list(_arcs(response, 0.94 * radius))
     curves.append(DrawnCurve("-1", "cross", (-1.0,), (0.0,)))
@@ -118,7 +119,7 @@ def _arc(start: float, stop: float, radius: float) -> DrawnCurve:
     angle = np.radians(np.linspace(start, stop, count))
     size = radius * (1 - 0.05 * np.linspace(0, 1, count) * abs(stop - start) / 360)
     x, y = size * np.cos(angle), size * np.sin(angle)
-    return DrawnCurve(r"|L| \to \infty", "arc", tuple(x.tolist()), tuple(y.tolist()))
+    return DrawnCurve(r"\text{at infinity}", "arc", tuple(x.tolist()), tuple(y.tolist()))
 
 
 __all__ = ["LARGE", "nyquist_of", "on_the_axis_of_poles", "reach_of"]
