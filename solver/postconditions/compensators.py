@@ -150,3 +150,17 @@ def of_reaction_curve(found: Any, numerator: Any, denominator: Any, s: Any, dela
         yield Claim(found.y.xreplace({t: found.time}), found.height)
     values = [abs(complex(numeric.evaluate(found.g, {t: complex(x)}))) for x in np.linspace(0.01, 30, 60)]
     yield Check.that("no slope is larger", "numpy", max(values) <= abs(complex(found.slope)) * (1 + 1e-9))
+
+
+def of_ultimate_with_dead_time(
+    found: Any, numerator: Any, denominator: Any, s: Any, delay: Any
+) -> Iterator[Claim | Check]:
+    """K G is −1 at the frequency."""
+    oscillation, why = found
+    if oscillation is None:
+        yield Check.that("why there is none", "compared", why in {"unstable", "never_oscillates"})
+        return
+    at = {s: sp.I * oscillation.frequency}
+    there = (numerator / denominator * sp.exp(-delay * s)).xreplace(at)
+    yield Claim(product(oscillation.gain, there), sp.Integer(-1))
+    yield Claim(product(oscillation.frequency, oscillation.frequency), oscillation.square)

@@ -87,9 +87,8 @@ def _crossings(margins: Any, L: Any) -> Iterator[Check]:
         )
         turned = abs((np.degrees(np.angle(L(w))) - float(each.phase) + 180) % 360 - 180) <= DEGREES
         yield Check.that("magnitude and phase at a crossover", "numpy", right and bool(turned))
-    for each, kind in ((margins.at_gain, "gain"), (margins.at_phase, "phase")):
-        yield Check.that("the crossover that decides is one", "compared", each is None or each.omega in
-                         [one.omega for one in getattr(margins, f"{kind}s").found])  # fmt: skip
+    for each, listed in ((margins.at_gain, margins.gains.found), (margins.at_phase, margins.phases.found)):
+        yield Check.that("the crossover that decides is one", "compared", each is None or each in listed)
     if margins.at_gain is not None:
         own = np.degrees(np.angle(-L(float(margins.at_gain.omega))))
         yield Check.within("the phase margin", "numpy", abs(float(margins.phase_margin) - float(own)), DEGREES)

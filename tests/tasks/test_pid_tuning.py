@@ -9,13 +9,14 @@ from hypothesis import strategies as st
 from solver.derivation import Answers, CheckStatus, Status
 from solver.engine import given_of
 from solver.problem.model import Part
-from solver.systems import StateSpace
+from solver.systems import DeadTime, StateSpace
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, system
 from tests.helpers.tried import tried
 from tests.tasks.test_model_matching import plant
 
 s = sp.Symbol("s")
+r = sp.Rational
 ULTIMATE, STEP, PLACING = "ziegler_nichols_ultimate", "ziegler_nichols_step", "pole_placement"
 OGATA = plant(sp.Integer(1), s * (s + 1) * (s + 5))
 
@@ -201,3 +202,25 @@ def test_each_answer_alone_is_accepted_and_each_corruption_rejected(G, method, o
         assert judged(G, method, {name: value}, **options) == {CheckStatus.PASSED}
         for corrupted in (-value, 2 * value, value * (1 + sp.Rational(1, 10**8)), value + 1, 1 / value):
             assert judged(G, method, {name: corrupted}, **options) == {CheckStatus.FAILED}, (name, corrupted)
+
+
+def late(G, delay):
+    """A plant with a dead time."""
+    return DeadTime(G, delay)
+
+
+@pytest.mark.parametrize(("delay", "lag"), [(1, 1), (r(1, 2), 3), (2, r(1, 2))])
+def test_a_lag_with_a_dead_time_oscillates_where_the_phase_says(delay, lag):
+    result = tuned(late(plant(sp.Integer(2), lag * s + 1), sp.sympify(delay)))
+    assert result.status is Status.VERIFIED, result.reason
+    omega = 2 * np.pi / float(result.answers["T_u"])
+    assert omega * float(delay) + np.arctan(omega * float(lag)) == pytest.approx(np.pi)
+    assert float(result.answers["K_u"]) == pytest.approx(np.hypot(1, omega * float(lag)) / 2)
+
+
+def test_an_unstable_plant_with_a_dead_time_oscillates_at_its_second_limit():
+    G = late(plant(sp.Integer(1), s - 1), r(1, 10))
+    answers = tuned(G).answers
+    assert float(answers["K_u"]) == pytest.approx(15.0775, rel=1e-4)  # stable for 1 < K < 15.08
+    assert judged(G, ULTIMATE, {"K_u": answers["K_u"] * 2}) == {CheckStatus.FAILED}
+    assert "not stable" in str(tuned(late(plant(sp.Integer(1), s**2 + 1), r(1, 10))).reason)

@@ -51,6 +51,7 @@ from solver.exact.compensators.ultimate_gain import (
     UltimateGain,
     on_the_axis,
     ultimate_gain,
+    ultimate_with_dead_time,
 )
 
 __all__ = [
@@ -105,4 +106,5 @@ __all__ = [
     "tuned",
     "tuning_rules",
     "ultimate_gain",
+    "ultimate_with_dead_time",
 ]

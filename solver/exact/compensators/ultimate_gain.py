@@ -13,9 +13,15 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.design.placement import roots_of
+from solver.exact.frequency.axis import on_axis
+from solver.exact.frequency.encirclements import encirclements
+from solver.exact.frequency.real_axis import phase_crossovers
 from solver.exact.linear_algebra.fields import domain_matrix, expression
 from solver.exact.linear_algebra.spectrum import DIGITS
 from solver.exact.stability.root_counts import root_counts
+
+BELOW = 1 - 1e-6
+"""Times the ultimate gain the loop is still stable."""
 
 NEAREST = sp.Rational(1, 10**9)
 """Relative distance below which two gains in decimals are taken for one."""
@@ -185,3 +191,28 @@ def _outside(p: sp.Expr, s: sp.Symbol) -> int:
     counts = root_counts(sp.Poly(p, s).all_coeffs())
     assert counts is not None  # noqa: S101 - the coefficients are numbers
     return counts.outside + counts.on
+
+
+def ultimate_with_dead_time(
+    numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay: sp.Expr
+) -> tuple[Oscillation | None, str]:
+    """Return the least K > 0 at which the loop of K N/D e^{−delay s} begins to oscillate, in decimals, or why none.
+
+    "unstable": with a small gain the loop is not stable, "never_oscillates": the phase never reaches −180°.
+    """
+    L = on_axis(numerator, denominator, s, delay)
+    found = [each for each in phase_crossovers(L).found if each.omega != 0]
+    if not found:
+        return None, "never_oscillates"
+    first = max(found, key=lambda each: _size(each.magnitude))
+    K = sp.N(1 / first.magnitude, DIGITS)
+    below, above = (sp.Rational(str(sp.N(K * factor, 15))) for factor in (BELOW, 1 / BELOW))
+    if not _is_stable(below * numerator, denominator, s, delay) or _is_stable(above * numerator, denominator, s, delay):
+        return None, "unstable"
+    omega = sp.N(first.omega, DIGITS)
+    return Oscillation(K, omega, sp.N(omega**2, DIGITS)), ""
+
+
+def _is_stable(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay: sp.Expr) -> bool:
+    turns = encirclements(sp.expand(numerator), denominator, s, delay)
+    return turns.closed_loop == 0 and not turns.through

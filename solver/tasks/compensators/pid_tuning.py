@@ -15,7 +15,7 @@ from solver.tasks.compensators.closed_loop import loop_closed_by
 from solver.tasks.compensators.pid_options import PidOptions, is_measured, pid_faults
 from solver.tasks.compensators.placed_loop import gains_that_place
 from solver.tasks.compensators.plants import loop_of
-from solver.tasks.compensators.ultimate import ultimate_gain_of
+from solver.tasks.compensators.ultimate import ultimate_gain_of, ultimate_gain_with_dead_time
 from solver.tasks.compensators.ziegler_nichols import controller_of, reaction_curve_of, tuned_by_table
 from solver.words import Phrase
 
@@ -80,9 +80,7 @@ def by_the_ultimate_gain(given: Given[OpenLoop, PidOptions]) -> Derivation[Answe
     _of_numbers(G)
     if G.numerator == 0:
         raise Unsolved("pid_tuning/zero_plant")
-    if G.delay != 0:
-        raise Unsolved("pid_tuning/dead_time")
-    K_u, T_u = yield from ultimate_gain_of(G)
+    K_u, T_u = yield from (ultimate_gain_of(G) if G.delay == 0 else ultimate_gain_with_dead_time(G))
     answers = yield from _tuned(given, G, "ultimate", K_u, T_u, {"K_u": K_u, "T_u": T_u})
     answers.update(K_u=K_u, T_u=T_u)
     return answers

@@ -19,6 +19,13 @@ def no_ultimate_gain(why: str) -> Unsolved:
     return Unsolved("pid_tuning/at_infinity")
 
 
+def no_ultimate_gain_with_dead_time(why: str) -> Unsolved:
+    """Return why a loop with a dead time does not begin to oscillate."""
+    if why == "unstable":
+        return Unsolved("pid_tuning/not_stable_at_first")
+    return Unsolved("pid_tuning/never_oscillates")
+
+
 def no_reaction_curve(why: str) -> Unsolved:
     """Return why the step response has no tangent that the rules are about."""
     match why:

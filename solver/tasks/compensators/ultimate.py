@@ -9,7 +9,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient, total
 from solver.stated.calculus import value_at
-from solver.tasks.compensators.refusals import no_ultimate_gain
+from solver.tasks.compensators.refusals import no_ultimate_gain, no_ultimate_gain_with_dead_time
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -43,6 +43,25 @@ def ultimate_gain_of(G: OpenLoop) -> Derivation[tuple[Expr, Expr]]:
     claim = Claim(quotient(2 * sp.pi, found.ultimate.frequency), T, "the period")
     yield Step("period", claims={"T": claim}, ultimate=found.ultimate)
     return found.ultimate.gain, T
+
+
+@lemma("ultimate_gain")
+def ultimate_gain_with_dead_time(G: OpenLoop) -> Derivation[tuple[Expr, Expr]]:
+    """K_u and T_u where the phase of the plant reaches −180°; raises Unsolved."""
+    found, why = exact.ultimate_with_dead_time(G.numerator, G.denominator, G.variable, G.delay)
+    if found is None:
+        raise no_ultimate_gain_with_dead_time(why)
+    plant = G.numerator / G.denominator * sp.exp(-G.delay * G.variable)
+    there = value_at(plant, G.variable, sp.I * found.frequency)
+    claims = {
+        "value": Claim(there, -1 / found.gain, "the plant at this frequency"),
+        "K": Claim(quotient(sp.Integer(1), 1 / found.gain), found.gain, "the ultimate gain"),
+    }
+    yield Step("late", claims=claims, ultimate=found, delay=G.delay, s=G.variable)
+    T = sp.N(2 * sp.pi / found.frequency, 30)
+    claim = Claim(quotient(2 * sp.pi, found.frequency), T, "the period")
+    yield Step("period", claims={"T": claim}, ultimate=found)
+    return found.gain, T
 
 
 def _on_the_axis(polynomial: Expr, axis: exact.Axis, s: Symbol, K: Symbol) -> Step:

@@ -24,7 +24,9 @@ MARGIN = 0.05
 """Degrees by which a margin in rounded numbers may fall short."""
 
 CROSSOVER = 1.001e-3
-SLIGHT = 1e-9
+ROUNDED = 2e-3
+"""What rounded numbers may cost of an error or of an error constant, relatively."""
+
 POLES = {"lead": 0.01, "lag": 0.1, "lead_lag": 0.1}
 """How near the poles must be to those asked for, relatively."""
 
@@ -201,8 +203,8 @@ def _is_accurate(question: CompensatorQuestion, loop: Numbers) -> bool:
     name, value = question.accuracy
     limit = _limit(loop.N, loop.D, POWERS[name])
     if name == "error":
-        return bool(abs(1 / (1 + limit)) <= _value(value) * (1 + SLIGHT))
-    return bool(limit >= _value(value) * (1 - SLIGHT))
+        return bool(abs(1 / (1 + limit)) <= _value(value) * (1 + ROUNDED))
+    return bool(limit >= _value(value) * (1 - ROUNDED))
 
 
 def _has_poles(question: CompensatorQuestion, loop: Numbers) -> bool:

@@ -76,7 +76,8 @@ def _expected(question: PidQuestion, point: Mapping[Any, complex]) -> Mapping[st
     if question.method == "pole_placement":
         return _placed(question, point)
     if question.method == "ziegler_nichols_ultimate":
-        K, omega = ultimate_in_numbers(*_plant(question, point))
+        delay = evaluate(question.delay, point).real
+        K, omega = ultimate_in_numbers(*_plant(question, point), delay)
         T = 2 * np.pi / omega
         rows = {"P": (K / 2, 0, 0), "PI": (0.45 * K, T / 1.2, 0), "PID": (0.6 * K, T / 2, T / 8)}
         return {"K_u": K, "T_u": T, **_gains(*rows[question.kind])}
@@ -109,9 +110,11 @@ def coefficients_at(p: Any, s: Any, point: Mapping[Any, complex]) -> Array:
     return np.where(np.abs(found) < 1e-14 * size, 0, found)[::-1]
 
 
-def ultimate_in_numbers(N: Array, D: Array) -> tuple[float, float]:
+def ultimate_in_numbers(N: Array, D: Array, delay: float = 0.0) -> tuple[float, float]:
     """Return the least K > 0 at which D + K N stops being stable by a pair ±jω, and ω. Raises NotEvaluable."""
     N, D = np.real(N), np.real(D)
+    if delay:
+        return _first_crossing(N, D, delay)
     for omega in _real_on_the_axis(N, D):
         K = float((-np.polyval(D, 1j * omega) / np.polyval(N, 1j * omega)).real)
         if K > 0 and _excess(N, D, K * (1 - LIMIT)) < 0 < _excess(N, D, K * (1 + LIMIT)):
@@ -126,6 +129,27 @@ def _real_on_the_axis(N: Array, D: Array) -> list[float]:
     found = [float(r.real) for r in roots if abs(r.imag) < 1e-7 * max(1.0, abs(r)) and r.real > 1e-9]
     polished = [_polished(product.imag, omega) for omega in found]
     return sorted(polished, key=lambda omega: abs(np.polyval(D, 1j * omega) / np.polyval(N, 1j * omega)))
+
+
+def _first_crossing(N: Array, D: Array, delay: float) -> tuple[float, float]:
+    """Of the ω with K N/D e^{−jωT} = −1 for some K > 0 that with the least K, for a loop that is stable at first."""
+    from scipy.optimize import brentq  # noqa: PLC0415 - 150 ms that most checks do not need
+
+    def value(omega: float) -> complex:
+        return complex(np.polyval(N, 1j * omega) / np.polyval(D, 1j * omega) * np.exp(-1j * omega * delay))
+
+    sizes = [abs(r) for p in (N, D) for r in np.roots(p)] + [1 / delay]
+    grid = np.concatenate([np.geomspace(1e-4, 1, 2000), np.linspace(1, 30, 6000)[1:]]) * max(sizes)
+    parts = [value(float(omega)) for omega in grid]
+    found = [
+        float(brentq(lambda x: value(x).imag, a, b, xtol=1e-15, rtol=1e-14))
+        for a, b, u, v in zip(grid, grid[1:], parts, parts[1:], strict=False)
+        if u.imag * v.imag < 0 and u.real < 0 and v.real < 0
+    ]
+    if not found:
+        raise NotEvaluable("no gain was found at which the loop begins to oscillate")
+    best = max(found, key=lambda omega: abs(value(omega)))
+    return 1 / abs(value(best)), best
 
 
 def _turned(p: Array) -> Array:
