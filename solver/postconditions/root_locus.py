@@ -158,7 +158,7 @@ def of_crossings(found: Sequence[Any], equation: Any) -> Iterator[Claim | Check]
     """All of them, with their gains; ω² is the square."""
     locus = _locus(equation)
     if judges.axis_points(locus) is not None:
-        points = [sp.I * each.frequency for each in found]
+        points = [each.frequency for each in found]
         yield _close("crossings of the imaginary axis", judges.crossings_residual(locus, points, None))
     for each in found:
         yield Claim(each.square, power(each.frequency, sp.Integer(2)))

@@ -15,7 +15,7 @@ from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import flat, is_trivial, labelled, lower, only, rows_of, text_of
 from solver.classroom.reading.prepared import with_powers, without_powers
-from solver.classroom.reading.segments import segments
+from solver.classroom.reading.segments import are_intervals, segments
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import Pair, TextReader
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -125,7 +125,7 @@ class KindReader:
             return [], []
         if self.expected.zero:
             node = as_differences(node)
-        if self.expected.intervals:
+        if self.expected.intervals or are_intervals(ours):
             return (segments(node, self.texts),) * 2
         return self._list(node, () if isinstance(ours, sp.Set) else ours)
 

@@ -7,45 +7,43 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from solver.classroom.reading.nodes import text_of
-from solver.problem.nodes import Node, ScalarNode, SequenceNode
+from solver.classroom.reading.spelling import typed
+from solver.problem.nodes import Node, ScalarNode
 
 if TYPE_CHECKING:
     from solver.classroom.reading.texts import TextReader
 
 NAME = "sigma"
-ENDS = 2
-_BETWEEN = re.compile(r"([\])\[])\s*(?:,|;|\band\b|\bund\b|\bor\b|\boder\b|\bU\b|\+)\s*(?=[\[(\]]|Interval\b)", re.IGNORECASE)
+_BETWEEN = re.compile(
+    r"([\])\[])\s*(?:,|;|\band\b|\bund\b|\bor\b|\boder\b|\bU\b|\+)\s*(?=[\[(\]]|Interval\b)", re.IGNORECASE
+)
+
+
+def are_intervals(ours: Any) -> bool:
+    """Whether our own answer is a list of intervals."""
+    return isinstance(ours, list | tuple) and bool(ours) and all(isinstance(each, sp.Interval) for each in ours)
 
 
 def segments(node: Node, texts: TextReader) -> list[Any]:
     """Return the intervals in a text, or in a list of texts or of pairs of ends; raises Fault."""
-    if not isinstance(node, SequenceNode):
-        return _in_text(node, text_of(node), texts)
-    if len(node.items) == ENDS and not any(isinstance(item, SequenceNode) or _is_interval(item) for item in node.items):
-        return [_between(node, texts)]
-    return [each for item in node.items for each in _of_item(item, texts)]
+    text = _without_quotes(typed(node)).strip()
+    if _is_list(text):
+        text = text[1:-1].strip()
+    return _in_text(node, text, texts)
 
 
-def _is_interval(node: Node) -> bool:
-    return isinstance(node, ScalarNode) and any(sign in node.text for sign in "[]<>≤≥,;")
+def _without_quotes(text: str) -> str:
+    return text.replace('"', "").replace("'", "")
 
 
-def _of_item(item: Node, texts: TextReader) -> list[Any]:
-    if isinstance(item, SequenceNode) and len(item.items) == ENDS:
-        return [_between(item, texts)]
-    return segments(item, texts)
-
-
-def _between(pair: SequenceNode, texts: TextReader) -> Any:
-    """The interval of two ends, which are counted in."""
-    return _in_text(pair, f"[{text_of(pair.items[0])}, {text_of(pair.items[1])}]", texts)[0]
+def _is_list(text: str) -> bool:
+    """Whether the outermost brackets are those of a list of intervals."""
+    inside = text[1:-1].strip()
+    return text[:1] == "[" and text[-1:] == "]" and ((inside[:1] in ("[", "]", "(") and inside[-1:] in ("]", "[", ")"))
+                                                     or inside.startswith("Interval"))  # fmt: skip
 
 
 def _in_text(node: Node, text: str, texts: TextReader) -> list[Any]:
-    text = text.strip()
-    if text.startswith("[[") and text.endswith("]]"):
-        text = text[1:-1]
     united = _BETWEEN.sub(r"\1 ∪ ", text)
     condition = texts.condition(ScalarNode(node.place, united, "quoted"), NAME)
     symbols = list(condition.free_symbols)

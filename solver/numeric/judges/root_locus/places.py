@@ -44,7 +44,7 @@ def breakaway_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequen
 
 
 def _matched(found: list[tuple[Any, Any]], wanted: list[tuple[Any, Any]]) -> float:
-    """The largest difference of pairs matched one to one; pairs with the gain zero may be left over."""
+    """The largest difference of pairs matched one to one; those with the gain zero may be left out, all of them."""
     left, worst = list(wanted), 0.0
     for pair in found:
         sizes = [_differ(pair, other) for other in left]
@@ -53,7 +53,8 @@ def _matched(found: list[tuple[Any, Any]], wanted: list[tuple[Any, Any]]) -> flo
         best = min(range(len(left)), key=sizes.__getitem__)
         worst = max(worst, sizes[best])
         del left[best]
-    return float("inf") if any(gain is None or gain > NEAR for _, gain in left) else worst
+    optional = sum(gain is not None and gain <= NEAR for _, gain in wanted)
+    return worst if not left or (len(left) == optional and all(gain <= NEAR for _, gain in left)) else float("inf")
 
 
 def _differ(a: tuple[Any, Any], b: tuple[Any, Any]) -> float:
@@ -99,27 +100,29 @@ def _imaginary_part(locus: Locus) -> list[Any]:
 def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequence[Any] | None) -> float:
     """Return how far points are from those where branches meet the imaginary axis for K > 0, and gains from theirs.
 
-    Points are ±jω, or of each pair one, or ω; a gain counts once for a pair.
+    Points are ±jω, both, or frequencies ω; a gain counts once for a pair.
     """
     wanted = axis_points(locus)
     if wanted is None:
         return float("inf")
     worst = 0.0
     if points is not None:
-        found = [number(each) for each in points]
-        frequencies: list[Any] = []
-        for each in found:
-            omega = abs(MP.im(each)) if abs(MP.im(each)) > NEAR else MP.re(each)
-            if abs(MP.im(each)) > NEAR and abs(MP.re(each)) > NEAR * abs(each):
-                return float("inf")
-            if all(abs(omega - other) > NEAR * (1 + omega) for other in frequencies):
-                frequencies.append(omega)
-        if len(found) not in (len(frequencies), 2 * len(frequencies) - sum(omega == 0 for omega in frequencies)):
+        frequencies = _frequencies([number(each) for each in points])
+        if frequencies is None:
             return float("inf")
         worst = _matched([(omega, None) for omega in frequencies], wanted)
     if gains is not None:
         worst = max(worst, _matched([(None, number(each)) for each in gains], wanted))
     return worst
+
+
+def _frequencies(points: Sequence[Any]) -> list[Any] | None:
+    """The ω of points ±jω, or of frequencies; None where a point lies elsewhere, or one of a pair is missing."""
+    upper, lower = ([abs(each.imag) for each in points if sign * each.imag > NEAR] for sign in (1, -1))
+    real = [each.real for each in points if abs(each.imag) <= NEAR]
+    off = any(abs(each.real) > NEAR * abs(each) for each in points if abs(each.imag) > NEAR)
+    alone = len(upper) != len(lower) or any(min(abs(a - b) for b in lower) > 1e-4 * (1 + a) for a in upper)
+    return None if off or alone else upper + real
 
 
 def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> float:
