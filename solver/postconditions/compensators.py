@@ -49,6 +49,9 @@ def of_ultimate_gain(found: Any, numerator: Any, denominator: Any, s: Any) -> It
     known = {float(each.gain) for each in found.crossings}
     between = [float(each) for each in ends[:-1]]
     yield Check.that("a crossing at the ends", "compared", all(any(_near(K, each) for each in between) for K in known))
+    lead = [float(K) for K in [-D[0] / N[0]] if len(N) == len(D)]
+    told = all(any(_near(each, K) for K in (*known, *lead)) for each in between)
+    yield Check.that("a crossing, or a root at infinity, at each end", "compared", told)
     stable = next((each for each in found.intervals if not each.outside), None)
     ultimate = found.ultimate
     right = bool(found.why) if ultimate is None else stable is not None and _near(ultimate.gain, stable.stop)
