@@ -122,6 +122,9 @@ def _late(piece: exact.TransformPiece, part: str, names: Names) -> Step:
     t, s = names.t, names.s
     images = [product(each.factor, each.pairs(t, s)[-1].image) for each in piece.terms]
     inner = sp.Add(*(each.factor * each.pairs(t, s)[-1].image for each in piece.terms))
-    claim = Claim(laplace(piece.moved, t, s), total(*images), "the transform in the time since the step")
-    return Step("late", claims={"inner": claim}, delay=piece.delay, inner=inner, part=part,
-                image=exact.late_image(piece.delay, inner, s), **names.told)  # fmt: skip
+    image, factor = exact.late_image(piece.delay, inner, s), sp.exp(-piece.delay * s)
+    claims = {
+        "inner": Claim(laplace(piece.moved, t, s), total(*images), "the transform in the time since the step"),
+        "image": Claim(product(factor, laplace(piece.moved, t, s)), image, "the transform of what is delayed"),
+    }
+    return Step("late", claims=claims, delay=piece.delay, part=part, image=image, **names.told)
