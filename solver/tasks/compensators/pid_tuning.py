@@ -34,7 +34,7 @@ pid_tuning: Task[Any, PidOptions] = Task(
     needs=(),
     options=PidOptions,
     answers=[
-        AnswerName("controller", "C(s)", "the controller K_p + K_i/s + K_d s", principal=True, earned=EARNED),
+        AnswerName("controller", "C(s)", "the controller", principal=True, earned=EARNED),
         AnswerName("K_p", "K_p", "the gain of the error", principal=True, earned=EARNED),
         AnswerName("K_i", "K_i", "the gain of its integral", principal=True, earned=EARNED),
         AnswerName("K_d", "K_d", "the gain of its derivative", principal=True, earned=EARNED),

@@ -11,7 +11,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.options.number import Number
 from solver.options.poles import Poles
-from solver.stated.algebra import power, product, quotient
+from solver.stated.algebra import power, product, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
 from solver.stated.limits import limit
@@ -119,6 +119,8 @@ def margins_of_the_gain(G: exact.Plant, K: Expr, wanted: Expr) -> Derivation[exa
     claims = {}
     if crossover is not None:
         claims = crossover_claims(written(G, K), G.s, crossover.omega, crossover.phase)
+        claims["sum"] = angles_added(before.axis, crossover.omega, crossover.phase)
+    omega, parts = sp.Symbol("omega"), before.axis.parts
     yield Step(
         "margins",
         claims=claims,
@@ -129,8 +131,22 @@ def margins_of_the_gain(G: exact.Plant, K: Expr, wanted: Expr) -> Derivation[exa
         margin=before.margins.phase_margin,
         stable=before.stable,
         wanted=wanted,
+        above=parts.above.as_expr().xreplace({parts.w: omega**2}),
+        below=parts.below.as_expr().xreplace({parts.w: omega**2}),
+        angles=before.axis.angles(crossover.omega) if crossover is not None else [],
+        late=G.delay != 0,
     )
     return before
+
+
+def angles_added(L: exact.OnAxis, omega: Expr, phase_there: Expr) -> Claim:
+    """∠L(jω) as the sum of the angles of its factors, and of a full turn where it takes one."""
+    terms = [each.power * each.degrees for each in L.angles(omega)]
+    if L.late:
+        terms.append(sp.N(-180 * omega * L.delay / sp.pi, 30))
+    turns = sp.Integer(round(float(phase_there - sp.Add(*terms)) / 360))
+    whole = [*terms, 360 * turns] if turns else terms
+    return Claim(total(*whole), phase_there, "the sum of the angles")
 
 
 def crossover_claims(L: Any, s: Any, omega: Expr, phase_there: Expr) -> dict[str, Claim]:
