@@ -1,97 +1,78 @@
-"""Partial fractions sum up to the resolvent; transform pairs are right by sympy and by series."""
+"""Images taken apart, coefficients by hand, products for convolution, operators and values at 0+."""
 
 import pytest
 import sympy as sp
 
 from solver import exact
-from solver.stated import Stated
-from tests.helpers.exact_cases import DECIMAL, EXACT, NUMERIC, RATIONAL, companion, each, x
+from solver.exact import NotExact
 
-s, t, z, k = sp.symbols("s t z k")
-PLACES = [sp.Rational(7, 3), sp.Rational(11, 5), -sp.Rational(13, 2)]
-
-
-def value(stated, at):
-    """A product of a fraction and a matrix, carried out at a number."""
-    if isinstance(stated, Stated):
-        parts = [value(each_part, at) for each_part in stated.operands]
-        if stated.operation == "quotient":
-            return parts[0] / parts[1]
-        assert stated.operation == "product"
-        return parts[0] * parts[1]
-    return stated.subs(s, at)
+s, t = sp.symbols("s t")
+T = sp.Symbol("T", positive=True)
 
 
-@pytest.mark.parametrize("A", **each(NUMERIC))
-def test_the_partial_fractions_sum_up_to_the_inverse(A):
-    terms = exact.partial_fractions(A, s)
-    for at in PLACES:
-        total = sum((value(term, at) for term in terms), sp.zeros(A.rows))
-        expected = (at * sp.eye(A.rows) - A).inv()
-        assert max(abs(sp.N(entry, 30)) for entry in total - expected) < 1e-24
+def test_an_improper_image_is_a_polynomial_and_a_proper_rest():
+    image = exact.rational_image((s**3 + 5) / (s + 1) ** 2, s)
+    assert image.polynomial(s) == s - 2
+    assert sp.cancel(image.rest(s) - (3 * s + 7) / (s + 1) ** 2) == 0
 
 
-@pytest.mark.parametrize("A", **each(NUMERIC))
-def test_no_partial_fraction_is_zero(A):
-    assert all(any(term.operands[1]) for term in exact.partial_fractions(A, s))
+def test_dead_times_are_told_apart_and_put_in_order():
+    terms = exact.read_image((1 - sp.exp(-s)) ** 2 / s + sp.exp(-T * s) / (s + 1), s)
+    assert [each.delay for each in terms] == [0, 1, 2, T]
+    assert [each.image.whole for each in terms] == [1 / s, -2 / s, 1 / s, 1 / (s + 1)]
 
 
-def by_sympy(function, at):
-    """The Laplace transform of a sum of t^m e^{σt} cos, sin as its integral, at a number right of all poles."""
-    return sp.laplace_transform(function, t, s, noconds=True).subs(s, at)
+@pytest.mark.parametrize("F", [sp.sqrt(s), sp.exp(s) / s, 1 / (1 + sp.exp(-s)), sp.exp(-s * sp.Symbol("b", real=True))])
+def test_other_images_are_refused(F):
+    with pytest.raises(NotExact):
+        exact.read_image(F, s)
 
 
-@pytest.mark.parametrize("A", **each(EXACT))
-def test_laplace_pairs_are_those_of_sympy(A):
-    for image, function in exact.transform_pairs(A, s, t, discrete=False):
-        for at in (sp.Rational(31, 2), sp.Integer(9)):
-            assert abs(sp.N(by_sympy(function, at) - image.subs(s, at), 20)) < 1e-15
+def test_a_quotient_with_parameters_has_no_fraction_in_it():
+    K = sp.Symbol("K", real=True)
+    assert exact.rational_image(K / (s * (T * s + 1)), s).whole == K / (s * (T * s + 1))
 
 
-@pytest.mark.parametrize("A", **each(EXACT | DECIMAL))
-def test_z_pairs_are_right_by_their_series(A):
-    """F(z) = Σ f(k) z⁻ᵏ: the coefficients of F(1/w) in powers of w."""
-    w = sp.Symbol("w")
-    for image, function in exact.transform_pairs(A, z, k, discrete=True):
-        numerator, denominator = (sp.Poly(part, w) for part in sp.fraction(sp.together(image.subs(z, 1 / w))))
-        for index, coefficient in enumerate(series(numerator, denominator, 6)):
-            assert abs(sp.N(function.subs(k, index) - coefficient, 20)) < 1e-12
+def test_numerators_over_powers_of_a_quadratic_by_division():
+    image = exact.rational_image((s**3 + 2 * s + 1) / (s * (s**2 + 1) ** 2), s).proper
+    found = exact.divided_again(image, s)
+    whole = sum(
+        each / found.base**k for k, each in ((2, found.divisions[0].remainder), (1, found.divisions[-1].quotient))
+    )
+    assert sp.cancel(whole + sum(found.known) - image.expression(s)[0]) == 0
 
 
-def series(numerator, denominator, count):
-    """The first coefficients of a quotient of polynomials, by long division."""
-    above, below = numerator.all_coeffs()[::-1], denominator.all_coeffs()[::-1]
-    shift = next(i for i, c in enumerate(below) if c != 0)
-    assert all(c == 0 for c in above[:shift])
-    above, below = above[shift:] + [0] * count, below[shift:] + [0] * count
-    found = []
-    for i in range(count):
-        found.append((above[i] - sum(below[i - l] * found[l] for l in range(i))) / below[0])
-    return found
+def test_numerators_over_several_quadratics_by_comparison():
+    image = exact.rational_image(1 / ((s**2 + 1) ** 2 * (s**2 + 4)), s).proper
+    found = exact.compared_at_all(image, s)
+    values = dict(zip(found.letters, found.values, strict=True))
+    assert all(sp.expand(right.xreplace(values) - left) == 0 for _, left, right in found.equations)
+    assert len(found.equations) == 6
 
 
-def test_pairs_of_a_damped_oscillation():
-    pairs = exact.transform_pairs(companion(x**2 + 2 * x + 5), s, t, discrete=False)
-    p = s**2 + 2 * s + 5
-    expected = [((s + 1) / p, sp.exp(-t) * sp.cos(2 * t)), (2 / p, sp.exp(-t) * sp.sin(2 * t))]
-    assert pairs == expected
+def test_factors_for_convolution_multiply_to_the_image():
+    for F in (1 / ((s + 1) * (s + 2)), (s + 2) / (s**2 * (s + 1)), s / (s**2 + 4) ** 2, 1 / (s + 1) ** 3):
+        factors = exact.factors_for_convolution(exact.rational_image(F, s), s)
+        assert len(factors) > 1
+        assert sp.cancel(sp.Mul(*factors) - F) == 0
+        assert all(sp.degree(sp.fraction(each)[0], s) < sp.degree(sp.fraction(each)[1], s) for each in factors)
+    assert exact.factors_for_convolution(exact.rational_image(1 / (s + 1), s), s) == ()
 
 
-def test_pairs_of_a_double_root():
-    pairs = exact.transform_pairs(RATIONAL["triangular and defective"], s, t, discrete=False)
-    assert pairs[:2] == [(1 / (s - 1), sp.exp(t)), (1 / (s - 1) ** 2, t * sp.exp(t))]
+def test_operators_with_the_values_at_the_start():
+    x, v, w, u, du = sp.symbols("x x_dot x_ddot u u_dot", real=True)
+    jets = {x: ("x", 0), v: ("x", 1), w: ("x", 2), u: ("u", 0), du: ("u", 1)}
+    found = exact.operators_of([w + 3 * v + 2 * x - du - u], jets, ["x"], ["u"], s)
+    assert found.P[0] == s**2 + 3 * s + 2
+    assert found.Q[0] == s + 1
+    assert found.initial_part({("x", 0): sp.Integer(1), ("x", 1): sp.Integer(5)})[0] == s + 8
+    with pytest.raises(NotExact):
+        exact.operators_of([x * v], jets, ["x"], ["u"], s)
+    with pytest.raises(NotExact):
+        exact.operators_of([x, 2 * x], jets | {sp.Symbol("y", real=True): ("y", 0)}, ["x", "y"], [], s)
 
 
-def test_only_pairs_that_occur_are_listed():
-    pairs = exact.transform_pairs(RATIONAL["a multiple of the identity"], s, t, discrete=False)
-    assert pairs == [(1 / (s - 5), sp.exp(5 * t))]
-
-
-@pytest.mark.parametrize("A", **each(EXACT))
-def test_what_is_put_together_is_what_sympy_would_make_of_it(A):
-    """An expression in another order, or with terms not joined, would not be equal to the same one elsewhere."""
-    for M in (exact.resolvent(A, s), exact.exponential(A, t).matrix):
-        for entry in M.flat():
-            for node in sp.preorder_traversal(entry):
-                if isinstance(node, sp.Add | sp.Mul):
-                    assert node.func(*node.args).args == node.args
+def test_values_just_after_the_start():
+    assert exact.values_after((s + 3) / (s * (s + 2)), 3, s) == (True, (1, 1, -2))
+    regular, _ = exact.values_after(s / (s + 1), 1, s)
+    assert not regular

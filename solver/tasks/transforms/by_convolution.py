@@ -52,10 +52,9 @@ def _convolved(left: Expr, right: Expr, value: Expr, place: tuple[int, int], nam
     t, tau = names.t, sp.Symbol("tau")
     here, mirrored = left.xreplace({t: tau}), right.xreplace({t: t - tau})
     integrand = sp.powsimp(sp.expand_mul(here * mirrored), combine="exp")
-    claims = {
-        "integrand": Claim(product(here, mirrored), integrand, "what is integrated"),
-        "integral": Claim(integral(integrand, tau, sp.S.Zero, t), value, "convolution"),
-    }
+    claims = {"integral": Claim(integral(integrand, tau, sp.S.Zero, t), value, "convolution")}
+    if here * mirrored != integrand:
+        claims["integrand"] = Claim(product(here, mirrored), integrand, "what is integrated")
     column, wanted = sp.ImmutableMatrix([integrand]), sp.ImmutableMatrix([value])
     steps = integrated(column, tau, sp.S.Zero, t, wanted)
     for step in steps:
