@@ -171,7 +171,8 @@ def _named(name: str, gain: float) -> str:
         digits = max(2 - size, 0)
         text = f"{gain:.{digits}f}"
         return f"{name} = {text.rstrip('0').rstrip('.') if '.' in text else text}"
-    return rf"{name} = {gain / 10.0**size:.3g} \cdot 10^{{{size}}}"
+    power = rf"{gain / 10.0**size:.3g}\cdot10^{{{size}}}"
+    return f"{name} = {power}"
 
 
 def _several(sets: Sequence[Placed], beyond: set[complex]) -> Iterator[Mark]:

@@ -10,7 +10,7 @@ from solver.exact.root_locus.crossings import (
     on_imaginary_axis,
     stable_gains,
 )
-from solver.exact.root_locus.directions import Angle, Directions, arrivals, degrees_of, departures
+from solver.exact.root_locus.directions import Arrow, Directions, arrivals, degrees_of, departures
 from solver.exact.root_locus.equation import (
     LocusEquation,
     PlacedRoot,
@@ -23,7 +23,7 @@ from solver.exact.root_locus.equation import (
 from solver.exact.root_locus.lines import Asymptotes, RealPoint, asymptotes, real_axis_segments, real_points
 
 __all__ = [
-    "Angle",
+    "Arrow",
     "Asymptotes",
     "Crossing",
     "Directions",

@@ -22,7 +22,7 @@ NEAR = sp.Float(10) ** -24
 
 
 @dataclass(frozen=True)
-class Angle:
+class Arrow:
     """The angle of the arrow from another pole or zero to the point; `times` it counts (its multiplicity)."""
 
     start: sp.Expr
@@ -38,7 +38,7 @@ class Directions:
 
     point: PlacedRoot
     pole: bool
-    arrows: tuple[Angle, ...]
+    arrows: tuple[Arrow, ...]
     total: sp.Expr
     angles: tuple[sp.Expr, ...]
 
@@ -63,7 +63,7 @@ def _directions(equation: LocusEquation, at: PlacedRoot, *, pole: bool) -> Direc
         for other in roots_with_factors(p):
             if other is not at and not (of_pole == pole and other.value == at.value):
                 arrow = sp.expand(at.value - other.value)
-                arrows.append(Angle(other.value, arrow, degrees_of(arrow), other.multiplicity, of_pole))
+                arrows.append(Arrow(other.value, arrow, degrees_of(arrow), other.multiplicity, of_pole))
     start = sp.Integer(180 if equation.positive else 0)
     sign = 1 if pole else -1
     total = start + sum(sign * (-1 if each.pole else 1) * each.times * each.degrees for each in arrows)
