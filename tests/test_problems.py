@@ -60,7 +60,7 @@ def test_the_problem_is_verified(path):
 
 COURSE = [path for path in PROBLEMS if "course" in path.parts]
 ALIKE = {"ch1-ex01": 29, "ch1-q01": 33, "ch1-q03": 29, "ch1-q11": 20, "ch2-ex01": 20, "ch3-ex04": 25, "ch4-q03": 22,
-         "ch4-q04": 22, "ch5-ex05": 26, "ch5-q06": 22, "appC-final1-2f": 24, "appD-final2-1a": 24,
+         "ch4-q04": 22, "ch5-ex05": 26, "ch5-q06": 22, "appD-final2-1a": 24,
          "appD-final2-1b": 24, "ch6-text-qtank-tf": 20}  # fmt: skip
 """Pages that ask the same of several small systems, where headings and short answers recur: percent; only to shrink."""
 
