@@ -12,7 +12,7 @@ from solver.numeric.judges import frequency as judges
 from solver.stated.algebra import quotient
 
 NEAR = 1e-12
-ORACLE = "companion matrices; with a dead time samples and bisection"
+ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
 
 
 def _loop(L: Any) -> judges.NumericLoop:
@@ -31,12 +31,12 @@ def of_gain_crossovers(found: Any, L: Any, level: Any = sp.S.One) -> Iterator[Cl
     loop = _loop(L)
     yield Check.that("whether |L| is constant", "compared", not (found.everywhere and found.found))
     if found.everywhere:
-        yield Check.that("|L| is constant", "samples", judges.is_everywhere(loop, level))
+        yield Check.that("|L| is constant", "mpmath, samples", judges.is_everywhere(loop, level))
         return
     yield _are(loop.gain_crossovers(judges.decimal(level)), [each.omega for each in found.found])
     yield Check.that(
         "the equation",
-        "samples",
+        "mpmath, samples",
         judges.is_size_equation(loop, found.polynomial.as_expr(), found.polynomial.gen, level),
     )
     for each in found.found:
@@ -46,7 +46,7 @@ def of_gain_crossovers(found: Any, L: Any, level: Any = sp.S.One) -> Iterator[Cl
 def of_phase_crossovers(found: Any, L: Any) -> Iterator[Claim | Check]:
     """The frequencies are all those with L real (with a dead time up to the last), with its values."""
     loop = _loop(L)
-    yield Check.that("L is real on the whole axis", "samples", found.everywhere == judges.is_real(loop))
+    yield Check.that("L is real on the whole axis", "mpmath, samples", found.everywhere == judges.is_real(loop))
     if found.everywhere:
         return
     last = found.real_axis[-1][0] if L.late and found.real_axis else None
@@ -59,10 +59,14 @@ def of_phase_crossovers(found: Any, L: Any) -> Iterator[Claim | Check]:
     yield Check.that("L(0)", "compared", (loop.at_rest < 0) == (len(shown) < len(found.found)))
     for each in found.found:
         yield _is_there(loop, each, sizes=None)
-        yield Check.that("the direction of a crossing", "samples", judges.direction(loop, each.omega) == each.clockwise)
+        yield Check.that(
+            "the direction of a crossing", "mpmath, samples", judges.direction(loop, each.omega) == each.clockwise
+        )
     if not L.late:
         yield Check.that(
-            "the equation", "samples", judges.is_slope_equation(loop, found.polynomial.as_expr(), found.polynomial.gen)
+            "the equation",
+            "mpmath, samples",
+            judges.is_slope_equation(loop, found.polynomial.as_expr(), found.polynomial.gen),
         )
     elif found.found:
         yield Check.that("the last crossing", "compared", found.last == found.found[-1].omega)
@@ -110,17 +114,19 @@ def of_encirclements(found: Any, numerator: Any, denominator: Any, s: Any, delay
     yield Check.that("poles of L in the right half plane", "mpmath.polyroots", found.open_loop == P)
     if not found.through:
         yield Check.that(
-            "poles of the loop in the right half plane", "roots or the argument", found.closed_loop == outside
+            "poles of the loop in the right half plane",
+            "mpmath or the argument",
+            found.closed_loop == outside,
         )
     yield Check.that("N = Z − P", "compared", found.clockwise == found.closed_loop - found.open_loop)
-    yield Check.that("L is −1 somewhere, or a pole on the axis cancels", "roots",
+    yield Check.that("L is −1 somewhere, or a pole on the axis cancels", "mpmath.polyroots",
                      (found.through or found.on_axis > 0) == bool(on))  # fmt: skip
     if delay == 0:
-        yield Check.that("poles of the loop on the axis", "roots", found.on_axis == on)
+        yield Check.that("poles of the loop on the axis", "mpmath.polyroots", found.on_axis == on)
     turns = sum(each.clockwise * (1 if each.omega == 0 else 2) for each in found.beyond)
     counted = turns + sum(each.passes for each in found.arcs) + found.closing
     yield Check.that("the crossings add up", "counted", found.real or found.through or counted == found.clockwise)
-    yield Check.that("half turns at infinity", "multiplicities", judges.are_half_turns(
+    yield Check.that("half turns at infinity", "numpy.roots", judges.are_half_turns(
         numerator, denominator, s, [(each.omega, each.half_turns) for each in found.arcs]) or found.real)  # fmt: skip
 
 
@@ -135,13 +141,13 @@ def of_resonance(found: Any, L: Any) -> Iterator[Claim | Check]:
     """The largest magnitude of samples, refined; the slope of |T|² is zero at the roots of the polynomial."""
     loop = _loop(L)
     if found is None:
-        yield Check.that("no largest magnitude", "samples", judges.has_no_peak(loop))
+        yield Check.that("no largest magnitude", "mpmath, samples", judges.has_no_peak(loop))
         return
     peak = judges.peak_of(loop)
-    yield Check.that("whether there is a peak", "samples", (peak is None) == (found.peak is None))
+    yield Check.that("whether there is a peak", "mpmath, samples", (peak is None) == (found.peak is None))
     if peak is not None and found.peak is not None:
         each = found.peak
-        yield Check.within("the place of the peak", "samples, refined", judges.list_residual(
+        yield Check.within("the place of the peak", "mpmath, samples refined", judges.list_residual(
             [peak], [each.omega]), 1e-8)  # fmt: skip
         yield _is_there(loop, each, sizes=None)
     flat = judges.are_flat(loop, found.stationary, found.polynomial.as_expr(), found.polynomial.gen)
@@ -159,7 +165,7 @@ def of_bandwidth(found: Any, L: Any) -> Iterator[Claim | Check]:
     first = loop.gain_crossovers(level)[:1]
     yield _are(first, [] if found.omega is None else [found.omega])
     fits = judges.is_size_equation(loop, found.polynomial.as_expr(), found.polynomial.gen, found.level)
-    yield Check.that("the equation", "samples", fits)
+    yield Check.that("the equation", "mpmath, samples", fits)
 
 
 def of_phase_function(found: Any, L: Any, omega: Any) -> Iterator[Check]:
@@ -182,7 +188,7 @@ def of_bode_form(found: Any, L: Any) -> Iterator[Claim | Check]:
         else:
             yield Claim(abs(each.factor.coeff(s)) * each.omega, sp.S.One)
     loop = _loop(L)
-    yield Check.within("corners", "numpy.roots", judges.corner_residual(loop, found.frequencies), 1e-6)
+    yield Check.within("corners", "mpmath.polyroots", judges.corner_residual(loop, found.frequencies), NEAR)
     yield Check.that("slopes", "numpy.roots", judges.are_slopes(loop, found.slopes))
 
 

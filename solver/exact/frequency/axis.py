@@ -199,6 +199,8 @@ def on_axis(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay: sp.Ex
     if free:
         raise NotExact("frequency/parameters", names=sorted(free, key=str))
     p, q = sp.Poly(numerator, s), sp.Poly(denominator, s)
+    if p.is_zero:
+        raise NotExact("frequency/nothing_passes")
     flat = [*p.all_coeffs(), *q.all_coeffs()]
     matrix = domain_matrix(sp.Matrix([flat]))
     ((*entries,),) = matrix.to_list()

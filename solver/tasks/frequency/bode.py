@@ -120,7 +120,7 @@ def _angle(corner: exact.Corner) -> int:
     return 90 if sp.diff(corner.factor, corner.factor.free_symbols.pop()) > 0 else -90
 
 
-ORACLE = "numpy.roots"
+ORACLE = "mpmath.polyroots"
 
 
 def _numbers(given: Given[OpenLoop, LoopOptions]) -> judges.NumericLoop:
@@ -133,11 +133,11 @@ def are_those_of_the_roots(given: Given[OpenLoop, LoopOptions], answers: Answers
     """The limit of L/s^N, the sizes of the roots, and how many of them lie below each corner."""
     loop = _numbers(given)
     if "bode_gain" in answers:
-        yield Check.within("the limit of $L(s)/s^{N}$ for $s \\to 0$", "mpmath",
-                           judges.bode_gain_residual(loop, answers["bode_gain"]), 1e-9, answer="bode_gain")  # fmt: skip
+        residual = judges.bode_gain_residual(loop, answers["bode_gain"])
+        yield Check.within("the limit of $L(s)/s^{N}$ for $s \\to 0$", "mpmath", residual, 1e-12, answer="bode_gain")
     if "corner_frequencies" in answers:
         residual = judges.corner_residual(loop, answers["corner_frequencies"])
-        yield Check.within("the sizes of zeros and poles", ORACLE, residual, 1e-6, answer="corner_frequencies")
+        yield Check.within("the sizes of zeros and poles", ORACLE, residual, 1e-12, answer="corner_frequencies")
     if "slopes" in answers:
         fits = judges.are_slopes(loop, answers["slopes"])
         yield Check.that("20 dB a decade for each zero, less those for poles, below a corner", ORACLE, fits,

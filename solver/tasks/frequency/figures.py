@@ -60,7 +60,7 @@ def _short(value: Any) -> str:
     """A number with few digits."""
     text = f"{float(value):.{DIGITS}g}"
     digits, _, power = text.partition("e")
-    return rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
+    return "".join((digits, r" \cdot 10^{", str(int(power)), "}")) if power else digits
 
 
 def nyquist_figures(

@@ -249,7 +249,7 @@ def _bandwidth(T: exact.OnAxis, band: exact.Bandwidth) -> Step:
 
 
 BY_VALUES = "mpmath, values of C G/(1 + C G H) at jω"
-TOLERANCE = 1e-9
+TOLERANCE = 1e-12
 
 
 def _numbers(given: Given[OpenLoop, ResponseOptions]) -> judges.ClosedResponse:
@@ -283,7 +283,9 @@ def is_the_largest(given: Given[OpenLoop, ResponseOptions], answers: Answers) ->
             known = [] if peak is None else [peak[place]]
             kind = "phase_margin" if place == 2 else name
             residual = judges.margin_residual(answers[name], known, kind) if known else float("inf")
-            yield Check.within("the largest magnitude and where it is", "samples, refined", residual, 1e-8, answer=name)
+            yield Check.within(
+                "the largest magnitude and where it is", "mpmath, samples refined", residual, 1e-11, answer=name
+            )
 
 
 @frequency_response.verification("bandwidth")
@@ -291,4 +293,4 @@ def falls_there_first(given: Given[OpenLoop, ResponseOptions], answers: Answers)
     """The first frequency of all samples where |T| has fallen to |T(0)|/√2."""
     found = _numbers(given).bandwidth()
     residual = judges.margin_residual(answers["bandwidth"], [found], "bandwidth") if found else float("inf")
-    yield Check.within("$|T(j\\omega_b)| = |T(0)|/\\sqrt{2}$", "samples, bisected", residual, TOLERANCE)
+    yield Check.within("$|T(j\\omega_b)| = |T(0)|/\\sqrt{2}$", "mpmath, samples bisected", residual, TOLERANCE)

@@ -97,7 +97,7 @@ def _turns(L: exact.OnAxis, found: exact.Encirclements, figures: Any) -> Step:
                 figures=figures)  # fmt: skip
 
 
-ORACLE = "companion matrices; with a dead time samples and bisection"
+ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
 
 
 @nyquist.verification(
@@ -113,7 +113,7 @@ def are_counted_by_numbers(given: Given[OpenLoop, LoopOptions], answers: Answers
                          bool(answers["open_loop_unstable_poles"] == P), answer="open_loop_unstable_poles")  # fmt: skip
     if "closed_loop_unstable_poles" in answers or "stable" in answers:
         Z, on = judges.closed_loop_poles(N, D, s, T)
-        oracle = "mpmath.polyroots" if T == 0 else "the argument principle on a contour"
+        oracle = "mpmath.polyroots" if T == 0 else "numpy, the argument principle on a contour"
         if "closed_loop_unstable_poles" in answers:
             holds = bool(answers["closed_loop_unstable_poles"] == Z)
             yield Check.that("poles of the loop in the right half plane", oracle, holds,
@@ -123,11 +123,11 @@ def are_counted_by_numbers(given: Given[OpenLoop, LoopOptions], answers: Answers
                              bool(answers["stable"]) == (not Z and not on), answer="stable")  # fmt: skip
     if "encirclements" in answers:
         turns = judges.turns_about(judges.numeric_loop(N, D, s, T))
-        yield Check.that("the change of the argument of $1 + L$ along the path", "samples of the contour",
+        yield Check.that("the change of the argument of $1 + L$ along the path", "numpy, samples of the contour",
                          bool(answers["encirclements"] == turns), answer="encirclements")  # fmt: skip
     if "real_axis_crossings" in answers:
         residual = judges.crossing_residual(judges.numeric_loop(N, D, s, T), answers["real_axis_crossings"])
-        yield Check.within("all real values of $L(j\\omega)$", ORACLE, residual, 1e-9, answer="real_axis_crossings")
+        yield Check.within("all real values of $L(j\\omega)$", ORACLE, residual, 1e-12, answer="real_axis_crossings")
 
 
 @nyquist.consequence("closed_loop_unstable_poles", of=("encirclements", "open_loop_unstable_poles"), symbolic=False)

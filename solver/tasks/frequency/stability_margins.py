@@ -85,8 +85,8 @@ def _picture(L: exact.OnAxis, found: exact.Margins, *, stable: bool) -> Step:
     )
 
 
-ORACLE = "companion matrices; with a dead time samples and bisection"
-TOLERANCE = 1e-9
+ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
+TOLERANCE = 1e-12
 NAMES = {
     "gain_crossover": (0, "gains", "$|L(j\\omega)| = 1$, and of such frequencies the one that decides"),
     "phase_margin": (1, "gains", "$180° + \\angle L(j\\omega_g)$"),
@@ -115,7 +115,7 @@ def is_told_by_the_poles(given: Given[OpenLoop, LoopOptions], answers: Answers) 
     loop = given.system
     outside, on = judges.closed_loop_poles(loop.numerator, loop.denominator, loop.variable, loop.delay)
     label = "no pole of the closed loop in the right half plane or on the axis"
-    oracle = "the argument principle on a contour" if loop.delay != 0 else "mpmath.polyroots"
+    oracle = "numpy, the argument principle on a contour" if loop.delay != 0 else "mpmath.polyroots"
     yield Check.that(label, oracle, bool(answers["stable"]) == (not outside and not on))
 
 

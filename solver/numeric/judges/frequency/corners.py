@@ -12,19 +12,23 @@ from solver.numeric.judges.frequency.crossings import decimal
 from solver.numeric.judges.frequency.loops import WORKING, NumericLoop
 
 PER_POWER = 20
-SAME = 1e-6
-REAL = 1e-5
+SAME = 1e-12
+REAL = 1e-9
+MANY = 120
+"""Digits for roots: multiple ones keep a part of them only."""
 
 
-def _roots(loop: NumericLoop) -> tuple[list[tuple[float, int, bool]], int]:
+def _roots(loop: NumericLoop) -> tuple[list[tuple[Any, int, bool]], int]:
     """The sizes of the roots but zero with 1 (zeros) or −1 (poles), whether real; and the power of s at s = 0."""
     found, power = [], 0
     for p, sign in ((loop.N, 1), (loop.D, -1)):
-        for z in np.roots([float(c) for c in p]):
-            if abs(z) < 1e-12:
-                power += sign
-            else:
-                found.append((float(abs(z)), sign, bool(abs(z.imag) < REAL * abs(z))))
+        listed = list(p)
+        while listed[-1] == 0:
+            listed.pop()
+            power += sign
+        with mpmath.workdps(MANY):
+            roots = mpmath.polyroots(listed, maxsteps=2000, extraprec=4 * MANY, error=False) if len(listed) > 1 else []
+            found += [(abs(z), sign, bool(abs(mpmath.im(z)) < REAL * abs(z))) for z in roots]
     return sorted(found), power
 
 
@@ -42,11 +46,11 @@ def corner_residual(loop: NumericLoop, found: Sequence[Any]) -> float:
     sizes = [size for size, _, _ in roots]
     reals = [size for size, _, real in roots if real]
     halves = [size for size, _, real in roots if not real][::2]
-    own = [float(decimal(each)) for each in found]
+    own = [decimal(each) for each in found]
     best = float("inf")
     for wanted in (sorted([*reals, *halves]), sizes):
         if len(wanted) == len(own):
-            best = min(best, max((abs(a - b) / b for a, b in zip(own, wanted, strict=True)), default=0.0))
+            best = min(best, max((float(abs(a - b) / b) for a, b in zip(own, wanted, strict=True)), default=0.0))
     return best
 
 
@@ -63,8 +67,11 @@ def are_slopes(loop: NumericLoop, found: Sequence[Any]) -> bool:
         else:
             merged.append(level)
         last = size
-    own = [float(decimal(slope)) for slope in found]
-    return any(len(own) == len(wanted) and np.allclose(own, wanted, rtol=0, atol=SAME) for wanted in (merged, each))
+    own = [float(decimal(slope) / PER_POWER) for slope in found]
+    return any(
+        len(own) == len(wanted) and np.allclose(own, [level / PER_POWER for level in wanted], rtol=0, atol=SAME)
+        for wanted in (merged, each)
+    )
 
 
 __all__ = ["are_slopes", "bode_gain_residual", "corner_residual"]
