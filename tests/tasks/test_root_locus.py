@@ -111,9 +111,15 @@ def test_a_branch_through_infinity():
 def test_branches_along_the_imaginary_axis_are_no_crossings():
     result = ask("root_locus", loop(1, s**2 * (s**2 + 4)))
     assert result.status is Status.VERIFIED
-    assert "critical_gains" not in result.answers
+    assert result.answers["critical_gains"] == result.answers["imaginary_axis_crossings"] == []
     (ranges,) = (step.values["ranges"] for step in result.steps if step.kind == "ranges")
     assert ranges == [(0, 4, 0, 4), (4, sp.oo, 2, 0)]
+
+
+def test_branches_that_reach_the_axis_at_the_origin_and_go_along_it():
+    result = ask("root_locus", loop(1, s**2 - 1))
+    assert result.status is Status.VERIFIED
+    assert (result.answers["imaginary_axis_crossings"], result.answers["critical_gains"]) == ([0], [1])
 
 
 def test_a_common_factor_stays_a_pole_of_the_loop():

@@ -45,24 +45,19 @@ root_locus: Task[CharacteristicEquation, RootLocusOptions] = Task(
         AnswerName("real_axis_segments", r"\text{real axis}", "the parts of the real axis that belong to the locus",
                    intervals=True, earned=("segments",)),
         AnswerName("asymptote_angles", r"\vartheta_{k}", "the directions of the asymptotes, in degrees",
-                   free=True, unit="°",
-                   earned=("asymptotes",)),
+                   free=True, unit="°", earned=("asymptotes",)),
         AnswerName("centroid", r"\sigma_{a}", "where the asymptotes start", optional=True, earned=("asymptotes",)),
         AnswerName("breakaway_points", r"s_{b}", "the points where branches meet, K ≥ 0", earned=("turning", "gains")),
         AnswerName("breakaway_gains", r"K_{b}", "the gains there, in the order of the points", earned=("gains",)),
         AnswerName("imaginary_axis_crossings", r"\pm j\omega", "where branches cross the imaginary axis, K > 0",
-                   free=True,
-                   optional=True, earned=("parts", "crossings")),
-        AnswerName("critical_gains", r"K_{c}", "the gains there, once for each pair", optional=True,
-                   earned=("crossings",)),
+                   free=True, earned=("parts", "crossings")),
+        AnswerName("critical_gains", r"K_{c}", "the gains there, once for each pair", earned=("crossings",)),
         AnswerName("departure_angles", r"\varphi_{p}",
                    "the directions in which branches leave complex poles of the upper half plane, in degrees",
-                   free=True, unit="°",
-                   earned=("direction",)),
+                   free=True, unit="°", earned=("direction",)),
         AnswerName("arrival_angles", r"\varphi_{z}",
                    "the directions from which branches reach complex zeros of the upper half plane, in degrees",
-                   free=True, unit="°",
-                   earned=("direction",)),
+                   free=True, unit="°", earned=("direction",)),
     ],
 )  # fmt: skip
 
@@ -97,16 +92,15 @@ def by_rules(given: Given[CharacteristicEquation, RootLocusOptions]) -> Derivati
         asymptote_angles=list(lines.angles) if lines else [],
         breakaway_points=[each.point.value for each in meetings],
         breakaway_gains=[each.gain for each in meetings],
+        imaginary_axis_crossings=[
+            sign * sp.I * each.frequency for each in axis.crossings for sign in ((1, -1) if each.frequency else (1,))
+        ],
+        critical_gains=[each.gain for each in axis.crossings],
         departure_angles=leaving,
         arrival_angles=arriving,
     )
     if lines:
         answers["centroid"] = lines.centroid
-    if not axis.along:
-        answers["imaginary_axis_crossings"] = [
-            sign * sp.I * each.frequency for each in axis.crossings for sign in ((1, -1) if each.frequency else (1,))
-        ]
-        answers["critical_gains"] = [each.gain for each in axis.crossings]
     return answers
 
 

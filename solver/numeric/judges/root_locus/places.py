@@ -103,8 +103,9 @@ def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequen
     Points are ±jω, both, or frequencies ω; a gain counts once for a pair.
     """
     wanted = axis_points(locus)
-    if wanted is None:
-        return float("inf")
+    if wanted is None:  # whole branches lie on the axis; it is reached at the origin only
+        origin = MP.re(locus.gain(MP.mpf(0)))
+        wanted = [(MP.mpf(0), origin)] if NEAR < origin < MP.inf and (points or gains) else []
     worst = 0.0
     if points is not None:
         frequencies = _frequencies([number(each) for each in points])
