@@ -1,4 +1,4 @@
-"""How parts are named in print: (a), (b2), (iii) as the file names them; a key that is a word gets a letter."""
+"""How parts are named in print: (a), (b2), (iii), (2f-full) as the file names them; a word alone gets a letter."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from string import ascii_lowercase
 
 _PIECE = r"(?:\d{1,3}[A-Za-z]?|[A-Za-z]\d{0,3}|[ivx]{1,5})"
-_PRINTED = re.compile(rf"{_PIECE}(?:[-.]{_PIECE})*")
+_PRINTED = re.compile(rf"{_PIECE}(?:[-.]{_PIECE})*|\d{{1,3}}[A-Za-z]?(?:-[A-Za-z]{{1,12}}){{1,2}}")
 
 
 def labels_of(names: Iterable[str]) -> dict[str, str]:

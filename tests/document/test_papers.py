@@ -146,9 +146,10 @@ def test_titles_say_what_moves_a_system_and_whether_its_loop_is_closed():
         ("(a) (b) c.", "a b c"),
         ("a (a) b", "a c b"),
         ("eigen a a1", "b a a1"),
+        ("2f 2f-full 3-C part-full", "2f 2f-full 3-C a"),
     ],
 )
-def test_parts_are_named_in_print_by_letters_and_numbers_never_by_words_of_the_file(keys, printed):
+def test_parts_are_named_in_print_by_letters_and_numbers_never_by_words_of_the_file_alone(keys, printed):
     assert list(labels_of(keys.split()).values()) == printed.split()
 
 
