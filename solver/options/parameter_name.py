@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from solver.derivation.options import VALUE, OptionKind, Schema
 from solver.problem.nodes import Node, scalar
 from solver.problem.source import did_you_mean
+from solver.symbols import MEANINGS
 
 if TYPE_CHECKING:
     from solver.problem.context import Context
@@ -35,6 +36,8 @@ class ParameterName(OptionKind[str]):
     def read(self, node: Node, name: str, context: Context) -> str:  # noqa: ARG002 - the place says it
         """Return the name; raises Fault where it is none, where it has a value, or where the system has others."""
         symbol = context.symbol(scalar(node))
+        if symbol.name in MEANINGS:
+            raise node.fault(f"'{symbol.name}' cannot be a parameter: {MEANINGS[symbol.name]}")
         known = None if context.system is None or context.around is None else context.names_in_the_system()[0]
         found = {each.name for each in getattr(context.system, "parameters", ())} | set(context.around or ())
         if known is not None and found and symbol.name not in found:

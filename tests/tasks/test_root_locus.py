@@ -11,7 +11,10 @@ from hypothesis import strategies as st
 from solver.derivation import Status
 from solver.derivation.conversion import converted
 from solver.engine import yield_into
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
 from solver.systems import Polynomial, StateSpace, TransferFunction
+from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected
 
 s, K = sp.Symbol("s"), sp.Symbol("K", real=True)
@@ -247,3 +250,26 @@ def test_multiple_poles_may_be_left_out_of_the_meeting_points():
     for points, gains in (([-3, 0], [27, 0]), ([-3], [27])):
         answers = {"breakaway_points": list(map(sp.Integer, points)), "breakaway_gains": list(map(sp.Integer, gains))}
         assert not rejected("root_locus", equation(plant), answers)
+
+
+@pytest.mark.parametrize(
+    ("parameter", "said"),
+    [("k_p", "'k_p' is no parameter of the system"), ("3", "a name is expected"), ("s", "variable of the Laplace")],
+)
+def test_a_wrong_name_of_the_parameter_is_refused_at_its_place(parameter, said):
+    text = f"""
+title: Names
+system: {{transfer_function: K/(s(s + 1)(s + 2))}}
+find:
+  a: {{task: root_locus, parameter: {parameter}}}
+"""
+    with pytest.raises(InputError) as fault:
+        read_problem(Source("names.yaml", text), catalogue())
+    assert said in str(fault.value)
+    assert "names.yaml:5:" in str(fault.value)
+
+
+def test_the_gain_before_a_loop_without_parameters_may_have_a_name():
+    result = ask("root_locus", OGATA, parameter="k_p")
+    assert result.status is Status.VERIFIED
+    assert result.answers["critical_gains"] == [6]
