@@ -28,7 +28,9 @@ IN_WORDS = {
     "rest": "equations (or A)",
     "gains": "a transfer matrix (or A, B and C)",
     "path": "a transfer function (or A, B and C)",
+    "open_loop": "a transfer function (or A, B and C)",
     "polynomial_matrix": "a matrix of polynomials",
+    "signal_flow": "a signal-flow graph",
 }
 
 
