@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from importlib import import_module
 from typing import Any
 
 import sympy as sp
@@ -32,8 +33,7 @@ def ours(N: sp.Expr, D: sp.Expr) -> Callable[[], Any]:
 
 def by_control(N: sp.Expr, D: sp.Expr) -> Callable[[], Any]:
     """The branches at gains that python-control chooses."""
-    import control  # noqa: PLC0415 - not a library of ours
-
+    control: Any = import_module("control")  # not a library of ours
     plant = control.tf(*([float(c) for c in sp.Poly(p, s).all_coeffs()] for p in (N, D)))
     return lambda: control.root_locus_map(plant)
 

@@ -30,6 +30,12 @@ class CharacteristicEquation(Surrounded):
         return self.given if isinstance(self.given, OpenLoop) else None
 
     @property
+    def polynomial(self) -> Expr:
+        """The polynomial of the poles: numerator plus denominator of L, nothing cancelled."""
+        given = self.given
+        return given.numerator + given.denominator if isinstance(given, OpenLoop) else given.expression
+
+    @property
     def delay(self) -> Expr | None:
         """The dead time in the loop; None for a polynomial."""
         return self.given.delay if isinstance(self.given, OpenLoop) else None

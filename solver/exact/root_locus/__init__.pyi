@@ -10,7 +10,7 @@ from solver.exact.root_locus.crossings import (
     on_imaginary_axis,
     stable_gains,
 )
-from solver.exact.root_locus.directions import Arrow, Directions, arrivals, degrees_of, departures
+from solver.exact.root_locus.directions import Arrow, Bearings, arrivals, degrees_of, departures
 from solver.exact.root_locus.equation import (
     LocusEquation,
     PlacedRoot,
@@ -25,8 +25,8 @@ from solver.exact.root_locus.lines import Asymptotes, RealPoint, asymptotes, rea
 __all__ = [
     "Arrow",
     "Asymptotes",
+    "Bearings",
     "Crossing",
-    "Directions",
     "LocusEquation",
     "Meeting",
     "OnTheAxis",

@@ -33,7 +33,7 @@ class Arrow:
 
 
 @dataclass(frozen=True)
-class Directions:
+class Bearings:
     """Of one pole or zero above the real axis: the arrows to it, their angles summed up, and the directions there."""
 
     point: PlacedRoot
@@ -43,21 +43,21 @@ class Directions:
     angles: tuple[sp.Expr, ...]
 
 
-def departures(equation: LocusEquation) -> tuple[Directions, ...]:
+def departures(equation: LocusEquation) -> tuple[Bearings, ...]:
     """The directions at the complex poles of the upper half plane, in the order of the poles."""
     return tuple(
         _directions(equation, each, pole=True) for each in roots_with_factors(equation.denominator) if each.upper
     )
 
 
-def arrivals(equation: LocusEquation) -> tuple[Directions, ...]:
+def arrivals(equation: LocusEquation) -> tuple[Bearings, ...]:
     """The directions at the complex zeros of the upper half plane, from which their branches come."""
     return tuple(
         _directions(equation, each, pole=False) for each in roots_with_factors(equation.numerator) if each.upper
     )
 
 
-def _directions(equation: LocusEquation, at: PlacedRoot, *, pole: bool) -> Directions:
+def _directions(equation: LocusEquation, at: PlacedRoot, *, pole: bool) -> Bearings:
     arrows = []
     for p, of_pole in ((equation.numerator, False), (equation.denominator, True)):
         for other in roots_with_factors(p):
@@ -70,7 +70,7 @@ def _directions(equation: LocusEquation, at: PlacedRoot, *, pole: bool) -> Direc
     total = _tidied(total)
     m = at.multiplicity
     angles = tuple(normal_angle(_tidied((total + 360 * q) / m)) for q in range(m))
-    return Directions(at, pole, tuple(arrows), total, angles)
+    return Bearings(at, pole, tuple(arrows), total, angles)
 
 
 def degrees_of(x: sp.Expr) -> sp.Expr:

@@ -57,7 +57,7 @@ def real_axis_segments(equation: LocusEquation) -> list[sp.Interval]:
 class Asymptotes:
     """`angles` in degrees, in (−180°, 180°], and their `centroid`; `poles` and `zeros` are the sums of these."""
 
-    angles: tuple[sp.Rational, ...]
+    angles: tuple[sp.Expr, ...]
     centroid: sp.Expr
     poles: sp.Expr
     zeros: sp.Expr

@@ -26,7 +26,7 @@ def directions_of(form: Form) -> Derivation[tuple[list[Expr], list[Expr]]]:
     return [angle for each in leaving for angle in each.angles], [angle for each in arriving for angle in each.angles]
 
 
-def _step(found: exact.Directions, *, positive: bool) -> Step:
+def _step(found: exact.Bearings, *, positive: bool) -> Step:
     claims: dict[str, Claim] = {}
     rows = []
     for i, arrow in enumerate(found.arrows, 1):

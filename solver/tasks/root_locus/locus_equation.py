@@ -47,7 +47,7 @@ def polynomial_of(given: CharacteristicEquation, name: str | None) -> tuple[Expr
     if others:
         raise Unsolved("root_locus/other_parameters", others=others, named=named)
     if named:
-        p = loop.numerator + loop.denominator if loop is not None else given.given.expression
+        p = given.polynomial
         return sp.expand(p), named[0], False
     if loop is None:
         raise Unsolved("root_locus/no_parameter")

@@ -24,7 +24,9 @@ def parameter_region(
 ) -> tuple[ParameterRegion, ...]:
     """Return where conditions are positive in the plane of two parameters; nothing of more, or where they never are."""
     undecided = [each for each in conditions if each.free_symbols and exact.sign_of(each) != 1]
-    symbols = sorted(set().union(*(each.free_symbols for each in undecided)) if undecided else set(), key=str)
+    symbols: list[Any] = sorted(
+        set().union(*(each.free_symbols for each in undecided)) if undecided else set(), key=str
+    )
     if len(symbols) != 2 or condition in (sp.true, sp.false):
         return ()
     x, y = wanted if len(wanted) == 2 and set(wanted) == set(symbols) else symbols
