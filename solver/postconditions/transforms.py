@@ -35,8 +35,9 @@ def _of_image(image: Any, s: Any) -> Iterator[Claim | Check]:
         yield from factor_claims(factor)
         yield Check.that("roots in conjugate pairs", "compared", _are_in_pairs(factor.roots))
     for each in image.exceptions:
-        together = sp.discriminant(image.denominator, s)
-        meets = each.rhs == 0 and sp.rem(together, each.lhs, *sorted(each.free_symbols, key=str)) == 0
+        together = sp.numer(sp.together(sp.discriminant(image.denominator, s)))
+        factor = sp.numer(sp.together(each.lhs))
+        meets = each.rhs == 0 and sp.rem(together, factor, *sorted(each.free_symbols, key=str)) == 0
         yield Check.that("where poles meet", "discriminant", bool(meets))
 
 

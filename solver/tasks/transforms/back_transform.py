@@ -78,7 +78,8 @@ def _shows_its_factors(image: exact.RationalImage, s: Symbol) -> bool:
         return False
     _, below = sp.fraction(image.given)
     parts: tuple[Any, ...] = sp.Mul.make_args(below)
-    given = {each.as_base_exp() for each in parts if each.has(s)}
+    powers = [each.as_base_exp() for each in parts if each.has(s)]
+    given = {(sp.Poly(base, s).monic().as_expr(), exponent) for base, exponent in powers if base.is_polynomial(s)}
     own = {(each.polynomial(s), sp.Integer(each.multiplicity)) for each in image.proper.factors}
     surds = any(root.kind == "surd" for each in image.proper.factors for root in each.roots)
     return given == own and not surds

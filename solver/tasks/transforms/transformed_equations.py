@@ -164,7 +164,7 @@ def told(asked: Question, found: Mapping[str, Expr]) -> Derivation[Answers]:
     jumps = [each for name, f in found.items() for each in _jumps(asked, name, f)]
     if len(found) > 1 or jumps:
         yield Step("solution", unclaimed="what was found", rows=[(symbols[name], f) for name, f in found.items()],
-                   jumps=jumps, several=len(found) > 1, t=t)  # fmt: skip
+                   detail="brief" if len(found) > 1 else "full", jumps=jumps, several=len(found) > 1, t=t)  # fmt: skip
     return Answers(solution={symbols[name]: f for name, f in found.items()})
 
 
