@@ -269,6 +269,7 @@ def test_both_sections_by_the_root_locus():
     [
         ("lead", TRIPLE, {"poles": (-1 + 3 * sp.I, -1 - 3 * sp.I)}, "less than the angle"),
         ("lead", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I)}, "lies on the root locus"),
+        ("lead", plant(sp.Integer(-1), s**3 + s), {"poles": (-2 + 3 * sp.I, -2 - 3 * sp.I)}, "is not stable"),
         ("lag", OGATA_LEAD, {"poles": (-3 + 2 * sp.I, -3 - 2 * sp.I), "velocity_constant": sp.Integer(5)}, "not near"),
         ("lag", OGATA_LEAD, {"poles": (-1 + 2 * sp.I, -1 - 2 * sp.I), "velocity_constant": sp.Integer(1)}, "is needed"),
         ("lead", OGATA_LEAD, {"poles": (-2 + 3 * sp.I, -2 - 3 * sp.I), "velocity_constant": r(90)}, "lead-lag"),

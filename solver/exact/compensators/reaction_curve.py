@@ -41,7 +41,7 @@ class ReactionCurve:
 
 @dataclass(frozen=True)
 class NoCurve:
-    """Why the rules do not apply: "unstable", "overshoots", "no_dead_time", "constant"."""
+    """Why the rules do not apply: "unstable", "overshoots", "no_dead_time", "steepest_at_first", "constant"."""
 
     why: str
 
@@ -80,6 +80,8 @@ def _tangent(
         kind, time = "ramp", sp.oo
         steady = sp.expand(y.xreplace({each: sp.Integer(0) for each in y.atoms(sp.exp)}))
         slope, height = steady.coeff(t, 1), steady.coeff(t, 0)
+        if abs(sp.N(g.xreplace({t: sp.Integer(0)}), DIGITS)) > abs(sp.N(slope, DIGITS)):
+            return NoCurve("steepest_at_first")
     else:
         kind, time, height, slope = "start", sp.Integer(0), sp.Integer(0), g.xreplace({t: sp.Integer(0)})
     own = tidy(-height / slope) if kind == "ramp" else tidy(time - height / slope)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Answers, Claim, Derivation, Step, lemma
+from solver.derivation import Answers, Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, quotient
@@ -35,6 +35,10 @@ def checked(
                sections=loop.sections)  # fmt: skip
     error = error_of(G, loop, options)
     yield _check(G, loop, before, options, error)
+    if not loop.stable:
+        raise Unsolved("compensators/not_stable")
+    if before is not None and not _is_met(loop, options):
+        raise Unsolved("compensators/not_met", omega=loop.margins.gain_crossover, margin=loop.margins.phase_margin)
     if G.delay == 0:
         other = None if before is None else (sp.expand(before.K * G.numerator), G.denominator)
         caption = "After a step of the reference, with the compensator and with its gain alone"
@@ -50,6 +54,13 @@ def checked(
     if error is not None:
         answers["error"] = error
     return answers
+
+
+def _is_met(loop: exact.Compensated, options: CompensatorOptions) -> bool:
+    """Whether margin and crossover are those asked for: of several crossovers another one may decide."""
+    found, crossover = loop.margins, options.crossover
+    near = crossover is None or abs(found.gain_crossover / crossover - 1) <= sp.Rational(1, 1000)
+    return bool(found.phase_margin >= options.phase_margin and near)
 
 
 def of_sections(values: Sequence[Any]) -> Any:

@@ -17,6 +17,7 @@ from solver.tasks.compensators.specifications import (
     gain_for_the_error,
     margins_of_the_gain,
     plant_of,
+    rational_plant_of,
 )
 
 if TYPE_CHECKING:
@@ -71,6 +72,6 @@ def by_the_bode_diagram(given: Given[OpenLoop, CompensatorOptions]) -> Derivatio
 def by_the_root_locus(given: Given[OpenLoop, CompensatorOptions]) -> Derivation[Answers]:
     """The gain at the pole, the constant with it, and a zero and a pole near the origin that raise it."""
     options = given.options
-    G = plant_of(given.system, options)
+    G = rational_plant_of(given.system, options)
     found = yield from lag_for_a_pole(G, options)
     return (yield from checked(G, found.loop, None, options))

@@ -35,7 +35,7 @@ def lead_in_attempts(G: exact.Plant, K: Expr, options: CompensatorOptions) -> De
         return last.loop
     if found.met and found.chosen is not None:
         yield Step("another_crossover", unclaimed="a choice", omega=found.chosen.omega, tried=bool(found.rounds))
-        yield at_crossover(G, K, found.chosen, wanted)
+        yield at_crossover(G, K, found.chosen, wanted, sp.Integer(0))
         return found.chosen.loop
     raise Unsolved("compensators/lead_cannot", best=found.best, omega=found.at, wanted=wanted)
 
@@ -95,7 +95,7 @@ def lead_for_a_crossover(G: exact.Plant, K: Expr | None, options: CompensatorOpt
         yield Step("at_the_crossover", claims={"size": _size(G, K, omega, size)}, omega=omega, size=size)
         raise no_lead(found.why, omega=omega, needed=found.needed, size=size,
                        largest=found.largest, wanted=wanted)  # fmt: skip
-    yield at_crossover(G, K, found, wanted)
+    yield at_crossover(G, K, found, wanted, extra)
     return found.loop
 
 
@@ -103,15 +103,16 @@ def _size(G: exact.Plant, K: Any, omega: Expr, size: Expr) -> Claim:
     return Claim(absolute(value_at(written(G, K), G.s, sp.I * omega)), size, "the magnitude there")
 
 
-def at_crossover(G: exact.Plant, K: Expr, found: exact.LeadAt, wanted: Expr) -> Step:
+def at_crossover(G: exact.Plant, K: Expr, found: exact.LeadAt, wanted: Expr, extra: Expr) -> Step:
     """T and α from the magnitude and the phase at one frequency."""
     phi = sp.pi * found.phase / 180
     cosine, sine = sp.N(sp.cos(phi), 30), sp.N(sp.sin(phi), 30)
     size = 1 / found.M
+    needed = difference(difference(wanted, sp.Integer(180)), found.angle)
     claims = {
         "size": _size(G, K, found.omega, size),
         "M": Claim(quotient(sp.Integer(1), size), found.M, "M"),
-        "needed": Claim(difference(difference(wanted, sp.Integer(180)), found.angle), found.needed, "the phase needed"),
+        "needed": Claim(needed if extra == 0 else total(needed, extra), found.needed, "the phase needed"),
         "zero": Claim(quotient(difference(found.M, cosine), sine), found.zero, "ωT"),
         "pole": Claim(
             quotient(difference(product(found.M, cosine), sp.Integer(1)), product(found.M, sine)), found.pole, "ωαT"

@@ -19,6 +19,7 @@ from solver.tasks.compensators.specifications import (
     gain_for_the_error,
     margins_of_the_gain,
     plant_of,
+    rational_plant_of,
 )
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ def by_the_bode_diagram(given: Given[OpenLoop, CompensatorOptions]) -> Derivatio
 def by_the_root_locus(given: Given[OpenLoop, CompensatorOptions]) -> Derivation[Answers]:
     """The angle that is missing at the pole, zero and pole by the bisector, the gain by the magnitude."""
     options = given.options
-    G = plant_of(given.system, options)
+    G = rational_plant_of(given.system, options)
     found = yield from lead_for_a_pole(G, options)
     constant = constant_of(G, found.loop, options)
     error = error_of(G, found.loop, options)

@@ -17,6 +17,7 @@ from solver.tasks.compensators.specifications import (
     gain_for_the_error,
     margins_of_the_gain,
     plant_of,
+    rational_plant_of,
 )
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ def by_the_bode_diagram(given: Given[OpenLoop, CompensatorOptions]) -> Derivatio
 def by_the_root_locus(given: Given[OpenLoop, CompensatorOptions]) -> Derivation[Answers]:
     """The lead makes the pole a point of the locus, the lag raises the constant and leaves it nearly there."""
     options = given.options
-    G = plant_of(given.system, options)
+    G = rational_plant_of(given.system, options)
     lead = yield from lead_for_a_pole(G, options)
     found = yield from lag_for_a_pole(G, options, (lead.section,))
     return (yield from checked(G, found.loop, None, options))

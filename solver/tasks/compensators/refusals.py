@@ -33,6 +33,8 @@ def no_reaction_curve(why: str) -> Unsolved:
             return Unsolved("pid_tuning/unstable")
         case "overshoots":
             return Unsolved("pid_tuning/overshoots")
+        case "steepest_at_first":
+            return Unsolved("pid_tuning/steepest_at_first")
         case "no_dead_time":
             return Unsolved("pid_tuning/no_dead_time")
     return Unsolved("pid_tuning/constant")

@@ -79,6 +79,13 @@ def plant_of(G: OpenLoop, options: CompensatorOptions) -> exact.Plant:
     return exact.Plant(G.numerator, G.denominator, G.variable, G.delay)
 
 
+def rational_plant_of(G: OpenLoop, options: CompensatorOptions) -> exact.Plant:
+    """Return the plant for the root locus; raises Unsolved where it has a dead time."""
+    if G.delay != 0:
+        raise Unsolved("compensators/dead_time")
+    return plant_of(G, options)
+
+
 def written(G: exact.Plant, factor: Any = None) -> Any:
     """Return K G as an expression."""
     found = G.numerator / G.denominator

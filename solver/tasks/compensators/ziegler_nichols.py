@@ -113,4 +113,6 @@ def _figure(found: exact.ReactionCurve, G: OpenLoop) -> tuple[Plot, ...]:
 def _rise(found: exact.ReactionCurve) -> Expr:
     """The time in which the tangent rises to the final value."""
     final = found.y.xreplace({each: sp.Integer(0) for each in found.y.atoms(sp.exp)})
+    if final.has(found.t):
+        return 2 * sp.N(found.time)  # it goes on rising
     return abs(sp.N(final)) / abs(sp.N(found.slope))
