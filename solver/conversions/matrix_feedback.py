@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Fractions = tuple[tuple["Expr", ...], ...]
 
 
-@conversion(MatrixFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion"))
+@conversion(MatrixFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion", "path"))
 @lemma("matrix_loop")
 def transfer_matrix_of_loop(loop: MatrixFeedback) -> Derivation[TransferFunction]:
     """C G (I + H C G)⁻¹ on rational functions, or C G.

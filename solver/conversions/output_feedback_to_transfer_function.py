@@ -23,7 +23,7 @@ def closed(system: System, options: Mapping[str, Any]) -> OutputFeedback:
     return (MatrixFeedback if several else OutputFeedback)(system, C, H)
 
 
-@conversion(OutputFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion"))
+@conversion(OutputFeedback, TransferFunction, gives=lambda _: ("transfer_function", "motion", "path"))
 @lemma("loop")
 def transfer_function_of_loop(loop: OutputFeedback) -> Derivation[TransferFunction]:
     """L = C G (1 + C G H)⁻¹ on polynomials, nothing cancelled between C, G and H: what is hidden stays a root.

@@ -8,7 +8,11 @@ from solver.systems import StateSpace, TransferFunction
 from solver.tasks.representation.transfer_function import transfer_function_of
 
 
-@conversion(StateSpace, TransferFunction, gives=lambda has: has & {"transfer_function"})
+@conversion(
+    StateSpace,
+    TransferFunction,
+    gives=lambda has: ("transfer_function", "path") if "transfer_function" in has else (),
+)
 def transfer_function_of_states(plant: StateSpace) -> Derivation[TransferFunction]:
     """G = (C adj(xI − A) B + det(xI − A) D)/det(xI − A), the factors that cancel kept beside it."""
     G = yield from transfer_function_of(plant)

@@ -136,9 +136,9 @@ def _ways(system: System) -> Iterable[tuple[type, Provided, tuple[Conversion, ..
 
 
 def _implied(has: Provided) -> Provided:
-    """What goes with it: where there is A, states move; a transfer function has values and is a path to the output."""
+    """What goes with it: where there is A, states move; a transfer function has values at frequencies."""
     moves = frozenset({"motion", "states"}) if "A" in has else frozenset()
-    return moves | {"gains", "path"} if "transfer_function" in has else moves
+    return moves | {"gains"} if "transfer_function" in has else moves
 
 
 def converted_to(system: System, target: type[T]) -> Derivation[T]:

@@ -13,7 +13,9 @@ from solver.derivation import Check, Claim
 from solver.lazy import numeric
 from solver.numeric.judges import classical as judges
 from solver.numeric.judges import representation
+from solver.stated.algebra import quotient
 from solver.stated.complex_numbers import real_part
+from solver.words import Phrase
 
 ORACLE = "mpmath (50 digits)"
 
@@ -50,6 +52,8 @@ def of_decay(found: Any, poles: Any) -> Iterator[Claim | Check]:
             yield Claim(real_part(pole), -mode.rate, "the real part of a pole")
         if mode.sign is not None and not mode.rate.free_symbols:
             yield Check.that("the sign of a rate", ORACLE, bool(sp.N(mode.rate * mode.sign, 30) > 0) or mode.sign == 0)
+    if not any(mode.rate.free_symbols for mode in found.modes):
+        yield Check.that("the order of numbers is known", ORACLE, bool(found.in_order))
     rates = [sp.N(mode.rate, 30) for mode in found.modes]
     if all(rate.is_number for rate in rates):
         rising = all(a <= b + sp.Float("1e-25") for a, b in pairwise(rates))
@@ -78,8 +82,9 @@ def of_damping_cases(found: Any, damping: Any, wanted: Any = None) -> Iterator[C
 
 
 def of_poles_of_damping(found: Any, damping: Any) -> Iterator[Claim]:
-    """The poles are the roots."""
+    """The poles are the roots, both or none."""
     x = sp.Symbol("s")
+    yield Check.that("both poles are there, or none", "counted", len(found) in (0, 2))
     for pole in found:
         yield Claim((x**2 + damping.twice * x + damping.square).subs(x, pole), sp.Integer(0), "a pole")
 
@@ -94,7 +99,7 @@ def of_step_events(found: Any, response: Any, band: Any, *, whole: bool) -> Iter
     """The times and shares are those of the response by matrix exponentials, searched and refined."""
     system = response.system
     plant = (system.A, system.B, system.C, system.D if system.D is not None else sp.zeros(1, 1))
-    asked = judges.Specification(sp.Integer(0), sp.sympify(band), whole)
+    asked = judges.Specification(sp.Integer(0), band, whole)
     judged = {
         "final_value": found.final,
         "settling_time": found.settling,
@@ -104,7 +109,9 @@ def of_step_events(found: Any, response: Any, band: Any, *, whole: bool) -> Iter
     }
     for name, value in judged.items():
         check = partial(judges.specification_residual, plant, asked, name, value)
-        yield numeric.check_residual(f"the {name.replace('_', ' ')} of the response", "scipy.linalg.expm", check)
+        yield numeric.check_residual(
+            Phrase("the {name} of the response", name=name.replace("_", " ")), "scipy.linalg.expm", check
+        )
     if found.under is not None:
         fault = judges.undershoot_residual(plant, found.under.time, found.under.share)
         yield Check.within("the undershoot of the response", "scipy.linalg.expm", fault, 1e-9)
@@ -117,11 +124,14 @@ def of_reduction(found: Any, form: Any, order: int) -> Iterator[Claim | Check]:
     plant = representation.realized(((top,),), ((bottom,),), form.variable)
     for name, poles in (("kept", found.poles_kept), ("dropped", found.poles_dropped)):
         check = partial(judges.dominant_residual, plant, order, name, poles)
-        yield numeric.check_residual(f"the poles {name}", ORACLE, check)
+        yield numeric.check_residual(Phrase("the poles that are {name}", name=name), ORACLE, check)
     check = partial(judges.reduced_residual, plant, order, found.function)
     yield numeric.check_residual("the reduced function", ORACLE, check)
     above, below = (sp.Mul(*(-root for root in roots)) for roots in (found.zeros_dropped, found.poles_dropped))
     yield Claim(above / below, found.constant, "the fast factors at zero")
+    if found.ratio is not None:
+        first, last = (real_part(mode.poles[0]) for mode in (found.dropped[0], found.kept[-1]))
+        yield Claim(quotient(first, last), found.ratio, "the ratio of real parts")
     zeros = sorted(map(str, (*found.zeros_kept, *found.zeros_dropped)))
     yield Check.that("every zero is kept or dropped", "counted", zeros == sorted(map(str, form.zeros)))
 
@@ -132,3 +142,12 @@ def of_largest_error(found: Any, response: Any) -> Iterator[Check]:
     plant = (system.A, system.B, system.C, system.D if system.D is not None else sp.zeros(1, 1))
     check = partial(judges.largest_size_residual, plant, found.time, found.value)
     yield numeric.check_residual("the largest size of the difference", "scipy.linalg.expm", check)
+
+
+def of_largest_difference(found: Any, whole: Any, modes: Any) -> Iterator[Check]:
+    """No sample of the difference is larger."""
+    plant = (whole.system.A, whole.system.B, whole.system.C, whole.system.D)
+    largest = judges.largest_sampled_difference(plant, modes)
+    if largest is not None:
+        yield Check.within("the largest size of the difference", "scipy.linalg.expm",
+                           max(0.0, largest / float(abs(found.value)) - 1), 1e-6)  # fmt: skip

@@ -50,8 +50,8 @@ class TransferFunction:
 
     @property
     def provides(self) -> frozenset[str]:
-        """A task can ask for the transfer function, and how the output moves from rest."""
-        return frozenset({"transfer_function", "motion"})
+        """A task can ask for the transfer function, a path to the output, and how that moves from rest."""
+        return frozenset({"transfer_function", "motion", "path"})
 
     @property
     def described(self) -> str:

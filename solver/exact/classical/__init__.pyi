@@ -10,7 +10,7 @@ from solver.exact.classical.damping import (
     damping_parameter,
     poles_of_damping,
 )
-from solver.exact.classical.decay import Decay, Mode, decay
+from solver.exact.classical.decay import Decay, DecayMode, decay
 from solver.exact.classical.factors import (
     PoleZeroForm,
     ValueAtZero,
@@ -33,9 +33,9 @@ __all__ = [
     "Cases",
     "Damping",
     "Decay",
+    "DecayMode",
     "Extreme",
     "LargestError",
-    "Mode",
     "NoFrequency",
     "NotReduced",
     "PoleZeroForm",

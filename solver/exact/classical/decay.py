@@ -12,7 +12,7 @@ from solver.exact.stability.inequalities import sign_of
 
 
 @dataclass(frozen=True)
-class Mode:
+class DecayMode:
     """Poles with one real part and opposite imaginary ones: one, or a conjugate pair; `rate` is −Re p.
 
     `sign` is that of the rate, None where parameters leave it open; `count` is how many poles these are in all.
@@ -43,23 +43,23 @@ class Mode:
 class Decay:
     """The modes, the slowest first; `in_order` is False where parameters leave open which of two is slower."""
 
-    modes: tuple[Mode, ...]
+    modes: tuple[DecayMode, ...]
     in_order: bool
 
 
 def decay(poles: Sequence[sp.Expr]) -> Decay:
     """The modes of poles that are listed with multiplicity, conjugates among them."""
-    found: list[Mode] = []
+    found: list[DecayMode] = []
     for pole in dict.fromkeys(poles):
         real, imaginary = complex_parts(pole)
         partner = sp.expand(real - sp.I * imaginary)
         known = next((i for i, each in enumerate(found) if _same(each.poles[0], partner)), None)
         if imaginary != 0 and known is not None:
             first = found[known]
-            found[known] = Mode((*first.poles, pole), first.rate, first.sign, first.multiplicity)
+            found[known] = DecayMode((*first.poles, pole), first.rate, first.sign, first.multiplicity)
             continue
         rate = sp.factor(-real) if real.free_symbols else -real
-        found.append(Mode((pole,), rate, sign_of(rate), list(poles).count(pole)))
+        found.append(DecayMode((pole,), rate, sign_of(rate), list(poles).count(pole)))
     return _sorted(found)
 
 
@@ -67,9 +67,9 @@ def _same(a: sp.Expr, b: sp.Expr) -> bool:
     return bool(a == b or sp.expand(a - b) == 0)
 
 
-def _sorted(modes: list[Mode]) -> Decay:
+def _sorted(modes: list[DecayMode]) -> Decay:
     """By rising rate, as far as it is known which is less; equal ones as they came."""
-    listed: list[Mode] = []
+    listed: list[DecayMode] = []
     in_order = True
     for mode in modes:
         place = len(listed)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from solver.exact.classical.decay import Decay, Mode, decay
+from solver.exact.classical.decay import Decay, DecayMode, decay
 from solver.exact.classical.factors import PoleZeroForm
 from solver.exact.linear_algebra.radicals import complex_parts
 from solver.exact.linear_algebra.spectrum import DIGITS
@@ -26,8 +26,8 @@ class Reduction:
     `split` a pair that did not fit any more; `crowded` that a slow zero is dropped as there is no pole for it.
     """
 
-    kept: tuple[Mode, ...]
-    dropped: tuple[Mode, ...]
+    kept: tuple[DecayMode, ...]
+    dropped: tuple[DecayMode, ...]
     zeros_kept: tuple[sp.Expr, ...]
     zeros_dropped: tuple[sp.Expr, ...]
     constant: sp.Expr
@@ -36,7 +36,7 @@ class Reduction:
     bottom: sp.Expr
     ratio: sp.Expr | None
     lasting: int
-    split: Mode | None
+    split: DecayMode | None
     crowded: bool
 
     @property
@@ -97,7 +97,9 @@ def reduction(form: PoleZeroForm, order: int) -> Reduction:
     )
 
 
-def _chosen(found: Decay, order: int, count: int) -> tuple[tuple[Mode, ...], tuple[Mode, ...], Mode | None]:
+def _chosen(
+    found: Decay, order: int, count: int
+) -> tuple[tuple[DecayMode, ...], tuple[DecayMode, ...], DecayMode | None]:
     if not found.in_order or any(mode.sign is None for mode in found.modes):
         raise NotReduced("open")
     if count <= order:
@@ -119,7 +121,9 @@ def _chosen(found: Decay, order: int, count: int) -> tuple[tuple[Mode, ...], tup
     return tuple(kept), tuple(rest), split
 
 
-def _zeros(every: Sequence[sp.Expr], dropped: Sequence[Mode], most: int) -> tuple[list[sp.Expr], list[sp.Expr], bool]:
+def _zeros(
+    every: Sequence[sp.Expr], dropped: Sequence[DecayMode], most: int
+) -> tuple[list[sp.Expr], list[sp.Expr], bool]:
     """The zeros nearer to the origin than all dropped poles, as far as there is room; the others; if there was none."""
     near = [_square(pole) for mode in dropped for pole in mode.poles]
     slow: list[sp.Expr] = []

@@ -73,10 +73,10 @@ def step_events(found: ClosedForm, band: sp.Expr, *, whole: bool) -> StepEvents:
         over = _largest(share, away, crossing, start)
     reached = bool(start >= 1 or crossing is not None)
     single = _only_mode(found)
-    levels = (0, 1) if whole and reached else (sp.Rational(1, 10), sp.Rational(9, 10))
+    levels = (sp.Integer(0), sp.Integer(1)) if whole and reached else (sp.Rational(1, 10), sp.Rational(9, 10))
     times = [_first_time(share, level, start, single) for level in levels]
     settling, edge = _last_entry(share, band, single)
-    rise = Rise(sp.sympify(levels[0]), sp.sympify(levels[1]), *times)
+    rise = Rise(levels[0], levels[1], *times)
     under = _lowest(share, away, float(rise.ends))
     return StepEvents(final, _exact_peak(found, over, final), reached, rise, settling, edge, under)
 

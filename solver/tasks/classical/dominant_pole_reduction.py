@@ -28,6 +28,7 @@ from solver.numeric.judges import classical as judges
 from solver.options.integer import Integer
 from solver.stated.algebra import product, quotient
 from solver.stated.calculus import value_at
+from solver.stated.transforms import inverse_laplace
 from solver.tasks.classical.paths import Path, numbers_of, path_of, poles_of, quietly
 from solver.tasks.classical.step_measures import question_of
 from solver.tasks.plant_options import LoopOptions
@@ -86,8 +87,11 @@ def _reduced(form: exact.PoleZeroForm, order: int) -> exact.Reduction:
     try:
         return exact.reduction(form, order)
     except exact.NotReduced as finding:
-        values = {"count": finding.count, "order": order}
-        raise Unsolved(f"dominant_pole_reduction/{finding.why}", **values) from None
+        if finding.why == "open":
+            raise Unsolved("dominant_pole_reduction/open") from None
+        if finding.why == "lasting":
+            raise Unsolved("dominant_pole_reduction/lasting", count=finding.count) from None
+        raise Unsolved("dominant_pole_reduction/nothing", count=finding.count, order=order) from None
 
 
 def _constant(found: exact.Reduction, x: Any) -> Step:
@@ -131,13 +135,16 @@ def _compared(path: Path, found: exact.Reduction) -> Derivation[None]:
         return
     y, y_r, error = both
     final = None if any(not _settles(pole) for pole in found.poles_kept) else found.function.subs(path.variable, 0)
-    claims = {}
+    s, t = path.variable, sp.Symbol("t")
+    claims = {
+        "whole": Claim(inverse_laplace(path.top / path.bottom / s, s, t), y, "the step response"),
+        "slow": Claim(inverse_laplace(found.function / s, s, t), y_r, "that of the reduced system"),
+    }
     if error is not None and error.time is not sp.oo:
-        t = sp.Symbol("t")
         claims["error"] = Claim(value_at(y - y_r, t, error.time), error.value, "the largest difference")
     share = None if error is None or not final else sp.N(abs(error.value / final), 30)
-    yield Step("compared", detail="full", claims=claims, unclaimed="" if claims else "a figure", error=error,
-               figures=(_figure(found, (y, y_r), error),), share=share, late=path.delay)  # fmt: skip
+    yield Step("compared", detail="full", claims=claims, error=error, share=share, late=path.delay,
+               figures=(_figure(found, (y, y_r), error),))  # fmt: skip
 
 
 def _responses(path: Path, found: exact.Reduction) -> tuple[Expr, Expr, exact.LargestError | None] | None:

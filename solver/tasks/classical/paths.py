@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from solver.derivation import Claim, Derivation, Given, Step, Unsolved, lemma
-from solver.derivation.conversion import converted_to
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import representation as judges
@@ -76,7 +75,7 @@ def path_of(given: Given[Plant, Any]) -> Derivation[Path]:
     if isinstance(plant, systems.DeadTime):
         yield from dead_time_apart(plant)
         plant, delay = plant.rational, plant.delay
-    G: TransferFunction = yield from converted_to(plant, systems.TransferFunction)
+    G: TransferFunction = plant
     if G.matrix.shape != (1, 1):
         raise Unsolved("paths/several_channels", p=G.size("p"), m=G.size("m"))
     whole = exact.transfer_matrix_of_fractions(G.numerators, G.denominators, G.variable)

@@ -8,6 +8,7 @@ from solver.derivation import Answers, Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import quotient
+from solver.stated.transforms import inverse_laplace
 from solver.tasks.classical.step_figure import specified_figure
 from solver.tasks.classical.step_measures import events_of, level_claims, response_of
 
@@ -43,9 +44,18 @@ def by_second_order(path: Path, options: StepOptions) -> Derivation[Answers]:
     yield Step("settling", unclaimed=DISPLAYED, **_named(found, values["settling_time"], path.delay), band=c)
     values |= {name: values[name] + path.delay for name in ("peak_time", "settling_time")}
     answers = Answers(**values, final_value=gain)
-    figure = () if path.parameters else specified_figure(path, response_of(path), answers, options, formulas=True)
-    yield Step("marked", detail="full", unclaimed="a figure", figures=figure, drawn=bool(figure), formulas=True)
+    yield _marked(path, answers, options)
     return answers
+
+
+def _marked(path: Path, answers: Answers, options: StepOptions) -> Step:
+    """The response with its specifications, where all is a number."""
+    if path.parameters:
+        return Step("marked", detail="full", unclaimed="nothing is drawn", drawn=False)
+    found, s, t = response_of(path), path.variable, sp.Symbol("t")
+    claim = Claim(inverse_laplace(path.top / path.bottom / s, s, t), found.y[0], "the step response")  # type: ignore[index]
+    figure = specified_figure(path, found, answers, options, formulas=True)
+    return Step("marked", detail="full", claims={"y": claim}, figures=figure, drawn=True)
 
 
 def _standard(path: Path) -> exact.Damping:

@@ -67,7 +67,7 @@ def measured(path: Path, options: StepOptions) -> Derivation[Answers]:
     overshoot = sp.Integer(0) if events.peak is None else _less_one(events.peak.share)
     answers = Answers(rise_time=_tidied(events.rise.time), **peak, overshoot=overshoot,
                       settling_time=events.settling + late, final_value=events.final)  # fmt: skip
-    yield Step("marked", detail="full", unclaimed="a figure", drawn=True, formulas=False,
+    yield Step("marked", detail="full", unclaimed="a figure",
                figures=specified_figure(path, found, answers, options))  # fmt: skip
     return answers
 

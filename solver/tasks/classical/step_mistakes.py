@@ -31,6 +31,12 @@ ONE_POLE = Slip("final_gain", "it is the gain before the fraction; the final val
 
 def register(task: Task[Any, Any]) -> None:
     """Register what goes wrong; by the formulas of second order, whatever the method."""
+    _with_formulas(task)
+    _with_values(task)
+
+
+def _with_formulas(task: Task[Any, Any]) -> None:
+    """Other formulas than the right ones."""
 
     def other_band(wrong: Attempt[Any, Any]) -> Iterable[Any]:
         found = _damping(wrong)
@@ -62,6 +68,15 @@ def register(task: Task[Any, Any]) -> None:
                 "rise_time": (sp.pi - sp.acos(zeta)) / turn,
             }[wrong.name]
 
+    task.mistake(BAND, "settling_time")(other_band)
+    task.mistake(FREQUENCY, "peak_time", "rise_time")(undamped)
+    task.mistake(PERIOD, "peak_time")(whole_period)
+    task.mistake(HALF, "overshoot", "peak_time", "rise_time", "settling_time")(wrong_ratio)
+
+
+def _with_values(task: Task[Any, Any]) -> None:
+    """Other values than those asked for."""
+
     def in_hertz(wrong: Attempt[Any, Any]) -> Iterable[Any]:
         yield from (wrong.ours / (2 * sp.pi), wrong.ours * 2 * sp.pi)
 
@@ -74,10 +89,6 @@ def register(task: Task[Any, Any]) -> None:
         path = quietly(path_of(wrong.given))
         yield from {sp.LC(p, path.variable) for p in (path.top, path.shown[0])}
 
-    task.mistake(BAND, "settling_time")(other_band)
-    task.mistake(FREQUENCY, "peak_time", "rise_time")(undamped)
-    task.mistake(PERIOD, "peak_time")(whole_period)
-    task.mistake(HALF, "overshoot", "peak_time", "rise_time", "settling_time")(wrong_ratio)
     task.mistake(HERTZ, "peak_time", "rise_time", "settling_time")(in_hertz)
     task.mistake(PEAK, "overshoot")(value_at_the_peak)
     task.mistake(ONE_POLE, "final_value")(leading)

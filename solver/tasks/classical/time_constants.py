@@ -117,5 +117,5 @@ def of_growing_modes_too(wrong: Attempt[Plant, LoopOptions]) -> Iterable[list[Ex
     yield [sp.radsimp(1 / sp.Abs(mode.rate)) for mode in moving for _ in mode.every]
 
 
-def _modes(given: Given[Plant, LoopOptions]) -> Iterable[exact.Mode]:
+def _modes(given: Given[Plant, LoopOptions]) -> Iterable[exact.DecayMode]:
     return exact.decay(quietly(poles_of(quietly(path_of(given))))).modes

@@ -11,6 +11,7 @@ from solver.numeric.judges.classical.poles import shown_poles, time_constants_re
 from solver.numeric.judges.classical.reductions import dominant_residual, reduced_residual
 from solver.numeric.judges.classical.step_responses import (
     Specification,
+    largest_sampled_difference,
     largest_size_residual,
     specification_residual,
     undershoot_residual,
@@ -25,6 +26,7 @@ __all__ = [
     "damping_words",
     "dc_gain_residual",
     "dominant_residual",
+    "largest_sampled_difference",
     "largest_size_residual",
     "leading_gain_residual",
     "natural_frequency_residual",

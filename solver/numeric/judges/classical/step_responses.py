@@ -227,3 +227,13 @@ def largest_size_residual(plant: Any, time: Any, value: Any) -> float:
     at = final if infinite else final + found.away(m.re(numbers_at([time], {})[0]))
     size = max(abs(height), m.mpf("1e-30"))
     return max(float(abs(at - height) / size), 0.0, largest / float(size) - 1 - ROUNDING)
+
+
+def largest_sampled_difference(plant: Any, modes: Any) -> float | None:
+    """Return the largest size of a step response less modes c t^{j−1}/(j−1)! e^{λt}; None where it does not settle."""
+    found = step_response(plant)
+    if found is None or any(j > 1 for _, j, _ in modes):
+        return None
+    times, e = found.samples
+    other = sum(complex(c) * np.exp(complex(m) * times) for m, _, c in modes)
+    return float(np.max(abs(float(found.final) * (1 + e) - np.real(other))))

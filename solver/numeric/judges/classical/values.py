@@ -10,8 +10,14 @@ from solver.numeric.evaluation.compare import with_many_digits, worst_of
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.values import Undefined
-from solver.numeric.judges.multivariable.relative_gains import value_at_one
-from solver.numeric.judges.representation.minimal import MANY, NOTHING, numbers_at, points_of, quadruple_at
+from solver.numeric.judges.representation.minimal import (
+    MANY,
+    NOTHING,
+    numbers_at,
+    points_of,
+    quadruple_at,
+    value_at_one,
+)
 
 NEAR = "1e-22"
 LARGE = 1e12

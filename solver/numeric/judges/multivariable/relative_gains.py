@@ -12,7 +12,7 @@ from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.multiple_precision import inverse
 from solver.numeric.evaluation.values import Undefined
-from solver.numeric.judges.representation.minimal import MANY, numbers_at, points_of
+from solver.numeric.judges.representation.minimal import MANY, numbers_at, points_of, value_at_one
 
 BESIDE = "1e-22"
 """So far beside the point G is taken: it may have a pole there."""
@@ -38,16 +38,6 @@ def relative_gain_residual(G: Any, array: Any, x: Any, at: Any) -> float:
             size = max(MANY.context.mpf(1), *(abs(entry) for entry in ours))
             worst = worst_of((worst, float(max(abs(a - b) for a, b in zip(ours, theirs, strict=True)) / size)))
     return with_many_digits(worst, G, array)
-
-
-def value_at_one(G: Any, x: Any) -> Any:
-    """What is left of a formula when a number stands for x: its parameters."""
-    operands = getattr(G, "operands", None)
-    return tuple(value_at_one(each, x) for each in operands) if operands is not None else _without(G, x)
-
-
-def _without(value: Any, x: Any) -> Any:
-    return value.xreplace({x: x**0 * 2}) if hasattr(value, "xreplace") else value
 
 
 def _array(G: Any, x: Any, at: Any, point: Any) -> Array:

@@ -170,6 +170,16 @@ def _value(M: Any, point: Any) -> Array:
     return np.broadcast_to(found.value, (1, *M.shape))[0]
 
 
+def value_at_one(G: Any, x: Any) -> Any:
+    """What is left of a formula when a number stands for x: its parameters."""
+    operands = getattr(G, "operands", None)
+    return tuple(value_at_one(each, x) for each in operands) if operands is not None else _without(G, x)
+
+
+def _without(value: Any, x: Any) -> Any:
+    return value.xreplace({x: x**0 * 2}) if hasattr(value, "xreplace") else value
+
+
 def numbers_at(values: Iterable[Any], point: Any) -> list[Any]:
     """Return the values at a point, with 50 digits; raises NotEvaluable for what is no number."""
     environment = Environment.at([dict(point)], MANY)
