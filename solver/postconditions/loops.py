@@ -74,7 +74,7 @@ def of_long_run(found: Any, E: Any, s: Any, inside: Any, _positive: Sequence[Any
         yield Claim(limit(product(s, E), s, sp.S.Zero, "+"), sp.S.Zero)
     if found.value is not None and found.order < 2:
         yield Claim(found.value, found.lead)
-    if not found.others.free_symbols - {s} and not sp.sympify(inside).free_symbols - {s}:
+    if not found.others.free_symbols - {s} and not inside.free_symbols - {s}:
         roots = sp.Poly(found.others, s).nroots(n=30) if found.others.has(s) else []
         left = all(root < 0 for root in (sp.re(root) for root in roots))
         yield Check.that("whether the other poles are inside", "mpmath", bool(found.settles) == left)

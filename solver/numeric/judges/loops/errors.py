@@ -97,7 +97,7 @@ def stable_loops(factors: Sequence[Any], s: Any, others: Any, *, closed: bool) -
 
 def _quotient(element: Any, s: Any, point: Point) -> Quotient:
     known = {symbol: sp.Float(complex(value).real, 17) for symbol, value in point.items()}
-    above, below = sp.fraction(sp.together(sp.sympify(element).xreplace(known)))
+    above, below = sp.fraction(sp.together(element.xreplace(known)))
     top, bottom = (np.array([float(c) for c in sp.Poly(each, s).all_coeffs()]) for each in (above, below))
     return top, bottom
 
@@ -106,7 +106,7 @@ def residual_beside_origin(
     loops: Sequence[tuple[Point, LoopInNumbers]], signals: Sequence[Any], s: Any, t: Any, error: Any
 ) -> float:
     """Return how far s E(s) beside the origin is from the limit of e; ∞ where one of them alone is without end."""
-    worst = 0.0
+    worst, signals = 0.0, list(map(_lasting, signals))
     for point, loop in loops:
         found = [_scaled_transform(loop, signals, s, t, point, beside) for beside in BESIDE]
         (claimed,) = numbers_at([error], point) if error not in (sp.oo, -sp.oo) else (error,)
@@ -121,6 +121,11 @@ def residual_beside_origin(
             limit = 2 * found[1] - found[0]
             worst = worst_of((worst, float(abs(limit - claimed) / max(1, abs(claimed)))))
     return worst
+
+
+def _lasting(signal: Any) -> Any:
+    """A signal without its impulses, of which nothing remains."""
+    return signal.replace(sp.DiracDelta, lambda *_: sp.S.Zero)
 
 
 def _scaled_transform(loop: LoopInNumbers, signals: Sequence[Any], s: Any, t: Any, point: Point, beside: float) -> Any:
@@ -157,7 +162,7 @@ def residual_of_simulation(
     loops: Sequence[tuple[Point, LoopInNumbers]], signals: Sequence[Any], t: Any, error: Any
 ) -> float:
     """Return how far the error of the simulated loop is from its limit, late; ∞ where one alone is without end."""
-    worst = 0.0
+    worst, signals = 0.0, list(map(_lasting, signals))
     for point, loop in loops:
         early, late = _simulated(loop, signals, t, point)
         if error in (sp.oo, -sp.oo):
