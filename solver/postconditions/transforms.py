@@ -173,3 +173,17 @@ def of_acting_pieces(found: Sequence[Any], inputs: Sequence[Any], t: Any, s: Any
             begun = [piece for piece in pieces if piece.delay == each.delay]
             yield Claim(each.functions[j], sp.Add(*(piece.moved for piece in begun)))
             yield Claim(each.impulses[j], sp.Add(*(piece.impulse for piece in begun)))
+
+
+def of_impulse_balance(
+    found: Sequence[Any], a: Any, b: Any, u: Sequence[Any], impulse: Any, s: Any
+) -> Iterator[Claim | Check]:
+    """The powers of s in a(s) Σ Δₖ/s^{k+1} and in b(s) times the series of the input, the highest first."""
+    n = int(sp.degree(a, s))
+    yield Check.that("orders of impulses", "counted", len(found) == n)
+    jumps = [sp.Dummy(f"jump{k}", real=True) for k in range(n)]
+    left = sp.expand(a * sp.Add(*(x / s ** (k + 1) for k, x in enumerate(jumps))))
+    right = sp.expand(b * (impulse + sp.Add(*(value / s ** (k + 1) for k, value in enumerate(u)))))
+    for order, each in zip(range(n - 1, -1, -1), found, strict=False):
+        yield Claim(sp.Add(*(c * jumps[k] for c, k in each.left)), left.coeff(s, order))
+        yield Claim(each.right, right.coeff(s, order))

@@ -26,6 +26,7 @@ CALLS = {
     "poles_of": [(exact.rational_image(1 / (s * (s**2 + 1) ** 2), s).proper, s)],
     "values_after": [((s + 3) / (s**2 + 3 * s + 2), 3, s)],
     "factors_for_convolution": [(IMAGE, s)],
+    "impulse_balance": [(s**2 + 3 * s + 2, s + 3, (sp.S.One, sp.S.Zero, sp.S.Zero), sp.S.Zero, s)],
     "abscissa_of": [(exact.transform_pieces(f, t),)],
 }
 SEEN = {
