@@ -42,6 +42,12 @@ def has_plant(system: Any) -> bool:
     return not (isinstance(system, systems.StateSpace) and system.bare and system.order == 0)
 
 
+def number_of_poles(kind: str, numerator: Any, denominator: Any, s: Any) -> int:
+    """Return how many poles the loop of a plant and a controller of some kind has."""
+    N, D = sp.degree(numerator, s), sp.degree(denominator, s)
+    return int(max(D + (kind != "P"), N + {"P": 0, "PI": 1, "PID": 2}[kind]))
+
+
 def pid_faults(system: Any, options: PidOptions) -> Iterable[Refusal]:
     """No plant and no tangent, half a tangent, values that are not positive."""
     if is_measured(options):
@@ -57,6 +63,6 @@ def pid_faults(system: Any, options: PidOptions) -> Iterable[Refusal]:
         yield "", Reason("pid_tuning/no_plant")
     elif options.poles is not None and isinstance(system, systems.TransferFunction) and system.matrix.shape == (1, 1):
         kind, count = options.controller_type, len(options.poles)
-        n = sp.degree(system.denominators[0][0], system.variable) + (kind != "P")
+        n = number_of_poles(kind, system.numerators[0][0], system.denominators[0][0], system.variable)
         if count != n:
             yield "poles", Reason("pid_tuning/number_of_poles", {"kind": kind, "n": n, "count": count})

@@ -12,7 +12,7 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import compensators as judges
 from solver.tasks.compensators import pid_mistakes
 from solver.tasks.compensators.closed_loop import loop_closed_by
-from solver.tasks.compensators.pid_options import PidOptions, is_measured, pid_faults
+from solver.tasks.compensators.pid_options import PidOptions, is_measured, number_of_poles, pid_faults
 from solver.tasks.compensators.placed_loop import gains_that_place
 from solver.tasks.compensators.plants import loop_of
 from solver.tasks.compensators.ultimate import ultimate_gain_of, ultimate_gain_with_dead_time
@@ -138,7 +138,7 @@ def by_placing_the_poles(given: Given[OpenLoop, PidOptions]) -> Derivation[Answe
         raise Unsolved("pid_tuning/dead_time")
     if not poles:
         raise Unsolved("pid_tuning/no_poles")
-    n = sp.degree(G.denominator, G.variable) + (kind != "P")
+    n = number_of_poles(kind, G.numerator, G.denominator, G.variable)
     if len(poles) != n:
         raise Unsolved("pid_tuning/number_of_poles", kind=kind, n=n, count=len(poles))
     gains = yield from gains_that_place(G, kind, poles)
