@@ -34,7 +34,8 @@ def by_second_order(path: Path, options: StepOptions) -> Derivation[Answers]:
     yield Step("standard", claims=claims, found=found, gain=gain, turn=exact.damped_frequency(found))
     values = {name: _formula(name, found, c) for name in ("rise_time", "peak_time", "overshoot", "settling_time")}
     if options.whole:
-        yield Step("rise", unclaimed=DISPLAYED, **_named(found, values["rise_time"], path.delay))
+        shown = _named(found, values["rise_time"], sp.Integer(0)) | {"late": path.delay}
+        yield Step("rise", unclaimed=DISPLAYED, **shown)
     else:
         values["rise_time"] = yield from _rise_of_shares(path, options)
         if values["overshoot"].has(sp.exp) and not path.parameters:  # beside decimals
