@@ -2,8 +2,8 @@
 
 from solver.exact.root_locus.breakaway import Meeting, meetings, turning_polynomial
 from solver.exact.root_locus.crossings import (
+    AxisParts,
     Crossing,
-    OnTheAxis,
     Range,
     crossings,
     in_squares,
@@ -25,11 +25,11 @@ from solver.exact.root_locus.lines import Asymptotes, RealPoint, asymptotes, rea
 __all__ = [
     "Arrow",
     "Asymptotes",
+    "AxisParts",
     "Bearings",
     "Crossing",
     "LocusEquation",
     "Meeting",
-    "OnTheAxis",
     "PlacedRoot",
     "Range",
     "RealPoint",

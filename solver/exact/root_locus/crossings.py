@@ -26,7 +26,7 @@ from solver.exact.stability.root_counts import root_counts
 
 
 @dataclass(frozen=True)
-class OnTheAxis:
+class AxisParts:
     """D(jω) = a + jω b and N(jω) = c + jω d, polynomials in u = ω²; K from a + K c = 0 and b + K d = 0.
 
     `eliminated` is a d − b c, zero at the crossings; it is 0 where whole branches lie on the axis.
@@ -46,10 +46,10 @@ class Crossing:
     gain: sp.Expr
 
 
-def on_imaginary_axis(equation: LocusEquation) -> OnTheAxis:
+def on_imaginary_axis(equation: LocusEquation) -> AxisParts:
     """The parts of D(jω) and N(jω)."""
     (a, b), (c, d) = (_parts(p) for p in (equation.denominator, equation.numerator))
-    return OnTheAxis((a, c), (b, d), a * d - b * c)
+    return AxisParts((a, c), (b, d), a * d - b * c)
 
 
 def _parts(p: sp.Poly) -> tuple[sp.Poly, sp.Poly]:
@@ -88,7 +88,7 @@ def _at_the_origin(equation: LocusEquation) -> Crossing | None:
     return Crossing(zero, zero, gain) if sp.N(gain, WORKING_DIGITS) > 0 else None
 
 
-def _gain(axis: OnTheAxis, at: PlacedRoot) -> sp.Expr | None:
+def _gain(axis: AxisParts, at: PlacedRoot) -> sp.Expr | None:
     """K from the equation that tells it; None at a zero of L."""
     for constant, slope in (axis.real, axis.imaginary):
         if element_of(slope, at):
