@@ -9,6 +9,7 @@ import sympy as sp
 
 from solver.derivation import Check, Claim
 from solver.lazy import numeric
+from solver.numeric.judges import loops as judges
 from solver.stated.algebra import power, product, quotient
 from solver.stated.limits import limit
 from solver.stated.transforms import inverse_laplace
@@ -85,3 +86,9 @@ def _is_pole(E: Any, s: Any, root: Any) -> bool:
     """Whether the denominator vanishes there."""
     below = sp.Poly(sp.fraction(sp.together(E))[1], s)
     return bool(abs(below.eval(root)) < sp.Float("1e-12") * (1 + sum(abs(c) for c in below.all_coeffs())))
+
+
+def of_held_where(found: Any, positive: Sequence[Any]) -> Iterator[Check]:
+    """At random points the condition holds exactly where all expressions are positive."""
+    right = judges.holds_where_positive(found, positive)
+    yield Check.that("where the whole column is positive", "random points", right)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -144,3 +145,11 @@ def transform_of(signal: sp.Expr, t: sp.Symbol, s: sp.Symbol) -> sp.Expr:
     (piece,) = read_inputs([signal], t, discrete=False)
     image: sp.Expr = piece.image(s, discrete=False)[0]
     return image
+
+
+def held_where(positive: Sequence[sp.Expr]) -> Any:
+    """Where some expressions are positive, as a condition on parameters; true or false where these do not decide."""
+    signs = [sign_of(each) for each in positive]
+    if all(sign == 1 for sign in signs):
+        return sp.true
+    return sp.false if any(sign in (0, -1) for sign in signs) else all_positive(positive)

@@ -49,7 +49,7 @@ def stable_loop(loop: OpenLoop) -> Derivation[Inside]:
         array = yield from rows_of(exact.routh(coefficients), s)
         special = any(row.special for row in array.rows)
         positive = [sp.Integer(-1)] if special else list(array.first_column)
-    condition = exact.all_positive(positive)
+    condition = exact.held_where(positive)
     if condition is sp.false:
         raise Unsolved("loops/unstable", **_unstable(coefficients, loop, p_shown))
     undecided = tuple(each for each in positive if exact.sign_of(each) != 1)

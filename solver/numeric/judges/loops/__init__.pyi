@@ -1,6 +1,7 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.loops.errors import (
+    holds_where_positive,
     order_at_origin,
     residual_beside_origin,
     residual_of_simulation,
@@ -13,6 +14,7 @@ __all__ = [
     "are_loops",
     "are_paths",
     "determinant_residual",
+    "holds_where_positive",
     "loop_sensitivity_residual",
     "order_at_origin",
     "parameter_sensitivity_residual",

@@ -211,3 +211,13 @@ def order_at_origin(numerator: Any, denominator: Any, s: Any) -> set[int]:
         )
         found.add(round(float(MANY.context.log10(nearer / near)) / 2) if nearer and near else 0)
     return found
+
+
+def holds_where_positive(condition: Any, positive: Sequence[Any]) -> bool:
+    """Whether a condition holds at random points exactly where all expressions are positive."""
+    for point in admissible(free_symbols(list(positive)), TRIED // 10):
+        at = {symbol: sp.Float(complex(value).real) for symbol, value in point.items()}
+        wanted = all(bool(each.subs(at) > 0) for each in positive)
+        if bool(condition.subs(at)) != wanted:
+            return False
+    return True
