@@ -21,7 +21,7 @@ class FrequencyResponse:
 
 @dataclass(frozen=True, slots=True)
 class MarkedFrequency:
-    """A frequency with its name (LaTeX); where it has a margin, the name of that with its value.
+    """A frequency with its name (LaTeX, "" for a line alone); where it has a margin, that, in degrees or dB.
 
     `of` is "gain" where |L| = 1, "phase" where the phase is −180°, "" for a line alone.
     """
@@ -29,7 +29,7 @@ class MarkedFrequency:
     omega: float
     name: str
     of: str = ""
-    margin: str = ""
+    margin: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +50,12 @@ class BodeDiagram:
 class NyquistDiagram:
     """The curve of L(jω) in its plane with the point −1; that of ω < 0 is dashed.
 
-    `crossings` are real values of L with their names. `near` shows the surroundings of −1 only.
+    `crossings` are real values of L. `near` shows the surroundings of −1 only.
     """
 
     caption: str
     response: FrequencyResponse
-    crossings: tuple[tuple[float, str], ...] = ()
+    crossings: tuple[float, ...] = ()
     near: bool = False
     alt: str = ""
 

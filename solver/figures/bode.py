@@ -12,6 +12,7 @@ from solver.figures.responses import Array, decades, factors_at, frequencies, pi
 from solver.figures.sampling import plain
 
 OMEGA = r"\omega\ \text{(rad/s)}"
+DIGITS = 4
 PER_NEPER = float(20 / np.log(10))
 ABOVE = 30.0
 """So far above its asymptotes a magnitude is shown where it goes to infinity, in dB."""
@@ -94,9 +95,9 @@ def _magnitudes(figure: BodeDiagram, curves: list[DrawnCurve], low: float, high:
     guides, marks = [], []
     for each in _shown(figure.marked):
         y = _at(figure.responses[0], each.omega)[0]
-        guides.append(DrawnCurve(each.name * (each.of != "phase"), "guide", (each.omega,) * 2, (bottom, top)))
-        if each.of == "phase" and each.margin:
-            guides.append(DrawnCurve(each.margin, "span", (each.omega, each.omega), (0.0, y)))
+        guides.append(DrawnCurve(_name(each) * (each.of != "phase"), "guide", (each.omega,) * 2, (bottom, top)))
+        if each.of == "phase" and each.margin is not None:
+            guides.append(DrawnCurve(margin_of(each), "span", (each.omega, each.omega), (0.0, y)))
         if each.of:
             marks.append(Mark(each.omega, y if each.of == "phase" else 0.0))
     window = (low, high, bottom - 0.04 * (top - bottom), top + 0.12 * (top - bottom))
@@ -126,9 +127,9 @@ def _phases(figure: BodeDiagram, curves: list[DrawnCurve], low: float, high: flo
     step = next((each for each in STEPS if (top - bottom) / each <= 5), STEPS[-1])
     guides = [DrawnCurve("", "guide", (low, high), (level, level)) for level in sorted(levels)]
     for each, y in zip(shown, marked, strict=True):
-        guides.append(DrawnCurve(each.name * (each.of == "phase"), "guide", (each.omega,) * 2, (top, bottom)))
-        if each.of == "gain" and each.margin:
-            guides.append(DrawnCurve(each.margin, "span", (each.omega, each.omega), (_nearest_level(y), y)))
+        guides.append(DrawnCurve(_name(each) * (each.of == "phase"), "guide", (each.omega,) * 2, (top, bottom)))
+        if each.of == "gain" and each.margin is not None:
+            guides.append(DrawnCurve(margin_of(each), "span", (each.omega, each.omega), (_nearest_level(y), y)))
     marks = [Mark(each.omega, y) for each, y in zip(shown, marked, strict=True) if each.of]
     edge = 0.08 * max(top - bottom, 20)
     window = (low, high, bottom - edge, top + edge)
@@ -143,6 +144,24 @@ def _phases(figure: BodeDiagram, curves: list[DrawnCurve], low: float, high: flo
     return DrawnPlot(
         figure.caption, OMEGA, label, (*guides, *named), tuple(marks), False, window, logarithmic=True, y_step=step
     )
+
+
+def short(value: float) -> str:
+    """Return a number with few digits as LaTeX."""
+    digits, _, power = f"{value:.{DIGITS}g}".partition("e")
+    return rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
+
+
+def _name(mark: MarkedFrequency) -> str:
+    return f"{mark.name} = {short(mark.omega)}" if mark.name else ""
+
+
+def margin_of(mark: MarkedFrequency) -> str:
+    """Return the name of a margin with its value."""
+    if mark.margin is None:
+        return ""
+    value = short(mark.margin)
+    return rf"G_{{m}} = {value}\ \text{{dB}}" if mark.of == "phase" else rf"\varphi_{{m}} = {value}^{{\circ}}"
 
 
 def _shown(marked: Sequence[MarkedFrequency]) -> list[MarkedFrequency]:
@@ -160,4 +179,4 @@ def _nearest_level(phase: float) -> float:
     return -180.0 + 360.0 * round((phase + 180.0) / 360.0)
 
 
-__all__ = ["bode_of", "corners"]
+__all__ = ["bode_of", "corners", "margin_of", "short"]

@@ -8,6 +8,7 @@ import numpy as np
 
 from solver.derivation.figures import DrawnCurve, DrawnPlot, Mark
 from solver.derivation.frequency_figures import FrequencyResponse, NyquistDiagram
+from solver.figures.bode import short
 from solver.figures.responses import Array, decades, factors_at, frequencies, on_the_axis, pieces, values
 from solver.figures.sampling import plain
 
@@ -52,7 +53,7 @@ def on_the_axis_of_poles(response: FrequencyResponse) -> list[tuple[float, int]]
 def nyquist_of(figure: NyquistDiagram) -> DrawnPlot:
     """Return a diagram as a plot."""
     response = figure.response
-    shown = tuple(x for x, _ in figure.crossings)
+    shown = figure.crossings
     if figure.near:
         radius = 1.35 * max([LEAST, *(abs(x) for x in shown if abs(x) < LARGE / 2)])
     else:
@@ -65,7 +66,7 @@ def nyquist_of(figure: NyquistDiagram) -> DrawnPlot:
             curves.append(DrawnCurve(label, style, tuple(x.tolist()), tuple(y.tolist())))
     curves += [] if figure.near else list(_arcs(response, 0.94 * radius))
     curves.append(DrawnCurve("-1", "cross", (-1.0,), (0.0,)))
-    near = [(x, label if abs(x) > SMALL * radius else "") for x, label in figure.crossings if abs(x) < radius]
+    near = [(x, short(x) if abs(x) > SMALL * radius else "") for x in figure.crossings if abs(x) < radius]
     marks = tuple(Mark(x, 0.0, label) for x, label in near)
     window = (-radius, radius, -radius, radius)
     labels = rf"\operatorname{{Re}} {name}", rf"\operatorname{{Im}} {name}"

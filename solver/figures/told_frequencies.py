@@ -8,7 +8,7 @@ import numpy as np
 
 from solver.derivation.frequency_figures import BodeDiagram, FrequencyResponse, NyquistDiagram
 from solver.figures.alternatives import number_text, sentences, text_of
-from solver.figures.bode import PER_NEPER, corners
+from solver.figures.bode import PER_NEPER, corners, margin_of
 from solver.figures.nyquist import on_the_axis_of_poles
 from solver.figures.responses import decades, factors_at
 from solver.words import Phrase
@@ -28,8 +28,8 @@ def told_bode(figure: BodeDiagram, say: Say) -> str:
         if mark.omega > 0:
             size, angle = _at(figure.responses[0], mark.omega)
             values = {"omega": number_text(mark.omega), "size": size, "angle": angle}
-            name = text_of(mark.margin).replace("^∘", "°")
-            margin = f" ({name})" if mark.margin else ""
+            name = text_of(margin_of(mark)).replace("^∘", "°")
+            margin = f" ({name})" if mark.margin is not None else ""
             told.append(say(Phrase("marked: ω = {omega} rad/s with {size} dB and {angle}°", **values)) + margin)
     return sentences(told)
 
@@ -72,7 +72,7 @@ def told_nyquist(figure: NyquistDiagram, say: Say) -> str:
     for omega, m in on_the_axis_of_poles(response):
         values = {"omega": number_text(omega), "count": m}
         told.append(say(Phrase("at ω = {omega} it goes to infinity, half turns there: {count}", **values)))
-    for value, _ in figure.crossings:
+    for value in figure.crossings:
         told.append(say(Phrase("it meets the real axis at {value}", value=number_text(value))))
     told.append(say("the curve of negative frequencies is its mirror image"))
     return sentences(told)

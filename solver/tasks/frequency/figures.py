@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from solver.derivation.frequency_figures import BodeDiagram, FrequencyResponse, MarkedFrequency, NyquistDiagram
 from solver.lazy import exact
@@ -11,7 +11,6 @@ from solver.lazy import exact
 if TYPE_CHECKING:
     from sympy import Expr
 
-DIGITS = 4
 LARGE = 8
 """A curve that goes farther than this from the origin hides what happens at −1."""
 
@@ -45,22 +44,13 @@ def _margins(found: exact.Margins | None) -> Iterable[MarkedFrequency]:
         return
     for each in found.gains.found:
         decides = each is found.at_gain
-        name = rf"\omega_{{g}} = {_short(each.omega)}" if decides else ""
-        margin = rf"\varphi_{{m}} = {_short(found.phase_margin)}^{{\circ}}" if decides else ""
-        yield MarkedFrequency(float(each.omega), name, "gain", margin)
+        margin = float(found.phase_margin) if decides else None
+        yield MarkedFrequency(float(each.omega), r"\omega_{g}" if decides else "", "gain", margin)
     for each in found.phases.found:
         decides = each is found.at_phase
-        name = rf"\omega_{{\varphi}} = {_short(each.omega)}" if decides else ""
-        margin = rf"G_{{m}} = {_short(found.gain_margin_db)}\ \text{{dB}}" if decides else ""
+        margin = float(found.gain_margin_db) if decides else None
         if each.omega != 0:
-            yield MarkedFrequency(float(each.omega), name, "phase", margin)
-
-
-def _short(value: Any) -> str:
-    """A number with few digits."""
-    text = f"{float(value):.{DIGITS}g}"
-    digits, _, power = text.partition("e")
-    return "".join((digits, r" \cdot 10^{", str(int(power)), "}")) if power else digits
+            yield MarkedFrequency(float(each.omega), r"\omega_{\varphi}" if decides else "", "phase", margin)
 
 
 def nyquist_figures(
@@ -68,16 +58,16 @@ def nyquist_figures(
 ) -> tuple[NyquistDiagram, ...]:
     """Return Nyquist's diagram; of a curve that goes far from −1 also what happens near that point."""
     response = response_of(L, name)
-    named = tuple((float(x), _short(x)) for x in dict.fromkeys(crossings))
+    named = tuple(float(x) for x in dict.fromkeys(crossings))
     whole = NyquistDiagram(caption, response, named)
     if not _goes_far(L, named):
         return (whole,)
     return whole, NyquistDiagram(near, response, named, near=True)
 
 
-def _goes_far(L: exact.OnAxis, crossings: Sequence[tuple[float, str]]) -> bool:
+def _goes_far(L: exact.OnAxis, crossings: Sequence[float]) -> bool:
     c, power = L.start
-    sizes = [abs(x) for x, _ in crossings] + ([abs(float(c))] if power == 0 else [])
+    sizes = [abs(x) for x in crossings] + ([abs(float(c))] if power == 0 else [])
     if power == 0 and L.excess == 0:
         sizes.append(abs(float(L.N.LC() / L.D.LC())))
     return max(sizes, default=0.0) > LARGE
