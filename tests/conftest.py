@@ -23,6 +23,13 @@ settings.register_profile("mutants", fast, derandomize=True, database=None, phas
 settings.load_profile("fast")
 
 
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Refuse to run where xdist has lost its groups: every worker would solve every problem again."""
+    grouped = [item for item in session.items if item.get_closest_marker("xdist_group")]
+    if getattr(session.config.option, "loadgroup", False) and not all("@" in item.nodeid for item in grouped):
+        raise pytest.UsageError("this version of pytest-xdist does not group tests with this version of pytest")
+
+
 @pytest.fixture
 def tex() -> None:
     """TeX is installed: where it is missing the test is skipped, and fails in CI."""

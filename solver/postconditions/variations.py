@@ -160,6 +160,6 @@ def of_variational_derivative(found: Any, _phi: Any, jets: Sequence[Any], follow
     last = [(partial, *rates)[-1] for partial, rates in zip(found.partials, found.rates, strict=True)]
     yield Claim(sp.Add(*((-1) ** k * each for k, each in enumerate(last))), found.expression, "the sum of the terms")
     above = [*found.momenta[1:], sp.S.Zero]
-    for partial, p, behind in zip(found.partials[1:], found.momenta, above, strict=True):
+    for partial, p, behind in zip(found.partials[1:], found.momenta, above, strict=False):
         rate = time_derivative(behind, following.items())
         yield Claim(difference(partial, rate), p, "what stands beside a variation at the ends")
