@@ -40,7 +40,7 @@ def told(part):
     return "\n".join([*(step.markdown for step in part.steps), *(each.shown for each in part.answers)])
 
 
-@pytest.mark.parametrize(**by_problem(PROBLEMS, EXAMPLES[:12], of=2))
+@pytest.mark.parametrize(**by_problem(PROBLEMS, EXAMPLES[:12]))
 def test_each_part_of_a_key_has_lines_that_earn_its_marks_on_at_most_a_page(path):
     solved = solution_of(path)
     document = document_of(solved, Presentation("key"))

@@ -46,7 +46,7 @@ GIVEN = {("transfer_function", "G"), ("lagrangian", "kinetic"), ("lagrangian", "
 """Answers that may be given: a system is asked for its poles, or for the equations that energies lead to."""
 
 
-@pytest.mark.parametrize(**by_problem((path for path in PROBLEMS if path.stem not in PRINTED), EXAMPLES[:12], of=2))
+@pytest.mark.parametrize(**by_problem((path for path in PROBLEMS if path.stem not in PRINTED), EXAMPLES[:12]))
 def test_no_answer_of_a_problem_stands_on_its_paper(path):
     solved = solution_of(path)
     words = document_of(solved, Presentation("question")).markdown()
