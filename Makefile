@@ -10,7 +10,7 @@ LEAST ?= 0.9
 WORKERS ?= auto
 
 .DEFAULT_GOAL := help
-.PHONY: help solve test test-all mutants corrupted lint bench errata tables task clean
+.PHONY: help solve test test-all test-whole mutants corrupted lint bench errata tables task clean
 
 help:  ## Say what there is to make.
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 10
@@ -30,8 +30,11 @@ solve: $(READY)  ## Solve a problem of the course (PROBLEM=path for another) and
 test: $(READY)  ## Run the quick tests (TESTS="-k pattern" or paths for some of them).
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup -m "not slow" $(TESTS)
 
-test-all: $(READY)  ## Run all tests: also sweeps over all problems, cross-checks, all generated examples.
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile all $(TESTS)
+test-all: $(READY)  ## Run the slow tests too: cross-checks, more generated examples, sweeps of which a share is in turn.
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile half -m "not whole" $(TESTS)
+
+test-whole: $(READY)  ## Run all tests whole: sweeps over all problems and views, all generated examples.
+	WHOLE=1 $(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile all $(TESTS)
 
 mutants: $(READY)  ## Make small slips in the program and say which of them no test sees (SAMPLE of them).
 	$(BIN)/python -m tools.mutants --sample $(SAMPLE) --least $(LEAST)

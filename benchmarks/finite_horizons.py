@@ -17,7 +17,7 @@ from solver.tasks import catalogue
 
 PLANTS = (
     ("double integrator", "[[0, 1], [0, 0]]", 300),
-    ("real modes, √5", "[[0, 1], [-2, -3]]", 1000),
+    ("real modes, √5", "[[0, 1], [-2, -3]]", 300),
 )
 
 

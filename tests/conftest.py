@@ -1,6 +1,7 @@
 """Shared by all tests: hypothesis keeps no clock, and what TeX reads is skipped where there is none.
 
-Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter of the examples, `all` tries them all.
+Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter of the examples, `half` half of them,
+`all` tries them all.
 """
 
 import os
@@ -18,9 +19,17 @@ IN_CI = os.environ.get("CI") == "true"
 every = settings(deadline=None, derandomize=IN_CI, suppress_health_check=[HealthCheck.too_slow], max_examples=ALL)
 fast = settings(every, max_examples=ALL // 4)
 settings.register_profile("all", every)
+settings.register_profile("half", settings(every, max_examples=ALL // 2))
 settings.register_profile("fast", fast)
 settings.register_profile("mutants", fast, derandomize=True, database=None, phases=(Phase.explicit, Phase.generate))
 settings.load_profile("fast")
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Refuse to run where xdist has lost its groups: every worker would solve every problem again."""
+    grouped = [item for item in session.items if item.get_closest_marker("xdist_group")]
+    if getattr(session.config.option, "loadgroup", False) and not all("@" in item.nodeid for item in grouped):
+        raise pytest.UsageError("this version of pytest-xdist does not group tests with this version of pytest")
 
 
 @pytest.fixture

@@ -7,8 +7,11 @@ from benchmarks.questions import LARGEST, asked
 from solver.derivation import Status
 from solver.engine import solve_part
 from solver.tasks import catalogue
+from tests.helpers.shares import turn
 
 QUESTIONS = list(asked())
+SIZED = [pytest.param(*each, n, marks=turn(f"{each} {n}", n)) for n in (2, 8) for each in QUESTIONS]
+"""Small ones in two turns, large ones in eight."""
 FEW = [("response", "z_transform", "dense"), ("observer", "unity_rank", "companion"), ("lqr", "hamiltonian", "random")]
 
 
@@ -31,8 +34,6 @@ def test_some_questions_are_verified(task, method, kind):
     assert is_verified(task, method, kind)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("n", [2, 8])
-@pytest.mark.parametrize(("task", "method", "kind"), QUESTIONS)
+@pytest.mark.parametrize(("task", "method", "kind", "n"), SIZED)
 def test_every_question_is_verified(task, method, kind, n):
     assert is_verified(task, method, kind, min(n, LARGEST.get(task, n)))

@@ -29,9 +29,9 @@ def expanded(M: ImmutableMatrix, value: Expr, x: Symbol | None = None) -> tuple[
 
 
 @where_exact
-def worked_out(name: str, M: ImmutableMatrix, value: Expr) -> tuple[Step, ...]:
-    """All of det M = value where the step shows no more; `name` is the LaTeX by which it calls the determinant."""
-    return tuple(_worked_out(name, M, value))
+def worked_out(name: str, M: ImmutableMatrix, value: Expr, x: Symbol | None = None) -> tuple[Step, ...]:
+    """All of det M = value (in powers of x) where the step shows no more; `name` is what it calls the determinant."""
+    return tuple(_worked_out(name, M, value, x))
 
 
 @where_exact
@@ -96,11 +96,11 @@ def _sum(products: list[tuple[Any, ...]]) -> Stated:
 
 
 @lemma("arithmetic/determinants")
-def _worked_out(name: str, M: ImmutableMatrix, value: Expr) -> Derivation[None]:
+def _worked_out(name: str, M: ImmutableMatrix, value: Expr, x: Symbol | None) -> Derivation[None]:
     if not _is_work(M):
         return
     line, simple = first_line(M), is_simple(M)
-    terms, merged = _terms(M, value, None)
+    terms, merged = _terms(M, value, x)
     claims = {"stated": Claim(determinant(M), line, Phrase("the determinant multiplied out"))}
     if simple:
         claims["terms"] = Claim(line, terms if merged else value, Phrase("the terms multiplied out"))
@@ -108,7 +108,7 @@ def _worked_out(name: str, M: ImmutableMatrix, value: Expr) -> Derivation[None]:
     row = 0 if simple else row_with_most_zeros(M) + 1
     yield Step("expansion", detail="tutor", claims=claims, name=name, row=row, merged=merged)
     if not simple:
-        yield from _between(M, value, None)
+        yield from _between(M, value, x)
 
 
 @lemma("arithmetic/determinants")

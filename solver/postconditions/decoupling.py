@@ -75,16 +75,24 @@ def of_dynamically_decouplable(found: bool, A: Any, B: Any, C: Any, D: Any) -> I
 
 
 def of_interaction_conditions(found: Any, of: Any) -> Iterator[Check]:
-    """Where a condition that gives one parameter a value holds, B* loses rank, or a row of it vanishes."""
+    """Where a condition that is linear in a parameter holds, B* loses rank, or a row of it vanishes."""
     for condition in found:
-        if isinstance(condition, sp.Eq) and condition.lhs.is_Symbol and condition.rhs.is_number:
-            there = {condition.lhs: condition.rhs}
+        if isinstance(condition, sp.Eq) and (there := _solved(condition.lhs - condition.rhs)):
             E = of.matrix.subs(there)
             if of.determinant != 0:
                 falls = _vanishes(E.det())
             else:
                 falls = any(_row_vanishes(E, i) for i, r in enumerate(of.degrees) if r is not None)
             yield Check.that("a condition under which it is different", ORACLE, falls)
+
+
+def _solved(gap: Any) -> dict[Any, Any]:
+    """The parameter in which it is linear, with the value for which it is zero; nothing where there is none."""
+    for x in sorted(gap.free_symbols, key=str):
+        if gap.is_polynomial(x) and sp.degree(gap, x) == 1:
+            a, b = sp.Poly(gap, x).all_coeffs()
+            return {x: -b / a}
+    return {}
 
 
 def _row_vanishes(E: Any, i: int) -> bool:

@@ -9,7 +9,8 @@ import numpy as np
 import sympy as sp
 
 from solver.derivation import Check, Claim
-from solver.stated.algebra import product
+from solver.stated.algebra import product, total
+from solver.stated.matrices import inverse, transpose
 
 
 def of_case_split(found: Any, equations: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[Claim | Check]:
@@ -40,10 +41,24 @@ def _complete(case: Any) -> Iterator[Claim | Check]:
         yield from _complete(each)
 
 
-def of_riccati(found: Any, *_: Any) -> Iterator[Check]:
-    """A solution is exact where it holds no decimals."""
-    first = found.stabilizing
-    yield Check.that("exactness", "decimals", bool(first.P.has(sp.Float)) != bool(first.exact))
+def of_weighted_input(found: Any, B: Any, R: Any) -> Iterator[Claim]:
+    """B R⁻¹ Bᵀ."""
+    yield Claim(product(B, inverse(R), transpose(B)), found)
+
+
+def of_riccati(found: Any, A: Any, B: Any, Q: Any, R: Any) -> Iterator[Claim | Check]:
+    """H of A, B R⁻¹ Bᵀ and Q; P solves the equation, its loop is stable; it is exact where it holds no decimals."""
+    H, P = found.H, found.stabilizing.P
+    hamiltonian = sp.Matrix(sp.BlockMatrix([[A, -found.G], [-Q, -A.T]]))
+    yield Check.that("the Hamiltonian matrix", "compared", hamiltonian == H)
+    yield Claim(product(B, inverse(R), transpose(B)), found.G)
+    yield Claim(total(product(transpose(A), P), product(P, A), Q), product(P, found.G, P))
+    yield Check.that("exactness", "decimals", bool(P.has(sp.Float)) != bool(found.stabilizing.exact))
+    loop = A - found.G * P
+    if not loop.free_symbols and loop.is_square:
+        values = np.linalg.eigvals(np.array(loop.evalf(30).tolist(), dtype=complex))
+        stable = bool(values.real.max() < 1e-6 * (1 + np.abs(values).max()))
+        yield Check.that("the stabilizing solution", "numpy.linalg.eigvals", stable)
 
 
 def of_minimal_solution(found: Any, A: Any, _B: Any, Q: Any, _R: Any) -> Iterator[Check]:

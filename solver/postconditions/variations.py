@@ -10,8 +10,8 @@ import sympy as sp
 
 from solver.derivation import Check, Claim
 from solver.lazy import numeric
-from solver.stated.algebra import product, total
-from solver.stated.calculus import derivative, integral
+from solver.stated.algebra import difference, product, total
+from solver.stated.calculus import derivative, integral, time_derivative
 
 PLACES = 60
 NEAR = 1e-9
@@ -152,3 +152,14 @@ def of_definite_integral(found: Any, integrand: Any, t: Any, start: Any, stop: A
 def of_cleared(found: Any, expression: Any, *_: Any) -> Iterator[Claim]:
     """The equation is what is left times what was divided by."""
     yield Claim(product(found.left, found.by), expression, "the equation with its factors")
+
+
+def of_variational_derivative(found: Any, _phi: Any, jets: Sequence[Any], following: Any) -> Iterator[Claim | Check]:
+    """Each derivative by a k-th one is differentiated k times; their sum with signs in turns; p_k from p_(k+1)."""
+    yield Check.that("as many derivatives by the time", "counted", [*map(len, found.rates)] == [*range(len(jets))])
+    last = [(partial, *rates)[-1] for partial, rates in zip(found.partials, found.rates, strict=True)]
+    yield Claim(sp.Add(*((-1) ** k * each for k, each in enumerate(last))), found.expression, "the sum of the terms")
+    above = [*found.momenta[1:], sp.S.Zero]
+    for partial, p, behind in zip(found.partials[1:], found.momenta, above, strict=False):
+        rate = time_derivative(behind, following.items())
+        yield Claim(difference(partial, rate), p, "what stands beside a variation at the ends")

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 WIDTH = 100
 """Cells of a line where there is no terminal to ask."""
 
+LINE_END = "\\\\"
+"""Ends a line of a formula, or a row of a matrix."""
+
 COLOURS: dict[Status | CheckStatus, str] = {
     Status.VERIFIED: "green",
     Status.UNSOLVED: "yellow",
@@ -96,7 +99,8 @@ def verdict_of(part: Work, say: Say) -> str:
 
 def answer_lines(answer: WorkAnswer, width: int = WIDTH) -> list[str]:
     """Return an answer as `symbol = value`, drawn in two dimensions where it fits, a wide matrix entry by entry."""
-    line = f"{answer.symbol} = {answer.tex}" if answer.symbol and not word_of(answer.symbol) else answer.equation
+    broken = LINE_END in answer.equation and answer.symbol and not word_of(answer.symbol)
+    line = f"{answer.symbol} = {answer.tex}" if broken else answer.equation
     line = answer.derived or line
     equation = line if fits(line, width - len(INDENT)) else answer.narrow
     return [line.removeprefix(INDENT) for line in display_lines(equation, width - len(INDENT))]

@@ -139,17 +139,19 @@ def test_titles_say_what_moves_a_system_and_whether_its_loop_is_closed():
         ("1 2 10", "1 2 10"),
         ("a-1 a-2 2.b x1 1a iii", "a-1 a-2 2.b x1 1a iii"),
         ("tf Mp ess Mp_full", "a b c d"),
-        ("a c d d-part x1", "a c d e x1"),
+        ("a c d d-part x1", "a c d d-i x1"),
+        ("2a-electrical 2a-mechanical 2b 3-C 3-ess", "2a-i 2a-ii 2b 3-C 3-i"),
+        ("a-i a-first over-all", "a-i a-ii b"),
         ("a b whole", "a b c"),
         ("y z poles", "y z a"),
         ("eig d", "a d"),
         ("(a) (b) c.", "a b c"),
         ("a (a) b", "a c b"),
         ("eigen a a1", "b a a1"),
-        ("2f 2f-full 3-C part-full", "2f 2f-full 3-C a"),
+        ("2f 2f-full 3-C part-full", "2f 2f-i 3-C a"),
     ],
 )
-def test_parts_are_named_in_print_by_letters_and_numbers_never_by_words_of_the_file_alone(keys, printed):
+def test_parts_are_named_in_print_by_letters_and_numbers_never_by_words_of_the_file(keys, printed):
     assert list(labels_of(keys.split()).values()) == printed.split()
 
 

@@ -13,6 +13,7 @@ from solver.problem.files import load
 from solver.problem.reader import read_problem
 from solver.resources import root
 from solver.tasks import catalogue
+from tests.helpers.shares import turn
 
 PROBLEMS = sorted(path for path in root("problems").rglob("*.yaml") if not path.name.endswith(".answers.yaml"))
 EXAMPLES = [path for path in PROBLEMS if path.parent.name == "examples"]
@@ -30,10 +31,13 @@ def document_of_problem(path: Path) -> Document:
     return document_of(solution_of(path), Presentation("tutor", data=True))
 
 
-def by_problem(paths: Iterable[Path], quick: Iterable[Path] | None = None) -> dict[str, list]:
-    """`path` for parametrize: what is asked of one problem runs in one worker; only `quick` ones run in `make test`."""
+def by_problem(paths: Iterable[Path], quick: Iterable[Path] | None = None, of: int = 1) -> dict[str, list]:
+    """`path` for parametrize: what is asked of one problem runs in one worker; only `quick` ones run in `make test`.
+
+    Where `of` is 2, 4 or 8, of the others a half, a quarter or an eighth runs in its turn.
+    """
     paths, quick = list(paths), set(paths if quick is None else quick)
     groups = {path: pytest.mark.xdist_group(path.stem) for path in paths}
-    slow = {path: () if path in quick else (pytest.mark.slow,) for path in paths}
+    slow = {path: () if path in quick else turn(path.stem, of) for path in paths}
     values = [pytest.param(path, marks=(groups[path], *slow[path]), id=path.stem) for path in paths]
     return {"argnames": "path", "argvalues": values}

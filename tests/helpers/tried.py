@@ -1,4 +1,4 @@
-"""How many examples a generated test tries: all of them in `make test-all`, a part of them in `make test`."""
+"""How many examples a generated test tries: all of them in `make test-whole`, a part of them in the others."""
 
 from hypothesis import settings
 

@@ -6,7 +6,7 @@ import pytest
 
 from tests.helpers.copies import WHOLE, complaints_of_lint, copy_of_the_project, run
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("new_kind")]  # one copy of the project serves all
 
 KIND = '''"""A system without coupling, by its modes."""
 

@@ -16,7 +16,7 @@ from tests.helpers.copies import run as run_in
 MADE_ANEW = {"docs/user-guide.md", "docs/tasks.md", "docs/methods.md"}
 """What is made from the declarations."""
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("new_task")]  # one copy of the project serves all
 
 
 @pytest.fixture(scope="module")

@@ -23,7 +23,7 @@ for kind in ("templates", "problems"):
     print(len([path for path in root(kind).rglob("*") if path.is_file()]))
 """
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("packaging")]  # one copy of the project serves all
 
 
 def ran(*words, cwd):

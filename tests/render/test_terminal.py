@@ -136,3 +136,10 @@ def test_the_gain_that_closes_the_loop_is_part_of_the_question():
     text = "title: A problem\nsystem: {A: [[0, 1], [0, 0]], B: [0, 1]}\nfind:\n  a: {task: stability, gain: [2, 3]}\n"
     (part,) = document_of(solve_problem(read_problem(Source("<test>", text), catalogue()))).parts
     assert part.question.endswith(r"$u = -K_fx$ with $K_f = \begin{bmatrix}2 & 3\end{bmatrix}$.")
+
+
+def test_a_matrix_of_one_entry_is_told_as_a_number():
+    text = "system: {A: 2, B: 1, C: 1}\nfind: {a: {task: pole_placement, poles: [-3]}}\n"
+    document = document_of(solve_problem(read_problem(Source("one.yaml", text), catalogue())), Presentation("key"))
+    (gain,) = [each for each in document.parts[0].answers if each.name == "K"]
+    assert answer_lines(gain)[0].endswith("= 5")

@@ -8,6 +8,7 @@ from solver.numeric import check_claim
 from solver.stated import Stated
 from solver.tasks import catalogue
 from tests.helpers.asking import ask, example_options, system
+from tests.helpers.shares import turn
 
 
 def whole(rows, *, discrete=False):
@@ -37,7 +38,9 @@ WAYS = {
 """How checks are made: by a program or with points, or in one of these ways."""
 
 CASES = [
-    pytest.param(task, method, plant, id=f"{task}-{method}-{name}", marks=() if name in QUICK else pytest.mark.slow)
+    pytest.param(
+        task, method, plant, id=(case := f"{task}-{method}-{name}"), marks=() if name in QUICK else turn(case, 2)
+    )
     for name, plant in PLANTS.items()
     for task, declared in catalogue().items()
     for method in declared.methods_for(plant.discrete)

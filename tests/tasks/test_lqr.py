@@ -407,3 +407,15 @@ def test_singular_solutions_are_judged_by_eigenvalues_that_are_shown():
     for P, values in zip(result.answers["solutions"], judged.values["eigenvalues"], strict=True):
         found = np.linalg.eigvalsh(np.array(P, dtype=float))
         assert np.allclose(sorted(float(value) for value in values), found)
+
+
+@pytest.mark.parametrize(("method", "kind"), [("riccati", "splitting"), ("hamiltonian", "hamiltonian")])
+def test_the_polynomial_of_a_small_hamiltonian_matrix_is_expanded_row_by_row(method, kind):
+    """As on paper at `tutor`: the entries of a row times their minors, each minor worked out; verified as claims."""
+    part = ask("lqr", UNSTABLE, method, **ASKED)
+    (step,) = [each for each in part.steps if each.kind == kind]
+    assert [each.kind for each in step.steps] == ["expansion", "minor"]
+    assert {each.detail for each in step.steps} == {"tutor"}
+    s = sp.Symbol("s")
+    assert sp.expand(step.claims["chi"].right - (s**4 - 2 * s**2 + 1)) == 0
+    assert part.status is Status.VERIFIED

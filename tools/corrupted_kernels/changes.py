@@ -36,7 +36,7 @@ def changes(value: Any, *, derived: bool = True) -> Iterator[Change]:
         yield from _within(value.operands, lambda operands: Stated(value.operation, tuple(operands)))
     elif isinstance(value, sp.MatrixBase):
         yield from _of_matrix(value)
-    elif isinstance(value, sp.core.relational.Relational):
+    elif isinstance(value, sp.core.relational.Relational | sp.logic.boolalg.BooleanFunction):
         yield from _within(value.args, lambda sides: value.func(*sides))
     elif isinstance(value, sp.Poly):
         yield from _within(value.all_coeffs(), lambda found: sp.Poly(found, value.gen, domain=value.domain))

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
+from time import process_time
 from typing import Any
 
 from solver import exact
@@ -25,8 +26,9 @@ from solver.problem.reader import read_problem
 from solver.tasks import catalogue
 from tools.corrupted_kernels.changes import Change, changes
 
-SECONDS = 20
-"""CPU time after which a solution counts as ended: a changed value can send an algorithm astray."""
+LONGER, LEAST = 5, 2
+"""A solution counts as ended after so many times the CPU time of the right one, and these seconds: a changed value can
+send an algorithm astray."""
 CAUGHT = ("failed", "unsolved", "crashed", "ended")
 SURVIVED, SAME = "survived", "no effect"
 KERNELS = sorted(name for name in exact.__all__ if inspect.isfunction(getattr(exact, name)))
@@ -52,14 +54,26 @@ class Outcome:
         return f"{self.problem} {self.part} {self.method}: {self.kernel}#{self.call} {self.change}"
 
 
+@dataclass(frozen=True)
+class Right:
+    """The part as it is, and the CPU time that a solution may take."""
+
+    work: Work
+    seconds: float
+
+
 class Ended(BaseException):
     """The time of a solution is over."""
 
 
 @dataclass
 class Calls:
-    """The calls of kernels by the tasks: their results, and which one is to be changed."""
+    """The calls of kernels by the tasks: their results, and which one is to be changed.
 
+    What a kernel found is `known` for its arguments from one solution to the next.
+    """
+
+    known: dict[Any, Any]
     results: dict[str, list[Any]] = field(default_factory=lambda: defaultdict(list))
     target: tuple[str, int] | None = None
     change: Change | None = None
@@ -68,12 +82,22 @@ class Calls:
         """The kernel, with its results noted or changed."""
 
         def called(*arguments: Any, **named: Any) -> Any:
-            result = kernel(*arguments, **named)
+            result = self._found(name, kernel, arguments, named)
             number = len(self.results[name])
             self.results[name].append(result)
             return self.change.made() if self.change and self.target == (name, number) else result
 
         return called
+
+    def _found(self, name: str, kernel: Callable[..., Any], arguments: Any, named: dict[str, Any]) -> Any:
+        key = name, arguments, *sorted(named.items())
+        try:
+            hash(key)
+        except TypeError:  # arguments that are lists
+            return kernel(*arguments, **named)
+        if key not in self.known:
+            self.known[key] = kernel(*arguments, **named)
+        return self.known[key]
 
 
 @contextmanager
@@ -120,15 +144,16 @@ def _outcomes(path: Path, extent: Extent, presentation: Presentation) -> Iterato
     for part in problem.parts:
         for method in part.methods:
             by_method = replace(part, methods=(method,))
-            calls = Calls()
+            calls, start = Calls({}), process_time()
             with watched(calls):
                 result, work = _solved(by_method, known, writer)
+            seconds = LEAST + LONGER * (process_time() - start)
             known.setdefault(part.id, result)
             if work.status is not Status.VERIFIED:
                 continue
             for name, number, change in _cases(f"{path.stem} {part.id} {method}", calls, extent):
-                changed = Calls(target=(name, number), change=change)
-                became, shown = _corrupted(by_method, known, writer, changed, work)
+                changed = Calls(calls.known, target=(name, number), change=change)
+                became, shown = _corrupted(by_method, known, writer, changed, Right(work, seconds))
                 yield Outcome(path.stem, part.id, part.task, method, name, number, change.what, became, shown)
 
 
@@ -151,32 +176,33 @@ def _solved(part: Part, known: Earlier, writer: Writer) -> tuple[PartResult, Wor
     return result, writer.work(result, known)
 
 
-def _corrupted(part: Part, known: Earlier, writer: Writer, calls: Calls, right: Work) -> tuple[str, str]:
-    """What becomes of the part, and how its page differs."""
+def _corrupted(part: Part, known: Earlier, writer: Writer, calls: Calls, right: Right) -> tuple[str, str]:
+    """What becomes of the part, and how its page differs; a page is written only of what the engine verified."""
     try:
-        with limited(), watched(calls):
-            _, work = _solved(part, known, writer)
+        with limited(right.seconds), watched(calls):
+            result = solve_part(part, known)[0]
+            work = writer.work(result, known) if result.status is Status.VERIFIED else result
     except Ended:
         return "ended", ""
     except Exception:  # noqa: BLE001 - the part is lost, as it is in the child process of the program
         return "crashed", ""
     if work.status is Status.FAILED:
         return "failed", ""
-    if work.status is not Status.VERIFIED:
+    if not isinstance(work, Work) or work.status is not Status.VERIFIED:
         return "unsolved", ""
-    differing = difference(right, work)
+    differing = difference(right.work, work)
     return (SURVIVED, differing) if differing else (SAME, "")
 
 
 @contextmanager
-def limited() -> Iterator[None]:
+def limited(seconds: float) -> Iterator[None]:
     """Within it, what takes too long is ended."""
 
     def end(*_: object) -> None:
         raise Ended
 
     signal.signal(signal.SIGVTALRM, end)
-    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
     try:
         yield
     finally:

@@ -22,7 +22,7 @@ import pytest
 from tools.mutants.operators import Mutant
 from tools.mutants.reached import ROOT, Reached
 
-COPIED = ("solver", "templates", "problems", "tests", "tools", "docs", "pyproject.toml")
+COPIED = ("solver", "templates", "problems", "tests", "tools", "docs", "pyproject.toml", "CHANGELOG.md")
 LIBRARIES = ("sympy", "numpy", "scipy.linalg", "mpmath", "hypothesis", "pydantic", "jinja2", "control")
 BUDGET, BUDGET_ELSEWHERE = 12.0, 6.0
 """So many seconds of tests of its room, and of others, are run for one slip: one case of each function first."""

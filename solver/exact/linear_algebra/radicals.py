@@ -13,6 +13,9 @@ from solver.exact.linear_algebra.signs import possible_signs
 LARGEST_MULTIPLE = 20
 """Beyond, cos(n arccos c) is shorter than its value."""
 
+LARGEST_RADICAND = 10**12
+"""Larger integers below a root are not factored."""
+
 
 def square_root(radicand: sp.Expr) -> sp.Expr:
     """√radicand with squares taken out, as a person writes it: √12 = 2√3, √(4k/m) = 2√(k/m)."""
@@ -37,6 +40,28 @@ def _shorter(inside: sp.Expr) -> sp.Expr:
     expanded = sp.expand(sp.Mul(*sums))
     shorter = len(sums) > 1 and len(sp.Add.make_args(expanded)) < sum(len(each.args) for each in sums)
     return sp.Mul(*others) * expanded if shorter else inside
+
+
+def over_rational(number: sp.Expr) -> sp.Expr:
+    """The number, multiplied out, with a rational denominator; roots in it are those of integers.
+
+    Prime by prime the fraction is extended by its denominator with √p turned to −√p. What else stands below is left to
+    sympy's radsimp, whose search for a rational value of each denominator takes a hundred times as long.
+    """
+    above, below = (sp.expand(part) for part in sp.fraction(number))
+    roots = [each for each in below.atoms(sp.Pow) if each.exp == sp.S.Half and _is_small(each.base)]
+    if not below.xreplace(dict.fromkeys(roots, sp.S.One)).is_Rational:
+        return sp.expand(sp.radsimp(number))
+    for prime in sorted({p for root in roots for p in sp.factorint(root.base)}):
+        turned = {root: -root for root in below.atoms(sp.Pow) if root.base % prime == 0}
+        conjugate = below.xreplace(turned)
+        above, below = sp.expand(above * conjugate), sp.expand(below * conjugate)
+    return sp.expand(above / below)
+
+
+def _is_small(radicand: sp.Expr) -> bool:
+    """Whether the factors of an integer are found at once."""
+    return bool(radicand.is_Integer and radicand.is_positive and radicand < LARGEST_RADICAND)
 
 
 def complex_parts(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from solver.exact.linear_algebra.affine import tidy
+from solver.exact.linear_algebra.radicals import over_rational
 from solver.exact.linear_algebra.signs import possible_signs
 from solver.exact.variations.exponential_sums import ExponentialSum, Mode
 
@@ -41,7 +42,7 @@ def _ratio(above: Leading, below: Leading, order: int) -> sp.Expr | None:
     if order < 0:
         return sp.S.Zero
     ratio = above.coefficient / below.coefficient
-    return _turned(tidy(ratio)) if ratio.free_symbols else tidy(sp.radsimp(ratio))
+    return _turned(tidy(ratio)) if ratio.free_symbols else tidy(over_rational(ratio))
 
 
 def _turned(value: sp.Expr) -> sp.Expr:

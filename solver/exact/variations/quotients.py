@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from solver.exact.linear_algebra.radicals import over_rational
 from solver.exact.linear_algebra.signs import is_positive
 from solver.exact.variations.exponential_sums import ExponentialSum, Mode, tidied
 from solver.symbols import TIME
@@ -39,7 +40,7 @@ def quotient(
 
 def _divided(numerator: ExponentialSum, mode: Mode, c: sp.Expr) -> ExponentialSum:
     """N over one term without a wave."""
-    inverse = sp.S.One / c if c.is_Rational else sp.radsimp(1 / c) if not c.free_symbols else 1 / c
+    inverse = sp.S.One / c if c.is_Rational else over_rational(1 / c) if not c.free_symbols else 1 / c
     moved = ((m._replace(monomial=m.monomial / mode.monomial), a * inverse) for m, a in numerator.terms)
     return ExponentialSum.of(moved).shifted(-mode.exponent)
 
@@ -105,8 +106,8 @@ def _without_content(above: Terms, below: Terms) -> tuple[Terms, Terms]:
         return _scaled(above, 1 / lead), _scaled(below, 1 / lead)
     if any(c.free_symbols for c in coefficients):
         return tuple(_scaled(part, _cleared(coefficients, lead)) for part in (above, below))  # type: ignore[return-value]
-    if not lead.is_Rational and all(tidied(sp.radsimp(c / lead)).is_Rational for c, _ in below):
-        above, below = (_scaled(part, sp.radsimp(1 / lead)) for part in (above, below))
+    if not lead.is_Rational and all(tidied(over_rational(c / lead)).is_Rational for c, _ in below):
+        above, below = (_scaled(part, over_rational(1 / lead)) for part in (above, below))
     rational = [r for c, _ in (*above, *below) for r in c.as_coefficients_dict().values()]
     content = reduce(sp.gcd, map(abs, rational))
     negative = all(c.could_extract_minus_sign() for c, _ in below)
@@ -225,9 +226,9 @@ def _over(above: Terms, below: Terms) -> sp.Expr:
     if len(above) == 1 and len(below) == 1:
         (c, f), (d, g) = above[0], below[0]
         if isinstance(f, sp.sinh) and g == sp.cosh(f.args[0]):
-            return tidied(sp.radsimp(c / d)) * sp.tanh(f.args[0])
+            return tidied(over_rational(c / d)) * sp.tanh(f.args[0])
     shared = common_factor([c for c, _ in above])
-    divided = ((c / shared if shared.free_symbols else sp.radsimp(c / shared), f) for c, f in above)
+    divided = ((c / shared if shared.free_symbols else over_rational(c / shared), f) for c, f in above)
     numerator = _sum([(tidied(c), f) for c, f in divided]) if shared != 1 else _sum(above)
     found: sp.Expr = sp.Mul(shared, numerator, sp.Pow(_sum(below), -1))
     return found
@@ -245,7 +246,7 @@ def common_factor(coefficients: Sequence[sp.Expr]) -> sp.Expr:
     if any(c.free_symbols for c in coefficients):
         shared = reduce(sp.gcd, coefficients)
         return shared if shared.free_symbols and not shared.is_Add else sp.S.One
-    ratios = [tidied(sp.radsimp(c / lead)) for c in coefficients]
+    ratios = [tidied(over_rational(c / lead)) for c in coefficients]
     if not all(r.is_Rational for r in ratios):
         return sp.S.One
     found = lead * reduce(sp.gcd, map(abs, ratios))

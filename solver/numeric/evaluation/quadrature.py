@@ -48,15 +48,26 @@ DOUBLINGS = (10, 12, 14, 16)
 
 def to_infinity(environment: Environment, samples: Samples, a: Array) -> Value:
     """∫ from a to ∞ on panels whose lengths double, from 1/64 on; refused unless the integrand dies away."""
-    one, nodes = environment.full(1), 20 if environment.arithmetic is DOUBLE else 40
+    one, nodes = environment.full(1), 20 if environment.arithmetic is DOUBLE else 32
+    whole: tuple[Value, Value] | None = None
+    edges = np.array([0.0])
     for doublings in DOUBLINGS:  # no farther than needed: far away an exponential has overflown
-        edges = np.array([0.0, *(2.0**i for i in range(-6, doublings - 5))])
-        halved = np.sort(np.concatenate([edges, (edges[1:] + edges[:-1]) / 2]))
-        fine, last = (_panels(environment, samples, (a, one), each, nodes) for each in (halved, edges[-2:]))
-        if _has_died_away(environment, fine, last):
-            coarse = _panels(environment, samples, (a, one), edges, nodes)
+        edges = np.array([edges[-1], *(2.0**i for i in range(-6, doublings - 5) if 2.0**i > edges[-1])])
+        parts = []
+        for added in (edges[:-1], edges[-2:]):
+            halved = np.sort(np.concatenate([added, (added[1:] + added[:-1]) / 2]))
+            parts.append(tuple(_panels(environment, samples, (a, one), each, nodes) for each in (halved, added)))
+        (_, last), *_ = reversed(parts)
+        for fine, coarse in parts:
+            whole = (_sum(whole[0], fine), _sum(whole[1], coarse)) if whole else (fine, coarse)
+        if whole and _has_died_away(environment, whole[0], last):
+            fine, coarse = whole
             return _with_error(coarse, fine, environment.arithmetic)
     raise NotEvaluable("the integrand of an integral to infinity decays too slowly")
+
+
+def _sum(one: Value, other: Value) -> Value:
+    return Value(one.value + other.value, one.magnitude + other.magnitude)
 
 
 def _has_died_away(environment: Environment, whole: Value, last: Value) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from solver.arithmetic.determinants import worked_out
 from solver.arithmetic.equations import system_solved
 from solver.arithmetic.products import polynomial_of as polynomial_of_matrix
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
@@ -52,7 +53,8 @@ def hamiltonian_step(problem: Regulator, equation: exact.Riccati) -> Step:
     }
     if sp.expand(factors) == chi and factors != chi:
         claims["factors"] = Claim(chi, factors, "its factors")
-    return Step("hamiltonian", claims=claims, H=equation.H, n=n, chi=chi, **problem.names)
+    lines = worked_out(r"\det(sI - H)", exact.pencil(equation.H, s), chi, s) if n <= LARGEST else ()
+    return Step("hamiltonian", claims=claims, steps=lines, H=equation.H, n=n, chi=chi, **problem.names)
 
 
 def polynomial_of(solution: exact.RiccatiSolution) -> Expr:
@@ -92,7 +94,7 @@ def solution_by_hamiltonian(problem: Regulator) -> Derivation[exact.Riccati]:
     equation = riccati_of(problem)
     solution, n, s = equation.stabilizing, equation.order, sp.Symbol("s")
     step = hamiltonian_step(problem, equation)
-    yield Step("hamiltonian", claims=step.claims, **step.values)
+    yield Step("hamiltonian", claims=step.claims, steps=step.steps, **step.values)
     p = polynomial_of(solution)
     mirrored = sp.Add(*(c * (-s) ** (n - i) for i, c in enumerate(solution.polynomial)))
     yield Step(

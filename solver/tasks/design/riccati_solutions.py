@@ -124,7 +124,13 @@ def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> 
     """Where the solutions come from: the factors of degree n of det(sI − H)."""
     step = hamiltonian_step(problem, equation)
     yield Step(
-        "splitting", claims=step.claims, count=equation.count, solved=solved, fixed=any(equation.fixed), **step.values
+        "splitting",
+        claims=step.claims,
+        steps=step.steps,
+        count=equation.count,
+        solved=solved,
+        fixed=any(equation.fixed),
+        **step.values,
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from solver.arithmetic.determinants import worked_out
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -57,8 +58,9 @@ def _matrix(asked: HorizonQuestion, found: exact.FiniteHorizon, *, canonical: bo
     if sp.expand(factors) == chi and factors != chi:
         claims["factors"] = Claim(chi, factors, "its factors")
     roots = exact.spectrum(found.H).eigenvalues
-    return Step("matrix", claims=claims, H=found.H, n=n, roots=roots, weighed=bool(asked.weight), canonical=canonical,
-                factor=asked.factor)  # fmt: skip
+    lines = worked_out(r"\det(sI - H)", exact.pencil(found.H, s), chi, s) if n <= SHOWN else ()
+    return Step("matrix", claims=claims, steps=lines, H=found.H, n=n, roots=roots, canonical=canonical,
+                weighed=bool(asked.weight), factor=asked.factor)  # fmt: skip
 
 
 def over_one_denominator(P: ImmutableMatrix) -> Any:

@@ -128,7 +128,13 @@ def _off(found: Around) -> float:
 
 
 def _at(
-    question: Question, values: Mapping[Any, Any], numbers: Numbers, random: Random, *, discrete: bool
+    question: Question,
+    values: Mapping[Any, Any],
+    numbers: Numbers,
+    random: Random,
+    near: Around | None = None,
+    *,
+    discrete: bool,
 ) -> Around | None:
     states, inputs = states_of(question), [(name, 0) for name in question.inputs]
     by_jet = {question.jets[symbol]: value for symbol, value in values.items() if symbol in question.jets}
@@ -138,7 +144,7 @@ def _at(
         return None
     still = {(name, k): given[name, 0] if discrete else 0.0 for name, _ in inputs for k in range(1, 3 + len(states))}
     equations = JetEquations(question.equations, question.jets, question.unknowns, numbers, discrete, further(question))
-    jets = equations.solved({**still, **given}, random)
+    jets = equations.solved({**still, **given}, random, near.jets if near else None)
     return None if jets is None else Around(equations, states, inputs, numbers, jets)
 
 
@@ -152,8 +158,9 @@ def _adjusted(
     discrete: bool,
 ) -> Around | None:
     """Move the free symbols until nothing moves: Newton's method by the shortest steps."""
+    here: Around | None = None
     for _ in range(12):
-        here = _at(question, values, numbers, random, discrete=discrete)
+        here = _at(question, values, numbers, random, here, discrete=discrete)
         if here is None or not free:
             return None
         if _off(here) <= REST / 100:
@@ -161,13 +168,13 @@ def _adjusted(
         slopes = []
         for symbol in free:
             step = 1e-6 * max(1.0, abs(numbers[symbol]))
-            there = _at(question, values, {**numbers, symbol: numbers[symbol] + step}, random, discrete=discrete)
+            there = _at(question, values, {**numbers, symbol: numbers[symbol] + step}, random, here, discrete=discrete)
             if there is None:
                 return None
             slopes.append((there.moved() - here.moved()) / step)
         move = np.linalg.lstsq(np.array(slopes).T, -here.moved(), rcond=1e-9)[0]
         numbers.update({symbol: numbers[symbol] + by for symbol, by in zip(free, move, strict=True)})
-    return _at(question, values, numbers, random, discrete=discrete)
+    return _at(question, values, numbers, random, here, discrete=discrete)
 
 
 def linear_residuals(

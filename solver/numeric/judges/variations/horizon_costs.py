@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
-from solver.numeric.judges.variations.horizons import TIMES, Horizon, Solved, solved
+from solver.numeric.judges.variations.horizons import Horizon, Solved, solved
 from solver.numeric.judges.variations.sampled import functions_at
 
 STAGES = 400
@@ -17,17 +17,19 @@ OTHERS = (0.9, 1.1)
 CHEAPER = 1e-9
 
 
-def cost_of_feedback(found: Solved, K: Any, factor: float = 1.0) -> Array:
-    """Return M with the cost xᵀMx from the state x at t = 0 on, under u = −`factor` K(t) x."""
-    n, m = found.B.shape
-    times = np.linspace(found.T, 0.0, 2 * STAGES + 1)
-    gains = factor * functions_at(K, found.point, times, (m, n))
+def costs_of_feedback(found: Solved, gains: Array) -> Array:
+    """Return the matrices M with the cost xᵀMx from the state x at t = 0 on, under u = −F x, for several F at once.
+
+    `gains` (k×f×m×n) are the F at the k = 2 STAGES + 1 times from the end of the horizon to its beginning.
+    """
 
     def slope(M: Array, gain: Array) -> Array:
         loop = found.A - found.B @ gain
-        return np.asarray(loop.T @ M + M @ loop + found.Q + gain.T @ found.R @ gain)
+        return np.asarray(
+            np.swapaxes(loop, -1, -2) @ M + M @ loop + found.Q + np.swapaxes(gain, -1, -2) @ found.R @ gain
+        )
 
-    M, h = found.S, found.T / STAGES
+    M, h = np.broadcast_to(found.S, (gains.shape[1], *found.S.shape)), found.T / STAGES
     for k in range(STAGES):
         first, middle, last = gains[2 * k : 2 * k + 3]
         a = slope(M, first)
@@ -40,11 +42,12 @@ def cost_of_feedback(found: Solved, K: Any, factor: float = 1.0) -> Array:
 def others_cost_more(horizon: Horizon, K: Any) -> bool:
     """Whether gains a tenth larger or smaller than K(t) cost no less from any state, and more from some."""
     for found in solved(horizon, K):
-        best = cost_of_feedback(found, K)
-        size = np.abs(best).max(initial=0.0)
-        for factor in OTHERS:
-            more = np.linalg.eigvalsh(cost_of_feedback(found, K, factor) - best)
-            idle = np.abs(functions_at(K, found.point, found.T * TIMES, found.B.T.shape)).max() == 0.0
+        times = np.linspace(found.T, 0.0, 2 * STAGES + 1)
+        gains = functions_at(K, found.point, times, found.B.T.shape)
+        best, *others = costs_of_feedback(found, np.stack([factor * gains for factor in (1.0, *OTHERS)], axis=1))
+        size, idle = np.abs(best).max(initial=0.0), np.abs(gains).max() == 0.0
+        for other in others:
+            more = np.linalg.eigvalsh(other - best)
             if more[0] < -1e-7 * size or (more[-1] <= CHEAPER * size and not idle):
                 return False
     return True

@@ -1,0 +1,83 @@
+"""When several expressions are positive together, and where one of them vanishes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+
+from solver.derivation import Check
+from solver.numeric.evaluation.points import admissible
+from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.stability.regions import is_admissible
+
+DRAWN, TURNS = 24, 2
+"""Points at which signs are compared, and values of the other parameters with which zeros are."""
+NEAR = 1e-9
+DIGITS, ZERO = 30, sp.Float(10) ** -15
+
+Point = Mapping[Any, Any]
+
+
+def of_all_positive(found: Any, conditions: Sequence[Any], *_: Any) -> Iterator[Check]:
+    """At random points it holds where all are positive; where it ends one of them is zero or not defined."""
+    listed = [sp.S.Zero + each for each in conditions]
+    points = _drawn(set(found.free_symbols).union(*(each.free_symbols for each in listed)))
+    yield Check.that("when all are positive", "random points", all(_agrees(found, listed, point) for point in points))
+    ends = [part for each in listed for part in sp.fraction(sp.together(each))]
+    for each in found.atoms(sp.core.relational.Relational):
+        held = all(_is_zero_where(ends, each.lhs - each.rhs, point) for point in points[:TURNS])
+        yield Check.that("where a condition ends", "sympy.nroots", held)
+
+
+def of_vanishing_factors(found: Sequence[Any], value: Any) -> Iterator[Check]:
+    """One of them is zero where the numerator is, and it is zero where one of them is."""
+    above = sp.numer(sp.together(sp.S.Zero + value))
+    for point in _drawn(above.free_symbols)[:TURNS] if above.free_symbols else ():
+        yield Check.that("where it vanishes", "sympy.nroots", _is_zero_where(found, above, point))
+        for each in found:
+            yield Check.that("where it vanishes", "sympy.nroots", _is_zero_where([above], each, point))
+
+
+def _drawn(symbols: set[Any]) -> list[Point]:
+    """Some points of rational numbers; none where what is assumed allows none."""
+    try:
+        drawn = admissible(symbols, DRAWN)
+    except NotEvaluable:
+        return []
+    return [{x: sp.Rational(str(complex(value).real)) for x, value in point.items()} for point in drawn]
+
+
+def _agrees(found: Any, conditions: Sequence[Any], point: Point) -> bool:
+    """Whether the truth at a point is that of the conditions; nothing is said where one is zero or not defined."""
+    values = [sp.N(each.xreplace(point)) for each in conditions]
+    told = found.xreplace(point)
+    if told not in (True, False) or any(not value.is_real or abs(value) < NEAR for value in values):
+        return True
+    return bool(told) == all(value > 0 for value in values)
+
+
+def _is_zero_where(others: Sequence[Any], gap: Any, point: Point) -> bool:
+    """Whether one of the others is zero where the gap is, for each parameter with the rest of them at a point."""
+    return all(_is_zero_along(x, others, gap, point) for x in gap.free_symbols)
+
+
+def _is_zero_along(x: Any, others: Sequence[Any], gap: Any, point: Point) -> bool:
+    """The same for one parameter, or for the one function of it that is there (sin x), within its range."""
+    inside = [each for each in gap.atoms(sp.Function) if x in each.free_symbols]
+    u = x if not inside else sp.Dummy("u")
+    moved = {each: value for each, value in point.items() if each != x} | dict.fromkeys(inside, u)
+    p = sp.numer(sp.together(gap.xreplace(moved)))
+    if len(inside) > 1 or p.free_symbols != {u} or not p.is_polynomial(u):
+        return True
+    roots = [root for root in sp.Poly(p, u).sqf_part().nroots(n=DIGITS, maxsteps=500) if root.is_real]
+    told = [root for root in roots if (0 < root < 1 if inside else is_admissible({**point, x: root}))]
+    there = [each.xreplace(moved) for each in others]
+    return all(any(_vanishes(each.xreplace({u: root})) for each in there) for root in told)
+
+
+def _vanishes(value: Any) -> bool:
+    """Whether what remains of an expression at a point is zero beside its terms."""
+    terms = [abs(sp.N(term, DIGITS)) for term in sp.Add.make_args(value)]
+    return bool(abs(sp.N(value, DIGITS)) <= ZERO * (1 + sum(terms)))
