@@ -21,6 +21,7 @@ from benchmarks import (
     classroom,
     command_line,
     finite_horizons,
+    frequency,
     growth,
     linearization,
     matrix_exponential,
@@ -57,6 +58,7 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
         yield from transforms.rows(quick=quick)
     if chosen in (None, "classical"):
         yield from root_locus.rows()
+        yield from frequency.rows()
     if chosen in (None, "command"):
         yield from command_line.rows()
     if chosen in (None, "class"):

@@ -58,8 +58,11 @@ def drawn(plot: DrawnPlot) -> str:
 def drawn_panels(panels: DrawnPanels) -> str:
     """Return plots below each other as an SVG document; their abscissas are one above the other."""
     with mpl.rc_context(SETTINGS):
-        canvas = Canvas(figsize=(WIDTH, LOW * len(panels.plots)), layout="constrained")
+        known = all(plot.logarithmic for plot in panels.plots)  # the room that texts need there: no layout is sought
+        canvas = Canvas(figsize=(WIDTH, LOW * len(panels.plots)), layout=None if known else "constrained")
         every = canvas.subplots(len(panels.plots), 1, sharex=True, squeeze=False)
+        if known:
+            canvas.subplots_adjust(left=0.115, right=0.975, top=0.985, bottom=0.11, hspace=0.1)
         for axes, plot in zip(every[:, 0], panels.plots, strict=True):
             _draw(axes, plot)
         for upper, _ in pairwise(every[:, 0]):

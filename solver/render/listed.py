@@ -39,5 +39,12 @@ def _lines(value: Any, show: Show, *, narrow: bool) -> list[tuple[Row, Row]]:
     lines = []
     for i, point in enumerate(points, 1):
         lines += [(NOTHING, row(Text(f"{i}.")))] if len(points) > 1 else []
-        lines += [(show(x), row(Text(": ") if isinstance(x, str) else EQUALS, show(each))) for x, each in point.items()]
+        lines += [_named(x, each, show) for x, each in point.items()]
     return lines
+
+
+def _named(name: Any, value: Any, show: Show) -> tuple[Row, Row]:
+    """The sides of x = value, of a case in words `case: condition`."""
+    if isinstance(name, str):
+        return show(name.replace("_", " ")), row(Text(": "), show(value))
+    return show(name), row(EQUALS, show(value))
