@@ -12,6 +12,7 @@ from typing import Any
 from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
+from solver.derivation.parameter_figures import Locus, ParameterRegion
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,39 +135,6 @@ class Plane:
     discrete: bool = False
     region: Region | None = None
     stable: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Locus:
-    """The roots of D + K N for K ≥ 0: the coefficients of N and D, highest power first, numbers all; `gain` is K's LaTeX.
-
-    `angles` of asymptotes are in degrees, from `centroid`. `meetings` are points with their K > 0, where branches meet,
-    `crossings` frequencies ω with their K, where branches cross the imaginary axis.
-    """
-
-    caption: str
-    numerator: tuple[Any, ...]
-    denominator: tuple[Any, ...]
-    gain: str = "K"
-    centroid: Any = None
-    angles: tuple[Any, ...] = ()
-    meetings: tuple[tuple[Any, Any], ...] = ()
-    crossings: tuple[tuple[Any, Any], ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class ParameterRegion:
-    """Where all `conditions`, polynomials in the symbols `x` and `y`, are positive; shaded in the plane of both.
-
-    `names` are the curves on which they are zero, `labels` those of the axes, all as LaTeX.
-    """
-
-    caption: str
-    x: Any
-    y: Any
-    conditions: tuple[Any, ...]
-    names: tuple[str, ...]
-    labels: tuple[str, str]
 
 
 @dataclass(frozen=True, slots=True)

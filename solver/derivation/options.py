@@ -104,9 +104,7 @@ class Option:
 @overload
 def option(kind: OptionKind[T], doc: str, *, required: Literal[True], methods: tuple[str, ...] = ()) -> T: ...
 @overload
-def option(
-    kind: OptionKind[T], doc: str, *, default: Typed, methods: tuple[str, ...] = (), loop: str = ""
-) -> T: ...
+def option(kind: OptionKind[T], doc: str, *, default: Typed, methods: tuple[str, ...] = (), loop: str = "") -> T: ...
 @overload
 def option(
     kind: ImpliedKind[T],

@@ -11,10 +11,8 @@ from solver.derivation.figures import (
     Drawing,
     DrawnPanels,
     Figure,
-    Locus,
     Motion,
     Panels,
-    ParameterRegion,
     Parts,
     Plane,
     Plot,
@@ -23,6 +21,7 @@ from solver.derivation.figures import (
 from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
+from solver.derivation.parameter_figures import Locus, ParameterRegion
 from solver.figures import alternatives
 from solver.figures.bode import bode_of
 from solver.figures.laid_out import layout_of

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from solver.derivation.figures import DrawnCurve, DrawnPlot, Locus, Mark, Roots
+from solver.derivation.figures import DrawnCurve, DrawnPlot, Mark, Roots
+from solver.derivation.parameter_figures import Locus
 from solver.figures.alternatives import number_text, text_of, values_text
 from solver.figures.branches import Branches
 from solver.figures.planes import Placed, placed

@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from solver.derivation.figures import DrawnCurve, DrawnPlot, ParameterRegion
+from solver.derivation.figures import DrawnCurve, DrawnPlot
+from solver.derivation.parameter_figures import ParameterRegion
 from solver.figures.alternatives import number_text, text_of
 from solver.lazy import numeric
 from solver.lazy import sympy as sp

@@ -85,7 +85,7 @@ def of_long_run(found: Any, E: Any, s: Any, inside: Any, _positive: Sequence[Any
 def _is_pole(E: Any, s: Any, root: Any) -> bool:
     """Whether the denominator vanishes there."""
     below = sp.Poly(sp.fraction(sp.together(E))[1], s)
-    return bool(abs(below.eval(root)) < sp.Float("1e-12") * (1 + sum(abs(c) for c in below.all_coeffs())))
+    return bool(abs(below(root)) < sp.Float("1e-12") * (1 + sum(abs(c) for c in below.all_coeffs())))
 
 
 def of_held_where(found: Any, positive: Sequence[Any]) -> Iterator[Check]:

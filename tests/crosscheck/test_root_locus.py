@@ -7,7 +7,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver import exact
-from solver.derivation.figures import Locus
+from solver.derivation.parameter_figures import Locus
 from solver.figures.loci import on_locus
 
 control = pytest.importorskip("control")

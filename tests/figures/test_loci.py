@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from solver.derivation.figures import Locus, ParameterRegion
+from solver.derivation.parameter_figures import Locus, ParameterRegion
 from solver.figures import svg, tikz
 from solver.figures.drawing import drawing_of
 from solver.figures.parameter_regions import corners_of

@@ -16,7 +16,14 @@ PLANTS = {
     "discrete": system([[0, 1], [-6, -5]], B=[[0], [1]], C=[[1, 0]], discrete=True),
 }
 WEIGHED = {"R": sp.ImmutableMatrix(sp.eye(2))}
-ELSEWHERE = {"routh_hurwitz", "equilibrium_points", "root_locus", "sensitivity", "steady_state_error", "second_order_parameters"}
+ELSEWHERE = {
+    "routh_hurwitz",
+    "equilibrium_points",
+    "root_locus",
+    "sensitivity",
+    "steady_state_error",
+    "second_order_parameters",
+}
 """What works on a system of another kind, judged in a test of its own."""
 OF_ANY_ORDER = {("model_matching", "one input"), ("realization", "two inputs")}
 """A matrix alone does not tell the order: it is not judged."""

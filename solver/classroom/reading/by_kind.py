@@ -36,10 +36,8 @@ class KindReader:
 
     def read(self, node: Node, ours: Any) -> Pair:
         """Return the value of a node and its form; raises Fault."""
-        if isinstance(ours, str):
-            return (self._word(node, ours),) * 2
-        if isinstance(ours, bool):
-            return (self._truth(node),) * 2
+        if isinstance(ours, str | bool):
+            return (self._word(node, ours) if isinstance(ours, str) else self._truth(node),) * 2
         if is_condition(ours):
             names = [symbol.name for symbol in ours.free_symbols]
             if self.decimal_comma:

@@ -195,7 +195,7 @@ class OnAxis:
 @lru_cache(maxsize=64)
 def on_axis(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay: sp.Expr = sp.S.Zero) -> OnAxis:
     """Return N/D e^{−Ts} cancelled; raises NotExact where a parameter is left."""
-    free = (numerator.free_symbols | denominator.free_symbols | sp.sympify(delay).free_symbols) - {s}
+    free = (numerator.free_symbols | denominator.free_symbols | (sp.S.Zero + delay).free_symbols) - {s}
     if free:
         raise NotExact("frequency/parameters", names=sorted(free, key=str))
     p, q = sp.Poly(numerator, s), sp.Poly(denominator, s)
@@ -207,7 +207,7 @@ def on_axis(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay: sp.Ex
     n = p.degree() + 1
     N, D = (sp.Poly(each, s, domain=matrix.domain) for each in (entries[:n], entries[n:]))
     common = N.gcd(D)
-    return OnAxis(N.quo(common), D.quo(common), sp.sympify(delay))
+    return OnAxis(N.quo(common), D.quo(common), sp.S.Zero + delay)
 
 
 def _angle(factor: sp.Expr, power: int, s: sp.Symbol, omega: sp.Expr) -> Angle:

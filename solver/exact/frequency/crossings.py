@@ -101,11 +101,11 @@ def _refined(listed: list[Any]) -> list[Any]:
 @lru_cache(maxsize=64)
 def gain_crossovers(L: OnAxis, level: sp.Expr = sp.S.One) -> GainCrossovers:
     """All ω > 0 with |L(jω)| = level > 0."""
-    p = L.parts.above - L.parts.below * sp.Poly(sp.sympify(level) ** 2, L.parts.w)
+    p = L.parts.above - L.parts.below * sp.Poly((sp.S.Zero + level) ** 2, L.parts.w)
     if p.is_zero:
         return GainCrossovers(p, (), everywhere=True)
     found = tuple(
-        Crossover(root.omega, root.square, sp.sympify(level), L.phase(root.omega)) for root in positive_roots(p)
+        Crossover(root.omega, root.square, sp.S.Zero + level, L.phase(root.omega)) for root in positive_roots(p)
     )
     return GainCrossovers(p, found)
 

@@ -103,7 +103,7 @@ def _bisected(L: OnAxis, low: Any, high: Any, level: Any) -> Any:
 def phase_crossings(L: OnAxis, degrees: sp.Expr) -> tuple[sp.Expr, ...]:
     """All ω > 0 where the continuous phase has a value in degrees, rising: in decimals of 30 digits."""
     with mpmath.workdps(WORKING):
-        level = decimal(sp.sympify(degrees))
+        level = decimal(sp.S.Zero + degrees)
         turning = turning_points(L)
         stop = 2 * max([mpmath.mpf(1), *turning, *(abs(r) for r, _ in L.roots)])
         final = _final_phase(L)

@@ -94,7 +94,7 @@ def _on_the_real_axis(L: OnAxis, gains: GainCrossovers, phases: PhaseCrossovers)
 
 
 def _is_pole(L: OnAxis, k: int) -> bool:
-    return bool(L.parts.below.eval(sp.Integer(10) ** k) == 0)
+    return bool(L.parts.below(sp.Integer(10) ** k) == 0)
 
 
 def _nearest(found: Sequence[Crossover], distances: Sequence[object]) -> Crossover | None:

@@ -14,7 +14,7 @@ from solver.exact.linear_algebra.affine import tidy
 
 
 @dataclass(frozen=True)
-class Division:
+class QuadraticDivision:
     """M = quotient · p + remainder."""
 
     dividend: sp.Expr
@@ -34,7 +34,7 @@ class Divided:
     power: int
     known: tuple[sp.Expr, ...]
     left: sp.Expr
-    divisions: tuple[Division, ...]
+    divisions: tuple[QuadraticDivision, ...]
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ def divided_again(image: RationalMatrix, s: sp.Symbol) -> Divided | None:
     divisions, quotient = [], digits[-1]
     for digit in reversed(digits[:-1]):
         dividend = _in_powers(quotient * p + digit, s)
-        divisions.append(Division(dividend, quotient, digit))
+        divisions.append(QuadraticDivision(dividend, quotient, digit))
         quotient = dividend
     known = tuple(_scalar(each.numerator) / each.base**each.power for each in fractions if each.slope is None)
     return Divided(p, power, known, quotient, tuple(reversed(divisions)))

@@ -89,7 +89,7 @@ def _gain_crossovers(L: exact.OnAxis, found: exact.Margins) -> Step:
         claims[f"size{i}"] = Claim(absolute(at), each.magnitude, Phrase("the size of $L$ at a gain crossover"))
     sample = None
     if not gains.found:
-        sample = next(sp.Integer(k) for k in range(1, 99) if L.parts.below.eval(k**2) != 0)
+        sample = next(sp.Integer(k) for k in range(1, 99) if L.parts.below(k**2) != 0)
         at = value_at(formula_of(L), L.variable, sp.I * sample)
         claims["sample"] = Claim(absolute(at), L.magnitude(sample), "the size of $L$ at one frequency")
     roots = [{"square": each.square, "omega": each.omega, "near": approximation(each.omega)} for each in gains.found]

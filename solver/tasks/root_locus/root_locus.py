@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Refusal, Step, Task, option
-from solver.derivation.figures import Locus
+from solver.derivation.parameter_figures import Locus
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import root_locus as judges

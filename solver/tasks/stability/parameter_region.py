@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation.figures import ParameterRegion
+from solver.derivation.parameter_figures import ParameterRegion
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.words import formula

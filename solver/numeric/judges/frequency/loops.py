@@ -111,7 +111,7 @@ def numeric_loop(numerator: Any, denominator: Any, s: Any, delay: Any) -> Numeri
     with mpmath.workdps(WORKING):
         parts = sp.fraction(sp.cancel(numerator / denominator))
         N, D = (tuple(_number(c) for c in sp.Poly(p, s).all_coeffs()) for p in parts)
-        return NumericLoop(N, D, _number(sp.sympify(delay)))
+        return NumericLoop(N, D, _number(sp.S.Zero + delay))
 
 
 def _number(value: Any) -> Any:
@@ -157,7 +157,7 @@ def closed_loop_poles(numerator: Any, denominator: Any, s: Any, delay: Any) -> t
     """How many poles of a closed loop lie to the right and on the axis, nothing cancelled in L."""
     with mpmath.workdps(WORKING):
         N, D = (tuple(_number(c) for c in sp.Poly(p, s).all_coeffs()) for p in (numerator, denominator))
-        return unstable_poles(NumericLoop(N, D, _number(sp.sympify(delay))))
+        return unstable_poles(NumericLoop(N, D, _number(sp.S.Zero + delay)))
 
 
 def margin_residual(value: Any, known: Sequence[Any], name: str) -> float:

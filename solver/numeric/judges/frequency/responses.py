@@ -20,6 +20,12 @@ SAMPLES = 4000
 WRONG = float("inf")
 
 
+def _quotient(factor: Any, s: Any) -> Callable[[Any], Any]:
+    """A rational function of s, evaluated by the coefficients of its two polynomials."""
+    above, below = ([decimal(c) for c in sp.Poly(part, s).all_coeffs()] for part in sp.fraction(sp.together(factor)))
+    return lambda at: mpmath.polyval(above, at) / mpmath.polyval(below, at)
+
+
 @dataclass(frozen=True)
 class ClosedResponse:
     """T by its factors: formulas in s and the dead time T of the plant."""
@@ -32,7 +38,7 @@ class ClosedResponse:
 
     @cached_property
     def _function(self) -> Callable[[Any], Any]:
-        parts = [sp.lambdify(self.s, each, "mpmath") for each in (self.C, self.G, self.H)]
+        parts = [_quotient(each, self.s) for each in (self.C, self.G, self.H)]
         late = decimal(self.delay)
 
         def value(omega: Any) -> Any:
@@ -141,7 +147,7 @@ class ClosedResponse:
 
 def closed_response(C: Any, G: Any, H: Any, s: Any, delay: Any) -> ClosedResponse:
     """Return T = C G e^{−Ts}/(1 + C G e^{−Ts} H)."""
-    return ClosedResponse(sp.sympify(C), sp.sympify(G), sp.sympify(H), s, sp.sympify(delay))
+    return ClosedResponse(sp.S.Zero + C, sp.S.Zero + G, sp.S.Zero + H, s, sp.S.Zero + delay)
 
 
 def frequencies_asked(u: Any, omega: Any) -> Any:
