@@ -81,7 +81,7 @@ def of_damping_cases(found: Any, damping: Any, wanted: Any = None) -> Iterator[C
         yield numeric.check_residual("the critical value", ORACLE, check)
 
 
-def of_poles_of_damping(found: Any, damping: Any) -> Iterator[Claim]:
+def of_poles_of_damping(found: Any, damping: Any) -> Iterator[Claim | Check]:
     """The poles are the roots, both or none."""
     x = sp.Symbol("s")
     yield Check.that("both poles are there, or none", "counted", len(found) in (0, 2))
