@@ -11,7 +11,8 @@ from solver.tasks import catalogue
 
 LARGEST = {
     "phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3, "smith_form": 4,
-    "smith_mcmillan_form": 5, "relative_gain_array": 5, "root_locus": 4, "pid_tuning": 2,
+    "smith_mcmillan_form": 5, "relative_gain_array": 5, "root_locus": 4, "pid_tuning": 2, "second_order_parameters": 2,
+    "step_specifications": 2,
 }  # fmt: skip
 """Tasks about one order only, and those whose answers or steps fill the page from the next order on."""
 
@@ -66,6 +67,10 @@ def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
     if task == "pid_tuning":
         lags = n if method == "pole_placement" else n + 1
         return {"transfer_function": f"1/({' '.join(f'(s + {i})' for i in range(1, lags + 1))})"}
+    if task == "dominant_pole_reduction":
+        return {"transfer_function": f"1/({' '.join(f'(s + {i})' for i in range(1, n + 2))})"}
+    if task == "step_specifications":
+        return {"transfer_function": "4/(s^2 + 2s + 4)"}
     if "lagrangian" in needs:
         return chain_of_masses(n)
     if "functional" in needs:

@@ -235,5 +235,5 @@ def largest_sampled_difference(plant: Any, modes: Any) -> float | None:
     if found is None or any(j > 1 for _, j, _ in modes):
         return None
     times, e = found.samples
-    other = sum((complex(c) * np.exp(complex(m) * times) for m, _, c in modes), np.zeros(len(times), complex))
+    other = np.sum([complex(c) * np.exp(complex(m) * times) for m, _, c in modes], axis=0)
     return float(np.max(abs(float(found.final) * (1 + e) - np.real(other))))
