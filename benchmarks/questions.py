@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 
 import sympy as sp
 
@@ -73,6 +74,8 @@ def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
         return {"transfer_function": "4/(s^2 + 2s + 4)"}
     if "lagrangian" in needs:
         return chain_of_masses(n)
+    if task == "block_diagram_reduction":
+        return chain_of_loops(n)
     if "functional" in needs:
         return sums_of_squares(n)
     if "polynomial_matrix" in needs:
@@ -87,6 +90,15 @@ def chain_of_masses(n: int) -> dict[str, str]:
     springs = ", ".join(f'{{stiffness: 2, length: "{b} - {a}"}}' for a, b in zip(["0", *q], q, strict=False))
     inside = f"{{coordinates: [{', '.join(q)}], bodies: [{bodies}], springs: [{springs}], forces: {{{q[-1]}: u}}}}"
     return {"lagrangian": inside, "inputs": "[u]"}
+
+
+def chain_of_loops(n: int) -> dict[str, str]:
+    """Integrators in a row, each with its own feedback, the last with one round all of them."""
+    names = [f"x{i}" for i in range(n + 1)]
+    forward = [f"[{a}, {b}, 1/s]" for a, b in pairwise(names)]
+    back = [f"[{b}, {b}, {-i}/s]" for i, b in enumerate(names[1:], 1)]
+    flow = ", ".join(["[r, x0, 1]", *forward, *back, f"[{names[-1]}, x0, -1]"])
+    return {"signal_flow": f"[{flow}]", "input": "r", "output": names[-1]}
 
 
 def sums_of_squares(n: int) -> dict[str, str]:

@@ -212,21 +212,9 @@ class Schematic:
 
 
 Figure = (
-    Plot
-    | Panels
-    | Motion
-    | Plane
-    | Locus
-    | ParameterRegion
-    | Diagram
-    | Chains
-    | Parts
-    | Schematic
-    | Mechanism
-    | BodeDiagram
-    | NyquistDiagram
-    | FlowGraph
-)
+    Plot | Panels | Motion | Plane | Locus | ParameterRegion | Diagram | Chains | Parts | Schematic | Mechanism
+    | BodeDiagram | NyquistDiagram | FlowGraph
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

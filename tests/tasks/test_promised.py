@@ -130,8 +130,8 @@ def test_nothing_promised_is_left_out():
     assert set(PROMISED) <= set(catalogue())
 
 
-BY_STEPS = {"P", "K", "x", "u"}
-"""Over a finite horizon in discrete time one value a step, elsewhere a single one."""
+BY_STEPS = {"P", "K", "x", "u", "T"}
+"""Over a finite horizon in discrete time one value a step, of a compensator one a section, elsewhere a single one."""
 
 
 def answers_declared(fact):
@@ -141,9 +141,13 @@ def answers_declared(fact):
 
 def test_what_marking_knows_of_an_answer_is_declared_wherever_it_stands():
     counts, in_order, vectors = (answers_declared(fact) for fact in ("count", "ordered", "vectors"))
-    assert counts == {"rank", "right_half_plane_roots", "imaginary_axis_roots", "orders", "normal_rank"}
+    assert counts == {
+        "rank", "right_half_plane_roots", "imaginary_axis_roots", "orders", "normal_rank", "system_type",
+        "encirclements", "open_loop_unstable_poles", "closed_loop_unstable_poles",
+    }  # fmt: skip
     assert in_order - BY_STEPS == {
         "orders", "definiteness", "determinants", "costates", "diagonal", "invariant_factors", "relative_degrees",
+        "alpha", "corner_frequencies", "slopes",
     }  # fmt: skip
     assert vectors == {
         "right_eigenvectors", "left_eigenvectors", "eigenvectors", "T", "null_space", "column_space", "row_space",

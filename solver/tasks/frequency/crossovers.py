@@ -48,7 +48,7 @@ def on_axis_of(L: exact.OnAxis, name: str = "L") -> Derivation[None]:
 def real_axis_of(L: exact.OnAxis) -> Derivation[exact.PhaseCrossovers]:
     """Where L(jω) is real, and its values there."""
     found = exact.phase_crossovers(L)
-    yield _late_crossovers(L, found, "late_axis") if L.late else _phase_crossovers(L, found, "real_axis")
+    yield _late_crossovers(L, found, every=True) if L.late else _phase_crossovers(L, found, every=True)
     return found
 
 
@@ -146,8 +146,8 @@ def _signed(degrees: Expr, power_of: int) -> Any:
     return degrees if power_of == 1 else product(sp.Integer(power_of), degrees)
 
 
-def _phase_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, kind: str = "phase_crossovers") -> Step:
-    """Im(N D̄) = ω I(ω²) = 0, and the value of L at each root."""
+def _phase_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: bool = False) -> Step:
+    """Im(N D̄) = ω I(ω²) = 0, and the value of L at each root; `every` crossing of the real axis may be asked for."""
     omega, w, s = sp.Symbol("omega"), L.parts.w, L.variable
     parts = {name: real + sp.I * imaginary for name, (real, imaginary) in _even_odd(L).items()}
     real, slope = (p.as_expr().subs(w, omega**2) for p in (L.parts.real, L.parts.imaginary))
@@ -163,21 +163,22 @@ def _phase_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, kind: str =
     start = next((each for each in found.found if each.omega == 0), None)
     if start is not None:
         claims["start"] = Claim(value_at(formula_of(L), s, sp.S.Zero), -start.magnitude, "$L(0)$")
+    kind = "real_axis" if every else "phase_crossovers"
     return Step(kind, claims=claims, roots=roots, p=_positive(p) if not p.is_zero else sp.S.Zero, w=w,
                 imaginary=sp.expand(omega * slope), everywhere=found.everywhere, start=start,
                 crossing=list(found.found), moves=bool(p.degree() > 0))  # fmt: skip
 
 
-def _late_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, kind: str = "late_crossovers") -> Step:
+def _late_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: bool = False) -> Step:
     """With a dead time: ∠L₀ − ωT passes −180° − 360° k, an equation that is solved numerically."""
     s, claims = L.variable, {}
-    pairs = found.real_axis if kind == "late_axis" else [(each.omega, -each.magnitude) for each in found.found]
+    pairs = found.real_axis if every else [(each.omega, -each.magnitude) for each in found.found]
     for i, (omega, value) in enumerate(pairs, 1):
         at = value_at(formula_of(L), s, sp.I * omega)
         claims[f"value{i}"] = Claim(at, value, "the value of $L$ on the real axis")
     crossing = [_row(omega, value) for omega, value in pairs]
-    return Step(kind, claims=claims, crossing=crossing, delay=L.delay,
-                steady=not L.roots)  # fmt: skip
+    kind = "late_axis" if every else "late_crossovers"
+    return Step(kind, claims=claims, crossing=crossing, delay=L.delay, steady=not L.roots)
 
 
 def _row(at: Expr, value: Expr) -> dict[str, Any]:

@@ -281,8 +281,8 @@ def is_the_largest(given: Given[OpenLoop, ResponseOptions], answers: Answers) ->
     for name, place in (("resonant_frequency", 0), ("resonant_peak", 1), ("resonant_phase", 2)):
         if name in answers:
             known = [] if peak is None else [peak[place]]
-            kind = "phase_margin" if place == 2 else name
-            residual = judges.margin_residual(answers[name], known, kind) if known else float("inf")
+            judged = "phase_margin" if place == 2 else name  # modulo 360°
+            residual = judges.margin_residual(answers[name], known, judged) if known else float("inf")
             yield Check.within(
                 "the largest magnitude and where it is", "mpmath, samples refined", residual, 1e-11, answer=name
             )

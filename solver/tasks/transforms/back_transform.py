@@ -14,6 +14,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import power, product, quotient, total
 from solver.stated.transforms import inverse_laplace
 from solver.tasks.linear_algebra.resolvent import completed_squares_of
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -132,7 +133,7 @@ def _divided_again(found: exact.Divided, whole: Expr, names: Names) -> Step:
 def _compared(found: exact.AllCompared, names: Names) -> Step:
     values = dict(zip(found.letters, found.values, strict=True))
     claims = {
-        f"power{k}": Claim(right.xreplace(values), left, f"coefficients of $s^{k}$ compared")
+        f"power{k}": Claim(right.xreplace(values), left, Phrase("coefficients of $s^{{{k}}}$ compared", k=k))
         for k, left, right in found.equations
     }
     sides = total(*([found.known] if found.known != 0 else []), *(product(N, below) for N, below in found.terms))

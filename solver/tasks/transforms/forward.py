@@ -12,6 +12,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
 from solver.stated.calculus import derivative
 from solver.stated.transforms import laplace
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
@@ -104,10 +105,10 @@ def _by_rules(term: exact.TransformedTerm, pairs: Sequence[Any], names: Names) -
     claims: dict[str, Claim] = {}
     lines: list[tuple[str, str]] = []
     for pair in pairs:
-        claims[pair.rule if pair.rule != "table" else "pair"] = Claim(
-            laplace(pair.function, t, s), pair.image, f"the rule of {pair.rule}" if pair.rule != "table" else "table"
-        )
-        lines.append((pair.rule, pair.rule if pair.rule != "table" else "pair"))
+        name = pair.rule if pair.rule != "table" else "pair"
+        told = Phrase("the rule of {rule}", rule=pair.rule) if pair.rule != "table" else "pair of the table"
+        claims[name] = Claim(laplace(pair.function, t, s), pair.image, told)
+        lines.append((pair.rule, name))
     slopes = None
     if "derivative" in claims:
         before = claims["pair"].right

@@ -43,12 +43,6 @@ laplace_transform: Task[StateSpace, LaplaceOptions] = Task(
     answers=[AnswerName("F", "F", "the transform", principal=True, earned=("by_rules", "late", "table", "impulse"))],
 )
 
-OWN_WORDS = {
-    "signals/not_real": "transforms/function_not_real",
-    "signals/no_rational_transform": "transforms/no_rule",
-}
-"""Reasons that speak of inputs, and what is said of a function."""
-
 RULES = ("linearity", "constant", "power", "exponential", "cos", "sin", "cosh", "sinh", "damping", "derivative",
          "delay", "impulse", "sifting")  # fmt: skip
 """The lines of the table of rules, in the order in which it has them."""
@@ -60,12 +54,16 @@ def no_rational_transform(_system: Any, options: LaplaceOptions) -> Iterable[Ref
     try:
         exact.transform_pieces(options.f, sp.Symbol("t"))
     except exact.NotExact as failure:
-        own = {
-            "signals/not_real": "transforms/function_not_real",
-            "signals/no_rational_transform": "transforms/no_rule",
-        }
-        kind = failure.reason.kind
-        yield "f", Reason(own.get(kind, kind), failure.reason.values)
+        yield "f", _of_a_function(failure.reason)
+
+
+def _of_a_function(reason: Reason) -> Reason:
+    """A reason that speaks of an input, as one that speaks of a function."""
+    if reason.kind == "signals/not_real":
+        return Reason("transforms/function_not_real", reason.values)
+    if reason.kind == "signals/no_rational_transform":
+        return Reason("transforms/no_rule", reason.values)
+    return reason
 
 
 @laplace_transform.method(source="Nise, Control Systems Engineering, §2.2", time="continuous")
