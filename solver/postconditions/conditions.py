@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from solver.conditions import Parameter, conditions_of
 from solver.derivation import Check
 from solver.numeric.evaluation.points import admissible
 from solver.numeric.evaluation.values import NotEvaluable
@@ -21,11 +22,16 @@ Point = Mapping[Any, Any]
 
 
 def of_all_positive(found: Any, conditions: Sequence[Any], *_: Any) -> Iterator[Check]:
-    """At random points it holds where all are positive; where it ends one of them is zero or not defined."""
+    """At random points it holds where all are positive; where it ends one of them is zero or not defined.
+
+    It may end too where what is known of the parameters does.
+    """
     listed = [sp.S.Zero + each for each in conditions]
     points = _drawn(set(found.free_symbols).union(*(each.free_symbols for each in listed)))
     yield Check.that("when all are positive", "random points", all(_agrees(found, listed, point) for point in points))
-    ends = [part for each in listed for part in sp.fraction(sp.together(each))]
+    carrying = {x.plain: x for x in found.free_symbols if isinstance(x, Parameter)}
+    known = [difference.xreplace(carrying) for difference, _ in conditions_of(found.free_symbols)]
+    ends = [*(part for each in listed for part in sp.fraction(sp.together(each))), *known]
     for each in found.atoms(sp.core.relational.Relational):
         held = all(_is_zero_where(ends, each.lhs - each.rhs, point) for point in points[:TURNS])
         yield Check.that("where a condition ends", "sympy.nroots", held)

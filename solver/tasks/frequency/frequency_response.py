@@ -56,9 +56,9 @@ frequency_response: Task[OpenLoop, ResponseOptions] = Task(
     example={"transfer_function": "4/(s^2 + s + 4)", "frequency": "2"},
     answers=[
         AnswerName("magnitude", r"|T(j\omega)|", "the magnitude, a function of omega unless a frequency is given",
-                   principal=True, earned=("functions", "value")),
+                   principal=True, earned=("on_axis", "functions", "value")),
         AnswerName("phase", r"\varphi", "the phase in degrees", principal=True, free=True, unit="°",
-                   earned=("functions", "value")),
+                   earned=("on_axis", "functions", "value")),
         AnswerName("y_steady_state", r"y_{ss}", "what is left of the output", optional=True, principal=True,
                    earned=("steady_state",)),
         AnswerName("resonant_frequency", r"\omega_{r}", "where the magnitude is largest, if that is not at 0",
