@@ -32,7 +32,14 @@ def _data(value: Any) -> Any:
         )
     if isinstance(value, sp.Rel):
         return f"{_data(value.lhs)} {'=' if isinstance(value, sp.Eq) else value.rel_op} {_data(value.rhs)}"
-    return sympy_text(value).replace("sqrt(-1)", "j")
+    return sympy_text(_with_arctangents(value)).replace("sqrt(-1)", "j")
+
+
+def _with_arctangents(value: Any) -> Any:
+    """An angle as the notation can say it: twice the arctangent of half of it."""
+    if not isinstance(value, sp.Basic):
+        return value
+    return value.replace(sp.atan2, lambda y, x: 2 * sp.atan(y / (x + sp.sqrt(x**2 + y**2))))
 
 
 def rounded(value: Any, digits: int = 4) -> Any:

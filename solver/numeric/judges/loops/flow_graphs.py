@@ -9,8 +9,7 @@ import numpy as np
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import worst_of
-from solver.numeric.evaluation.environment import Environment
-from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
 
@@ -19,7 +18,10 @@ POINTS = 3
 SEVERAL = 12
 """Of so many points those are taken at which the equations are well conditioned."""
 BEST = 1e8
-NEAR = 1e-9
+NEAR = 1e-11
+"""Two gains nearer than this, relatively, are one."""
+NOTHING = 1e-13
+"""Parallel branches that leave no more than this of their sizes cancel."""
 WRONG = float("inf")
 
 
@@ -28,7 +30,7 @@ def _nodes(branches: Branches) -> list[str]:
 
 
 def _number(value: Any, point: Mapping[Any, complex]) -> complex:
-    return complex(np.ravel(value_of(value, Environment.at([dict(point)])).value)[0])
+    return complex(evaluate(value, point))
 
 
 def _matrices(branches: Branches, others: Sequence[Any]) -> list[tuple[Mapping[Any, complex], Array]]:
@@ -88,16 +90,17 @@ def are_loops(branches: Branches, gains: Sequence[Any]) -> bool:
 
 def _ways(branches: Branches, point: Mapping[Any, complex], start: str, end: str) -> list[complex]:
     """The gains of all ways, made longer by one branch at a time: (last node, nodes met) by their gains."""
-    added: dict[tuple[str, str], complex] = {}
+    parallel: dict[tuple[str, str], list[complex]] = {}
     for source, target, gain in branches:
-        added[source, target] = added.get((source, target), 0j) + _number(gain, point)
+        parallel.setdefault((source, target), []).append(_number(gain, point))
+    added = {edge: sum(gains) for edge, gains in parallel.items() if abs(sum(gains)) > NOTHING * sum(map(abs, gains))}
     states: list[tuple[str, frozenset[str], complex]] = [(start, frozenset({start}), 1 + 0j)]
     found: list[complex] = []
     while states:
         longer = []
         for node, met, product in states:
             for (source, target), gain in added.items():
-                if source != node or gain == 0:
+                if source != node:
                     continue
                 if target == end:
                     found.append(product * gain)
@@ -113,7 +116,7 @@ def _same(branches: Branches, gains: Sequence[Any], listed: Any) -> bool:
     for point in PointSource(symbols).several(POINTS if symbols else 1):
         left = [_number(gain, point) for gain in gains]
         for wanted in listed(point):
-            near = [i for i, each in enumerate(left) if abs(each - wanted) <= NEAR * max(1.0, abs(wanted))]
+            near = [i for i, each in enumerate(left) if abs(each - wanted) <= NEAR * abs(wanted)]
             if not near:
                 return False
             left.pop(near[0])
