@@ -210,13 +210,19 @@ def has_the_slowest_poles_and_the_gain(given: Given[Plant, ReductionOptions], an
         yield numeric.check_residual(label, "mpmath.polyroots (50 digits)", check, answer="G")
 
 
+NEAR = 0.005
+"""How far a pole may be rounded, relatively: to three digits."""
+
+
 @dominant_pole_reduction.consequence("dropped", of=("kept",), symbolic=False)
 def what_is_left(given: Given[Plant, ReductionOptions], found: Mapping[str, Any]) -> Any:
-    """The poles that are not kept."""
+    """The poles that are not kept; one that is kept may be rounded."""
     left = list(quietly(poles_of(quietly(path_of(given)))))
     for pole in found["kept"]:
-        if pole in left:
-            left.remove(pole)
+        gaps = [abs(sp.N(each - pole)) for each in left]
+        nearest = min(range(len(gaps)), key=gaps.__getitem__, default=None)
+        if nearest is not None and gaps[nearest] <= NEAR * abs(sp.N(left[nearest])):
+            del left[nearest]
     return left
 
 
