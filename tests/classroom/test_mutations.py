@@ -29,6 +29,9 @@ MOST = 3
 SETS = {"conditions", "points", "solutions"}
 """Lists in which an item may stand twice."""
 
+DEFINED = {("stability", "array"), ("bode", "corner_frequencies")}
+"""Answers that are not free and have more than one right value."""
+
 UP_TO_A_CONSTANT = {"potential", "lagrangian"}
 
 SCALABLE = {"equations", "riccati_equations"}
@@ -112,7 +115,7 @@ def is_right(part, question, name, ours, value, what):
         return True
     if name in UP_TO_A_CONSTANT and isinstance(value, sp.Expr):
         return not sp.expand(value - ours).free_symbols  # up to a constant
-    if question.task.answers[name].is_free(question.given) or (part.task, name) == ("stability", "array"):
+    if question.task.answers[name].is_free(question.given) or (part.task, name) in DEFINED:
         return True if same(ours, value) else still_right(part.task, name, question.given, ours, value)
     if part.task == "parameter_condition" and any(str(x) == "n" for each in ours for x in each.free_symbols):
         return None  # n stands for any whole number: −πn are the same values

@@ -20,7 +20,9 @@ def numbers(M, symbols=()):
 
 
 def still_right(task, name, given, ours, value):
-    """Whether a matrix is right: by the definition of a free answer, else by being the same."""
+    """Whether a matrix is right: by the definition of a free answer, else by being the same; corners by the roots."""
+    if (task, name) == ("bode", "corner_frequencies"):
+        return _corners(given.system, value)
     symbols = set().union(*(getattr(each, "free_symbols", set()) for each in [value, ours, *_matrices(given.system)]))
     judge = JUDGES.get((task, name))
     if judge is None or not isinstance(value, sp.MatrixBase):
@@ -35,6 +37,18 @@ def still_right(task, name, given, ours, value):
 
 def _matrices(system):
     return [getattr(system, key, None) for key in "ABCD"]
+
+
+def _corners(loop, value):
+    """The sizes of the roots; those of pairs stand once, or all of them twice."""
+    factors = [each for p in (loop.numerator, loop.denominator) for each in sp.Poly(p, loop.variable).factor_list()[1]]
+    roots = [z for factor, power in factors for z in factor.nroots() * power if z != 0]
+    once = [float(abs(z)) for z in roots if sp.im(z) >= 0]
+    found = [float(each) for each in value]
+    return any(
+        len(found) == len(right) and np.allclose(found, sorted(right), atol=0, rtol=CLOSE)
+        for right in (once, [float(abs(z)) for z in roots])
+    )
 
 
 def _same_polynomial(A, B):

@@ -66,7 +66,7 @@ NOT_SEEN_IN = dict.fromkeys(
 NOT_SEEN_IN |= {
     ("ch6-text-qtank-instance", name): "roots of polynomials with integers of twenty digits"
     for name in ("zeros", "zero_directions", "invariant_zeros")
-}
+} | {("routh-two-parameters", "condition"): "a bound that two others imply may be any larger one"}
 """The same of single problems."""
 
 
