@@ -57,7 +57,7 @@ def _answers(part: Part, marker: Marker) -> Iterator[str]:
     width = max(map(len, asked), default=0)
     for name in asked:
         known = name in ours and not task.answers[name].optional
-        told = _how(ours[name], marker.is_determined(part, name), say) if known else ""
+        told = _how(ours[name], task.answers[name], marker.is_determined(part, name), say) if known else ""
         yield f"    {name + ':':{width + 2}} # {told}".rstrip(" #") if told else f"    {name}:"
     others = [name for name, answer in task.answers.items() if name not in asked and _given(answer, part)]
     if others:
@@ -69,13 +69,13 @@ def _given(answer: AnswerName, part: Part) -> bool:
     return not answer.methods or bool(set(answer.methods) & set(part.methods))
 
 
-def _how(value: Any, determined: bool, say: Say) -> str:
+def _how(value: Any, declared: AnswerName, determined: bool, say: Say) -> str:
     """Return how an answer is written: its kind, its size where that is no choice, an example that is not ours."""
     sized = isinstance(value, sp.MatrixBase) and determined and 0 not in value.shape
     kind = say(kind_of(value))
     if sized:
         kind = say(Phrase("{kind}, {rows}×{columns}", kind=kind, rows=value.rows, columns=value.cols))
-    example = example_of(value, sized=sized)
+    example = example_of(value, sized=sized, intervals=declared.intervals)
     return say(Phrase("{kind}, for example {example}", kind=kind, example=example)) if example else kind
 
 

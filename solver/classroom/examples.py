@@ -24,16 +24,18 @@ CONDITIONS = {"a condition": ("0 < a < 17", "a > 23"), "a list of conditions": (
 FREE_MATRIX = "[[1, 2], [3, 4]]"
 
 
-def example_of(ours: Any, *, sized: bool = False) -> str:
+def example_of(ours: Any, *, sized: bool = False, intervals: bool = False) -> str:
     """Return an example of the notation for an answer of the kind of ours, "" where there is none; never ours itself.
 
-    It has the size of a matrix only where that is `sized`.
+    It has the size of a matrix only where that is `sized`; a list of numbers is one of `intervals` where that is said.
     """
     kind = kind_of(ours)
     if kind == "a matrix":
         return _matrix(ours) if sized else FREE_MATRIX
     if isinstance(ours, list | tuple) and ours and isinstance(ours[0], Mapping):
         return _points(ours)
+    if intervals:
+        return next(text for text, value in INTERVALS if list(ours) != value)
     if kind == "a list":
         return next(text for text, value in LISTS if not isinstance(ours, list | tuple) or list(ours) != value)
     if kind == "an expression":
@@ -44,6 +46,11 @@ def example_of(ours: Any, *, sized: bool = False) -> str:
 LISTS: tuple[tuple[str, list[Any]], ...] = (
     ("[-9, 7 ± 5j]", [sp.Integer(-9), 7 + 5 * sp.I, 7 - 5 * sp.I]),
     ("[-11, 13/2]", []),
+)
+
+INTERVALS: tuple[tuple[str, list[Any]], ...] = (
+    ("(-inf, -19], [-17, -13]", [sp.Interval(-sp.oo, -19), sp.Interval(-17, -13)]),
+    ("[-17, -13]", []),
 )
 
 

@@ -21,8 +21,8 @@ CATALOGUE = catalogue()
 PAGE = 75
 """Lines of text on a page of a printed key."""
 
-LONG = {"acrobot": 100}
-"""Keys that need more: two links with all symbols."""
+LONG = {"acrobot": 100, "root-locus": 100}
+"""Keys that need more: two links with all symbols; a locus for which all rules have something to say."""
 
 READ_OFF = 3
 """Steps of a part whose answer needs no working: it is given, or read off."""

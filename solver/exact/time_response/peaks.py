@@ -151,9 +151,8 @@ def _slope(modes: Sequence[tuple[Any, int, Any]]) -> Callable[[float], float]:
 def _refined(modes: Sequence[tuple[complex, int, Any]], a: float, b: float) -> sp.Expr:
     with mpmath.workdps(DIGITS + 15):
         slope = partial(value_of_modes, modes, order=1, exponential=mpmath.exp)
-        root = mpmath.findroot(
-            slope, (a, b), solver="anderson", tol=mpmath.mpf(10) ** (-4 * DIGITS), maxsteps=200, verify=False
-        )
+        reached = mpmath.mpf(10) ** (-DIGITS - 5) * max(abs(a), abs(b))  # a smaller step is none, and is not waited for
+        root = mpmath.findroot(slope, (a, b), solver="anderson", tol=reached, maxsteps=200, verify=False)
         return sp.Float(root, DIGITS)
 
 

@@ -108,22 +108,21 @@ def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequen
         wanted = [(MP.mpf(0), origin)] if NEAR < origin < MP.inf and (points or gains) else []
     worst = 0.0
     if points is not None:
-        frequencies = _frequencies([number(each) for each in points])
-        if frequencies is None:
+        sides = _frequencies([number(each) for each in points])
+        if sides is None:
             return float("inf")
-        worst = _matched([(omega, None) for omega in frequencies], wanted)
+        worst = max(_matched([(omega, None) for omega in side], wanted) for side in sides)
     if gains is not None:
         worst = max(worst, _matched([(None, number(each)) for each in gains], wanted))
     return worst
 
 
-def _frequencies(points: Sequence[Any]) -> list[Any] | None:
-    """The ω of points ±jω, or of frequencies; None where a point lies elsewhere, or one of a pair is missing."""
+def _frequencies(points: Sequence[Any]) -> tuple[list[Any], list[Any]] | None:
+    """The ω of points jω and those of −jω, with what is told as a frequency; None where a point lies off the axis."""
     upper, lower = ([abs(each.imag) for each in points if sign * each.imag > NEAR] for sign in (1, -1))
     real = [each.real for each in points if abs(each.imag) <= NEAR]
     off = any(abs(each.real) > NEAR * abs(each) for each in points if abs(each.imag) > NEAR)
-    alone = len(upper) != len(lower) or any(min(abs(a - b) for b in lower) > 1e-4 * (1 + a) for a in upper)
-    return None if off or alone else upper + real
+    return None if off else (upper + real, lower + real)
 
 
 def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> float:
