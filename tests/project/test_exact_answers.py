@@ -66,7 +66,14 @@ NOT_SEEN_IN = dict.fromkeys(
 NOT_SEEN_IN |= {
     ("ch6-text-qtank-instance", name): "roots of polynomials with integers of twenty digits"
     for name in ("zeros", "zero_directions", "invariant_zeros")
-} | {("routh-two-parameters", "condition"): "a bound that two others imply may be any larger one"}
+}
+NOT_SEEN_IN |= {
+    ("routh-two-parameters", "condition"): "a bound that two others imply may be any larger one",
+    **{
+        ("appC-final3-pos", name): "a root of an integer of thirty digits"
+        for name in ("resonant_peak", "bandwidth", "gain_crossover")
+    },
+}
 """The same of single problems."""
 
 

@@ -226,9 +226,11 @@ def _resonance(T: exact.OnAxis, found: exact.Resonance) -> Step:
         claims["peak"] = Claim(absolute(at), found.peak.magnitude, "the largest magnitude")
         claims["phase"] = Claim(phase(at), found.peak.phase, "the phase there")
     rows = [(each, approximation(each), T.magnitude(each)) for each in found.stationary]
+    root = sp.expand((found.peak.omega if found.peak else found.stationary[0]) ** 2) if found.stationary else None
     square = (T.parts.above.as_expr() / T.parts.below.as_expr()) if T.parts.above.degree() > 0 else None
     return Step("resonance", claims=claims, unclaimed="" if claims else "there is no such frequency", p=shown, w=w,
-                rows=rows, peak=found.peak, moves=p.degree() > 0, square=square, start=T.magnitude(sp.S.Zero),
+                rows=rows, root=root, peak=found.peak, moves=p.degree() > 0, square=square,
+                start=T.magnitude(sp.S.Zero),
                 near=approximation(found.peak.magnitude) if found.peak else None)  # fmt: skip
 
 
@@ -244,12 +246,12 @@ def _bandwidth(T: exact.OnAxis, band: exact.Bandwidth) -> Step:
         claims["root"] = Claim(value_at(shown, w, sp.expand(band.omega**2)), sp.S.Zero, "a root in $w = \\omega^2$")
         claims["level"] = Claim(absolute(at), band.level, "the magnitude there")
     return Step("bandwidth", claims=claims, unclaimed="" if claims else "there is no such frequency", p=shown, w=w,
-                omega=band.omega, near=approximation(band.omega) if band.omega is not None else None,
-                level=band.level)  # fmt: skip
+                omega=band.omega, root=sp.expand(band.omega**2) if band.omega is not None else None,
+                near=approximation(band.omega) if band.omega is not None else None, level=band.level)  # fmt: skip
 
 
 BY_VALUES = "mpmath, values of C G/(1 + C G H) at jω"
-TOLERANCE = 1e-12
+TOLERANCE = 1e-19
 
 
 def _numbers(given: Given[OpenLoop, ResponseOptions]) -> judges.ClosedResponse:
@@ -284,7 +286,7 @@ def is_the_largest(given: Given[OpenLoop, ResponseOptions], answers: Answers) ->
             judged = "phase_margin" if place == 2 else name  # modulo 360°
             residual = judges.margin_residual(answers[name], known, judged) if known else float("inf")
             yield Check.within(
-                "the largest magnitude and where it is", "mpmath, samples refined", residual, 1e-11, answer=name
+                "the largest magnitude and where it is", "mpmath, samples refined", residual, TOLERANCE, answer=name
             )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
@@ -155,12 +156,15 @@ def is_what_remains(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> I
     s, t = loop.variable, sp.Symbol("t")
     signals = [given.options.reference, given.options.disturbance or sp.S.Zero]
     label = Phrase("$e(\\infty)$ is what remains of $r - y$")
+    if error == sp.zoo:
+        yield Check.that(label, BESIDE, False, answer="error")
+        return
 
     def loops() -> Any:
         return judges.stable_loops((loop.C, loop.G, loop.H), s, [*signals, error], closed=loop.closed)
 
     yield numeric.check_residual(
-        label, BESIDE, lambda: judges.residual_beside_origin(loops(), signals, s, t, error), 1e-9, answer="error"
+        label, BESIDE, lambda: judges.residual_beside_origin(loops(), signals, s, t, error), 1e-11, answer="error"
     )
     yield numeric.check_residual(
         label, SIMULATED, lambda: judges.residual_of_simulation(loops(), signals, t, error), 1e-3, answer="error"
@@ -178,13 +182,23 @@ def is_the_order_of_the_pole(given: Given[OpenLoop, ErrorOptions], answers: Answ
 
 @steady_state_error.verification(*CONSTANTS)
 def are_limits(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterable[Check]:
-    """The limits of sⁿ L; of an infinite one that of 1/(sⁿ L), which is zero."""
-    loop = given.system
+    """The limits of sⁿ L; of an infinite one that of 1/(sⁿ L), which is zero, and the sign of L beside the origin."""
+    loop, signals = given.system, [given.options.reference, given.options.disturbance or sp.S.Zero]
     s, L = loop.variable, quotient(loop.numerator, loop.denominator)
+
+    def wrong_side(sign: int) -> float:
+        loops = judges.stable_loops((loop.C, loop.G, loop.H), s, signals, closed=loop.closed)
+        return judges.sign_residual(loops, s, sign)
+
     for n, name in enumerate(CONSTANTS):
         if name in answers:
             stated, value = product(power(s, n), L) if n else L, answers[name]
+            if value == sp.zoo:
+                yield Check.that(LIMITS[n], "mpmath", False, answer=name)
+                continue
             if value in (sp.oo, -sp.oo):
+                side = partial(wrong_side, 1 if value == sp.oo else -1)
+                yield numeric.check_residual(LIMITS[n], "mpmath", side, answer=name)
                 stated, value = quotient(1, stated), sp.S.Zero
             claim = Claim(limit(stated, s, sp.S.Zero, "+"), value)
             yield numeric.check_claim(claim, LIMITS[n], answer=name)

@@ -5,6 +5,7 @@ from solver.numeric.judges.loops.errors import (
     order_at_origin,
     residual_beside_origin,
     residual_of_simulation,
+    sign_residual,
     stable_loops,
 )
 from solver.numeric.judges.loops.flow_graphs import are_loops, are_paths, determinant_residual, transfer_residual
@@ -20,6 +21,7 @@ __all__ = [
     "parameter_sensitivity_residual",
     "residual_beside_origin",
     "residual_of_simulation",
+    "sign_residual",
     "stable_loops",
     "transfer_residual",
 ]

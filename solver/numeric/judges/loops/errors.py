@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
+from operator import mul
 from typing import Any
 
 import numpy as np
@@ -119,7 +120,7 @@ def residual_beside_origin(
             return WRONG
         else:
             limit = 2 * found[1] - found[0]
-            worst = worst_of((worst, float(abs(limit - claimed) / max(1, abs(claimed)))))
+            worst = worst_of((worst, float(abs(limit - claimed) / max(1e-3, abs(claimed)))))
     return worst
 
 
@@ -211,6 +212,16 @@ def order_at_origin(numerator: Any, denominator: Any, s: Any) -> set[int]:
         )
         found.add(round(float(MANY.context.log10(nearer / near)) / 2) if nearer and near else 0)
     return found
+
+
+def sign_residual(loops: Sequence[tuple[Point, LoopInNumbers]], s: Any, sign: int) -> float:
+    """Return 0 where C G H has a sign just to the right of the origin, else infinity."""
+    for point, loop in loops:
+        here = Environment.at([{**point, s: MANY.context.mpf(10) ** -18}], MANY)
+        value = reduce(mul, (np.ravel(value_of(each, here).value)[0] for each in loop.factors))
+        if not value.real * sign > 0:
+            return WRONG
+    return 0.0
 
 
 def holds_where_positive(condition: Any, positive: Sequence[Any]) -> bool:

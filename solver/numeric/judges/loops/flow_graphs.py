@@ -7,20 +7,21 @@ from typing import Any
 
 import numpy as np
 
-from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import worst_of
-from solver.numeric.evaluation.expressions import evaluate
+from solver.numeric.evaluation.environment import Environment
+from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.representation.minimal import MANY
 
 Branches = Sequence[tuple[str, str, Any]]
 POINTS = 3
 SEVERAL = 12
 """Of so many points those are taken at which the equations are well conditioned."""
 BEST = 1e8
-NEAR = 1e-11
+NEAR = 1e-20
 """Two gains nearer than this, relatively, are one."""
-NOTHING = 1e-13
+NOTHING = 1e-30
 """Parallel branches that leave no more than this of their sizes cancel."""
 WRONG = float("inf")
 
@@ -29,20 +30,21 @@ def _nodes(branches: Branches) -> list[str]:
     return list(dict.fromkeys(node for source, target, _ in branches for node in (source, target)))
 
 
-def _number(value: Any, point: Mapping[Any, complex]) -> complex:
-    return complex(evaluate(value, point))
+def _number(value: Any, point: Mapping[Any, complex]) -> Any:
+    """A value at a point, in many digits."""
+    return MANY.context.mpmathify(np.ravel(value_of(value, Environment.at([dict(point)], MANY)).value)[0])
 
 
-def _matrices(branches: Branches, others: Sequence[Any]) -> list[tuple[Mapping[Any, complex], Array]]:
+def _matrices(branches: Branches, others: Sequence[Any]) -> list[tuple[Mapping[Any, complex], Any]]:
     """Return I − A at some points, A[target, source] the gains; raises NotEvaluable where it is singular."""
     names = _nodes(branches)
     symbols = free_symbols([*(gain for *_, gain in branches), *others])
-    found: list[tuple[Mapping[Any, complex], Array]] = []
+    found: list[tuple[Mapping[Any, complex], Any]] = []
     for point in PointSource(symbols).several(SEVERAL if symbols else 1):
-        M = np.eye(len(names), dtype=complex)
+        M = MANY.context.eye(len(names))
         for source, target, gain in branches:
             M[names.index(target), names.index(source)] -= _number(gain, point)
-        if np.linalg.cond(M) < BEST:
+        if np.linalg.cond(np.array(M.tolist(), dtype=complex)) < BEST:
             found.append((point, M))
         if len(found) == POINTS:
             break
@@ -55,9 +57,9 @@ def transfer_residual(branches: Branches, start: str, end: str, G: Any) -> float
     """Return the largest relative difference of G and the signal of the output for the input 1."""
     names, worst = _nodes(branches), 0.0
     for point, M in _matrices(branches, [G]):
-        b = np.array([complex(name == start) for name in names])
-        y = np.linalg.solve(M, b)[names.index(end)]
-        worst = worst_of((worst, abs(_number(G, point) - y) / max(1e-3, abs(y))))
+        b = MANY.context.matrix([int(name == start) for name in names])
+        y = MANY.context.lu_solve(M, b)[names.index(end)]
+        worst = worst_of((worst, float(abs(_number(G, point) - y) / max(1e-3, abs(y)))))
     return worst
 
 
@@ -65,8 +67,8 @@ def determinant_residual(branches: Branches, determinant: Any) -> float:
     """Return the largest relative difference of a value and det(I − A)."""
     worst = 0.0
     for point, M in _matrices(branches, [determinant]):
-        wanted = np.linalg.det(M)
-        worst = worst_of((worst, abs(_number(determinant, point) - wanted) / max(1e-3, abs(wanted))))
+        wanted = MANY.context.det(M)
+        worst = worst_of((worst, float(abs(_number(determinant, point) - wanted) / max(1e-3, abs(wanted)))))
     return worst
 
 
@@ -78,8 +80,8 @@ def are_paths(branches: Branches, start: str, end: str, gains: Sequence[Any]) ->
 def are_loops(branches: Branches, gains: Sequence[Any]) -> bool:
     """Whether these are the gains of all ways back to where they begin, each once."""
 
-    def loops(point: Mapping[Any, complex]) -> list[complex]:
-        names, found = _nodes(branches), list[complex]()
+    def loops(point: Mapping[Any, complex]) -> list[Any]:
+        names, found = _nodes(branches), list[Any]()
         for i, first in enumerate(names):  # a loop counts at the first of its nodes
             allowed = [each for each in branches if {each[0], each[1]} <= set(names[i:])]
             found += _ways(allowed, point, first, first)
@@ -88,14 +90,14 @@ def are_loops(branches: Branches, gains: Sequence[Any]) -> bool:
     return _same(branches, gains, loops)
 
 
-def _ways(branches: Branches, point: Mapping[Any, complex], start: str, end: str) -> list[complex]:
+def _ways(branches: Branches, point: Mapping[Any, complex], start: str, end: str) -> list[Any]:
     """The gains of all ways, made longer by one branch at a time: (last node, nodes met) by their gains."""
-    parallel: dict[tuple[str, str], list[complex]] = {}
+    parallel: dict[tuple[str, str], list[Any]] = {}
     for source, target, gain in branches:
         parallel.setdefault((source, target), []).append(_number(gain, point))
     added = {edge: sum(gains) for edge, gains in parallel.items() if abs(sum(gains)) > NOTHING * sum(map(abs, gains))}
-    states: list[tuple[str, frozenset[str], complex]] = [(start, frozenset({start}), 1 + 0j)]
-    found: list[complex] = []
+    states: list[tuple[str, frozenset[str], Any]] = [(start, frozenset({start}), 1)]
+    found: list[Any] = []
     while states:
         longer = []
         for node, met, product in states:
