@@ -302,7 +302,7 @@ def test_right_equations_are_marked_right_as_they_are_written(written):
         (FIRST, SECOND.replace("- m_p g", "+ m_p g"), "gravity_sign"),
         (FIRST, SECOND.replace("J + ", ""), "rotational_inertia"),
         (FIRST, SECOND.replace("(J + m_p l^2)", "J"), "parallel_axis"),
-        (FIRST.replace(" + b x'", ""), SECOND, "damping"),
+        (FIRST.replace(" + b x'", ""), SECOND, "friction"),
         (FIRST.replace(" - m_p l theta'^2 sin(theta)", ""),
          SECOND.replace(" - m_p g", " + m_p l x' theta' sin(theta) - m_p g"),
          "product_rule"),

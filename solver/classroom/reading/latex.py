@@ -73,7 +73,8 @@ def translated(text: str) -> str:
     text = _WHOLE_OVER.sub(r"\\frac{\1}{\2}", _OVER.sub(r"\\frac{\1}{\2}", text))
     text = _FACTOR.sub(r"\1 \2", _SPACED.sub(r"\1", text)).replace("{,}", ",")
     tokens = _TOKEN.findall(text.replace("$", " ").replace("~", " "))
-    return re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()
+    found = re.sub(r"[ \t]+", " ", _Translator(tokens).until(lambda _: False)).strip()
+    return re.sub(r"(?<=\w) (?=')", "", found)
 
 
 class _Translator:

@@ -20,7 +20,7 @@ def names_for(symbols: Mapping[str, sp.Symbol], values: Mapping[str, Any], ours:
     units = {"i": sp.I, "I": sp.I, "E": sp.E}
     variables |= {name: unit for name, unit in units.items() if name not in known and name not in values}
     kept = {name: value for name, value in values.items() if name not in own}
-    return Names(known, variables, kept, open=True)
+    return Names(known, variables, kept, open=True, impulses=not discrete)
 
 
 def symbols_of(value: Any) -> set[sp.Symbol]:

@@ -1,7 +1,7 @@
 """Spellings of sympy, as our results hold them, and of other programs; what was typed, on one line.
 
-`Heaviside(t - 2)`, `KroneckerDelta(k, 1)`, `Abs(a)` are read as `step(t - 2)`, `delta(k - 1)`, `abs(a)`. Only text is
-changed here; nothing is evaluated.
+`Heaviside(t - 2)`, `KroneckerDelta(k, 1)`, `DiracDelta(t, 1)`, `Abs(a)` are read as `step(t - 2)`, `delta(k - 1)`,
+`delta'(t)`, `abs(a)`. Only text is changed here; nothing is evaluated.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _INFINITY = re.compile(r"\boo\b|∞")
 
 def respelled(text: str) -> str:
     """Return the text of an expression with functions named as our notation names them."""
-    text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(_steps(text)))
+    text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(_impulses(_steps(text))))
     return _ROOT.sub(" sqrt(", _INFINITY.sub("inf", text)).replace("√(", "sqrt(").replace("–", "-")
 
 
@@ -36,6 +36,19 @@ def _steps(text: str) -> str:
         first, *value = split(text[at:end], ",") or [""]
         if [each.strip() for each in value] == ["1"]:
             text = text[:at] + first + text[end:]
+    return text
+
+
+def _impulses(text: str) -> str:
+    """DiracDelta(a, 2), a derivative, as delta''(a)."""
+    head, at = "DiracDelta(", 0
+    while (at := text.find(head, at)) >= 0:
+        end = matching(text, at + len(head) - 1)
+        first, *order = split(text[at + len(head) : end], ",") or [""]
+        if len(order) == 1 and re.fullmatch(r"\s*\d\s*", order[0]):
+            primes = "'" * int(order[0])
+            text = f"{text[:at]}delta{primes}({first}){text[end + 1 :]}"
+        at += len("delta(")
     return text
 
 

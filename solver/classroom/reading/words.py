@@ -105,7 +105,8 @@ def fitting(text: str, known: Sequence[str]) -> list[str]:
     """Return the words of a list that a text may mean: the one that it is, else those that say all that it says."""
     for pattern, words in ABBREVIATIONS:
         text = pattern.sub(words, text)
-    spoken = " ".join(SYNONYMS.get(word, word) for word in _words(text) if word not in IGNORED)
+    own = {word for each in known for word in each.split()}
+    spoken = " ".join(word if word in own else SYNONYMS.get(word, word) for word in _words(text) if word not in IGNORED)
     spoken = PHRASES.get(spoken, spoken)
     if spoken == "stable" and "asymptotically stable" in known:
         return ["asymptotically stable"]

@@ -130,6 +130,8 @@ class _Builder:
             place = node.argument
             message = f"the argument of {node.function} is expected to be real"
             raise ExpressionError(message, place.at, place.end - place.at)
+        if node.order:
+            return sp.DiracDelta(argument, node.order, evaluate=False)
         function = sp.Heaviside if node.function == "step" else sp.DiracDelta
         return function(argument) if argument.is_extended_real else function(argument, evaluate=False)
 

@@ -199,6 +199,8 @@ class _Parser:
         if token.text in self.names.functions:
             return self.signal(token)
         if self.cursor.sees_adjacent("'"):
+            if token.text == "delta" and self.names.impulses and not self.names.declares("delta"):
+                return self.call(token, self.primes(token))
             raise prime_refused(token, self.names, self.cursor.token.end)
         if token.text in FUNCTIONS and not self.names.declares(token.text):
             if self.cursor.sees("("):
@@ -214,16 +216,21 @@ class _Parser:
 
     def signal(self, token: Token) -> Node:
         """Read a function of time: x, x'', x(k+2)."""
+        cursor, primes = self.cursor, self.primes(token)
+        if not primes and self.is_order():
+            primes = self.order()
+        argument = self.group(token) if cursor.sees_adjacent("(") else None
+        return Signal(token.at, cursor.last.end, token.text, primes, argument)
+
+    def primes(self, token: Token) -> int:
+        """Read the primes after a name."""
         cursor, primes = self.cursor, 0
         while cursor.sees_adjacent("'"):
             cursor.take()
             primes += 1
         if primes > MAX_PRIMES:
             raise ExpressionError(f"at most {MAX_PRIMES} primes can be read", token.at, cursor.last.end - token.at)
-        if not primes and self.is_order():
-            primes = self.order()
-        argument = self.group(token) if cursor.sees_adjacent("(") else None
-        return Signal(token.at, cursor.last.end, token.text, primes, argument)
+        return primes
 
     def is_order(self) -> bool:
         """Whether the order of a derivative follows: x^(4) is the fourth derivative, x^4 a power."""
@@ -240,9 +247,11 @@ class _Parser:
             raise ExpressionError(message, digits.at, digits.end - digits.at)
         return int(digits.text)
 
-    def call(self, token: Token) -> Node:
+    def call(self, token: Token, order: int = 0) -> Node:
+        if not self.cursor.sees("("):
+            raise refusals.argument_missing(self.cursor, token)
         argument = self.group(token)
-        return Call(token.at, self.cursor.last.end, FUNCTIONS[token.text], argument)
+        return Call(token.at, self.cursor.last.end, FUNCTIONS[token.text], argument, order)
 
 
 def _is_e(node: Node) -> bool:

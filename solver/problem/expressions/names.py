@@ -28,6 +28,7 @@ class Names:
     `values`: what to put in place of a name;
     `symbols`: declared symbols with their assumptions;
     then the constants. Any other name is a real symbol if `open`, and an error otherwise.
+    `impulses`: whether an impulse takes primes too, δ'(t).
     """
 
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
@@ -35,6 +36,7 @@ class Names:
     values: Mapping[str, Any] = field(default_factory=dict)
     functions: Mapping[str, Any] = field(default_factory=dict)
     open: bool = True
+    impulses: bool = False
 
     def declares(self, name: str) -> bool:
         """Whether the problem or the task gives the name a meaning."""

@@ -40,10 +40,11 @@ class Signal(Node):
 
 @dataclass(frozen=True, slots=True)
 class Call(Node):
-    """One of the functions of the notation."""
+    """One of the functions of the notation; an impulse may be a derivative, δ'(t) (`order` 1)."""
 
     function: str
     argument: Node
+    order: int = 0
 
 
 @dataclass(frozen=True, slots=True)

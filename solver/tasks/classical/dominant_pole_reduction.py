@@ -226,7 +226,9 @@ def what_is_left(given: Given[Plant, ReductionOptions], found: Mapping[str, Any]
     return left
 
 
-GAIN = Slip("dc_gain", "the DC gain is not kept: a factor $s - p$ that is dropped leaves its value $-p$ at zero behind")
+GAIN = Slip(
+    "gain_at_zero", "the DC gain is not kept: a factor $s - p$ that is dropped leaves its value $-p$ at zero behind"
+)
 FASTEST = Slip("fastest", "these are the fastest poles; the dominant ones are those nearest to the imaginary axis")
 
 

@@ -153,7 +153,7 @@ def function_of_its_roots(given: Given[Plant, LoopOptions], found: Mapping[str, 
     return getattr(given.system, "factor", sp.Integer(1)) * found["gain"] * top / bottom
 
 
-DC = Slip("dc_gain", "it is the DC gain $G(0)$, which belongs to factors $1 - s/p$; here the factors are $s - p$")
+DC = Slip("gain_at_zero", "it is the DC gain $G(0)$, which belongs to factors $1 - s/p$; here the factors are $s - p$")
 SIGN = Slip("sign", "the signs are turned: $s + a$ has the root $-a$")
 EXCHANGED = Slip("exchanged", "zeros and poles are exchanged")
 

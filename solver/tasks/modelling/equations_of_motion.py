@@ -185,7 +185,7 @@ def gravity_reversed(system: System, options: EquationsOfMotionOptions) -> Chang
     return replace(system, gravity=-system.gravity), options
 
 
-@equations_of_motion.mistaken_question(Slip("damping", "the friction is missing"))
+@equations_of_motion.mistaken_question(Slip("friction", "the friction is missing"))
 def without_friction(system: System, options: EquationsOfMotionOptions) -> Changed | None:
     """Neither Rayleigh's function nor forces that grow with the velocities."""
     if not isinstance(system, Lagrangian):

@@ -51,6 +51,20 @@ def test_a_word_of_the_answers_list_is_read(text, value, said):
     assert (found.value, found.respelt) == (value, said)
 
 
+@pytest.mark.parametrize("text", ["critically damped", "Critical damping.", "kritisch gedämpft"])
+def test_a_word_that_means_another_elsewhere_is_read_by_the_answers_list(text):
+    found = read(text, "undamped", expected("second_order_parameters", "damping"))
+    assert found.value == "critically damped"
+
+
+@pytest.mark.parametrize("text", ["δ'(t) + 2δ(t)", "2 delta(t) + delta'(t)", r"2\delta(t) + \delta'(t)",
+                                  "DiracDelta(t, 1) + 2 DiracDelta(t)"])  # fmt: skip
+def test_the_derivative_of_an_impulse_is_read(text):
+    t = sp.Symbol("t")
+    ours = sp.DiracDelta(t, 1)
+    assert read(text, ours, expected("inverse_laplace_transform", "f")).value == ours + 2 * sp.DiracDelta(t)
+
+
 @pytest.mark.parametrize("text", ["focus", "stable", "banana", "a", "stable unstable node"])
 def test_words_that_are_not_clear_are_refused(text):
     with pytest.raises(Fault):
