@@ -183,7 +183,7 @@ def test_how_values_are_read_is_told_without_verdicts(solve, folder):
     assert "b.controllable (yes or no): nope\n    it cannot be read (line 3, column" in done.out
     assert not {"correct", "wrong", "marks"} & set(done.out.replace(":", " ").split())
     data = json.loads(solve("check", "problem.yaml", "mine.yaml", "--syntax", "-f", "json").out)
-    assert data["values"][1]["formulas"] == ["4 + (s + 3)^{2}"]
+    assert data["values"][1]["formulas"] == ["(s + 3)^{2} + 4"]
     assert solve("check", "problem.yaml", "class/ada.yaml", "--syntax").code == 0
     assert solve("check", "problem.yaml", "class/ada.yaml", "--syntax", "--csv", "marks.csv").code == 2
 

@@ -142,7 +142,9 @@ def test_a_problem_can_come_from_standard_input(process, tmp_path):
     assert (tmp_path / "solution.html").is_file()
 
 
-@pytest.mark.parametrize("content", [b"\xff\xfe\x00", b"", b"a: [", b"x" * 300_000])
+@pytest.mark.parametrize(
+    "content", [b"\xff\xfe\x00", b"", b"a: [", b"x" * 300_000], ids=["no text", "nothing", "cut off", "too long"]
+)
 def test_bad_standard_input_is_reported_like_a_bad_file(process, content):
     done = process("-", stdin=content)
     assert done.code == 2

@@ -69,7 +69,10 @@ def test_natural_frequency_and_damping(b2, b1, b0):
     st.booleans(),
 )
 def test_specifications_of_step_responses(factors, zeros, band, closed):
-    """Where its samples do not see the first or the last crossing exactly, python-control is off by a sample."""
+    """Where its samples do not see the first or the last crossing exactly, python-control is off by a sample.
+
+    Its peak is the largest |y|, even where that is a jump away from the final value at the beginning.
+    """
     top, bottom = fractions(factors, zeros, 4)
     options = {"settling_band": band, "rise": "10-90", "overshoot_in": "fraction"}
     loop = control.tf(coefficients(top), coefficients(bottom))
@@ -87,8 +90,9 @@ def test_specifications_of_step_responses(factors, zeros, band, closed):
     ours = {name: float(value) for name, value in result.answers.items()}
     span = max(1.5 * ours["settling_time"], 0.1)
     t = np.linspace(0, span, 40001)
+    y = control.step_response(loop, t).outputs
     info = control.step_info(
-        control.step_response(loop, t).outputs,
+        y,
         t,
         yfinal=ours["final_value"],
         SettlingTimeThreshold=float(band[:-1]) / 100,
@@ -98,5 +102,5 @@ def test_specifications_of_step_responses(factors, zeros, band, closed):
     assert info["Overshoot"] / 100 == pytest.approx(ours["overshoot"], abs=1e-4)
     assert info["SettlingTime"] == pytest.approx(ours["settling_time"], abs=sample)
     assert info["RiseTime"] == pytest.approx(ours["rise_time"], abs=sample)
-    if ours["overshoot"] > 1e-3:
+    if ours["overshoot"] > 1e-3 and y[np.argmax(np.abs(y))] * ours["final_value"] > 0:
         assert info["PeakTime"] == pytest.approx(ours["peak_time"], abs=50 * sample)
