@@ -221,17 +221,18 @@ def _resonance(T: exact.OnAxis, found: exact.Resonance) -> Step:
     shown = (-p if p.LC().is_negative else p).as_expr()
     for i, each in enumerate(found.stationary, 1):
         claims[f"root{i}"] = Claim(value_at(shown, w, sp.expand(each**2)), sp.S.Zero, "a root in $w = \\omega^2$")
-    if found.peak is not None:
-        at = value_at(formula_of(T), T.variable, sp.I * found.peak.omega)
-        claims["peak"] = Claim(absolute(at), found.peak.magnitude, "the largest magnitude")
-        claims["phase"] = Claim(phase(at), found.peak.phase, "the phase there")
+    peak = found.peak
+    if peak is not None:
+        at = value_at(formula_of(T), T.variable, sp.I * peak.omega)
+        claims["peak"] = Claim(absolute(at), peak.magnitude, "the largest magnitude")
+        claims["phase"] = Claim(phase(at), peak.phase, "the phase there")
     rows = [(each, approximation(each), T.magnitude(each)) for each in found.stationary]
-    root = sp.expand((found.peak.omega if found.peak else found.stationary[0]) ** 2) if found.stationary else None
     square = (T.parts.above.as_expr() / T.parts.below.as_expr()) if T.parts.above.degree() > 0 else None
     return Step("resonance", claims=claims, unclaimed="" if claims else "there is no such frequency", p=shown, w=w,
-                rows=rows, root=root, peak=found.peak, moves=p.degree() > 0, square=square,
-                start=T.magnitude(sp.S.Zero),
-                near=approximation(found.peak.magnitude) if found.peak else None)  # fmt: skip
+                rows=rows, peak=peak, moves=p.degree() > 0, square=square, start=T.magnitude(sp.S.Zero),
+                root=sp.expand(peak.omega**2) if peak else None,
+                near_omega=approximation(peak.omega) if peak else None,
+                near=approximation(peak.magnitude) if peak else None)  # fmt: skip
 
 
 def _bandwidth(T: exact.OnAxis, band: exact.Bandwidth) -> Step:
