@@ -6,6 +6,7 @@ the language that is asked for (`solver.messages`).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,6 +16,9 @@ from solver import resources
 
 ENGLISH = "en"
 """The language of the templates."""
+
+_DERIVED = re.compile(r"(\w+?)_(dot|ddot|dddot|d\d+)")
+"""Names of derivatives: x_dot, x_d4."""
 
 PHRASES = "phrases.yaml"
 """What makes a folder of `templates/wording/` a language: its translations of short texts."""
@@ -39,7 +43,19 @@ def formula(value: Any) -> str:
     import sympy as sp  # noqa: PLC0415 - the declarations of tasks, which import this file, do not wait for sympy
 
     rounded = {number: sp.Float(number, DIGITS) for number in value.atoms(sp.Float)}
-    return str(sp.latex(value.xreplace(rounded), imaginary_unit="j", ln_notation=True, mat_str="bmatrix", mat_delim=""))
+    dotted = {symbol: _dotted(symbol.name) for symbol in value.free_symbols if _DERIVED.fullmatch(symbol.name)}
+    shown = value.xreplace(rounded)
+    matrices = {"mat_str": "bmatrix", "mat_delim": ""}
+    return str(sp.latex(shown, imaginary_unit="j", ln_notation=True, symbol_names=dotted, **matrices))
+
+
+def _dotted(name: str) -> str:
+    r"""Return the LaTeX of a derivative: of x1_dot \dot{x_{1}}, of x_d4 x^{(4)}."""
+    import sympy as sp  # noqa: PLC0415 - as above
+
+    of, dots = _DERIVED.fullmatch(name).groups()  # type: ignore[union-attr]
+    base = sp.latex(sp.Symbol(of))
+    return rf"\{dots}{{{base}}}" if dots.endswith("dot") else f"{{{base}}}^{{({dots[1:]})}}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ k = sp.Symbol("k")
         (sp.Rational(1, 3) * k, r"\frac{k}{3}"),
         (sp.ImmutableMatrix([[1, k]]), r"\begin{bmatrix}1 & k\end{bmatrix}"),
         (sp.log(k), r"\ln{\left(k \right)}"),
+        (sp.Symbol("x1_dot") + sp.Symbol("y_d4"), r"\dot{x_{1}} + {y}^{(4)}"),
     ],
     ids=str,
 )

@@ -92,6 +92,14 @@ def of_signs_in_time(found: Any, f: Any, t: Any, start: Any, stop: Any) -> Itera
     yield Check.that("the signs over the time", "sampled", seen <= set(found) | {0})
 
 
+def of_without_squares(found: Any, f: Any, t: Any, start: Any, stop: Any) -> Iterator[Check]:
+    """The same values at some times between."""
+    values = None if found == f else _sampled(f, t, start, stop)
+    if values is not None:
+        same = np.allclose(_sampled(found, t, start, stop), values, rtol=NEAR)
+        yield Check.that("a square under a root", "sampled", same)
+
+
 def of_definite_in_time(found: str, R: Any, t: Any, start: Any, stop: Any) -> Iterator[Check]:
     """The eigenvalues at some times have the sign that is told."""
     entries = [_sampled(entry, t, start, stop) for entry in R.flat()]

@@ -90,3 +90,19 @@ def test_roots_of_squares_are_cosh():
     assert exact.without_roots(sp.sqrt(1 + sp.sinh(u) ** 2)) == sp.cosh(u)
     assert exact.without_roots(3 / (1 + sp.sinh(u) ** 2) ** sp.Rational(3, 2)) == 3 / sp.cosh(u) ** 3
     assert exact.without_roots(sp.sqrt(2 + sp.sinh(u) ** 2)).has(sp.sinh)
+
+
+def test_squares_under_roots_have_the_sign_of_the_interval():
+    square, start, stop = sp.sqrt(t**2 - 4 * t + 4), sp.Integer(0), sp.Integer(2)
+    assert exact.without_squares(square, t, start, stop) == 2 - t
+    assert exact.without_squares(2 * square, t, sp.Integer(2), sp.Integer(5)) == 2 * t - 4
+    assert exact.without_squares(square, t, start, sp.Integer(3)) == square
+    assert exact.without_squares(sp.sqrt(2 * (t + 1) ** 2), t, start, stop) == sp.sqrt(2) * (t + 1)
+
+
+def test_functions_that_leave_the_reals_are_seen():
+    start, stop = sp.Integer(0), sp.Integer(2)
+    for beyond in (sp.sqrt(t - 1), 1 / (t - 1), 1 / sp.sqrt(1 - t), sp.log(1 - t)):
+        assert exact.leaves_reals(beyond, t, start, stop)
+    for within in (sp.sqrt(t + 1), 1 / (t + 1), sp.exp(t) / (t**2 + 1), sp.cbrt(t + 3), sp.log(t + 1), t**3 - 8):
+        assert not exact.leaves_reals(within, t, start, stop)

@@ -63,6 +63,10 @@ TEXTBOOK = {
         ("t**2*(1 - t)**2/24", "-1/1440", "minimum"),
     "integrand: \"x'^2\", from: 0, to: 1, ends: {x: [0, 0]}, integral_constraints: [{integrand: x, value: 1}]":
         ("6*t - 6*t**2", "12", "minimum"),
+    # x² is a parabola that is a square, with the value zero; a part of a circle
+    "integrand: \"x^2 (1 - x')^2\", from: 0, to: 2, ends: {x: [1, 3]}": ("t + 1", "0", "minimum"),
+    "integrand: \"sqrt(1 + x'^2)/x\", from: 0, to: 1, ends: {x: [1, 1]}":
+        ("sqrt(1 + t - t**2)", "log((sqrt(5) + 1)/(sqrt(5) - 1))", "minimum"),
 }  # fmt: skip
 
 
@@ -74,6 +78,15 @@ def test_textbook_extremals(functional):
     assert equal(result.answers["x"], x)
     assert equal(result.answers["value"], J)
     assert result.answers["nature"] == nature
+
+
+def test_conditions_with_fractional_powers_are_solved_exactly():
+    written = "assume: {x: positive}\n" + text('integrand: "x x\'^2", from: 0, to: 1, ends: {x: [1, 4]}')
+    result = solve_problem(read_problem(Source("file.yaml", written), catalogue())).parts[0]
+    assert result.status is Status.VERIFIED, result.reason
+    assert "powers" in [step.kind for step in result.steps]
+    assert equal(result.answers["x"], "(1 + 7*t)**(2/3)")
+    assert result.answers["value"] == sp.Rational(196, 9)
 
 
 FREE_TIMES = {
@@ -146,6 +159,9 @@ BEYOND = [
     ('integrand: "x\'^2 - x^2", from: 0, to: pi, ends: {x: [0, 1]}', "No extremal satisfies"),
     ('integrand: "x + t x\'", from: 0, to: 1, ends: {x: [0, 1]}', "for every function"),
     ('integrand: "x + x\'", from: 0, to: 1, ends: {x: [0, 1]}', "has no extremals"),
+    ('integrand: "x^2 (1 - x\')^2", from: 0, to: 2, ends: {x: [0, 1]}', "is not real and finite"),
+    ('integrand: "x\'^2/x^4", from: 0, to: 2, ends: {x: [1, -1]}', "is not real and finite"),
+    ('integrand: "sqrt((1 + x\'^2)/x)", from: 0, to: 1, ends: {x: [0, 1]}', r"\dot{x}^{2}"),
 ]
 
 

@@ -30,7 +30,7 @@ from solver.exact.variations.second_variation import (
     with_values,
 )
 from solver.exact.variations.separated import Rate, Separated, rate_of, separated, with_square
-from solver.exact.variations.signs_in_time import signs_in_time
+from solver.exact.variations.signs_in_time import leaves_reals, signs_in_time, without_squares
 from solver.exact.variations.table_of_integrals import integrated, table_integral
 from solver.exact.variations.variational_derivatives import (
     Cleared,
@@ -82,6 +82,7 @@ __all__ = [
     "integrating_factor",
     "jacobi_equation",
     "jacobi_equations",
+    "leaves_reals",
     "linear_form",
     "minimum_energy",
     "never_zero",
@@ -98,4 +99,5 @@ __all__ = [
     "with_square",
     "with_values",
     "without_roots",
+    "without_squares",
 ]

@@ -32,12 +32,12 @@ def in_time(function: sp.Expr, t: sp.Symbol) -> sp.Expr:
 
 
 def _under_one_root(function: sp.Expr) -> sp.Expr:
-    """√2 √(3t/2 + 1/2) as √(3t + 1)."""
+    """√2 √(3t/2 + 1/2) as √(3t + 1), and the same of other fractional powers."""
     constant, root = function.as_independent(*function.free_symbols, as_Add=False)
-    if not (isinstance(root, sp.Pow) and root.exp == sp.Rational(1, 2) and (constant**2).is_Rational):
+    if not (isinstance(root, sp.Pow) and root.exp.is_Rational and not root.exp.is_Integer):
         return function
-    sign = -1 if constant.is_negative else 1
-    return sign * sp.sqrt(sp.expand(constant**2 * root.base))
+    inside = sp.Abs(constant) ** (1 / root.exp)
+    return sp.sign(constant) * sp.expand(inside * root.base) ** root.exp if inside.is_Rational else function
 
 
 def _read_fraction(function: sp.Expr, t: sp.Symbol) -> tuple[ExponentialSum, ExponentialSum]:

@@ -57,6 +57,31 @@ def signs_in_time(f: sp.Expr, t: sp.Symbol, start: sp.Expr, stop: sp.Expr) -> fr
         return None
 
 
+def leaves_reals(f: sp.Expr, t: sp.Symbol, start: sp.Expr, stop: sp.Expr) -> bool:
+    """Whether f certainly is not real, or not finite, at some time between: a root of what is negative, or a pole."""
+    for power in f.atoms(sp.Pow):
+        if power.base.has(t) and not (power.exp.is_integer and power.exp.is_nonnegative):
+            found = signs_in_time(power.base, t, start, stop) or frozenset()
+            is_root = power.exp.is_Rational and power.exp.q % 2 == 0
+            if (power.exp.is_negative and {-1, 1} <= found) or (is_root and -1 in found):
+                return True
+    return any(-1 in (signs_in_time(log.args[0], t, start, stop) or ()) for log in f.atoms(sp.log) if log.has(t))
+
+
+def without_squares(f: sp.Expr, t: sp.Symbol, start: sp.Expr, stop: sp.Expr) -> sp.Expr:
+    """Return f with q or −q for √(q²), q a polynomial in t that has one sign between."""
+    put: dict[sp.Expr, sp.Expr] = {}
+    for root in f.atoms(sp.Pow):
+        if root.exp != sp.Rational(1, 2) or not (root.base.has(t) and root.base.is_polynomial(t)):
+            continue
+        factor, parts = sp.Poly(root.base, t).sqf_list()
+        q = sp.Mul(*(part.as_expr() ** (times // 2) for part, times in parts))
+        signs = (signs_in_time(q, t, start, stop) or frozenset({-1, 1})) - {0}
+        if all(times % 2 == 0 for _, times in parts) and factor.is_positive and len(signs) == 1:
+            put[root] = sp.expand(sp.sqrt(factor) * q * next(iter(signs)))
+    return f.xreplace(put)
+
+
 def _with_parameters(f: sp.Expr, t: sp.Symbol, start: sp.Expr) -> frozenset[int] | None:
     known = {1: "positive", 0: "nonnegative"}.get(-1 if (sign := sign_of(start)) is None else sign, "real")
     time = sp.Dummy("t", **{known: True})

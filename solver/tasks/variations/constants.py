@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.stated.algebra import power
 from solver.stated.calculus import integral
 from solver.tasks.modelling.solutions import solutions_of
 from solver.words import Phrase
@@ -50,16 +51,27 @@ def fitted_of(
     fitted: list[Fitted] = []
     for number, family in enumerate(families, 1):
         sides = yield from _put_in(found, family, conditions, number if len(families) > 1 else 0)
+        sides = yield from _without_powers(sides, [*family.constants, *found.constants])
         points = yield from _solved(found, family, sides)
         fitted += [_member(found, family, point) for point in points]
     if not fitted:
         raise Unsolved("extremal/no_extremal", several=len(families) > 1, free=found.system.stop is None)
+    left = [each for each in fitted if _leaves_reals(found.system, each)]
+    if len(left) == len(fitted):
+        functions = [f for each in left for f in each.functions.values()]
+        raise Unsolved("extremal/not_real", functions=functions, start=found.system.start, stop=left[0].t_f)
+    fitted = [each for each in fitted if each not in left]
     names = [found.system.symbol((n, 0)) for n in found.functions]
     yield Step("functions", unclaimed="the constants put in", names=names,
                members=[[each.functions[n] for n in found.functions] for each in fitted],
                times=[each.t_f for each in fitted], free=found.system.stop is None,
                left=[each.left for each in fitted], hyperbolic=_turned_hyperbolic(fitted))  # fmt: skip
     return fitted
+
+
+def _leaves_reals(system: Functional, member: Fitted) -> bool:
+    """Whether a function is not real, or not finite, at some time between the ends."""
+    return any(exact.leaves_reals(f, system.t, system.start, member.t_f) for f in member.functions.values())
 
 
 def _turned_hyperbolic(fitted: Sequence[Fitted]) -> bool:
@@ -108,6 +120,26 @@ def _put_in(found: Stationary, family: Family, conditions: Sequence[Condition], 
                number=number, used=[k for k in jets if any(c.left.has(k) for c in conditions)],
                constants=list(family.constants))  # fmt: skip
     return sides
+
+
+@lemma("constants")
+def _without_powers(sides: list[Side], constants: Sequence[Symbol]) -> Derivation[list[Side]]:
+    """c Bʳ = a as B = (a/c)^(1/r), where a/c is positive and r a fraction other than a half."""
+    found: list[Side] = []
+    claims: dict[str, Claim] = {}
+    for left, right in sides:
+        factor, root = left.as_independent(*constants, as_Add=False)
+        base, exponent = root.as_base_exp()
+        value: Any = right / factor
+        if exponent.is_Rational and sp.denom(exponent) > 2 and value.is_positive:
+            found.append((base, value ** (1 / exponent)))
+            name = f"power{len(claims) + 1}"
+            claims[name] = Claim(power(value, 1 / exponent), found[-1][1], "the right side to that power")
+        else:
+            found.append((left, right))
+    if claims:
+        yield Step("powers", claims=claims, sides=[each for each in found if each not in sides])
+    return found
 
 
 @lemma("constants")
@@ -183,6 +215,9 @@ def _in_time(system: Any, points: Sequence[dict[Symbol, Expr]]) -> Iterator[dict
 
 def _member(found: Stationary, family: Family, point: Mapping[Any, Expr]) -> Fitted:
     system, t = found.system, found.system.t
-    functions = {name: exact.in_time(f.xreplace(dict(point)), t) for name, f in family.functions.items()}
     t_f = point[system.end_time] if system.stop is None else system.end_time
+    functions = {
+        name: exact.without_squares(exact.in_time(f.xreplace(dict(point)), t), t, system.start, t_f)
+        for name, f in family.functions.items()
+    }
     return Fitted(family, functions, {x: v for x, v in point.items() if x in found.constants}, t_f)

@@ -61,10 +61,10 @@ def _way(equation: Expr, unknown: Unknown, t: Symbol) -> tuple[str, exact.Linear
 
 
 def _has_powers(form: exact.LinearForm, t: Symbol) -> bool:
-    """Whether the right side of an Euler–Cauchy equation is one of powers and logarithms."""
+    """Whether the roots of an Euler–Cauchy equation are known, and its right side is one of powers and logarithms."""
     found = exact.euler_cauchy(form, t)
     try:
-        return found is not None and exact.trials_in_powers(found, t) is not None
+        return found is not None and bool(exact.powers_of_time(found)) and exact.trials_in_powers(found, t) is not None
     except exact.NotExact:
         return False
 

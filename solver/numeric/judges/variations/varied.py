@@ -201,11 +201,13 @@ class Varied:
         return null_space(scaled, rcond=DEPENDENT)
 
     def first(self) -> float:
-        """The slope of the functional along admissible variations, relative to its slope."""
+        """The slope of the functional along admissible variations, relative to its slope or to what it is near."""
         slope, Z = self.gradient(self.functional), self.admissible
         if not Z.size:
             raise NotEvaluable("no polynomials were found that keep the constraints")
-        typical = max(float(np.linalg.norm(slope)), 1e-3 * abs(complex(self.functional(np.zeros((1, self.size)))[0])))
+        near = [np.zeros((1, self.size)), np.eye(self.size)]  # both slope and value may be zero, as of a square
+        sizes = [float(np.median(np.abs(self.functional(a.astype(complex))))) for a in near]
+        typical = max(float(np.linalg.norm(slope)), 1e-3 * max(size for size in sizes if np.isfinite(size)))
         return float(np.linalg.norm(Z.T @ slope) / max(typical, 1e-9))
 
     def extremes(self) -> tuple[float, float]:
