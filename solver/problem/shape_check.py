@@ -120,7 +120,8 @@ def _words(error: Mapping[str, Any], node: Node) -> tuple[str, str]:
     kind, context = error["type"], error.get("ctx", {})
     got = node.what if len(node.what) < 60 else "a text"
     if kind == "expected":
-        return f"{error['msg']} is expected here, not {got}", ""
+        rows = isinstance(node, SequenceNode) and error["loc"][-1] == "transfer_function"
+        return f"{error['msg']} is expected here, not {got}", "transfer_matrix" if rows else ""
     if kind in EXPECTED:
         return f"{EXPECTED[kind]} is expected here, not {got}", ""
     if kind == "literal_error":

@@ -100,6 +100,7 @@ def test_kinds_of_system_still_to_come_are_known_but_refused(complaints, kind):
         ("system: {transferfunction: 1/s}\n" + FIND, "transfer_function"),
         ("system: {transfer_function: {zeroes: [1]}}\n" + FIND, "zeros"),
         (SYSTEM + "find: {a: stabilty}\n", "stability"),
+        ("system: {transfer_function: [[1/s, 1]]}\nfind: {a: transfer_function}\n", "transfer_matrix"),
     ],
 )
 def test_a_misspelt_word_brings_the_right_one(read, text, suggestion):
