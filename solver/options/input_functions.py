@@ -45,9 +45,9 @@ class InputFunctions(OptionKind[Mapping[str, Any]]):
         for entry in node:
             with report:
                 own = entry.key.text
-                if known and own not in known:
+                if own not in known and (known or context.has_no_inputs):
                     message = f"'{own[:40]}' is no input of the system"
-                    note = f"its inputs are: {', '.join(known)}"
+                    note = f"its inputs are: {', '.join(known)}" if known else f"name it beside the equations: inputs: [{own[:40]}]"
                     raise entry.key.fault(message, suggestion=did_you_mean(own, known), note=note)
                 values[own] = context.expression(entry.value, ("t",))
         report.conclude()

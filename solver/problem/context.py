@@ -47,6 +47,11 @@ class Context:
         """Return the names of the system's inputs, outputs or states, if it gives them."""
         return () if self.system is None else self.system.names(of)
 
+    @property
+    def has_no_inputs(self) -> bool:
+        """Whether the system names its inputs where it has some, and has none."""
+        return not getattr(self.system, "inputs", (None,))
+
     def _variables(self, declared: Collection[str]) -> tuple[str, ...]:
         """Return the variables of an expression without those of the other kind of time."""
         other = OTHER_TIME[self.discrete]
