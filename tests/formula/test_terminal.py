@@ -17,6 +17,8 @@ FLAT = {
     r"\frac{s + 3}{(s + 1)(s + 2)}": "(s + 3)/((s + 1)(s + 2))",
     r"\frac{1}{2}te^{-t}": "(1/2)te⁻ᵗ",
     r"\frac{1}{2} + t\frac{3}{4}, \frac{5}{6}\quad \frac{7}{8}": "1/2 + t(3/4), 5/6  7/8",
+    r"\text{slopes:}\quad -20, 0": "slopes:  −20, 0",
+    r"\text{if}\quad a - b": "if  a − b",
     r"-\frac{2}{3}": "−2/3",
     r"\frac{a}{2b}": "a/(2b)",
     r"\frac{2a}{b}": "2a/b",

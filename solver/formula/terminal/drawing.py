@@ -40,7 +40,7 @@ class Writer(n.Visitor[list[Atom]]):
         return [Atom(text_box(node.name), "operator")]
 
     def text(self, node: n.Text) -> list[Atom]:
-        return [Atom(text_box(node.words), "text")]
+        return [Atom(text_box(node.words), "label" if node.words.endswith(":") else "text")]
 
     def space(self, node: n.Space) -> list[Atom]:
         return [Atom(text_box(SPACES[node.command]), "space")] if node.command in SPACES else []

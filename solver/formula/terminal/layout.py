@@ -30,7 +30,7 @@ class Atom:
     """A piece of a formula: its box and its kind, which decides the spaces around it."""
 
     box: Box
-    kind: str = "ordinary"  # binary, relation, opening, closing, operator, comma, word, fraction, space
+    kind: str = "ordinary"  # binary, relation, opening, closing, operator, comma, word, text, label, fraction, space
 
 
 def spaced(atoms: Sequence[Atom]) -> list[Box]:
@@ -41,7 +41,7 @@ def spaced(atoms: Sequence[Atom]) -> list[Box]:
     for index, atom in enumerate(atoms):
         after = atoms[index + 1].kind if index + 1 < len(atoms) else ""
         box, kind = atom.box, atom.kind
-        if kind == "binary" and visible in {"", "binary", "sign", "relation", "opening", "comma", "operator"}:
+        if kind == "binary" and visible in {"", "binary", "sign", "relation", "opening", "comma", "operator", "label"}:
             kind = "sign"
         if kind == "fraction" and box.height == 1 and (after in FACTORS or before in FACTORS):
             box = enclosed(box, "(", ")")
