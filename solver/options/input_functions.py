@@ -47,7 +47,11 @@ class InputFunctions(OptionKind[Mapping[str, Any]]):
                 own = entry.key.text
                 if own not in known and (known or context.has_no_inputs):
                     message = f"'{own[:40]}' is no input of the system"
-                    note = f"its inputs are: {', '.join(known)}" if known else f"name it beside the equations: inputs: [{own[:40]}]"
+                    note = (
+                        f"its inputs are: {', '.join(known)}"
+                        if known
+                        else f"name it beside the equations: inputs: [{own[:40]}]"
+                    )
                     raise entry.key.fault(message, suggestion=did_you_mean(own, known), note=note)
                 values[own] = context.expression(entry.value, ("t",))
         report.conclude()

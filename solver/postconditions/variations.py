@@ -94,10 +94,9 @@ def of_signs_in_time(found: Any, f: Any, t: Any, start: Any, stop: Any) -> Itera
 
 def of_without_squares(found: Any, f: Any, t: Any, start: Any, stop: Any) -> Iterator[Check]:
     """The same values at some times between."""
-    values = None if found == f else _sampled(f, t, start, stop)
-    if values is not None:
-        same = np.allclose(_sampled(found, t, start, stop), values, rtol=NEAR)
-        yield Check.that("a square under a root", "sampled", same)
+    before, after = (_sampled(each, t, start, stop) for each in (f, found))
+    if before is not None and after is not None:
+        yield Check.that("a square under a root", "sampled", bool(np.allclose(after, before, rtol=NEAR)))
 
 
 def of_definite_in_time(found: str, R: Any, t: Any, start: Any, stop: Any) -> Iterator[Check]:

@@ -59,7 +59,7 @@ def test_conditions_are_read(text, condition):
         ("1 ± 2", a, 4, 5, "± stands for two values; one is expected here"),
         ("[1, 2]", a, 4, 6, "a value is expected here, not a list"),
         ("", a, 3, 1, "a value is expected here, not nothing"),
-        ("5", {a: b}, 4, 1, "names with their values are expected here, such as {x: 1, y: 2}"),
+        ("5", {a: b, b: a}, 4, 1, "names with their values are expected here, such as {x: 1, y: 2}"),
         ("a +", a, 5, 2, ""),
     ],
 )
@@ -88,6 +88,7 @@ def test_nesting_is_read_up_to_a_depth():
         ("all", sp.S.Reals, sp.S.Reals),
         ("none", [a], []),
         ("{a: 1, b: K}", {a: b}, {a: 1, b: K}),
+        ("1 + K", {a: b}, {a: 1 + K}),
         ("[a < b, K > 0]", [CONDITION], [a < b, K > 0]),
         ("[stable, un-stable]", ["stable"], ["stable", "un stable"]),
         ("[1, 2]", M([[a, b]]), M([[1, 2]])),

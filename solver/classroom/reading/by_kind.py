@@ -49,7 +49,7 @@ class KindReader:
         if isinstance(ours, sp.MatrixBase):
             return self._matrix(node, ours)
         if isinstance(ours, Mapping):
-            return self._cases(node, ours) if all(isinstance(name, str) for name in ours) else self._mapping(node)
+            return self._cases(node, ours) if all(isinstance(name, str) for name in ours) else self._mapping(node, ours)
         return self._value(node, ours)
 
     def _cases(self, node: Node, ours: Mapping[str, Any]) -> Pair:
@@ -101,8 +101,12 @@ class KindReader:
             raise node.fault("yes or no is expected here")
         return said
 
-    def _mapping(self, node: Node) -> Pair:
-        """Names with their values."""
+    def _mapping(self, node: Node, ours: Mapping[Any, Any]) -> Pair:
+        """Names with their values; a single one may be left out."""
+        if len(ours) == 1 and isinstance(node, ScalarNode) and mapped(node, typed(node)) is None:
+            (name,) = ours
+            value, form = self.texts.expression(node)
+            return {name: value}, {name: form}
         node = self._unfolded(node)
         if isinstance(node, SequenceNode) and all(isinstance(item, MappingNode) for item in node.items):
             listed = [entry for item in node.items if isinstance(item, MappingNode) for entry in item]
@@ -205,8 +209,16 @@ class KindReader:
             raise node.fault("it is not clear which number is meant")
         return node if said == node.text else ScalarNode(node.place, said)
 
+    def _says_none(self, node: Node) -> bool:
+        """Whether a text says that there is no such value."""
+        if not isinstance(node, ScalarNode):
+            return False
+        return words.is_none(node.text, self.expected.name) or words.is_missing(node.text)
+
     def _value(self, node: Node, ours: Any) -> Pair:
         """An expression; a polynomial also by its coefficients, or in another variable."""
+        if ours is sp.oo and self.expected.name.endswith("_crossover") and self._says_none(node):
+            return (sp.oo,) * 2
         if isinstance(ours, sp.Integer) and isinstance(node, ScalarNode):
             node = self._count(node)
         variable = polynomials.variable_of(ours)

@@ -18,7 +18,7 @@ _FUNCTION = re.compile(r"\b(" + "|".join(FUNCTIONS) + r")\s*[(\[]")
 _ROOT = re.compile(r"(?<=\w)√\(")
 """A root behind a name, a√(2), which is none of a longer name."""
 
-_INFINITY = re.compile(r"\boo\b|∞")
+_INFINITY = re.compile(r"\b(?:oo|infinity|infinite|Infinity|Inf|unendlich)\b|∞")
 
 
 def respelled(text: str) -> str:

@@ -136,6 +136,15 @@ def is_none(text: str, name: str = "") -> bool:
     return set(adjectives) <= own | _FINITE and NOUNS.get(noun, noun) in own | {name}
 
 
+def is_missing(text: str) -> bool:
+    """Whether a text says that there is no such value: does not exist, –."""
+    return bool(
+        re.fullmatch(
+            r"\s*(?:(?:it )?does(?: not|n't|n’t) exist|existiert nicht|gibt es nicht|n/a|[-–—])\s*\.?", text, re.I
+        )
+    )
+
+
 def in_words(text: str) -> str:
     """Return a verdict of which no list is known; case, hyphens, underscores and the full stop do not matter."""
     return " ".join(_words(text))

@@ -107,7 +107,27 @@ def test_the_unit_of_an_answer_is_left_out(text, value):
     assert read(text, sp.Integer(3), expected("desired_poles", "natural_frequency")).value == sp.Rational(value)
 
 
-@pytest.mark.parametrize("text", ["2 Hz", "2 deg", "2 s", "2 rad", "2°", "2 dB"])
+@pytest.mark.parametrize(
+    ("task", "name", "text", "value"),
+    [
+        ("step_specifications", "peak_time", "785 ms", sp.Rational(785, 1000)),
+        ("step_specifications", "peak_time", "pi/4 ms", sp.pi / 4000),
+        ("step_specifications", "peak_time", "0.5 min", sp.Integer(30)),
+        ("desired_poles", "natural_frequency", "2 Hz", 4 * sp.pi),
+        ("desired_poles", "natural_frequency", "60 rpm", 2 * sp.pi),
+        ("stability_margins", "phase_margin", "1.5 rad", 270 / sp.pi),
+    ],
+)
+def test_another_unit_of_the_kind_is_converted(task, name, text, value):
+    assert read(text, sp.Integer(3), expected(task, name)).value == value
+
+
+@pytest.mark.parametrize("text", ["none", "does not exist", "-", "no crossover", "oo", "infinity", "unendlich", "∞"])
+def test_a_crossover_that_is_none_is_infinite(text):
+    assert read(f'"{text}"', sp.oo, expected("stability_margins", "phase_crossover")).value == sp.oo
+
+
+@pytest.mark.parametrize("text", ["2 deg", "2 s", "2 rad", "2°", "2 dB"])
 def test_another_unit_is_refused(text):
     with pytest.raises(Fault, match="the unit"):
         read(text, sp.Integer(3), expected("desired_poles", "natural_frequency"))
