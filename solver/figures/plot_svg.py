@@ -13,6 +13,7 @@ from matplotlib.figure import Figure as Canvas
 
 from solver.derivation.figures import DrawnCurve, DrawnPanels, DrawnPlot, Mark
 from solver.figures.palette import AREA, COLOURS, GRID, INK, PAPER, SIGNS, SOFT, dark_style
+from solver.figures.room import BELOW, give_room
 
 DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)))
 LINES: dict[str, Any] = {"dashed": (0, (4, 3)), "dashed arrow": (0, (4, 3)), "arc": (0, (1, 1.5))}
@@ -50,27 +51,26 @@ SETTINGS: Any = {
 def drawn(plot: DrawnPlot) -> str:
     """Return the plot as an SVG document."""
     with mpl.rc_context(SETTINGS):
-        canvas = Canvas(figsize=(SQUARE, SQUARE) if plot.equal else (WIDTH, HEIGHT), layout="constrained")
-        _draw(canvas.add_subplot(), plot)
+        canvas = Canvas(figsize=(SQUARE, SQUARE) if plot.equal else (WIDTH, HEIGHT))
+        axes = canvas.add_subplot()
+        give_room(canvas, [_draw(axes, plot)])
         return svg_of(canvas)
 
 
 def drawn_panels(panels: DrawnPanels) -> str:
     """Return plots below each other as an SVG document; their abscissas are one above the other."""
     with mpl.rc_context(SETTINGS):
-        known = all(plot.logarithmic for plot in panels.plots)  # the room that texts need there: no layout is sought
-        canvas = Canvas(figsize=(WIDTH, LOW * len(panels.plots)), layout=None if known else "constrained")
-        every = canvas.subplots(len(panels.plots), 1, sharex=True, squeeze=False)
-        if known:
-            canvas.subplots_adjust(left=0.115, right=0.975, top=0.985, bottom=0.11, hspace=0.1)
-        for axes, plot in zip(every[:, 0], panels.plots, strict=True):
-            _draw(axes, plot)
-        for upper, _ in pairwise(every[:, 0]):
+        canvas = Canvas(figsize=(WIDTH, LOW * len(panels.plots)))
+        every = canvas.subplots(len(panels.plots), 1, sharex=True, squeeze=False)[:, 0]
+        legends = [_draw(axes, plot) for axes, plot in zip(every, panels.plots, strict=True)]
+        for upper, _ in pairwise(every):
             upper.set_xlabel("")
+        give_room(canvas, legends)
         return svg_of(canvas)
 
 
-def _draw(axes: Any, plot: DrawnPlot) -> None:
+def _draw(axes: Any, plot: DrawnPlot) -> str:
+    """Draw a plot; return where its legend is: "below" the axes, "beside" or within them ("")."""
     x_min, x_max, y_min, y_max = plot.window
     if y_min < 0 < y_max:
         axes.axhline(0, color=SOFT, linewidth=0.8, zorder=1)
@@ -92,11 +92,14 @@ def _draw(axes: Any, plot: DrawnPlot) -> None:
     axes.set_xlabel(math(plot.x_label))
     axes.set_ylabel(math(plot.y_label))
     if named and any(each.style in SIGNS for each in plot.curves):
-        axes.legend(frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=min(2, named))
-    elif plot.logarithmic and named:
+        axes.legend(frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=min(BELOW, named))
+        return "below"
+    if plot.logarithmic and named:
         axes.legend(frameon=False, loc="lower left")
     elif named > 1 or (named and names_of(plot.curves) != [plot.y_label]):
         axes.legend(frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        return "beside"
+    return ""
 
 
 def _logarithmic(axes: Any, plot: DrawnPlot) -> None:
