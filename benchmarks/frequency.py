@@ -45,4 +45,4 @@ def rows() -> Iterator[Row | Failure]:
     mine, theirs = side_by_side(ours, by_control())
     yield Row("margins, exact, order 4", mine, "python-control margins, doubles", theirs, None, 20)
     mine, _ = side_by_side(four_diagrams(), lambda: None)
-    yield Row("four diagrams of Bode and Nyquist, drawn", mine, at_most=1500)
+    yield Row("four diagrams of Bode and Nyquist, drawn warm", mine, at_most=250)

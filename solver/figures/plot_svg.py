@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from itertools import pairwise
 from math import ceil, floor, log, log10
 from typing import Any
@@ -20,6 +21,8 @@ LINES: dict[str, Any] = {"dashed": (0, (4, 3)), "dashed arrow": (0, (4, 3)), "ar
 ARROWS = {"arrow", "dashed arrow", "arc"}
 UNNAMED = {"guide", "area", "span"}
 """What is not in the legend."""
+
+WORDS, NUMBER = re.compile(r"\\text\{([^{}\\$]*)\}"), re.compile(r"-?\d+(?:\.\d+)?")
 
 PLAIN = 4
 """Powers of ten up to this one are written out."""
@@ -205,7 +208,11 @@ def halfway(curve: DrawnCurve) -> tuple[float, float]:
 
 
 def math(latex: str) -> str:
-    """Return a label as matplotlib reads it."""
+    """Return a label as matplotlib reads it; words and numbers alone are no formulas, which take long to be read."""
+    if alone := WORDS.fullmatch(latex):
+        return alone[1]
+    if NUMBER.fullmatch(latex):
+        return latex.replace("-", "−")
     return f"${latex}$" if latex else ""
 
 
