@@ -26,8 +26,8 @@ GREEK = {
 _WITH_DIGITS = re.compile(r"([A-Za-z]+?)(\d+)\Z")
 _DERIVED = re.compile(r"(\w+?)_(dot|ddot|dddot|d[4-9]|d1[0-2])")
 """Names of derivatives: x_dot, x_ddot, x_dddot, x_d4."""
-VARIED = re.compile(rf"d((?!t\b)([A-Za-z]|{'|'.join(GREEK)})(\d*)(_\w+)?)")
-"""Names of variations: dx, dx1, dtheta_dot."""
+VARIED = re.compile(rf"d((?!t\b)([a-z]|{'|'.join(GREEK)})(\d*)(_\w+)?)")
+"""Names of variations: dx, dx1, dtheta_dot; dH is a difference, and stays as it is written."""
 _SAMPLE = re.compile(r"(\w+)\((k(?:[+-]\d+)?)\)")
 """Names of samples: y(k+1)."""
 _CHUNKS = re.compile(r"(\d+)")
