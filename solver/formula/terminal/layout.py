@@ -118,13 +118,21 @@ def _script(mark: str, text: str) -> str:
     return text if len(text) == 1 or (mark == "_" and text.isalnum()) else f"({text})"
 
 
+def _on_one_line(row: Sequence[Box], *, goes_on: bool) -> str:
+    """Return a row of an aligned block with what separates it from the one before, which it may go on with."""
+    text = " ".join(" ".join(box.flat for box in row).split())
+    if not goes_on:
+        return f"; {text}"
+    return " " + re.sub(r"^([+−])(?=\S)", r"\1 ", text)
+
+
 def tabular(name: str, columns: str, rows: list[list[Box]], display: bool, rules: Sequence[int] = ()) -> Box:
     """Lay out a matrix or an aligned block; a line stands before each of the rows `rules` (from 0)."""
     left, right = tuple(FENCES.get(name, ".."))
     count = len(rows[0])
     if not display and name == "aligned":
-        lines = [" ".join(" ".join(box.flat for box in row).split()) for row in rows]
-        return text_box("; ".join(lines).replace("; =", " ="))
+        lines = [_on_one_line(row, goes_on=number > 0 and not row[0].flat.strip()) for number, row in enumerate(rows)]
+        return text_box("".join(lines).removeprefix("; "))
     if not display:
         inside = "; ".join(", ".join(box.flat.strip() for box in row) for row in rows)
         return text_box(f"{left.strip('.')}{inside}{right.strip('.')}")
