@@ -3,6 +3,7 @@
 from solver.exact.classical import *
 from solver.exact.compensators import *
 from solver.exact.design import *
+from solver.exact.digital import *
 from solver.exact.frequency import *
 from solver.exact.functions import *
 from solver.exact.linear_algebra import *

@@ -1,0 +1,1 @@
+"""Sampled plants and what is designed in the z-plane."""
