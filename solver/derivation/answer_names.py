@@ -24,7 +24,8 @@ class AnswerName:
     marks beside the one in which its value is found: a key shows them. `told` are the kinds of steps that tell it in a
     form of their own, such as equations under each other, the best first: a page points there where the answer is not
     asked for. The items of a list are expressions that are `zero`, so that an equation may be written for one, or they
-    are `intervals` of real numbers.
+    are `intervals` of real numbers. A `discrete` one is of a system in discrete time, also where that of the question
+    is not; its sampling period is the option `sample_time`.
     """
 
     name: str
@@ -44,6 +45,7 @@ class AnswerName:
     told: tuple[str, ...] = ()
     zero: bool = False
     intervals: bool = False
+    discrete: bool = False
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
@@ -161,9 +162,12 @@ class Declarations:
         return isinstance(self.parameters, MappingNode) or self.assume is not None or self.conditions is not None
 
 
-def read_lexicon(given: Declarations, report: Report, around: Lexicon | None = None) -> Lexicon:
+def read_lexicon(
+    given: Declarations, report: Report, around: Lexicon | None = None, positive: Collection[str] = ()
+) -> Lexicon:
     """Return the names that the problem declares, or a part: then those `around` it hold where it says nothing else.
 
+    Of `positive` texts those that are names without a value are positive where nothing else is assumed of them.
     What is wrong with some of them goes to the report.
     """
     lexicon = Lexicon()
@@ -174,6 +178,10 @@ def read_lexicon(given: Declarations, report: Report, around: Lexicon | None = N
             lexicon.assume_nodes[name] = entry.value
             lexicon.symbols[name] = sp.Symbol(name, **ASSUMPTIONS[lexicon.assumed[name]])
     own = set(lexicon.symbols)
+    for name in _names_among(positive):
+        if name not in own and not (isinstance(given.parameters, MappingNode) and name in given.parameters):
+            lexicon.assumed[name] = "positive"
+            lexicon.symbols[name] = sp.Symbol(name, positive=True)
     if around is not None:
         lexicon.symbols = {**{name: _plain(x) for name, x in around.symbols.items()}, **lexicon.symbols}
     if isinstance(given.parameters, MappingNode):
@@ -184,6 +192,16 @@ def read_lexicon(given: Declarations, report: Report, around: Lexicon | None = N
     nodes = (*(around.condition_nodes if around else ()), *([given.conditions] if given.conditions else []))
     declare(lexicon, nodes, report)
     return lexicon
+
+
+def _names_among(texts: Collection[str]) -> list[str]:
+    """The texts that are names and may be those of parameters, in their plain spelling."""
+    found: list[str] = []
+    for text in texts:
+        with suppress(ExpressionError):
+            value = parse_expression(text, Names({}, {}, {}, open=True))
+            found += [value.name] if isinstance(value, sp.Symbol) and value.name not in BARRED else []
+    return found
 
 
 def _plain(x: sp.Symbol) -> sp.Symbol:

@@ -63,7 +63,8 @@ class PartReader:
         self.lexicon = lexicon
         self.usual = usual
         self.earlier: dict[str, tuple[Task[Any, Any], str] | None] = {}
-        self.discrete: set[str] = set()
+        self.times: dict[str, Any] = {}
+        """The sampling periods of the parts whose answers are in discrete time; None where one is not given."""
 
     def skip(self, name: str) -> Part:
         """Remember a part that can't be read, and raise a fault without words: it is reported already."""
@@ -76,8 +77,6 @@ class PartReader:
         `common` is the system of the whole problem; the lexicon has the names of the part.
         """
         name, node = entry.key.text, entry.value
-        if plant.discrete:
-            self.discrete.add(name)
         context = Context(lexicon, plant.system, plant.discrete, dict(self.earlier))
         self.earlier[name] = None
         bare = {"task": Entry(ScalarNode(node.place, "task"), node)}
@@ -85,11 +84,15 @@ class PartReader:
         task = self._task(mapping["task"])
         methods = _methods(mapping, task, plant)
         self.earlier[name] = (task, methods[0])
+        if plant.discrete or any(answer.discrete for answer in task.answers.values()):
+            self.times[name] = plant.system.sample_time if plant.system is not None else None
         reader = OptionsReader(task, methods, mapping, context)
         report = Report()
         options, split, asked = dict[str, Any](), dict[str, Any](), tuple[str, ...]()
         with report:
             options = reader.options()
+        if name in self.times and options.get("sample_time") is not None:
+            self.times[name] = options["sample_time"]
         with report:
             _check_needs(task, plant, reader.given, mapping["task"])
         with report:

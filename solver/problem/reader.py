@@ -63,7 +63,7 @@ class _ProblemReader:
         self.catalogue = catalogue
         self.misshapen = check_shape(root)
         self.report = Report([wrong.diagnostic for wrong in self.misshapen])
-        self.lexicon = read_lexicon(self.declarations(), self.report)
+        self.lexicon = read_lexicon(self.declarations(), self.report, positive=periods_of(root))
         self.occurring: set[str] = set()
         self.show = Show() if self.spoilt("show") else read_show(root, Show())
 
@@ -119,9 +119,9 @@ class _ProblemReader:
         node = self.section(*path)
         system: System | None = None
         if isinstance(node, MappingNode):
-            earlier, times = (parts.earlier, parts.discrete) if parts else ({}, ())
             with self.report:
-                system = read_system(node, lexicon or self.lexicon, earlier, times)
+                known = (parts.earlier, parts.times) if parts else ()
+                system = read_system(node, lexicon or self.lexicon, *known)
         return system
 
     def parts(self, common: System | None, by_names: bool, typed: bool) -> list[Part]:
@@ -202,6 +202,15 @@ class _ProblemReader:
                 digits = whole_number(node["decimals"], "decimals", 1, MAX_DECIMALS) if "decimals" in node else 5
                 display = replace(display, mode=mode, digits=digits)
         return display
+
+
+def periods_of(root: MappingNode) -> list[str]:
+    """The names that stand for sampling periods in a file, which are positive where nothing else is said of them."""
+    find = root.get("find")
+    parts = [entry.value for entry in find] if isinstance(find, MappingNode) else []
+    holders = [each for part in (root, *parts) if isinstance(part, MappingNode) for each in (part, part.get("system"))]
+    found = [each.get("sample_time") for each in holders if isinstance(each, MappingNode)]
+    return list(dict.fromkeys(each.text.strip() for each in found if isinstance(each, ScalarNode)))
 
 
 def _task_of(part: Node) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -25,16 +25,18 @@ from solver.systems import StateSpace, System, kinds
 if TYPE_CHECKING:
     from solver.systems.kind import Reader
 
+Times = Mapping[str, sp.Expr | None]
+"""The sampling periods of the earlier parts whose answers are in discrete time; None where one is not given."""
 NOTHING = StateSpace(A=sp.ImmutableMatrix(0, 0, []), bare=True)
 """Stands for the system of a question that is about none."""
 
 
 def read_system(
-    node: MappingNode, lexicon: Lexicon, earlier: Earlier = MappingProxyType({}), times: Collection[str] = ()
+    node: MappingNode, lexicon: Lexicon, earlier: Earlier = MappingProxyType({}), times: Times = MappingProxyType({})
 ) -> System:
     """Return the system of a mapping whose shape is right; raises Fault with everything else that is wrong.
 
-    `earlier` are the parts to which it may refer, `times` those of them in discrete time.
+    `earlier` are the parts to which it may refer, `times` the sampling periods of those of them in discrete time.
     """
     reader: Reader = SystemReader(node, lexicon, earlier, times)
     kind = next(kinds()[entry.key.text] for entry in node if entry.key.text in kinds())
@@ -45,7 +47,7 @@ def read_system(
 class SystemReader(FunctionsOfTime):
     """Reads what stands under the keys of a system; keeps faults until all of them are raised."""
 
-    def __init__(self, node: MappingNode, lexicon: Lexicon, earlier: Earlier, times: Collection[str]) -> None:
+    def __init__(self, node: MappingNode, lexicon: Lexicon, earlier: Earlier, times: Times) -> None:
         self.node = node
         self.given = (earlier, times)
         self.earlier = earlier
@@ -149,12 +151,13 @@ class SystemReader(FunctionsOfTime):
             raise listed.fault(f"{counted(number, key[:-1], key)} but {counted(len(names), 'name', 'names')}")
         return names
 
-    def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
-        """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
+    def earlier_part(self, key: str) -> tuple[str, tuple[str, ...]]:
+        """Return an earlier part and the names of its answers, "" if it is wrong; its time is the system's."""
         with self.report:
             part, task, method = earlier_part(self.node[key], self.earlier)
-            return part, answers_of(task, method), part in self.times
-        return "", (), False
+            self.discrete, self.sample_time = part in self.times, self.times.get(part)
+            return part, answers_of(task, method)
+        return "", ()
 
     def named_model(self, key: str) -> System | None:
         """Return the system of the model of the library that is named; what is wrong with it stands at the name."""

@@ -72,7 +72,7 @@ class EarlierPart:
             B, C, D = (found.get(name) for name in "BCD")
             if D is None and B is not None and C is not None:
                 D = sp.ImmutableMatrix(sp.zeros(C.rows, B.cols))
-            plant: System = StateSpace(found["A"], B, C, D, discrete=self.discrete)
+            plant: System = StateSpace(found["A"], B, C, D, None, self.discrete, self.sample_time)
         else:
             plant = self._transfer_function(transfer)
         return plant if gain is None else StateFeedback(plant, gain)
@@ -83,17 +83,17 @@ class EarlierPart:
         pairs = [[sp.fraction(sp.together(entry)) for entry in row] for row in matrix.tolist()]
         numerators, denominators = (tuple(tuple(sp.expand(pair[i]) for pair in row) for row in pairs) for i in (0, 1))
         x = sp.Symbol("z" if self.discrete else "s")
-        return TransferFunction(matrix, numerators, denominators, x, self.discrete)
+        return TransferFunction(matrix, numerators, denominators, x, self.discrete, self.sample_time)
 
 
 def _read(reader: Reader) -> EarlierPart:
     """Return the reference; the part must answer a system."""
-    part, answers, discrete = reader.earlier_part("from")
+    part, answers = reader.earlier_part("from")
     if part and "A" not in answers and not set(TRANSFER) & set(answers):
         reader.complain("from", f"part {part} answers no system: neither A nor a transfer function G")
     gain = reader.gain("gain")
     reader.conclude()
-    return EarlierPart(part, answers, gain, discrete)
+    return EarlierPart(part, answers, gain, reader.discrete, reader.sample_time)
 
 
 EARLIER_PART = Kind(

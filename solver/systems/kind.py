@@ -208,8 +208,8 @@ class Reader(Protocol):
     def assumed(self, functions: Sequence[str]) -> dict[str, Any]:
         """Return the symbols of those functions of time of which more is assumed than that they are real, by name."""
 
-    def earlier_part(self, key: str) -> tuple[str, tuple[str, ...], bool]:
-        """Return an earlier part, the names of its answers, and whether its time is discrete; "" if it is wrong."""
+    def earlier_part(self, key: str) -> tuple[str, tuple[str, ...]]:
+        """Return an earlier part and the names of its answers, "" if it is wrong; its time is the system's."""
 
     def named_model(self, key: str) -> Any:
         """Return the system of the model of the library that is named; None if it is wrong."""
