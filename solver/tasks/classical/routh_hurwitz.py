@@ -3,46 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.determinants import leading_minors
-from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Refusal, Step, Task, option
+from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Derivation, Given, Step, Task
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import stability as judges
-from solver.options.names import Names
 from solver.stated.algebra import product
 from solver.stated.matrices import determinant
 from solver.tasks import consequences
 from solver.tasks.form_meanings import routh_entry
-from solver.tasks.plant_options import LoopOptions
 from solver.tasks.stability.counterexamples import counterexample
-from solver.tasks.stability.parameter_region import parameter_region
+from solver.tasks.stability.criterion import (
+    CriterionOptions,
+    companion,
+    condition_of,
+    has_no_such_parameter,
+    polynomial_of,
+    positive_lead,
+)
 from solver.tasks.stability.routh_array import rows_of
 from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
-    from sympy import Expr, ImmutableMatrix, Symbol
+    from sympy import Expr, Symbol
 
-    from solver.systems import Polynomial, System
-
-
-@dataclass(frozen=True, kw_only=True)
-class RouthHurwitzOptions(LoopOptions):
-    """What may vary."""
-
-    parameter: tuple[str, ...] | None = option(
-        Names(), "the parameter asked for in the condition (default: all); the others stay symbols"
-    )
+    from solver.systems import Polynomial
 
 
-routh_hurwitz: Task[Polynomial, RouthHurwitzOptions] = Task(
+routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
     "routh_hurwitz",
     title="Routh–Hurwitz criterion",
     doc="Roots of a characteristic polynomial in the right half plane and on the imaginary axis, without finding them.",
     needs=("polynomial",),
-    options=RouthHurwitzOptions,
+    options=CriterionOptions,
     answers=[
         AnswerName(
             "array",
@@ -76,22 +72,16 @@ routh_hurwitz: Task[Polynomial, RouthHurwitzOptions] = Task(
 )
 
 
-@routh_hurwitz.refusal
-def has_no_such_parameter(system: System, options: RouthHurwitzOptions) -> Iterable[Refusal]:
-    """The system must have the parameters asked for."""
-    found = options.parameters_with(system)
-    for name in options.parameter or ():
-        if name not in found and not options.later:
-            yield "parameter", Reason("stability/no_parameter", {"name": name})
+routh_hurwitz.refusal(has_no_such_parameter)
 
 
 @routh_hurwitz.method(
     "array", title="Routh array", source="Gantmacher, The Theory of Matrices II, XV §§3–4", time="continuous"
 )
-def by_array(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation[Answers]:
+def by_array(given: Given[Polynomial, CriterionOptions]) -> Derivation[Answers]:
     """As many roots in the right half plane as changes of sign in the first column."""
     x = given.system.variable
-    coefficients = yield from _positive_lead(given.system)
+    coefficients = yield from positive_lead(given.system)
     array = yield from rows_of(exact.routh(coefficients), x)
     signs = [exact.sign_of(entry) for entry in array.at_zero]
     answers = Answers(array=array.matrix)
@@ -108,7 +98,9 @@ def by_array(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation[Answer
         )
         answers.update((yield from _counted(coefficients, x, counts)))
     first = [row.computed[0] for row in array.rows]
-    answers.update((yield from _condition(given, first, special=any(row.special for row in array.rows))))
+    answers.update(
+        (yield from condition_of(given, first, of="first_column", special=any(row.special for row in array.rows)))
+    )
     return answers
 
 
@@ -118,12 +110,12 @@ def by_array(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation[Answer
     source="Gantmacher, The Theory of Matrices II, XV §6",
     time="continuous",
 )
-def by_determinants(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation[Answers]:
+def by_determinants(given: Given[Polynomial, CriterionOptions]) -> Derivation[Answers]:
     """Stable if and only if all leading minors of the Hurwitz matrix are positive."""
     x = given.system.variable
-    coefficients = yield from _positive_lead(given.system)
+    coefficients = yield from positive_lead(given.system)
     H = exact.hurwitz_matrix(coefficients)
-    yield Step("matrix", unclaimed="the coefficients, written row by row", H=H, x=x, p=_polynomial(coefficients, x))
+    yield Step("matrix", unclaimed="the coefficients, written row by row", H=H, x=x, p=polynomial_of(coefficients, x))
     minors = [sp.ImmutableMatrix(H[:k, :k]) for k in range(1, H.rows + 1)]
     values = [exact.determinant(M) for M in minors]
     claims = {
@@ -143,34 +135,22 @@ def by_determinants(given: Given[Polynomial, RouthHurwitzOptions]) -> Derivation
             outside=counts.outside,
         )
         answers.update((yield from _counted(coefficients, x, counts)))
-    answers.update((yield from _condition(given, [coefficients[0], *values], special=any(v == 0 for v in values))))
+    answers.update(
+        (
+            yield from condition_of(
+                given, [coefficients[0], *values], of="determinants", special=any(v == 0 for v in values)
+            )
+        )
+    )
     return answers
-
-
-def _positive_lead(p: Polynomial) -> Derivation[tuple[Expr, ...]]:
-    """The coefficients, the first made positive: by a change of all signs, or divided by it where it has none."""
-    lead = p.coefficients[0]
-    sign = exact.sign_of(lead)
-    if sign == 1:
-        return p.coefficients
-    factor = sp.Integer(-1) if sign == -1 else 1 / lead
-    changed = tuple(sp.cancel(c * factor) for c in p.coefficients)
-    claim = Claim(product(factor, p.expression), _polynomial(changed, p.variable), "the same roots")
-    yield Step("lead", claims={"lead": claim}, negative=sign == -1, x=p.variable)
-    return changed
-
-
-def _polynomial(coefficients: Sequence[Expr], x: Symbol) -> Expr:
-    n = len(coefficients) - 1
-    return sp.Add(*(c * x ** (n - i) for i, c in enumerate(coefficients)))
 
 
 def _counted(coefficients: Sequence[Expr], x: Symbol, counts: exact.RootCounts) -> Derivation[dict[str, Any]]:
     """Where the roots lie; those that lie symmetrically to the origin are the roots of a factor of their own."""
     n = len(coefficients) - 1
     if len(counts.symmetric) > 1:
-        g, rest = (_polynomial(each, x) for each in (counts.symmetric, counts.rest))
-        p = _polynomial(coefficients, x)
+        g, rest = (polynomial_of(each, x) for each in (counts.symmetric, counts.rest))
+        p = polynomial_of(coefficients, x)
         claim = Claim(p, product(rest, g), "the factor of the symmetric roots")
         yield Step("symmetric", claims={"factors": claim}, g=g, degree=len(counts.symmetric) - 1, rest=rest, x=x,
                    outside=counts.outside_symmetric, on=counts.on, total=counts.outside)  # fmt: skip
@@ -184,45 +164,13 @@ def _counted(coefficients: Sequence[Expr], x: Symbol, counts: exact.RootCounts) 
     }
 
 
-def _condition(
-    given: Given[Polynomial, RouthHurwitzOptions], positive: Sequence[Expr], *, special: bool
-) -> Derivation[dict[str, Any]]:
-    """What must be positive, solved for the parameter; nothing without parameters."""
-    parameters = given.system.parameters
-    if not parameters:
-        return {}
-    names = given.options.parameter or ()
-    wanted = [symbol for name in names for symbol in parameters if symbol.name == name]
-    condition = exact.all_positive([sp.Integer(-1)] if special else list(positive), wanted)
-    truth = "always" if condition is sp.true else "never" if condition is sp.false else ""
-    undecided = [entry for entry in positive if exact.sign_of(entry) != 1]
-    yield Step(
-        "condition",
-        unclaimed="the answer, which has a check of its own",
-        condition=condition,
-        truth=truth,
-        conditions=undecided,
-        never=[entry for entry in undecided if exact.sign_of(entry) in (0, -1)],
-        special=special,
-        figures=parameter_region(() if special else positive, wanted, condition),
-    )
-    return {"condition": condition}
-
-
-def _companion(p: Polynomial) -> ImmutableMatrix:
-    """A matrix whose eigenvalues are the roots, for the oracles."""
-    n = p.degree
-    last = [-c / p.coefficients[0] for c in reversed(p.coefficients[1:])]
-    return sp.ImmutableMatrix([[int(j == i + 1) for j in range(n)] for i in range(n - 1)] + [last])
-
-
 BY_ROOTS = "numpy.linalg.eigvals of the companion matrix; on the axis with 100 digits"
 
 
 @routh_hurwitz.verification("right_half_plane_roots", "imaginary_axis_roots", "stable")
-def are_counted_by_numbers(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+def are_counted_by_numbers(given: Given[Polynomial, CriterionOptions], answers: Answers) -> Iterable[Check]:
     """The roots themselves, at several values of the parameters."""
-    found = judges.locations(_companion(given.system), discrete=False)
+    found = judges.locations(companion(given.system), discrete=False)
     counts = {
         "right_half_plane_roots": {each.outside for each in found},
         "imaginary_axis_roots": {each.on for each in found},
@@ -240,14 +188,14 @@ def are_counted_by_numbers(given: Given[Polynomial, RouthHurwitzOptions], answer
 
 
 @routh_hurwitz.verification("array")
-def follows_row_by_row(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+def follows_row_by_row(given: Given[Polynomial, CriterionOptions], answers: Answers) -> Iterable[Check]:
     """The first rows from the coefficients, each further row from the two above it."""
-    fault = judges.routh_fault(_companion(given.system), answers["array"], discrete=False)
+    fault = judges.routh_fault(companion(given.system), answers["array"], discrete=False)
     yield replace(Check.that("each row follows from the two above it", "mpmath", not fault), reason=fault)
 
 
 @routh_hurwitz.verification("determinants")
-def are_the_minors(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+def are_the_minors(given: Given[Polynomial, CriterionOptions], answers: Answers) -> Iterable[Check]:
     """Each is the determinant of a leading block, whose entry in row i, column j is a_{2j − i}, with a₀ > 0."""
     c, n = given.system.coefficients, given.system.degree
     a = [each * (1 if c[0].is_positive else -1 if c[0].is_negative else 1 / c[0]) for each in c]
@@ -259,9 +207,9 @@ def are_the_minors(given: Given[Polynomial, RouthHurwitzOptions], answers: Answe
 
 
 @routh_hurwitz.verification("condition")
-def holds_where_the_roots_say(given: Given[Polynomial, RouthHurwitzOptions], answers: Answers) -> Iterable[Check]:
+def holds_where_the_roots_say(given: Given[Polynomial, CriterionOptions], answers: Answers) -> Iterable[Check]:
     """At points on both sides of every edge, and at random ones, the condition is true if and only if p is stable."""
-    fault = judges.counterexample(_companion(given.system), answers["condition"], discrete=False)
+    fault = judges.counterexample(companion(given.system), answers["condition"], discrete=False)
     says = "the condition holds exactly where all roots lie in the left half plane"
     check = Check.that(
         Phrase("{claim} ({fault})", claim=says, fault=fault) if fault else says,
@@ -275,18 +223,18 @@ routh_hurwitz.consequence("right_half_plane_roots", of=("array",), symbolic=Fals
 
 
 @routh_hurwitz.consequence("stable", of=("right_half_plane_roots", "imaginary_axis_roots"), symbolic=False)
-def none_outside(_given: Given[Polynomial, RouthHurwitzOptions], found: Mapping[str, Any]) -> Any:
+def none_outside(_given: Given[Polynomial, CriterionOptions], found: Mapping[str, Any]) -> Any:
     """No root in the right half plane or on the axis."""
     return bool(found["right_half_plane_roots"] == found["imaginary_axis_roots"] == 0)
 
 
 @routh_hurwitz.meaning("array")
-def first_wrong_entry(wrong: Attempt[Polynomial, RouthHurwitzOptions]) -> Reason | None:
+def first_wrong_entry(wrong: Attempt[Polynomial, CriterionOptions]) -> Reason | None:
     """The first entry that does not follow from the coefficients, or from the rows above it."""
     return routh_entry(wrong.given.system.coefficients, wrong.value)
 
 
 @routh_hurwitz.meaning("condition")
-def where_it_is_wrong(wrong: Attempt[Polynomial, RouthHurwitzOptions]) -> Reason | None:
+def where_it_is_wrong(wrong: Attempt[Polynomial, CriterionOptions]) -> Reason | None:
     """Values of the parameters at which the condition is wrong."""
-    return counterexample(_companion(wrong.given.system), wrong.value, discrete=False)
+    return counterexample(companion(wrong.given.system), wrong.value, discrete=False)

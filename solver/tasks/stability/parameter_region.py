@@ -14,13 +14,15 @@ if TYPE_CHECKING:
 
     from sympy import Expr, Symbol
 
+IN_THE_HALF_PLANE = "Where all roots lie in the open left half plane"
+IN_THE_DISC = "Where all roots lie inside the unit circle"
 MOST_CURVES = 6
 HIGHEST = 8
 """Polynomials of higher degree are not drawn."""
 
 
 def parameter_region(
-    conditions: Sequence[Expr], wanted: Sequence[Symbol], condition: Any
+    conditions: Sequence[Expr], wanted: Sequence[Symbol], condition: Any, *, discrete: bool = False
 ) -> tuple[ParameterRegion, ...]:
     """Return where conditions are positive in the plane of two parameters; nothing of more, or where they never are."""
     undecided = [each for each in conditions if each.free_symbols and exact.sign_of(each) != 1]
@@ -42,8 +44,8 @@ def parameter_region(
     if len(found) > MOST_CURVES or any(sp.Poly(each, x, y).total_degree() > HIGHEST for each in found):
         return ()
     names = tuple(f"{formula(each)} = 0" for each in found)
-    return (ParameterRegion("Where all roots lie in the open left half plane", x, y, tuple(found), names,
-                            (formula(x), formula(y))),)  # fmt: skip
+    title = IN_THE_DISC if discrete else IN_THE_HALF_PLANE
+    return (ParameterRegion(title, x, y, tuple(found), names, (formula(x), formula(y))),)
 
 
 def _simplest(polynomials: list[Expr]) -> list[Expr]:
