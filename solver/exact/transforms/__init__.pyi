@@ -30,10 +30,12 @@ from solver.exact.transforms.rules import (
     transform_of_pieces,
     transform_pieces,
 )
+from solver.exact.transforms.sampled import Base, Sample, SampledImage, sampled_image
 
 __all__ = [
     "ActingPiece",
     "AllCompared",
+    "Base",
     "DelayedImage",
     "Divided",
     "ImpulseBalance",
@@ -41,6 +43,8 @@ __all__ = [
     "Pole",
     "QuadraticDivision",
     "RationalImage",
+    "Sample",
+    "SampledImage",
     "TransformPiece",
     "TransformedTerm",
     "abscissa_of",
@@ -60,6 +64,7 @@ __all__ = [
     "rational_image",
     "read_image",
     "right_sides",
+    "sampled_image",
     "transform_of_pieces",
     "transform_pieces",
     "values_after",
