@@ -1,21 +1,26 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.optimal.discrete_riccati import DiscreteRiccati, Undetermined, discrete_riccati
 from solver.exact.optimal.minimal import MinimalSolution, minimal_solution
 from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati
 from solver.exact.optimal.riccati_cases import Case, case_split
-from solver.exact.optimal.riccati_entries import riccati_entries
+from solver.exact.optimal.riccati_entries import discrete_riccati_entries, riccati_entries
 from solver.exact.optimal.root_choices import OnTheAxis
 from solver.exact.optimal.weighting import completed_square, weighted_input, weighted_transpose
 
 __all__ = [
     "Case",
+    "DiscreteRiccati",
     "MinimalSolution",
     "NotStabilizable",
     "OnTheAxis",
     "Riccati",
     "RiccatiSolution",
+    "Undetermined",
     "case_split",
     "completed_square",
+    "discrete_riccati",
+    "discrete_riccati_entries",
     "minimal_solution",
     "riccati",
     "riccati_entries",

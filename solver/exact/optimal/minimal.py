@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import domain_matrix, matrix_of
+from solver.exact.optimal.discrete_riccati import discrete_riccati
 from solver.exact.optimal.riccati import is_stable, riccati
 from solver.exact.structure.ranks import hidden_part, null_basis
 
@@ -26,11 +27,16 @@ class MinimalSolution:
 
 
 def minimal_solution(
-    A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix, R: sp.ImmutableMatrix
+    A: sp.ImmutableMatrix,
+    B: sp.ImmutableMatrix,
+    Q: sp.ImmutableMatrix,
+    R: sp.ImmutableMatrix,
+    *,
+    discrete: bool = False,
 ) -> MinimalSolution | None:
     """Return it for A n×n, B n×m, Q n×n ≥ 0, R m×m > 0; None where it is the stabilizing one. Raises NotExact."""
     hidden = hidden_part(sp.ImmutableMatrix(A.T), Q)
-    modes = [mode for mode in hidden.spectrum.eigenvalues if not is_stable(mode)] if hidden else []
+    modes = [mode for mode in hidden.spectrum.eigenvalues if not is_stable(mode, discrete=discrete)] if hidden else []
     if hidden is None or not modes:
         return None
     unseen = sp.ImmutableMatrix(hidden.N.T)
@@ -40,5 +46,5 @@ def minimal_solution(
     L = matrix_of(echelon)  # its pivot columns are those of the identity, so A, B, Q of L x are read off
     seen_A, seen_B = (sp.ImmutableMatrix(M.applyfunc(sp.cancel)) for M in ((L * A)[:, list(pivots)], L * B))
     seen_Q = sp.ImmutableMatrix(Q.extract(list(pivots), list(pivots)))
-    P = riccati(seen_A, seen_B, seen_Q, R).stabilizing.P
+    P = (discrete_riccati if discrete else riccati)(seen_A, seen_B, seen_Q, R).stabilizing.P
     return MinimalSolution(sp.ImmutableMatrix((L.T * P * L).expand()), unseen, modes)

@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, reduce
 from itertools import chain
-from typing import Any
+from typing import Any, ClassVar
 
 import mpmath
 import sympy as sp
@@ -25,12 +25,13 @@ from solver.exact.linear_algebra.fields import NotExact, domain_matrix, matrix_o
 from solver.exact.linear_algebra.signs import possible_signs
 from solver.exact.linear_algebra.spectrum import irreducible_factors
 from solver.exact.optimal.decimal_matrices import Rows, combined, powers_of, rows_of, solution_of
-from solver.exact.optimal.root_choices import DIGITS, WORKING_DIGITS, Choice
+from solver.exact.optimal.root_choices import DIGITS, WORKING_DIGITS, Choice, Coefficients
 from solver.exact.optimal.spectral_factor import Group, combinations, decimal_polynomial, exact_polynomial, groups_of
+from solver.exact.optimal.square_roots import RootTower
 from solver.exact.optimal.tower_matrices import polynomial_at, shown, solved
 from solver.exact.optimal.weighting import weighted_input, weighted_transpose
 from solver.exact.structure.controllability import controllability_matrix
-from solver.exact.structure.ranks import HiddenPart, hidden_part
+from solver.exact.structure.ranks import hidden_part
 
 MOST_ENTRIES = 1024
 """Solutions are listed as long as they have no more entries together (n = 5: 40 solutions, n = 8: 16)."""
@@ -79,6 +80,7 @@ class Riccati:
     groups: tuple[Group, ...]
     fixed: tuple[bool, ...]
     endless: tuple[bool, ...]
+    shortest: ClassVar[bool] = False
 
     @property
     def order(self) -> int:
@@ -114,7 +116,7 @@ class Riccati:
     @cached_property
     def eigenvalues(self) -> list[sp.Expr]:
         """The eigenvalues of the stabilizing solution's closed loop A − GP, by multiplicity."""
-        return list(chain.from_iterable(map(_spelled, (group.choices[0] for group in self.groups))))
+        return list(chain.from_iterable(map(spelled, (group.choices[0] for group in self.groups))))
 
     def gain(
         self, B: sp.ImmutableMatrix, R: sp.ImmutableMatrix, N: sp.ImmutableMatrix | None = None
@@ -122,7 +124,7 @@ class Riccati:
         """K = R⁻¹ (Bᵀ P + Nᵀ) (m×n) of the stabilizing solution, N n×m (None: zero)."""
         P, W = self.stabilizing.P, weighted_transpose(B, R)
         cross = weighted_transpose(N, R) if N is not None else sp.ImmutableMatrix(sp.zeros(*W.shape))
-        found = exact_polynomial(domain_matrix(self.H).domain, self.stabilizing.choices) if P.free_symbols else None
+        found = self._factor(self.stabilizing) if P.free_symbols else None
         if found is None:
             return sp.ImmutableMatrix((W * P + cross).expand())
         tower, coefficients = found
@@ -142,7 +144,7 @@ class Riccati:
 
     def polynomial_of_hamiltonian(self, solution: RiccatiSolution) -> sp.ImmutableMatrix | None:
         """p(H) (2n×2n), exact, or None where p is decimal."""
-        found = exact_polynomial(domain_matrix(self.H).domain, solution.choices)
+        found = self._factor(solution)
         if found is None:
             return None
         tower, coefficients = found
@@ -160,16 +162,18 @@ class Riccati:
 
         P₊ + 2λ wᵀw/(w G wᵀ) for a left eigenvector w = w₁ + τ w₂ of a real eigenvalue that has two independent ones.
         """
-        loop = sp.ImmutableMatrix((self.A - self.G * self.stabilizing.P).expand())
+        n = self.order
+        A, G = self.H[:n, :n], -self.H[:n, n:]
+        loop = sp.ImmutableMatrix((A - G * self.stabilizing.P).expand())
         for group, endless in zip(self.groups, self.endless, strict=True):
             roots = group.choices[0].spelled
             if not endless or not roots or roots[0].has(sp.I) or not self.stabilizing.exact:
                 continue
-            pencil = domain_matrix(sp.ImmutableMatrix((loop.T - roots[0] * sp.eye(self.order)).expand()))
+            pencil = domain_matrix(sp.ImmutableMatrix((loop.T - roots[0] * sp.eye(n)).expand()))
             rows = matrix_of(pencil.nullspace())
             if rows.rows > 1:
                 w = rows[0, :] + tau * rows[1, :]
-                weight = sp.expand((w * self.G * w.T)[0, 0])
+                weight = sp.expand((w * G * w.T)[0, 0])
                 change = (w.T * w).applyfunc(lambda entry, at=roots[0], by=weight: sp.factor(2 * at * entry / by))
                 return sp.ImmutableMatrix(self.stabilizing.P + change), roots[0]
         return None
@@ -178,7 +182,7 @@ class Riccati:
         flips = sum(choice.flips for choice in choices)
         radicand = next((choice.radicand for choice in choices if choice.radicand is not None), None)
         H = domain_matrix(self.H)
-        found = exact_polynomial(H.domain, choices)
+        found = exact_polynomial(H.domain, choices, shortest=self.shortest)
         if found is not None:
             tower, coefficients = found
             entries = solved(tower, polynomial_at(tower, coefficients, H))
@@ -188,12 +192,22 @@ class Riccati:
                 and max(len(str(entry)) for entry in chain.from_iterable(P)) > LONGEST_WITH_PARAMETERS
             ):
                 raise NotExact("optimal/parameters")
-            if self.H.free_symbols or all(map(_readable, chain.from_iterable(P))):
-                p = tuple(shown(tower, c) for c in coefficients)
+            if self.H.free_symbols or all(map(readable, chain.from_iterable(P))):
+                p = tuple(shown(tower, c) for c in self._polynomial_of_the_loop(tower, coefficients))
                 return RiccatiSolution(sp.ImmutableMatrix(P), p, flips, True, choices, radicand)
         if self.H.free_symbols:
             raise NotExact("optimal/parameters")
         return RiccatiSolution(*self._in_decimals(choices), flips, False, choices)
+
+    def _factor(self, solution: RiccatiSolution) -> tuple[RootTower, Coefficients] | None:
+        return exact_polynomial(domain_matrix(self.H).domain, solution.choices, shortest=self.shortest)
+
+    def _polynomial_of_the_loop(self, _tower: RootTower, p: Coefficients) -> Coefficients:
+        """The characteristic polynomial of the loop from the factor p of that of H: the same."""
+        return p
+
+    def _decimals_of_the_loop(self, choices: tuple[Choice, ...]) -> list[Any]:
+        return decimal_polynomial(choices)
 
     def _in_decimals(self, choices: tuple[Choice, ...]) -> tuple[sp.ImmutableMatrix, tuple[sp.Expr, ...]]:
         """P and p to many digits, by the same linear equations."""
@@ -201,8 +215,8 @@ class Riccati:
         with mpmath.workdps(WORKING_DIGITS):
             E = combined(self._powers_in_decimals, p)
             X = solution_of([row[n:] for row in E], [[-entry for entry in row[:n]] for row in E])
-            P = [[_decimal((X[i][j] + X[j][i]) / 2) for j in range(n)] for i in range(n)]
-            return sp.ImmutableMatrix(P), tuple(_decimal(c) for c in p)
+            P = [[decimal_number((X[i][j] + X[j][i]) / 2) for j in range(n)] for i in range(n)]
+            return sp.ImmutableMatrix(P), tuple(map(decimal_number, self._decimals_of_the_loop(choices)))
 
     @cached_property
     def _powers_in_decimals(self) -> list[Rows]:
@@ -229,25 +243,26 @@ def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix
         raise NotStabilizable(unstable)
     groups = tuple(groups_of(irreducible_factors(H)))
     K = domain_matrix(H)
-    shared = [_shared(group, K, hidden) for group in groups]
+    shared = [shared_eigenvectors(group, K, hidden.H if hidden else None) for group in groups]
     fixed = tuple(reached == 0 for _, reached in shared)
     endless = tuple(own > 1 and reached > 0 for own, reached in shared)
     return Riccati(A, G, Q, H, groups, fixed, endless)
 
 
-def is_stable(root: sp.Expr) -> bool:
-    """Whether the real part is negative; raises NotExact where parameters leave it open."""
+def is_stable(root: sp.Expr, *, discrete: bool = False) -> bool:
+    """Whether the real part is negative (the modulus below one); raises NotExact where parameters leave it open."""
     if not root.free_symbols:
-        return bool(sp.N(sp.re(root), DIGITS) < 0)
-    if len(signs := possible_signs(root)) == 1 or -1 not in signs:
+        return bool(sp.N(sp.Abs(root), DIGITS) < 1 if discrete else sp.N(sp.re(root), DIGITS) < 0)
+    signs = possible_signs(sp.expand(root**2 - 1) if discrete else root)
+    if len(signs) == 1 or -1 not in signs:
         return signs == {-1}
     raise NotExact("optimal/unreached_mode", mode=root)
 
 
-def _shared(group: Group, H: DomainMatrix, hidden: HiddenPart | None) -> tuple[int, int]:
+def shared_eigenvectors(group: Group, H: DomainMatrix, hidden: sp.ImmutableMatrix | None) -> tuple[int, int]:
     """Return how many independent eigenvectors an eigenvalue of the group has, and how many of these are reached."""
     own = 1 if group.multiplicity == 1 else _nullity(group.factor, H)
-    lost = _nullity(group.factor, domain_matrix(hidden.H)) if hidden and not group.even else 0
+    lost = _nullity(group.factor, domain_matrix(hidden)) if hidden is not None and not group.even else 0
     return own, own - lost
 
 
@@ -262,7 +277,7 @@ def _nullity(q: sp.Poly, M: DomainMatrix) -> int:
     return int((M.shape[0] - value.rank()) // q.degree())
 
 
-def _readable(entry: sp.Expr) -> bool:
+def readable(entry: sp.Expr) -> bool:
     """Whether a person would write the entry with its roots: it is not long, and has no large numbers."""
     if len(str(entry)) > LONGEST_ENTRY:
         return False
@@ -270,15 +285,16 @@ def _readable(entry: sp.Expr) -> bool:
     return entry.is_Rational or max(numbers, default=0) < LARGEST_NUMBER
 
 
-def _spelled(choice: Choice) -> Iterator[sp.Expr]:
+def spelled(choice: Choice) -> Iterator[sp.Expr]:
     """The roots as expressions, in decimals where these are not readable."""
-    if choice.spelled and (not choice.roots or all(map(_readable, choice.spelled))):
+    if choice.spelled and (not choice.roots or all(map(readable, choice.spelled))):
         yield from choice.spelled
         return
     for z in choice.roots:
         real, imaginary = mpmath.re(z), mpmath.im(z)
-        yield _decimal(real) + sp.I * _decimal(imaginary) if imaginary else _decimal(real)
+        yield decimal_number(real) + sp.I * decimal_number(imaginary) if imaginary else decimal_number(real)
 
 
-def _decimal(x: Any) -> sp.Float:
+def decimal_number(x: Any) -> sp.Float:
+    """A number of mpmath with the digits of results."""
     return sp.Float(x, DIGITS)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
@@ -21,3 +23,31 @@ def riccati_entries(
     p = DomainMatrix([[ring.from_sympy(entry) for entry in row] for row in P.tolist()], (n, n), ring)
     rows = (a.transpose() * p + p * a - p * g * p + q).to_dense().to_list()
     return sp.ImmutableMatrix(n, n, [ring.to_sympy(entry) for row in rows for entry in row])
+
+
+def discrete_riccati_entries(
+    A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix, R: sp.ImmutableMatrix, P: sp.ImmutableMatrix
+) -> tuple[sp.Expr, sp.ImmutableMatrix]:
+    """δ = det(R + BᵀPB), and δ (Q + AᵀPA − P − AᵀPB (R + BᵀPB)⁻¹ BᵀPA) (n×n), polynomials in the entries of P."""
+    n, m = B.shape
+    known = domain_matrix(
+        sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[A, B, Q], [sp.zeros(m, n), R, sp.zeros(m, n)]])))
+    )
+    ring = known.domain[tuple(sorted(P.free_symbols, key=str))]
+    known = known.convert_to(ring)
+    a, b, q, r = known[:n, :n], known[:n, n : n + m], known[:n, n + m :], known[n:, n : n + m]
+    p = DomainMatrix([[ring.from_sympy(entry) for entry in row] for row in P.tolist()], (n, n), ring).to_dense()
+    weight = (r + b.transpose() * p * b).to_dense()
+    delta, adjugate = _determinant_and_adjugate(weight)
+    seen = b.transpose() * p * a
+    found = (q + a.transpose() * p * a - p) * delta - seen.transpose() * adjugate * seen
+    entries = [ring.to_sympy(entry) for row in found.to_dense().to_list() for entry in row]
+    return sp.expand(ring.to_sympy(delta)), sp.ImmutableMatrix(n, n, entries).applyfunc(sp.expand)
+
+
+def _determinant_and_adjugate(M: DomainMatrix) -> tuple[Any, DomainMatrix]:
+    """Of a square matrix over a ring; of order 1 without any division."""
+    if M.shape == (1, 1):
+        return M.to_list()[0][0], DomainMatrix.eye(1, M.domain).to_dense()
+    adjugate, determinant = M.adj_det()
+    return determinant, adjugate.to_dense()

@@ -134,9 +134,11 @@ def combinations(groups: Sequence[Group], fixed: Sequence[bool]) -> Iterator[tup
     yield from sorted(product(*options), key=lambda choices: sum(choice.flips for choice in choices))
 
 
-def exact_polynomial(K: Any, choices: Sequence[Choice]) -> tuple[RootTower, Coefficients] | None:
+def exact_polynomial(
+    K: Any, choices: Sequence[Choice], *, shortest: bool = False
+) -> tuple[RootTower, Coefficients] | None:
     """Return p over a tower of its own; None where a choice has no exact form, or too many roots would nest."""
-    tower = RootTower(K)
+    tower = RootTower(K, shortest=shortest)
     try:
         parts = [(choice.exact(tower), 1) for choice in choices if choice.exact is not None]
     except TooDeep:

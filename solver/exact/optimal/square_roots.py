@@ -6,6 +6,7 @@ of its index. A root is adjoined only where there is none in the tower already, 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import reduce
 from operator import mul
 from typing import Any
@@ -30,8 +31,9 @@ class TooDeep(Exception):  # noqa: N818 - a refusal within the kernels
 class RootTower:
     """The tower over K. Elements made before a root was adjoined stay valid: missing coefficients are zero."""
 
-    def __init__(self, K: Any) -> None:
+    def __init__(self, K: Any, *, shortest: bool = False) -> None:
         self.K = K
+        self.shortest = shortest
         self.squares: list[Nested] = []
         self.roots: list[sp.Expr] = []
 
@@ -87,12 +89,30 @@ class RootTower:
         if found is not None:
             return self._positive(found)
         outside, inside = self._reduced(a)
+        by = next(self._shorter(a, inside), None) if self.shortest else None
+        if by is not None:
+            outside, inside = self._reduced(self.multiply(a, self.multiply(by, by)))
         if len(self.roots) == DEEPEST:
             raise TooDeep
         level = len(self.squares)
         self.roots.append(sp.sqrt(self._factored(inside)))
         self.squares.append(self._padded(inside, 2**level))
-        return (*(self.K.zero for _ in range(2**level)), outside, *(self.K.zero for _ in range(2**level - 1)))
+        root = (*(self.K.zero for _ in range(2**level)), outside, *(self.K.zero for _ in range(2**level - 1)))
+        return root if by is None else self.multiply(root, self.inverse(by))
+
+    def _shorter(self, a: Nested, inside: Nested) -> Iterator[Nested]:
+        """Roots g of the tower for which √a is written better as √(a g²)/g than with what is `inside` otherwise."""
+        length = self._length(inside)
+        for level, square in enumerate(self.squares):
+            g = (*(self.K.zero for _ in range(2**level)), self.K.one, *(self.K.zero for _ in range(2**level - 1)))
+            if not any(square[1:]) and self._length(self._reduced(self.multiply(a, square))[1]) < length:
+                yield g
+
+    def _length(self, inside: Nested) -> int:
+        """How long a radicand is, where numbers count by their size."""
+        if self.K.is_QQ:
+            return int(max(abs(x) for x in inside))
+        return len(str(self._factored(inside)))
 
     def expression(self, a: Nested) -> sp.Expr:
         """The element as an expression: a sum of products of roots."""
