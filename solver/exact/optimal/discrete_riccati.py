@@ -101,7 +101,7 @@ class DiscreteRiccati(Riccati):
 
     @cached_property
     def symplectic(self) -> sp.ImmutableMatrix | None:
-        """S (2n×2n) with x(k+1), λ(k+1) from x(k), λ(k): the poles of the loop are among its own; None if A is singular."""
+        """S (2n×2n) with x(k+1), λ(k+1) from x(k), λ(k); its eigenvalues hold the poles. None if A is singular."""
         H = domain_matrix(self.H)
         one = DomainMatrix.eye(H.shape, H.domain).to_dense()
         try:

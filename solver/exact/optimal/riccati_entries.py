@@ -30,11 +30,11 @@ def discrete_riccati_entries(
 ) -> tuple[sp.Expr, sp.ImmutableMatrix]:
     """δ = det(R + BᵀPB), and δ (Q + AᵀPA − P − AᵀPB (R + BᵀPB)⁻¹ BᵀPA) (n×n), polynomials in the entries of P."""
     n, m = B.shape
-    known = domain_matrix(
-        sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[A, B, Q], [sp.zeros(m, n), R, sp.zeros(m, n)]])))
-    )
-    ring = known.domain[tuple(sorted(P.free_symbols, key=str))]
-    known = known.convert_to(ring)
+    blocks = [[A, B, Q], [sp.zeros(m, n), R, sp.zeros(m, n)]]
+    numbers = domain_matrix(sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix(blocks))))
+    ring = numbers.domain[tuple(sorted(P.free_symbols, key=str))]
+    rows = [[ring.ring.ground_new(c) for c in row] for row in numbers.to_list()]
+    known = DomainMatrix(rows, numbers.shape, ring)
     a, b, q, r = known[:n, :n], known[:n, n : n + m], known[:n, n + m :], known[n:, n : n + m]
     p = DomainMatrix([[ring.from_sympy(entry) for entry in row] for row in P.tolist()], (n, n), ring).to_dense()
     weight = (r + b.transpose() * p * b).to_dense()
