@@ -19,6 +19,7 @@ from solver.exact.transforms.jumps import (
     right_sides,
     values_after,
 )
+from solver.exact.transforms.long_division import DivisionRow, LongDivision, long_division
 from solver.exact.transforms.operators import Operators, images_of_unknowns, operators_of
 from solver.exact.transforms.poles import Pole, poles_of
 from solver.exact.transforms.products import factors_for_convolution
@@ -31,20 +32,39 @@ from solver.exact.transforms.rules import (
     transform_pieces,
 )
 from solver.exact.transforms.sampled import Base, Sample, SampledImage, sampled_image
+from solver.exact.transforms.sequence_images import (
+    DelayedSequenceImage,
+    SequenceImage,
+    is_in_inverse_powers,
+    read_sequence_image,
+    sequence_image,
+)
+from solver.exact.transforms.sequences import (
+    SequenceTerm,
+    moved_image,
+    radius_of,
+    sequence_pieces,
+    sequence_transform,
+)
 
 __all__ = [
     "ActingPiece",
     "AllCompared",
     "Base",
     "DelayedImage",
+    "DelayedSequenceImage",
     "Divided",
+    "DivisionRow",
     "ImpulseBalance",
+    "LongDivision",
     "Operators",
     "Pole",
     "QuadraticDivision",
     "RationalImage",
     "Sample",
     "SampledImage",
+    "SequenceImage",
+    "SequenceTerm",
     "TransformPiece",
     "TransformedTerm",
     "abscissa_of",
@@ -56,15 +76,23 @@ __all__ = [
     "images_of_unknowns",
     "impulse_balance",
     "is_found_otherwise",
+    "is_in_inverse_powers",
     "jumps_of_inputs",
     "late_image",
+    "long_division",
+    "moved_image",
     "operators_of",
     "poles_of",
+    "radius_of",
     "ratio_of_images",
     "rational_image",
     "read_image",
+    "read_sequence_image",
     "right_sides",
     "sampled_image",
+    "sequence_image",
+    "sequence_pieces",
+    "sequence_transform",
     "transform_of_pieces",
     "transform_pieces",
     "values_after",

@@ -100,7 +100,7 @@ def _split(F: sp.Expr, N: sp.Poly, D: sp.Poly, s: sp.Symbol, *, cancels: bool) -
 def _quotient(over: sp.Expr, factors: Sequence[tuple[sp.Expr, int]], s: sp.Symbol) -> sp.Expr:
     """N over the factors, with T s + 1 in place of T (s + 1/T); a minus that all terms of N have is put in front."""
     symbolic = any((p.free_symbols - {s}) for p, _ in factors) or bool(over.free_symbols - {s})
-    if not symbolic:
+    if not symbolic or any(p.has(sp.exp) for p, _ in factors):  # z - e^{-T} is written so, and not z e^{T} - 1
         minus = all(term.could_extract_minus_sign() for term in sp.Add.make_args(over))
         found: sp.Expr = sp.Mul(-over if minus else over, *(p**-m for p, m in factors))
         return -found if minus else found

@@ -7,10 +7,12 @@ from math import comb, factorial
 
 import sympy as sp
 
+from solver.exact.functions.closed_forms import polar
 from solver.exact.functions.covering import slope_of_quotient
 from solver.exact.functions.fractions import highest_power, residue_at
 from solver.exact.functions.rational import RationalMatrix, cancelled, in_lowest_terms
 from solver.exact.linear_algebra.fields import in_powers
+from solver.exact.linear_algebra.radicals import complex_parts
 from solver.exact.linear_algebra.spectrum import Factor, Root, is_lower
 
 
@@ -36,6 +38,32 @@ class Pole:
         n = self.order - 1
         return sp.Add(*(comb(n, k) * t ** (n - k) * self.functions[k] for k in range(n + 1)))
 
+    def derived_power(self, x: sp.Symbol, k: sp.Symbol) -> sp.Expr:
+        """H with (G xᵏ)^(m−1) = H x^{k−m+1}, by Leibniz' rule."""
+        n = self.order - 1
+        terms = (comb(n, j) * sp.expand(sp.ff(k, j)) * x ** (n - j) * self.functions[n - j] for j in range(n + 1))
+        return sp.Add(*terms)
+
+    def in_samples(self, k: sp.Symbol) -> tuple[sp.Expr, ...]:
+        """The cⱼ C(k, j − 1) p^{−(j−1)}, whose sum times pᵏ is the residue of F xᵏ, j = 1 … m; p ≠ 0."""
+        p, conjugate = self.root.value, self.root.value.subs(sp.I, -sp.I)
+        size = sp.expand(p * conjugate)
+        return tuple(
+            sp.expand(c * conjugate ** (j - 1)) / size ** (j - 1) * sp.expand(sp.ff(k, j - 1)) / factorial(j - 1)
+            if self.paired
+            else c / p ** (j - 1) * sp.expand(sp.ff(k, j - 1)) / factorial(j - 1)
+            for j, c in enumerate(self.coefficients, 1)
+        )
+
+    def real_in_samples(self, k: sp.Symbol) -> sp.Expr:
+        """The sum of both residues of a pair, 2 rᵏ Re(c e^{jθk})."""
+        r, theta = polar(self.root)
+        terms = []
+        for c in self.in_samples(k):
+            X, Y = _parts(c, k)
+            terms.append(2 * X * sp.cos(theta * k) - 2 * Y * sp.sin(theta * k))
+        return sp.expand(sp.Add(*terms)) * r**k
+
     def amplitude(self, t: sp.Symbol) -> sp.Expr:
         """The residue without its factor e^{pt}."""
         return sp.Add(*(c * t**j / factorial(j) for j, c in enumerate(self.coefficients)))
@@ -58,6 +86,12 @@ def poles_of(image: RationalMatrix, s: sp.Symbol) -> tuple[Pole, ...]:
             coefficients = tuple(residue_at(Z, root, (1, 1))[0] for Z in each.residues[:order])
             found.append(Pole(root, tuple(functions), coefficients, paired))
     return tuple(found)
+
+
+def _parts(c: sp.Expr, k: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+    """Real and imaginary part of a polynomial in k."""
+    parts = [(n, complex_parts(each)) for (n,), each in sp.Poly(sp.expand(c), k).terms()]
+    return sp.Add(*(X * k**n for n, (X, _) in parts)), sp.Add(*(Y * k**n for n, (_, Y) in parts))
 
 
 def _covered(

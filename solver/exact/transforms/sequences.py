@@ -1,0 +1,135 @@
+"""z-transforms of sequences by a short table and rules: powers of k, factors aᵏ, delays. Read as `signals` does."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from solver.exact.time_response.signals import Signal, in_order, read_signal, written
+from solver.exact.transforms.rules import Pair, TransformPiece
+
+MOST_IN_THE_TABLE = 2
+"""The highest power of k in the table."""
+
+
+@dataclass(frozen=True)
+class _Image:
+    """N/qᵐ with q monic, of degree one or two."""
+
+    above: sp.Expr
+    base: sp.Expr
+    power: int
+
+    def expression(self, *, factored: bool = False) -> sp.Expr:
+        above = sp.factor(self.above) if factored else self.above
+        return above / self.base**self.power
+
+    def multiplied(self, z: sp.Symbol) -> _Image:
+        """The image of k g(k), −z dG/dz."""
+        slope = sp.diff(self.above, z) * self.base - self.power * self.above * sp.diff(self.base, z)
+        return _Image(sp.expand(-z * slope), self.base, self.power + 1)
+
+    def damped(self, a: sp.Expr, z: sp.Symbol) -> _Image:
+        """The image of aᵏ g(k), G(z/a), multiplied through by powers of a."""
+        degree = int(sp.degree(self.base, z))
+        above = sp.expand(a ** (degree * self.power) * sp.expand(self.above).subs(z, z / a))
+        below = sp.expand(a**degree * sp.expand(self.base).subs(z, z / a))
+        return _Image(above, below, self.power)
+
+
+@dataclass(frozen=True)
+class SequenceTerm:
+    """A term `factor` · kⁿ aᵏ w(θk), a = `growth`, w one of cos, sin or none ("")."""
+
+    factor: sp.Expr
+    power: int
+    growth: sp.Expr
+    angle: sp.Expr
+    wave: str
+
+    def function(self, k: sp.Symbol) -> sp.Expr:
+        """The sequence without its factor."""
+        return k**self.power * self.growth**k * self._wave(k)
+
+    def _wave(self, k: sp.Symbol) -> sp.Expr:
+        return {"cos": sp.cos, "sin": sp.sin}[self.wave](self.angle * k) if self.wave else sp.S.One
+
+    @property
+    def entry(self) -> str:
+        """The line of the table that the term begins with."""
+        if self.wave:
+            return self.wave
+        if self.power:
+            return "square" if self.power > 1 else "power"
+        return "exponential" if self.growth != 1 else "constant"
+
+    def pairs(self, k: sp.Symbol, z: sp.Symbol) -> tuple[Pair, ...]:
+        """The pair of the table, and what each rule makes of it: −z d/dz for each further k, then G(z/a) for aᵏ."""
+        if not (self.wave or self.power):
+            return (Pair("table", self.growth**k, z / (z - self.growth)),)
+        if self.wave:
+            c, s = sp.cos(self.angle), sp.sin(self.angle)
+            above = z * (z - c) if self.wave == "cos" else z * s
+            image, have = _Image(above, z**2 - 2 * c * z + 1, 1), 0
+        else:
+            have = min(self.power, MOST_IN_THE_TABLE)
+            image = _Image(z if have == 1 else z * (z + 1), z - 1, have + 1)
+        found = [Pair("table", k**have * self._wave(k), image.expression())]
+        for power in range(have + 1, self.power + 1):
+            image = image.multiplied(z)
+            found.append(Pair("derivative", k**power * self._wave(k), image.expression(factored=True)))
+        if self.growth != 1:
+            image = image.damped(self.growth, z)
+            found.append(Pair("damping", self.function(k), image.expression(factored=True)))
+        return tuple(found)
+
+    def radius(self) -> sp.Expr:
+        """The absolute value that z must exceed for the series to converge."""
+        return sp.Abs(self.growth)
+
+
+def sequence_pieces(f: sp.Expr, k: sp.Symbol) -> tuple[TransformPiece, ...]:
+    """The pieces of a sequence, the earliest first, a unit pulse as an `impulse`.
+
+    Raises NotExact for a sequence whose transform is not rational.
+    """
+    signal = read_signal(f, k, discrete=True)
+    delays = in_order(signal.delays) or signal.delays
+    pieces = (_piece(signal, delay, k) for delay in delays)
+    return tuple(each for each in pieces if each.terms or each.impulse != 0)
+
+
+def _piece(signal: Signal, delay: sp.Expr, k: sp.Symbol) -> TransformPiece:
+    here = sp.Add(*(c * written(term, k, discrete=True) for (begin, term), c in signal.terms.items() if begin == delay))
+    local = here if delay == 0 else here.subs(k, k + delay)
+    terms = []
+    for (_, (n, growth, angle, sine)), c in read_signal(local, k, discrete=True).terms.items():
+        wave = "" if angle == 0 else "sin" if sine else "cos"
+        terms.append(SequenceTerm(c, n, growth, angle, wave))
+    moved = sp.Add(*(each.factor * each.function(k) for each in terms))
+    pulse: sp.Expr = signal.impulses.get(delay, sp.S.Zero)
+    return TransformPiece(delay, here, moved, pulse, tuple(terms))
+
+
+def sequence_transform(pieces: Sequence[TransformPiece], k: sp.Symbol, z: sp.Symbol) -> sp.Expr:
+    """Σ z^{−n} times the image of each piece."""
+    return sp.Add(*(moved_image(each.delay, each.image(k, z), z) for each in pieces))
+
+
+def moved_image(delay: sp.Expr, image: sp.Expr, z: sp.Symbol) -> sp.Expr:
+    """The image times z^{−n}, cancelled where it is one fraction."""
+    if delay == 0:
+        return image
+    if image.is_Add:
+        return sp.Add(*(moved_image(delay, term, z) for term in image.args))
+    found: Any = image * z**-delay
+    return found
+
+
+def radius_of(pieces: Sequence[TransformPiece]) -> sp.Expr | None:
+    """The absolute value of z beyond which the series converges; None where it does for every z ≠ 0."""
+    found = [term.radius() for piece in pieces for term in piece.terms]
+    return sp.Max(*found) if found else None
