@@ -78,6 +78,8 @@ class Printer(ObjectPrinter):
         return self._term(split(expr))
 
     def _print_exp(self, expr: Any) -> Row:
+        if self.numbers.all_decimal and expr.is_real and expr.is_number:
+            return self._print(evaluated(expr))
         return row(Scripts(Symbol("e"), None, self._exponent(expr.args[0])))
 
     _print_ExpBase = _print_exp

@@ -24,6 +24,7 @@ from solver.exact.design.placement import (
     roots_of,
     toeplitz,
 )
+from solver.exact.design.pole_mapping import pole_in_z
 from solver.exact.design.pole_placement import ackermann
 from solver.exact.design.second_order import Inconsistent, SecondOrder, second_order, specified
 from solver.exact.design.set_point import NoSetPoint, SetPoint, equations_of_rest, set_point
@@ -62,6 +63,7 @@ __all__ = [
     "monic",
     "nearest_eigenvector",
     "parts_of_columns",
+    "pole_in_z",
     "polynomial_in",
     "polynomial_of_matrix",
     "roots_of",

@@ -14,6 +14,7 @@ from itertools import pairwise
 
 import sympy as sp
 
+from solver.exact.design.pole_mapping import without_squared_sines
 from solver.exact.linear_algebra.affine import affine, tidy
 from solver.exact.linear_algebra.faddeev import faddeev_leverrier
 from solver.exact.linear_algebra.fields import domain_matrix, expression
@@ -30,7 +31,7 @@ def monic(roots: Iterable[sp.Expr]) -> Coefficients:
     for root in roots:
         shifted = [*coefficients, sp.Integer(0)]
         coefficients = [shifted[0]] + [sp.expand(c - root * previous) for previous, c in pairwise(shifted)]
-    return tuple(_real_part_of_decimals(c) for c in coefficients)
+    return tuple(without_squared_sines(_real_part_of_decimals(c)) for c in coefficients)
 
 
 def conjugate_pairs(roots: Sequence[sp.Expr]) -> tuple[list[tuple[sp.Expr, sp.Expr]], list[sp.Expr]]:

@@ -6,12 +6,21 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Derivation, Refusal, option
+from solver.derivation import Derivation, Given, Refusal, option
 from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.options.poles import Poles
 from solver.tasks.design.desired_poles import NAMES, StepSpecifications, band, faults, second_order_of, specified
+from solver.tasks.design.mapped_poles import (
+    SampledPoles,
+    mapped_poles,
+    mapping_faults,
+    number_given,
+    numeric_poles_in_z,
+    poles_in_z,
+)
+from solver.tasks.sample_times import sample_time_of
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -31,7 +40,7 @@ PLACING = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class PoleOptions(StepSpecifications):
+class PoleOptions(StepSpecifications, SampledPoles):
     """The poles of the closed loop, or what is asked of its step response."""
 
     poles: tuple[Expr, ...] | None = option(
@@ -44,39 +53,50 @@ def variable(system: systems.System) -> Symbol:
     return sp.Symbol("z" if system.discrete else "s")
 
 
-def asked_poles(options: PoleOptions) -> Derivation[list[Expr]]:
-    """Return the poles asked for; two from the specifications, where these are given, are worked out."""
-    poles = list(options.poles or ())
+def asked_poles(given: Given[Any, PoleOptions]) -> Derivation[list[Expr]]:
+    """Return the poles asked for; two from the specifications, where these are given, are worked out.
+
+    Those of a discrete plant are mapped to z where they are given in s, by themselves or by specifications.
+    """
+    options = given.options
+    poles = yield from poles_in_z(given, options.poles)
     if not specified(options):
         return poles
     found = yield from second_order_of(options)
-    return [*found.poles, *poles]
+    pair = list(found.poles)
+    if given.system.discrete:
+        pair = yield from mapped_poles(pair, sample_time_of(given))
+    return [*pair, *poles]
 
 
-def numeric_poles(options: PoleOptions) -> list[Any]:
+def numeric_poles(given: Given[Any, PoleOptions]) -> list[Any]:
     """Return the poles asked for without the exact kernels, in decimals where specifications give them."""
-    poles = list(options.poles or ())
+    options = given.options
+    poles = numeric_poles_in_z(given, options.poles)
     if specified(options):
-        poles = [*judges.second_order_poles(specified(options), band(options)), *poles]
+        pair = judges.second_order_poles(specified(options), band(options))
+        if given.system.discrete:
+            pair = judges.sampled_poles(pair, sample_time_of(given))
+        poles = [*pair, *poles]
     return poles
 
 
 def pole_faults(system: Any, options: PoleOptions, extra: int = 0) -> Iterable[Refusal]:
     """Return what is wrong with the poles asked for; `extra` states (integrators) come to those of the plant."""
     if specified(options):
-        if getattr(system, "discrete", False):
-            yield next(iter(specified(options))), Reason("placement/specifications_in_discrete_time")
-            return
         yield from faults(options)
-    elif not any(options.has(name) for name in ("poles", *NAMES)):
+    elif not any(options.has(name) for name in ("poles", "s_poles", *NAMES)):
         yield "", Reason("placement/no_poles")
-    unknown = options.later & {"poles", *NAMES}
-    count = len(options.poles or ()) + 2 * bool(specified(options))
-    if unknown or not count or not isinstance(system, systems.StateSpace) or system.B is None:
+    wrong = [*mapping_faults(system, options, mapped=bool(specified(options)) and system.discrete)]
+    yield from wrong
+    listed = number_given(options, options.poles)
+    count = len(listed or ()) + 2 * bool(specified(options))
+    unknown = options.later & {"poles", "s_poles", *NAMES}
+    if wrong or unknown or not count or not isinstance(system, systems.StateSpace) or system.B is None:
         return
     allowed = _numbers_of_poles(system, options) if not extra else {system.order + extra}
     if count not in allowed:
-        where = "poles" if options.poles else next(iter(specified(options)), "")
+        where = "poles" if options.poles else "s_poles" if listed else next(iter(specified(options)), "")
         numbers = {"n": system.order + extra, "all": max(allowed), "some": min(allowed), "count": count}
         yield where, Reason("placement/number_of_poles", numbers)
 

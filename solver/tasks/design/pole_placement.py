@@ -145,7 +145,7 @@ def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Deriv
     yield from block_diagram("state_feedback", r"State feedback $u = -\sym{K} x$")
     if given.options.eigenvectors is not None:
         return (yield from _with_eigenvectors(given, given.options.eigenvectors))
-    poles = yield from asked_poles(given.options)
+    poles = yield from asked_poles(given)
     row, unknowns = shape_of(given)
     found = yield from place(plant.A, plant.B, poles, method, x=x, wanted=Wanted(row, unknowns))
     if not found.free:
@@ -156,7 +156,8 @@ def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Deriv
 def _with_eigenvectors(given: Given[WithInput, PolePlacementOptions], wanted: ImmutableMatrix) -> Derivation[Answers]:
     """The gain that the eigenvectors decide, whatever the method."""
     plant = given.system
-    question = Question(plant, given.options.poles or (), wanted)
+    poles = yield from asked_poles(given)
+    question = Question(plant, poles, wanted)
     found, V = yield from assign_eigenvectors(question, variable(plant))
     yield from zero_input_response(found.loop, plant, found.K)
     answers = _answers(found, structured=False)
@@ -211,7 +212,7 @@ def by_unity_rank(given: Given[WithInput, PolePlacementOptions]) -> Derivation[A
 def has_the_poles(given: Given[WithInput, PolePlacementOptions], answers: Answers) -> Iterable[Check]:
     """The spectrum of A − BK is the one asked for; modes that no gain moves are found by two random gains."""
     row, unknowns = shape_of(given)
-    asked = Asked(given.system.A, given.system.B, numeric_poles(given.options), variable(given.system), row, unknowns)
+    asked = Asked(given.system.A, given.system.B, numeric_poles(given), variable(given.system), row, unknowns)
     yield from judge_gain(asked, answers)
     if given.options.eigenvectors is not None:
         yield from judge_eigenvectors(asked, given.options.eigenvectors, answers)
@@ -255,7 +256,7 @@ def taken_as_asked(wrong: Attempt[WithInput, PolePlacementOptions]) -> Iterable[
 @pole_placement.meaning("K", "closed_loop_A", "polynomial")
 def poles_of_the_loop(wrong: Attempt[WithInput, PolePlacementOptions]) -> Reason | None:
     """The poles that the gain, the loop or the polynomial has."""
-    plant, asked = wrong.given.system, numeric_poles(wrong.given.options)
+    plant, asked = wrong.given.system, numeric_poles(wrong.given)
     if wrong.name == "polynomial":
         return meanings.roots_given(wrong.value, variable(plant), asked)
     loop = wrong.value if wrong.name == "closed_loop_A" else plant.A - plant.B * wrong.value

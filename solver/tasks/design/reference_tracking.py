@@ -100,7 +100,7 @@ def by_the_steady_state(given: Given[WithBoth, ReferenceTrackingOptions]) -> Der
     F, N = yield from steady_state_of(A, B, C, D, discrete=discrete)
     K, placed = given.options.gain, given.options.gain is None
     if K is None:
-        poles = yield from asked_poles(given.options)
+        poles = yield from asked_poles(given)
         method = "coefficient_matching" if B.cols == 1 and A.rows <= 3 else "ackermann"
         found = yield from place(A, B, poles, method, x=variable(plant))
         K = found.K
@@ -231,7 +231,7 @@ def holds_the_output_at_the_reference(
         yield numeric.check_residual(
             r"$\det(xI - A + BK) = \prod_i (x - p_i)$ at random $x$",
             "numpy.linalg.det",
-            lambda: judges.placed_residual(A, B, answers["K"], numeric_poles(given.options)),
+            lambda: judges.placed_residual(A, B, answers["K"], numeric_poles(given)),
             answer="K",
         )
     if "K_o" in answers:
@@ -239,7 +239,7 @@ def holds_the_output_at_the_reference(
             "$K_o = N + K F$ for a steady state with $y = r$",
             "numpy.linalg.lstsq",
             lambda: judges.feedforward_residual(
-                matrices, answers["K_o"], K, numeric_poles(given.options) if K is None else (), discrete=plant.discrete
+                matrices, answers["K_o"], K, numeric_poles(given) if K is None else (), discrete=plant.discrete
             ),
             answer="K_o",
         )
@@ -254,4 +254,4 @@ reference_tracking.consequence("K_o", of=("F", "N", "K"))(consequences.reference
 def poles_of_the_gain(wrong: Attempt[WithBoth, ReferenceTrackingOptions]) -> Reason | None:
     """The poles that the gain gives."""
     plant = wrong.given.system
-    return meanings.poles_given(plant.A - plant.B * wrong.value, numeric_poles(wrong.given.options))
+    return meanings.poles_given(plant.A - plant.B * wrong.value, numeric_poles(wrong.given))

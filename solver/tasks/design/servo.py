@@ -102,7 +102,7 @@ def _designed(given: Given[WithBoth, PoleOptions], method: str) -> Derivation[An
         outputs=p,
     )
     yield from _integrators_reached(plant, D)
-    poles = yield from asked_poles(given.options)
+    poles = yield from asked_poles(given)
     found = yield from place(A, B, poles, method, x=x, augmented=True)
     K, k_I = sp.ImmutableMatrix(found.K[:, :n]), sp.ImmutableMatrix(-found.K[:, n:])
     yield Step(
@@ -198,7 +198,7 @@ def has_the_poles_and_no_error(given: Given[WithBoth, PoleOptions], answers: Ans
     below = sp.eye(C.rows) if plant.discrete else sp.zeros(C.rows)
     big = sp.ImmutableMatrix(sp.BlockMatrix([[A, sp.ZeroMatrix(n, C.rows)], [-C, below]]).as_explicit())
     inputs = sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix(B), sp.Matrix(-D)))
-    poles = numeric_poles(given.options)
+    poles = numeric_poles(given)
     K, k_I, loop = answers.get("K"), answers.get("k_I"), answers.get("closed_loop_A")
     asked = Asked(big, inputs, poles, variable(plant))
     shapes = {"K": (B.cols, n), "k_I": (B.cols, C.rows)}
@@ -244,7 +244,7 @@ def loop_of_the_gains(given: Given[WithBoth, PoleOptions], found: Mapping[str, A
 @servo.meaning("K", "k_I", "closed_loop_A")
 def poles_of_the_loop(wrong: Attempt[WithBoth, PoleOptions]) -> Reason | None:
     """The poles that the loop has; of K alone their sum, in which k_I is not."""
-    asked, own = numeric_poles(wrong.given.options), wrong.submitted
+    asked, own = numeric_poles(wrong.given), wrong.submitted
     if wrong.name == "closed_loop_A":
         return meanings.poles_given(wrong.value, asked)
     if "K" in own and "k_I" not in own:

@@ -25,9 +25,14 @@ WHERE = "eigenvectors"
 
 def eigenvector_faults(system: Any, options: PoleOptions, wanted: ImmutableMatrix | None) -> Iterable[Refusal]:
     """Return what is wrong with the wanted eigenvectors (n×n, a column for each pole; None: not asked for)."""
-    if wanted is None or not isinstance(system, systems.StateSpace) or system.B is None or "poles" in options.later:
+    if (
+        wanted is None
+        or not isinstance(system, systems.StateSpace)
+        or system.B is None
+        or options.later & {"poles", "s_poles"}
+    ):
         return
-    poles, n = options.poles or (), system.order
+    poles, n = options.poles or options.s_poles or (), system.order
     if system.B.cols == 1:
         yield WHERE, Reason("placement/eigenvectors_of_one_input")
     elif specified(options):

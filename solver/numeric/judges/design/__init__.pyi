@@ -24,6 +24,7 @@ from solver.numeric.judges.design.placement import (
     roots_residual,
     shape_residual,
 )
+from solver.numeric.judges.design.sampling import sampled_poles
 from solver.numeric.judges.design.second_order import second_order_poles, second_order_residual
 from solver.numeric.judges.design.set_point import reference_residual_at_optimum, set_point_residual
 from solver.numeric.judges.design.tracking import completed_residual, feedforward_residual, steady_residual
@@ -50,6 +51,7 @@ __all__ = [
     "reference_residual_at_optimum",
     "roots_residual",
     "row_space_residual",
+    "sampled_poles",
     "second_order_poles",
     "second_order_residual",
     "set_point_residual",

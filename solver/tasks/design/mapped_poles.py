@@ -1,0 +1,107 @@
+"""Poles of a sampled plant that are asked for in s: z = e^{sT} takes them to the z-plane."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from solver.derivation import Claim, Derivation, Given, Refusal, Step, lemma, option
+from solver.lazy import exact
+from solver.lazy import sympy as sp
+from solver.numeric.judges import design as judges
+from solver.options.poles import Poles
+from solver.stated.algebra import exponential
+from solver.tasks.figures import plane, roots
+from solver.tasks.plant_options import PlantOptions
+from solver.tasks.sample_times import sample_time_of, sample_time_option, sample_time_refusals
+from solver.words import Phrase, Reason
+
+if TYPE_CHECKING:
+    from sympy import Expr
+
+
+@dataclass(frozen=True, kw_only=True)
+class SampledPoles(PlantOptions):
+    """Poles of a discrete system that are given in s."""
+
+    s_poles: tuple[Expr, ...] | None = option(
+        Poles(), "of a discrete plant, in place of poles: the poles in s, which z = e^{sT} takes to z", answer="poles"
+    )
+    sample_time: Expr | None = sample_time_option()
+
+
+@lemma("mapped_poles")
+def mapped_poles(poles: Sequence[Expr], period: Expr) -> Derivation[list[Expr]]:
+    """z = e^{sT} for each of the poles in s, in their order."""
+    found = [exact.pole_in_z(s, period) for s in poles]
+    yield Step(
+        "mapped",
+        claims={
+            f"pole{i}": Claim(exponential(sp.expand(s * period)), z, Phrase("pole {i}", i=i))
+            for i, (s, z) in enumerate(zip(poles, found, strict=True), 1)
+        },
+        poles=list(poles),
+        found=found,
+        partners=_partners(poles),
+        T=period,
+        complex=any(s.has(sp.I) for s in poles),
+        aliased=[s for s in poles if _is_aliased(s, period)],
+        figures=plane("The poles in z, with the unit circle", roots("poles", found), discrete=True),
+    )
+    return found
+
+
+def _partners(poles: Sequence[Expr]) -> list[int]:
+    """For each pole the number, from 1, of an earlier one that it is conjugate to; 0 where it is the first."""
+    numbers: list[int] = []
+    for i, s in enumerate(poles):
+        mirror = exact.conjugated(s)
+        earlier = (j for j in range(i) if s.has(sp.I) and poles[j] == mirror and j + 1 not in numbers)
+        numbers.append(next((j + 1 for j in earlier), 0))
+    return numbers
+
+
+def _is_aliased(s: Expr, period: Expr) -> bool:
+    """Whether a frequency is beyond half the sampling frequency, |ωT| > π."""
+    angle = sp.expand((s - exact.conjugated(s)) * period / (2 * sp.I))
+    return bool(angle.is_number and abs(sp.N(angle, 30)) > sp.N(sp.pi, 30))
+
+
+def poles_in_z(given: Given[Any, SampledPoles], poles: Sequence[Expr] | None, name: str = "s_poles") -> Derivation[Any]:
+    """Return the poles that the question gives in z, or those that it gives in s under a name, mapped by a step."""
+    in_s = getattr(given.options, name)
+    if in_s is None:
+        return list(poles or ())
+    return (yield from mapped_poles(in_s, sample_time_of(given)))
+
+
+def numeric_poles_in_z(
+    given: Given[Any, SampledPoles], poles: Sequence[Expr] | None, name: str = "s_poles"
+) -> list[Any]:
+    """Return the same without the exact kernels, e^{sT} as it stands."""
+    in_s = getattr(given.options, name)
+    return list(poles or ()) if in_s is None else judges.sampled_poles(in_s, sample_time_of(given))
+
+
+def mapping_faults(
+    system: Any, options: SampledPoles, poles: str = "poles", in_s: str = "s_poles", *, mapped: bool = False
+) -> Iterable[Refusal]:
+    """Yield what is wrong with poles in s: a continuous plant, poles in z beside them, no sampling period.
+
+    `mapped`: other poles in s are there, which need the period too.
+    """
+    asked = options.has(in_s)
+    if asked and not system.discrete:
+        yield in_s, Reason("mapped_poles/continuous", {"name": in_s, "poles": poles})
+    elif asked and options.has(poles):
+        yield in_s, Reason("mapped_poles/both", {"name": in_s, "poles": poles})
+    elif not system.discrete and options.sample_time is not None:
+        yield "sample_time", Reason("mapped_poles/period_of_continuous", {})
+    else:
+        yield from sample_time_refusals(system, options, needed=asked or mapped)
+
+
+def number_given(options: SampledPoles, poles: Sequence[Any] | None) -> Sequence[Any] | None:
+    """Return the poles by which their number is judged: those in z, else those in s; None where neither is known."""
+    return poles if poles is not None else options.s_poles
