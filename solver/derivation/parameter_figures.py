@@ -11,7 +11,7 @@ class Locus:
     """The roots of D + K N for K ≥ 0: the coefficients of N and D, highest power first, numbers; `gain` is K's LaTeX.
 
     `angles` of asymptotes are in degrees, from `centroid`. `meetings` are points with their K > 0, where branches meet,
-    `crossings` frequencies ω with their K, where branches cross the imaginary axis.
+    `crossings` those not below the real axis where they cross the imaginary axis, in discrete time the unit circle.
     """
 
     caption: str
@@ -22,6 +22,7 @@ class Locus:
     angles: tuple[Any, ...] = ()
     meetings: tuple[tuple[Any, Any], ...] = ()
     crossings: tuple[tuple[Any, Any], ...] = ()
+    discrete: bool = False
 
 
 @dataclass(frozen=True, slots=True)

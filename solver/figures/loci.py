@@ -13,7 +13,7 @@ from solver.derivation.figures import DrawnCurve, DrawnPlot, Mark, Roots
 from solver.derivation.parameter_figures import Locus
 from solver.figures.alternatives import number_text, text_of, values_text
 from solver.figures.branches import Branches
-from solver.figures.planes import Placed, placed
+from solver.figures.planes import Placed, placed, unit_circle
 from solver.figures.sampling import complex_number, number, plain
 from solver.words import Phrase
 
@@ -40,13 +40,18 @@ def on_locus(locus: Locus) -> DrawnPlot:
     """Return a root locus as a plot."""
     poles, zeros = _roots(locus)
     meetings = [(complex_number(point), number(gain)) for point, gain in locus.meetings]
-    crossings = [(number(omega), number(gain)) for omega, gain in locus.crossings]
+    crossings = [(complex_number(point), number(gain)) for point, gain in locus.crossings]
     centroid = [] if locus.centroid is None else [complex(number(locus.centroid))]
     points = [place for each in (poles, zeros) for place, _ in each.places]
-    special = [*(point for point, _ in meetings), *(1j * w for w, _ in crossings), *centroid, 0j]
+    edge = [1 + 0j, 1j, -1 + 0j] if locus.discrete else [0j]
+    special = [*(point for point, _ in meetings), *(point for point, _ in crossings), *centroid, *edge]
     shown, beyond = _near(points, special)
     window = _window([*shown, *special])
-    curves = [*_asymptotes(locus, window), *_branches(locus, window, meetings)]
+    curves = [
+        *([unit_circle()] if locus.discrete else []),
+        *_asymptotes(locus, window),
+        *_branches(locus, window, meetings),
+    ]
     for each in (poles, zeros):
         places = [place for place, _ in each.places if place not in beyond]
         if places:
@@ -55,7 +60,8 @@ def on_locus(locus: Locus) -> DrawnPlot:
     dots = [*_dots(locus, meetings, crossings)]
     named = _apart([mark for mark in (*dots, *_several((poles, zeros), beyond)) if mark.label], window)
     marks = [*(replace(dot, label="") for dot in dots), *named, *_at_the_edge(beyond, window)]
-    labels = (r"\operatorname{Re} s", r"\operatorname{Im} s")
+    s = "z" if locus.discrete else "s"
+    labels = (rf"\operatorname{{Re}} {s}", rf"\operatorname{{Im}} {s}")
     return DrawnPlot(locus.caption, *labels, tuple(curves), tuple(marks), equal=True, window=window)
 
 
@@ -155,14 +161,16 @@ def _inside(piece: Any, window: Window) -> Iterator[Any]:
             start = None
 
 
-def _dots(locus: Locus, meetings: list[tuple[complex, float]], crossings: list[tuple[float, float]]) -> Iterator[Mark]:
+def _dots(
+    locus: Locus, meetings: list[tuple[complex, float]], crossings: list[tuple[complex, float]]
+) -> Iterator[Mark]:
     """Meeting points and crossings; of a pair the upper one has the gain as its name."""
     for point, gain in meetings:
         yield Mark(point.real, point.imag, "" if point.imag < 0 else _named(locus.gain, gain))
-    for omega, gain in crossings:
-        yield Mark(0.0, omega, _named(locus.gain, gain))
-        if omega:
-            yield Mark(0.0, -omega)
+    for point, gain in crossings:
+        yield Mark(point.real, point.imag, _named(locus.gain, gain))
+        if point.imag:
+            yield Mark(point.real, -point.imag)
 
 
 def _named(name: str, gain: float) -> str:
@@ -217,7 +225,7 @@ def of_locus(locus: Locus, say: Say) -> str:
     """Tell where branches start, end, meet and cross."""
     poles, zeros = _roots(locus)
     K = text_of(locus.gain)
-    told = [say("root locus in the s-plane")]
+    told = [say("root locus in the z-plane" if locus.discrete else "root locus in the s-plane")]
     for each in (poles, zeros):
         values = ", ".join(values_text(each.places))
         told.append(say(Phrase("{name} ({count}): {values}", name=each.name, count=each.count, values=values))
@@ -229,12 +237,20 @@ def of_locus(locus: Locus, say: Say) -> str:
     for point, gain in locus.meetings:
         at = complex_number(point)
         if at.imag >= 0:
-            text = next(iter(values_text([(at, 1), *([(at.conjugate(), 1)] if at.imag else [])][::-1])))
-            told.append(say(Phrase("branches meet at {point} for {K} = {gain}", point=text, K=K,
+            told.append(say(Phrase("branches meet at {point} for {K} = {gain}", point=_pair(at), K=K,
                                    gain=number_text(number(gain)))))  # fmt: skip
-    for omega, gain in locus.crossings:
-        size, at_gain = number_text(number(omega)), number_text(number(gain))
-        point = "0" if size == "0" else f"±{size}j"
-        told.append(say(Phrase("branches cross the imaginary axis at {point} for {K} = {gain}",
-                               point=point, K=K, gain=at_gain)))  # fmt: skip
+    crossing = (
+        "branches cross the unit circle at {point} for {K} = {gain}"
+        if locus.discrete
+        else "branches cross the imaginary axis at {point} for {K} = {gain}"
+    )
+    for point, gain in locus.crossings:
+        text = _pair(complex_number(point))
+        told.append(say(Phrase(crossing, point=text, K=K, gain=number_text(number(gain)))))
     return ". ".join(text[:1].upper() + text[1:] for text in told) + "."
+
+
+def _pair(point: complex) -> str:
+    """A real point, or a pair by the one above the real axis."""
+    listed = [(point.conjugate(), 1), (point, 1)] if point.imag else [(point, 1)]
+    return next(iter(values_text(listed)))

@@ -82,7 +82,12 @@ def _stable(plane: Plane, window: Window) -> Iterator[DrawnCurve]:
 def _edge(plane: Plane) -> Iterator[DrawnCurve]:
     """The unit circle; the imaginary axis is drawn as an axis."""
     if plane.discrete:
-        yield _arc(1.0, 0.0, 2 * pi, "")
+        yield unit_circle()
+
+
+def unit_circle() -> DrawnCurve:
+    """Return the edge of stability in discrete time."""
+    return _arc(1.0, 0.0, 2 * pi, "")
 
 
 def _arc(radius: float, start: float, stop: float, label: str) -> DrawnCurve:

@@ -202,10 +202,10 @@ def _are(wanted: Iterable[Any], found: Iterable[Any]) -> Check:
     return Check.within("all crossings", ORACLE, judges.list_residual(list(wanted), list(found)), NEAR)
 
 
-def of_root_counts(found: Any, coefficients: Any) -> Iterator[Check]:
-    """The roots to the right and on the axis, found themselves; those of parameters are judged by answers."""
+def of_root_counts(found: Any, coefficients: Any, *, discrete: bool = False) -> Iterator[Check]:
+    """The roots outside of the region of stability and on its boundary; those of parameters are judged by answers."""
     if found is None or any(c.free_symbols for c in coefficients):
         return
-    outside, on = judges.roots_outside(coefficients)
-    yield Check.that("roots in the right half plane", "mpmath.polyroots", found.outside == outside)
-    yield Check.that("roots on the axis", "mpmath.polyroots", found.on == on)
+    outside, on = judges.roots_outside(coefficients, discrete=discrete)
+    yield Check.that("roots outside of the region of stability", "mpmath.polyroots", found.outside == outside)
+    yield Check.that("roots on its boundary", "mpmath.polyroots", found.on == on)

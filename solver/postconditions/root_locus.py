@@ -21,7 +21,7 @@ K = sp.Symbol("K", real=True)
 
 def _locus(equation: Any) -> judges.Locus:
     p = equation.denominator.as_expr() + K * equation.numerator.as_expr()
-    return judges.locus_of(sp.expand(p), equation.denominator.gen, K)
+    return judges.locus_of(sp.expand(p), equation.denominator.gen, K, discrete=equation.discrete)
 
 
 def _close(says: str, residual: float) -> Check:
@@ -36,13 +36,15 @@ def of_affine_parts(found: Any, coefficients: Sequence[Any], k: Any) -> Iterator
         yield Claim(sp.ImmutableMatrix([list(coefficients)]), sp.ImmutableMatrix([whole]))
 
 
-def of_locus_equation(found: Any, numerator: Any, denominator: Any, s: Any) -> Iterator[Claim | Check]:
+def of_locus_equation(
+    found: Any, numerator: Any, denominator: Any, s: Any, *, discrete: bool = False
+) -> Iterator[Claim | Check]:
     """The common factor, monic, times what is left is what was given; what is left has no common root."""
     N, D, common = found.numerator, found.denominator, found.common
     yield Claim(numerator, product(common.as_expr(), N.as_expr()))
     yield Claim(denominator, product(common.as_expr(), D.as_expr()))
     monic = sp.expand(common.LC() - 1) == 0 and all(p.gen == s for p in (N, D, common))
-    yield Check.that("a monic common factor", "compared", monic)
+    yield Check.that("a monic common factor", "compared", monic and found.discrete == discrete)
     zeros, poles = (np.roots([complex(c) for c in p.all_coeffs()]) for p in (N, D))
     apart = all(abs(z - p) > NEAR for z in zeros for p in poles)
     yield Check.that("numerator and denominator without common roots", "numpy.roots", apart)
@@ -140,13 +142,15 @@ def of_meetings(found: Sequence[Any], equation: Any) -> Iterator[Check]:
     yield Check.that("all points where branches can meet", "counted", not left)
 
 
-def of_on_imaginary_axis(found: Any, equation: Any) -> Iterator[Claim]:
-    """Real and imaginary parts of D(jω) and N(jω) in u = ω², and what is left without K."""
+def of_on_boundary(found: Any, equation: Any) -> Iterator[Claim]:
+    """Real and imaginary parts of D and N in u = ω², on the circle in the cosine, and what is left without K."""
     s, omega = equation.denominator.gen, sp.Symbol("omega", real=True)
-    (a, c), (b, d) = ([p.as_expr().xreplace({p.gen: omega**2}) for p in pair] for pair in (found.real, found.imaginary))
+    unit, place = (sp.sin(omega), sp.cos(omega)) if equation.discrete else (omega, omega**2)
+    point = sp.exp(sp.I * omega) if equation.discrete else sp.I * omega
+    (a, c), (b, d) = ([p.as_expr().xreplace({p.gen: place}) for p in pair] for pair in (found.real, found.imaginary))
     for p, even, odd in ((equation.denominator, a, b), (equation.numerator, c, d)):
-        yield Claim(p.as_expr().xreplace({s: sp.I * omega}), even + sp.I * omega * odd)
-    yield Claim(found.eliminated.as_expr().xreplace({found.eliminated.gen: omega**2}), a * d - b * c)
+        yield Claim(p.as_expr().xreplace({s: point}), even + sp.I * unit * odd)
+    yield Claim(found.eliminated.as_expr().xreplace({found.eliminated.gen: place}), a * d - b * c)
 
 
 def of_in_squares(found: Any, p: Any, omega: Any) -> Iterator[Claim]:
@@ -155,20 +159,24 @@ def of_in_squares(found: Any, p: Any, omega: Any) -> Iterator[Claim]:
 
 
 def of_crossings(found: Sequence[Any], equation: Any) -> Iterator[Claim | Check]:
-    """All of them, with their gains; ω² is the square."""
+    """All of them, with their gains; ω² is the place, on the circle the real part."""
     locus = _locus(equation)
-    if judges.axis_points(locus) is not None:
-        points = [each.frequency for each in found]
-        yield _close("crossings of the imaginary axis", judges.crossings_residual(locus, points, None))
+    if judges.boundary_points(locus) is not None:
+        points = [point for each in found for point in dict.fromkeys((each.point, sp.conjugate(each.point)))]
+        yield _close("crossings of the boundary", judges.crossings_residual(locus, points, None))
     for each in found:
-        yield Claim(each.square, power(each.frequency, sp.Integer(2)))
-        yield Check.that("a frequency that is not negative", "compared", bool(each.frequency >= 0))
-        gain = locus.gain(judges.number(sp.I * each.frequency))
+        yield Claim(
+            each.place,
+            sp.re(each.point) if equation.discrete else product(sp.Integer(-1), power(each.point, sp.Integer(2))),
+        )
+        point = judges.number(each.point)
+        yield Check.that("a point not below the real axis", "compared", bool(point.imag >= 0))
+        gain = locus.gain(point)
         yield _close("a critical gain", float(abs(judges.number(each.gain) - gain) / (1 + abs(gain))))
 
 
 def of_stable_gains(found: Sequence[Any], equation: Any) -> Iterator[Check]:
-    """Ranges follow each other from zero to infinity; in each so many roots lie to the right, or on the axis."""
+    """Ranges follow each other from zero to infinity; in each so many roots are not in the region of stability."""
     ends = [found[0].low, *(each.high for each in found)] if found else []
     whole = bool(found) and ends[0] == 0 and ends[-1] == sp.oo
     whole = whole and all(each.high == following.low for each, following in pairwise(found))
@@ -183,9 +191,10 @@ def of_stable_gains(found: Sequence[Any], equation: Any) -> Iterator[Check]:
             p = np.array([complex(c) for c in locus.denominator])
             p[locus.excess :] += gain * np.array([complex(c) for c in locus.numerator])
             roots = np.concatenate([np.roots(p), np.roots(common)])
-            on = int(np.sum(np.abs(roots.real) < 1e-6 * (1 + np.abs(roots))))
-            outside = int(np.sum(roots.real > 1e-6 * (1 + np.abs(roots))))
-            yield Check.that("roots to the right", "numpy.roots", (outside, on) == (each.outside, each.on))
+            away = np.abs(roots) - 1 if equation.discrete else roots.real
+            on = int(np.sum(np.abs(away) < 1e-6 * (1 + np.abs(roots))))
+            outside = int(np.sum(away > 1e-6 * (1 + np.abs(roots))))
+            yield Check.that("roots that are not stable", "numpy.roots", (outside, on) == (each.outside, each.on))
 
 
 def of_departures(found: Sequence[Any], equation: Any) -> Iterator[Claim | Check]:

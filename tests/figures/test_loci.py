@@ -18,7 +18,7 @@ THREE = Locus(
     sp.Integer(-1),
     tuple(map(sp.Integer, (60, 180, -60))),
     ((-1 + 1 / sp.sqrt(3), 2 * sp.sqrt(3) / 9),),
-    ((sp.sqrt(2), sp.Integer(6)),),
+    ((sp.sqrt(2) * sp.I, sp.Integer(6)),),
 )
 
 

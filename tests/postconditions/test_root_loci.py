@@ -21,7 +21,7 @@ def statuses(kernel, result, *arguments):
 
 @pytest.mark.parametrize(
     "kernel",
-    ["real_points", "real_axis_segments", "asymptotes", "turning_polynomial", "meetings", "on_imaginary_axis",
+    ["real_points", "real_axis_segments", "asymptotes", "turning_polynomial", "meetings", "on_boundary",
      "crossings", "stable_gains", "departures", "arrivals"],
 )  # fmt: skip
 @pytest.mark.parametrize("equation", [EQUATION, ANGLED])
@@ -43,7 +43,7 @@ def wrong():
     crossings = exact.crossings(EQUATION)
     yield "crossings", crossings[1:], EQUATION
     yield "crossings", (replace(crossings[0], gain=crossings[1].gain), crossings[1]), EQUATION
-    yield "crossings", (replace(crossings[0], square=-crossings[0].square), crossings[1]), EQUATION
+    yield "crossings", (replace(crossings[0], place=-crossings[0].place), crossings[1]), EQUATION
     ranges = exact.stable_gains(EQUATION)
     yield "stable_gains", ranges[1:], EQUATION
     yield "stable_gains", (replace(ranges[0], outside=1), *ranges[1:]), EQUATION
@@ -55,8 +55,8 @@ def wrong():
     yield "real_axis_segments", [sp.Interval(0, 1)], EQUATION
     yield "real_points", exact.real_points(EQUATION)[1:], EQUATION
     yield "turning_polynomial", exact.turning_polynomial(EQUATION) + 1, EQUATION
-    axis = exact.on_imaginary_axis(EQUATION)
-    yield "on_imaginary_axis", replace(axis, eliminated=axis.eliminated + 1), EQUATION
+    axis = exact.on_boundary(EQUATION)
+    yield "on_boundary", replace(axis, eliminated=axis.eliminated + 1), EQUATION
 
 
 @pytest.mark.parametrize(("kernel", "result", "equation"), list(wrong()))

@@ -2,12 +2,12 @@
 
 from solver.exact.root_locus.breakaway import Meeting, meetings, turning_polynomial
 from solver.exact.root_locus.crossings import (
-    AxisParts,
+    BoundaryParts,
     Crossing,
     Range,
     crossings,
     in_squares,
-    on_imaginary_axis,
+    on_boundary,
     stable_gains,
 )
 from solver.exact.root_locus.directions import Arrow, Bearings, arrivals, degrees_of, departures
@@ -25,8 +25,8 @@ from solver.exact.root_locus.lines import Asymptotes, RealPoint, asymptotes, rea
 __all__ = [
     "Arrow",
     "Asymptotes",
-    "AxisParts",
     "Bearings",
+    "BoundaryParts",
     "Crossing",
     "LocusEquation",
     "Meeting",
@@ -43,7 +43,7 @@ __all__ = [
     "in_squares",
     "locus_equation",
     "meetings",
-    "on_imaginary_axis",
+    "on_boundary",
     "real_axis_segments",
     "real_points",
     "roots_with_factors",

@@ -1,5 +1,7 @@
 """D(s) + K N(s) = 0, which the poles of a loop with a gain K satisfy, in lowest terms; values at roots of polynomials.
 
+Of a discrete loop the variable is z, and the unit circle the boundary of stability.
+
 Source: W. R. Evans, Graphical Analysis of Control Systems, Trans. AIEE 67 (1948).
 """
 
@@ -26,10 +28,11 @@ class LocusEquation:
     numerator: sp.Poly
     denominator: sp.Poly
     common: sp.Poly
+    discrete: bool = False
 
     @property
     def variable(self) -> sp.Symbol:
-        """The symbol s."""
+        """The symbol s (discrete: z)."""
         found: sp.Symbol = self.denominator.gen
         return found
 
@@ -96,13 +99,13 @@ def affine_parts(coefficients: Sequence[sp.Expr], k: sp.Symbol) -> tuple[list[sp
     return constant, slopes
 
 
-def locus_equation(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol) -> LocusEquation:
+def locus_equation(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, *, discrete: bool = False) -> LocusEquation:
     """The equation of two polynomials that are not zero, with numbers for coefficients; raises NotExact."""
     above, below = (sp.Poly(p, s).all_coeffs() for p in (numerator, denominator))
     (flat,) = (matrix := domain_matrix(sp.Matrix([[*above, *below]]))).to_list()
     N, D = (sp.Poly(c, s, domain=matrix.domain) for c in (flat[: len(above)], flat[len(above) :]))
     common = N.gcd(D).monic()
-    return LocusEquation(N.quo(common), D.quo(common), common)
+    return LocusEquation(N.quo(common), D.quo(common), common, discrete)
 
 
 def expressions_of(p: sp.Poly) -> list[sp.Expr]:

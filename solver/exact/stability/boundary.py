@@ -1,7 +1,7 @@
 """The roots of a polynomial on the boundary of stability: the imaginary axis, in discrete time the unit circle.
 
 On the axis p(jω) = E(−ω²) + jω O(−ω²) is zero where the even and the odd part are. Source: F. R. Gantmacher, The Theory
-of Matrices II, XV §6.
+of Matrices II, XV §6. On the circle p(e^{jθ}) = E(cos θ) + j sin θ O(cos θ), by Chebyshev's polynomials.
 """
 
 from __future__ import annotations
@@ -57,6 +57,23 @@ def _on_the_circle(coefficients: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
         half = sp.factor(-p.nth(1) / (2 * p.LC()))
         found.append(half + sp.I * sp.sqrt(sp.factor(1 - half**2)))
     return tuple(found)
+
+
+def parts_on_circle(p: sp.Poly, c: sp.Symbol) -> tuple[sp.Poly, sp.Poly]:
+    """E and O, polynomials in c, of p(e^{jθ}) = E(c) + j sin θ O(c) with c = cos θ; p has real coefficients.
+
+    They are those of e^{jkθ} = cos kθ + j sin kθ, each by 2 cos θ times the one before it minus that before.
+    """
+    K = p.domain
+    zero, one, twice = (sp.Poly(each, c, domain=K) for each in (0, 1, 2 * c))
+    cosines, sines = [one, sp.Poly(c, c, domain=K)], [zero, one]
+    for _ in range(p.degree() - 1):
+        for listed in (cosines, sines):
+            listed.append(twice * listed[-1] - listed[-2])
+    rising = list(reversed(p.rep.to_list()))
+    even, odd = (sum((q.mul_ground(a) for a, q in zip(rising, listed, strict=False)), zero)
+                 for listed in (cosines, sines))  # fmt: skip
+    return even, odd
 
 
 def edges(condition: sp.Basic) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:

@@ -1,5 +1,6 @@
-"""How many roots of a polynomial lie in the right half plane and on the imaginary axis, without finding them.
+"""How many roots of a polynomial lie outside of the region of stability and on its boundary, without finding them.
 
+Of the left half plane: to the right and on the axis. Of the unit disc they are those of the bilinear image.
 Roots that lie symmetrically to the origin are those of g = gcd of the even and the odd part; of g as many lie to the
 right as to the left, the others on the axis. Source: F. R. Gantmacher, The Theory of Matrices II, XV §§4, 6.
 """
@@ -7,7 +8,7 @@ right as to the left, the others on the axis. Source: F. R. Gantmacher, The Theo
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -15,12 +16,15 @@ import sympy as sp
 
 from solver.exact.linear_algebra.fields import domain_matrix, expression
 from solver.exact.stability.inequalities import sign_of
-from solver.exact.stability.routh import routh
+from solver.exact.stability.routh import bilinear, routh
 
 
 @dataclass(frozen=True)
 class RootCounts:
-    """p = `rest` · `symmetric` by coefficients; roots of p `outside` and `on` the axis, of g `outside_symmetric`."""
+    """p = `rest` · `symmetric` by coefficients; roots of p `outside` and `on` the axis, of g `outside_symmetric`.
+
+    In discrete time `rest` and `symmetric` are those of the bilinear image, where z = 1 is no root any more.
+    """
 
     symmetric: tuple[sp.Expr, ...]
     rest: tuple[sp.Expr, ...]
@@ -34,8 +38,13 @@ def sign_changes(signs: Sequence[int | None]) -> int:
     return sum(1 for first, second in pairwise(signs) if first != second)
 
 
-def root_counts(coefficients: Sequence[sp.Expr]) -> RootCounts | None:
-    """Return where the roots lie; None where a sign depends on the parameters."""
+def root_counts(coefficients: Sequence[sp.Expr], *, discrete: bool = False) -> RootCounts | None:
+    """Return where the roots lie, in discrete time beside the unit circle; None where a sign depends on parameters."""
+    if discrete:
+        image = list(bilinear(coefficients))
+        kept = next(i for i, c in enumerate(image) if not _is_zero(c))
+        found = root_counts(image[kept:])
+        return None if found is None else replace(found, on=found.on + kept)
     K, (flat,) = (matrix := domain_matrix(sp.Matrix([list(coefficients)]))).domain, matrix.to_list()
     s, n = sp.Dummy("s"), len(flat) - 1
     p = sp.Poly(flat, s, domain=K)
@@ -49,6 +58,11 @@ def root_counts(coefficients: Sequence[sp.Expr]) -> RootCounts | None:
     symmetric = sum(count * m for count, m in counts if count)
     on = int(g.degree()) - 2 * symmetric
     return RootCounts(_listed(g, K), _listed(rest, K), to_the_right + symmetric, on, symmetric)
+
+
+def _is_zero(c: sp.Expr) -> bool:
+    """Whether a coefficient is zero, roots multiplied out."""
+    return bool(c == 0 or (not c.is_Rational and sp.radsimp(c) == 0))
 
 
 def _listed(p: sp.Poly, K: Any) -> tuple[sp.Expr, ...]:

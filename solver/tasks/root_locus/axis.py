@@ -1,4 +1,4 @@
-"""Lemma: where branches cross the imaginary axis, and for which gains the loop is stable."""
+"""Lemma: where branches cross the boundary of stability, and for which gains the loop is stable."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product
 from solver.stated.calculus import value_at
+from solver.tasks.root_locus.rules import factored
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -20,41 +21,59 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """The crossings; `along` says that whole branches lie on the axis."""
+    """The crossings; `along` says that whole branches lie on the boundary."""
 
     crossings: tuple[exact.Crossing, ...]
     along: bool
 
 
+def pair(point: Expr) -> list[Expr]:
+    """A point that is not real, and its mirror image."""
+    return [point, point.subs(sp.I, -sp.I)]
+
+
 @lemma("locus_axis")
 def crossings_of(form: Form) -> Derivation[Axis]:
-    """D(jω) + K N(jω) = 0 in two real equations, K eliminated; then what happens between the critical gains."""
-    omega = sp.Symbol("omega", real=True)
-    parts = exact.on_imaginary_axis(form.equation)
-    a, c, b, d = (exact.in_squares(p, omega) for p in (*parts.real, *parts.imaginary))
-    real, imaginary = a + form.K * c, b + form.K * d
-    along = bool(parts.eliminated.is_zero)
-    alone = "" if along else "second" if d == 0 else "first" if c == 0 else ""
-    left = {"second": b, "first": a, "": exact.in_squares(parts.eliminated, omega)}[alone]
-    p = form.D + form.K * form.N
-    there = sp.I * omega
-    claims = {
-        "parts": Claim(value_at(p, form.s, there), real + there * imaginary, "real and imaginary part"),
-        "eliminated": Claim({"second": b, "first": a, "": _eliminated(a, b, c, d)}[alone], left, "$K$ eliminated"),
-    }
-    factors = sp.factor(left)
-    if factors != left and left.free_symbols:
-        claims["factors"] = Claim(left, factors, "its factors")
-    yield Step("parts", claims=claims, p=p, s=form.s, K=form.K, there=there, real=real, imaginary=imaginary,
-               alone=alone, along=along)  # fmt: skip
-    found = exact.crossings(form.equation)
-    yield _crossings(form, found, p, omega, along=along)
+    """D + K N = 0 on the boundary in two real equations, K eliminated; then what happens between the critical gains."""
+    found, along = exact.crossings(form.equation), bool(exact.on_boundary(form.equation).eliminated.is_zero)
+    yield _parts(form, along=along)
+    yield _crossings(form, found, along=along)
     ranges = exact.stable_gains(form.equation)
     yield Step("ranges", unclaimed="counted by the Routh array at one gain of each range",
                ranges=[(each.low, each.high, each.outside, each.on) for each in ranges], K=form.K,
                conditions=_conditions(ranges, form.K), n=form.equation.denominator.degree(),
-               fixed=form.equation.common.degree())  # fmt: skip
+               fixed=form.equation.common.degree(), discrete=form.discrete)  # fmt: skip
     return Axis(found, along)
+
+
+def _parts(form: Form, *, along: bool) -> Step:
+    """Real and imaginary part at s = jω with ω², at z = cos θ + j sin θ with c for cos θ; K is eliminated."""
+    discrete, parts = form.discrete, exact.on_boundary(form.equation)
+    angle = sp.Symbol("theta" if discrete else "omega", real=True)
+    cosine = sp.Symbol("c")
+    a, c, b, d = (
+        p.as_expr().subs(p.gen, cosine) if discrete else exact.in_squares(p, angle)
+        for p in (*parts.real, *parts.imaginary)
+    )
+    rest = parts.eliminated
+    whole = rest.as_expr().subs(rest.gen, cosine) if discrete else exact.in_squares(rest, angle)
+    real, imaginary = a + form.K * c, b + form.K * d
+    alone = "" if along else "second" if d == 0 else "first" if c == 0 else ""
+    left = {"second": b, "first": a, "": whole}[alone]
+    p = form.D + form.K * form.N
+    there = sp.cos(angle) + sp.I * sp.sin(angle) if discrete else sp.I * angle
+    unit = sp.I * sp.sin(angle) if discrete else there
+    both = real + unit * imaginary
+    claims = {
+        "parts": Claim(value_at(p, form.s, there), both.subs(cosine, sp.cos(angle)), "real and imaginary part"),
+        "eliminated": Claim({"second": b, "first": a, "": _eliminated(a, b, c, d)}[alone], left, "$K$ eliminated"),
+    }
+    factors = factored(left, cosine if discrete else angle)
+    if factors is not None and sp.degree(left, cosine if discrete else angle) > 1:
+        claims["factors"] = Claim(left, factors, "its factors")
+    return Step("parts", claims=claims, p=p, s=form.s, K=form.K, there=there, real=real, imaginary=imaginary,
+                alone=alone, along=along, discrete=discrete, both=both, cosine=sp.cos(angle),
+                powers=max(sp.degree(form.D, form.s), sp.degree(form.N, form.s)))  # fmt: skip
 
 
 def _eliminated(a: Expr, b: Expr, c: Expr, d: Expr) -> Any:
@@ -62,18 +81,28 @@ def _eliminated(a: Expr, b: Expr, c: Expr, d: Expr) -> Any:
     return difference(product(a, d), product(b, c)) if b != 0 and c != 0 else product(a, d)
 
 
-def _crossings(form: Form, found: tuple[exact.Crossing, ...], p: Expr, omega: Expr, *, along: bool) -> Step:
-    claims = {}
+def _crossings(form: Form, found: tuple[exact.Crossing, ...], *, along: bool) -> Step:
+    p, circle, claims = form.D + form.K * form.N, form.discrete, {}
     for i, each in enumerate(found, 1):
-        at = value_at(p.xreplace({form.K: each.gain}), form.s, sp.I * each.frequency)
-        claims[f"crossing{i}"] = Claim(at, sp.Integer(0), Phrase("crossing {i} of the imaginary axis", i=i))
+        at = value_at(p.xreplace({form.K: each.gain}), form.s, each.point)
+        says = "crossing {i} of the unit circle" if circle else "crossing {i} of the imaginary axis"
+        claims[f"crossing{i}"] = Claim(at, sp.Integer(0), Phrase(says, i=i))
+    squared = sp.Symbol("c") if circle else sp.Symbol("omega", real=True) ** 2
     rows = [
-        {"omega": w, "squared": omega**2, "square": each.square, "point": sp.I * w, "gain": each.gain}
+        {"real": each.real, "squared": squared, "square": each.place, "point": each.point, "pair": pair(each.point),
+         "gain": each.gain, "omega": _frequency(form, each)}
         for each in found
-        for w in (each.frequency,)
-    ]
+    ]  # fmt: skip
     none = "" if claims else "there is no such point; the answer has a check"
-    return Step("crossings", claims=claims, unclaimed=none, rows=rows, K=form.K, along=along, s=form.s)
+    return Step("crossings", claims=claims, unclaimed=none, rows=rows, K=form.K, along=along, s=form.s,
+                discrete=circle)  # fmt: skip
+
+
+def _frequency(form: Form, at: exact.Crossing) -> Expr | None:
+    """The frequency in rad/s of the oscillation at a crossing of the unit circle, where T is a number."""
+    if not form.discrete or form.sample_time is None or not form.sample_time.is_number or at.point == 1:
+        return None
+    return sp.N(sp.acos(at.place) / form.sample_time, 30)
 
 
 def _conditions(ranges: tuple[exact.Range, ...], K: Any) -> list[Any]:

@@ -29,6 +29,12 @@ class Form:
     D: Expr
     polynomial: Expr
     before: bool
+    sample_time: Expr | None = None
+
+    @property
+    def discrete(self) -> bool:
+        """Whether s is z, and the unit circle bounds what is stable."""
+        return self.equation.discrete
 
 
 def polynomial_of(given: CharacteristicEquation, name: str | None) -> tuple[Expr, Symbol, bool]:
@@ -78,7 +84,7 @@ def locus_equation_of(given: CharacteristicEquation, name: str | None) -> Deriva
         claims={"form": Claim(stated, total(D, shown), "the equation of the poles")},
         K=K, N=N, D=D, L=quotient(N, D), s=s, of_loop=loop is not None,
     )  # fmt: skip
-    equation = exact.locus_equation(N, D, s)
+    equation = exact.locus_equation(N, D, s, discrete=given.discrete)
     above, below = exact.written(equation.numerator), exact.written(equation.denominator)
     if equation.common.degree():
         common = exact.written(equation.common)
@@ -90,7 +96,7 @@ def locus_equation_of(given: CharacteristicEquation, name: str | None) -> Deriva
         yield Step("common", claims=claims, common=common, fixed=fixed, K=K)
         if equation.denominator.degree() == 0:
             raise Unsolved("root_locus/constant", K=K)
-    return Form(equation, s, K, above, below, p, before)
+    return Form(equation, s, K, above, below, p, before, given.sample_time)
 
 
 def _polynomial(coefficients: list[Expr], s: Symbol) -> Expr:

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
-from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, product, quotient
 from solver.stated.calculus import derivative, value_at
+from solver.tasks.root_locus.rules import factored
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -30,8 +30,8 @@ def meetings_of(form: Form) -> Derivation[list[exact.Meeting]]:
         "denominator": Claim(derivative(D, s), slopes[1], "the derivative of $D$"),
         "turning": Claim(_turning(N, D, slopes), turning, "what is zero where branches meet"),
     }
-    factors = sp.factor(turning)
-    if factors != turning and turning.free_symbols:
+    factors = factored(turning, s)
+    if factors is not None:
         claims["factors"] = Claim(turning, factors, "its factors")
     yield Step("turning", claims=claims, N=N, D=D, s=s, K=form.K, slopes=slopes, none=not found,
                decimals=any(each.point.root.kind == "decimal" for each in found),

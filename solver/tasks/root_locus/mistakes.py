@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Attempt, Slip
@@ -28,6 +29,7 @@ ADDED = Slip("zeros_added", "the zeros are added; their sum is subtracted from t
 TURNED = Slip("zeros_first", "the sum of the poles is subtracted from that of the zeros; it is the other way round")
 CANDIDATES = Slip("not_on_the_locus", "all candidates are listed; those with K < 0 or complex K do not belong")
 SIGN = Slip("departure_sign", "the sign is reversed: angles of zeros and of poles are taken the other way round")
+AXIS = Slip("axis_for_circle", "that is the imaginary axis; in the z-plane the unit circle bounds what is stable")
 HALF_TURN = Slip("half_turn", "the 180° of the angle condition are missing")
 
 NEAR = 1e-6
@@ -43,6 +45,7 @@ def register(task: Task[CharacteristicEquation, RootLocusOptions]) -> None:
     task.mistake(TURNED, "centroid")(zeros_first)
     task.mistake(CANDIDATES, "breakaway_points", "breakaway_gains")(all_candidates)
     task.mistake(SIGN, "departure_angles", "arrival_angles")(reversed_angles)
+    task.mistake(AXIS, "imaginary_axis_crossings", "critical_gains")(of_the_imaginary_axis)
     task.mistake(HALF_TURN, "departure_angles", "arrival_angles")(without_half_turn)
     task.meaning("breakaway_points")(extra_or_missing_point)
 
@@ -51,7 +54,8 @@ def _equation(wrong: Wrong) -> exact.LocusEquation:
     p, K, _ = polynomial_of(wrong.given.system, wrong.given.options.parameter)
     constant = p.xreplace({K: sp.Integer(0)})
     slope = sp.expand(p.xreplace({K: sp.Integer(1)}) - constant)
-    return exact.locus_equation(slope, constant, wrong.given.system.variable)
+    system = wrong.given.system
+    return exact.locus_equation(slope, constant, system.variable, discrete=system.discrete)
 
 
 def other_multiples(wrong: Wrong) -> Iterable[Any]:
@@ -98,6 +102,15 @@ def reversed_angles(wrong: Wrong) -> Iterable[Any]:
     """−θ, and the sum with the signs of poles and zeros exchanged."""
     yield [-angle for angle in wrong.ours]
     yield [360 - angle for angle in wrong.ours]
+
+
+def of_the_imaginary_axis(wrong: Wrong) -> Iterable[Any]:
+    """Where branches of a discrete loop cross the imaginary axis, or their gains."""
+    equation = _equation(wrong)
+    if equation.discrete:
+        found = exact.crossings(replace(equation, discrete=False))
+        points = [sign * each.point for each in found for sign in ((1, -1) if each.point else (1,))]
+        yield points if wrong.name == "imaginary_axis_crossings" else [each.gain for each in found]
 
 
 def without_half_turn(wrong: Wrong) -> Iterable[Any]:

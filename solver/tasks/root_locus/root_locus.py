@@ -15,7 +15,7 @@ from solver.options.parameter_name import ParameterName
 from solver.tasks.plant_options import LoopOptions
 from solver.tasks.root_locus import mistakes
 from solver.tasks.root_locus.angles import directions_of
-from solver.tasks.root_locus.axis import Axis, crossings_of
+from solver.tasks.root_locus.axis import Axis, crossings_of, pair
 from solver.tasks.root_locus.locus_equation import Form, locus_equation_of, polynomial_of
 from solver.tasks.root_locus.meeting_points import meetings_of
 from solver.tasks.root_locus.rules import rules_of
@@ -49,8 +49,8 @@ root_locus: Task[CharacteristicEquation, RootLocusOptions] = Task(
         AnswerName("centroid", r"\sigma_{a}", "where the asymptotes start", optional=True, earned=("asymptotes",)),
         AnswerName("breakaway_points", r"s_{b}", "the points where branches meet, K ≥ 0", earned=("turning", "gains")),
         AnswerName("breakaway_gains", r"K_{b}", "the gains there, in the order of the points", earned=("gains",)),
-        AnswerName("imaginary_axis_crossings", r"\pm j\omega", "where branches cross the imaginary axis, K > 0",
-                   free=True, earned=("parts", "crossings")),
+        AnswerName("imaginary_axis_crossings", r"s_{c}", "where branches cross the imaginary axis, discrete: the unit "
+                   "circle, K > 0", free=True, earned=("parts", "crossings")),
         AnswerName("critical_gains", r"K_{c}", "the gains there, once for each pair", earned=("crossings",)),
         AnswerName("departure_angles", r"\varphi_{p}",
                    "the directions in which branches leave complex poles of the upper half plane, in degrees",
@@ -72,7 +72,7 @@ def has_no_such_parameter(system: System, options: RootLocusOptions) -> Iterable
         yield "parameter", Reason("stability/no_parameter", {"name": options.parameter})
 
 
-@root_locus.method(source="Ogata, Modern Control Engineering, §§6–2, 6–3", time="continuous")
+@root_locus.method(source="Ogata, Modern Control Engineering, §§6–2, 6–3", time="both")
 def by_rules(given: Given[CharacteristicEquation, RootLocusOptions]) -> Derivation[Answers]:
     """Poles and zeros, the real axis, asymptotes, meeting points, crossings, angles; then the figure."""
     form = yield from locus_equation_of(given.system, given.options.parameter)
@@ -93,7 +93,7 @@ def by_rules(given: Given[CharacteristicEquation, RootLocusOptions]) -> Derivati
         breakaway_points=[each.point.value for each in meetings],
         breakaway_gains=[each.gain for each in meetings],
         imaginary_axis_crossings=[
-            sign * sp.I * each.frequency for each in axis.crossings for sign in ((1, -1) if each.frequency else (1,))
+            point for each in axis.crossings for point in ([each.point] if each.real else pair(each.point))
         ],
         critical_gains=[each.gain for each in axis.crossings],
         departure_angles=leaving,
@@ -113,18 +113,27 @@ def _figure(form: Form, lines: exact.Asymptotes | None, meetings: list[exact.Mee
         centroid=lines.centroid if lines else None,
         angles=lines.angles if lines else (),
         meetings=tuple((each.point.value, each.gain) for each in meetings if each.gain),
-        crossings=tuple((each.frequency, each.gain) for each in axis.crossings),
+        crossings=tuple((each.point, each.gain) for each in axis.crossings),
+        discrete=form.discrete,
     )
 
 
 def _locus(given: Given[CharacteristicEquation, RootLocusOptions]) -> judges.Locus:
     """The question in numbers."""
     p, K, _ = polynomial_of(given.system, given.options.parameter)
-    return judges.locus_of(p, given.system.variable, K)
+    return judges.locus_of(p, given.system.variable, K, discrete=given.system.discrete)
 
 
 TOLERANCE = 1e-10
 BY_DEFINITION = "mpmath: −D/N"
+ON_THE_AXIS = (
+    "branches cross the imaginary axis at these points only",
+    "branches cross the imaginary axis for these gains only",
+)
+ON_THE_CIRCLE = (
+    "branches cross the unit circle at these points only",
+    "branches cross the unit circle for these gains only",
+)
 
 
 @root_locus.verification("asymptote_angles", "centroid", "real_axis_segments")
@@ -160,12 +169,10 @@ def branches_meet_there(given: Given[CharacteristicEquation, RootLocusOptions], 
 
 @root_locus.verification("imaginary_axis_crossings", "critical_gains")
 def branches_cross_there(given: Given[CharacteristicEquation, RootLocusOptions], answers: Answers) -> Iterable[Check]:
-    """They are the roots of D + K N on the imaginary axis for K > 0, all of them, with their gains."""
+    """They are the roots of D + K N on the boundary of stability for K > 0, all of them, with their gains."""
     locus = _locus(given)
-    for name, says in (
-        ("imaginary_axis_crossings", "branches cross the imaginary axis at these points only"),
-        ("critical_gains", "branches cross the imaginary axis for these gains only"),
-    ):
+    says_of = ON_THE_CIRCLE if locus.discrete else ON_THE_AXIS
+    for name, says in zip(("imaginary_axis_crossings", "critical_gains"), says_of, strict=True):
         if name in answers:
             points, gains = (answers[name], None) if name != "critical_gains" else (None, answers[name])
             residual = judges.crossings_residual(locus, points, gains)

@@ -13,7 +13,7 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
     from solver.tasks.root_locus.locus_equation import Form
 
@@ -25,9 +25,9 @@ def rules_of(form: Form) -> Derivation[tuple[list[Any], exact.Asymptotes | None]
     poles, zeros = (exact.roots_with_factors(p) for p in (equation.denominator, equation.numerator))
     n, m = equation.denominator.degree(), equation.numerator.degree()
     factors = {
-        name: Claim(value, sp.factor(value, extension=None), Phrase("the factors of {name}", name=name))
+        name: Claim(value, product_of, Phrase("the factors of {name}", name=name))
         for name, value in (("N", form.N), ("D", form.D))
-        if sp.factor(value) != value and sp.degree(value, form.s) > 0
+        if (product_of := factored(value, form.s)) is not None
     }
     yield Step("poles_zeros", claims=factors, unclaimed="" if factors else "they are read off", K=form.K, s=form.s,
                N=form.N, D=form.D, n=n, m=m, poles=_listed(poles), zeros=_listed(zeros), lead=equation.lead,
@@ -45,6 +45,24 @@ def rules_of(form: Form) -> Derivation[tuple[list[Any], exact.Asymptotes | None]
     else:
         yield _asymptotes(lines, n - m, (_listed(poles), _listed(zeros)), positive=equation.positive)
     return segments, lines
+
+
+def factored(value: Expr, s: Symbol) -> Expr | None:
+    """The factors of a polynomial, monic ones where its coefficients are not whole; None where there is nothing to do.
+
+    A constant is no factor to be told.
+    """
+    found: Expr = sp.factor(value)
+    if not value.has(s) or found == value:
+        return None
+    p = sp.Poly(value, s)
+    if all(c.is_Integer for c in p.all_coeffs()) or not all(c.is_Rational for c in p.all_coeffs()):
+        return found
+    listed = [(factor.monic().as_expr(), m) for factor, m in p.factor_list()[1]]
+    monic = sp.Mul(p.LC(), *(factor**m for factor, m in listed), evaluate=False) if p.LC() != 1 else None
+    if p.degree() == 1 and monic is not None:
+        return sp.Mul(p.LC(), listed[0][0], evaluate=False)
+    return monic if monic is not None else sp.Mul(*(factor**m for factor, m in listed)) if len(listed) > 1 else None
 
 
 def _listed(points: Sequence[exact.PlacedRoot]) -> list[Expr]:

@@ -173,14 +173,14 @@ def margin_residual(value: Any, known: Sequence[Any], name: str) -> float:
     return float(min(gap / (1 + abs(each)) for gap, each in zip(away, known, strict=True)))
 
 
-def roots_outside(p: Sequence[Any]) -> tuple[int, int]:
-    """How many roots of a polynomial lie in the right half plane, and on the axis."""
+def roots_outside(p: Sequence[Any], *, discrete: bool = False) -> tuple[int, int]:
+    """How many roots of a polynomial lie in the right half plane, and on the axis; discrete: beside the unit circle."""
     factors = sp.Poly([sp.Float(str(c), WORKING) if not isinstance(c, sp.Expr) else c for c in p], sp.Dummy("s"))
     with mpmath.workdps(3 * WORKING):
         listed = [mpmath.mpmathify(sp.N(c, 3 * WORKING)) for c in factors.all_coeffs()]
         roots = mpmath.polyroots(listed, maxsteps=2000, extraprec=2000, error=False) if len(listed) > 1 else []
-        on = [z for z in roots if abs(mpmath.re(z)) < NEAR * (1 + abs(z))]
-        return sum(1 for z in roots if mpmath.re(z) >= NEAR * (1 + abs(z))), len(on)
+        away = [(abs(z) - 1 if discrete else mpmath.re(z)) / (1 + abs(z)) for z in roots]
+        return sum(1 for each in away if each >= NEAR), sum(1 for each in away if abs(each) < NEAR)
 
 
 def _by_the_argument(loop: NumericLoop) -> tuple[int, int]:

@@ -9,7 +9,7 @@ from solver.numeric.judges.root_locus.loci import (
     segments_residual,
 )
 from solver.numeric.judges.root_locus.places import (
-    axis_points,
+    boundary_points,
     breakaway_residual,
     crossings_residual,
     directions_residual,
@@ -19,7 +19,7 @@ from solver.numeric.judges.root_locus.places import (
 __all__ = [
     "Locus",
     "asymptote_angles_residual",
-    "axis_points",
+    "boundary_points",
     "breakaway_residual",
     "centroid_residual",
     "crossings_residual",

@@ -40,6 +40,7 @@ class Locus:
     zeros: tuple[Placed, ...]
     poles: tuple[Placed, ...]
     turning: tuple[Placed, ...]
+    discrete: bool = False
 
     @property
     def excess(self) -> int:
@@ -53,15 +54,16 @@ class Locus:
 
 
 @lru_cache(maxsize=32)
-def locus_of(polynomial: Any, s: Any, k: Any) -> Locus:
-    """Return the locus of p(s, k) = D(s) + k N(s)."""
+def locus_of(polynomial: Any, s: Any, k: Any, *, discrete: bool = False) -> Locus:
+    """Return the locus of p(s, k) = D(s) + k N(s); in discrete time the unit circle bounds what is stable."""
     constant = sp.expand(polynomial.xreplace({k: sp.S.Zero}))
     slope = sp.expand(polynomial.xreplace({k: sp.S.One}) - constant)
     N, D = (sp.Poly(each, s, extension=True) for each in (slope, constant))
     common = N.gcd(D)
     N, D = N.quo(common), D.quo(common)
     turning = N * D.diff() - N.diff() * D
-    return Locus(_numbers(N), _numbers(D), *(_roots(p) for p in (N, D, turning)))
+    zeros, poles, meeting = (_roots(p) for p in (N, D, turning))
+    return Locus(_numbers(N), _numbers(D), zeros, poles, meeting, discrete)
 
 
 def _numbers(p: sp.Poly) -> tuple[Any, ...]:

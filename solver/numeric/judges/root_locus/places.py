@@ -1,4 +1,4 @@
-"""Points and directions of root loci judged: where branches meet, cross the axis, leave poles, reach zeros."""
+"""Points and directions of root loci judged: where branches meet, cross the boundary, leave poles, reach zeros."""
 
 from __future__ import annotations
 
@@ -61,28 +61,38 @@ def _differ(a: tuple[Any, Any], b: tuple[Any, Any]) -> float:
     return max(relative(x, y) for x, y in zip(a, b, strict=True) if x is not None and y is not None)
 
 
-def axis_points(locus: Locus) -> list[tuple[Any, Any]] | None:
-    """Return the ω ≥ 0 with K(jω) > 0, each with its gain; None where branches lie on the axis.
+def boundary_points(locus: Locus) -> list[tuple[Any, Any]] | None:
+    """Return the points of the boundary, not below the real axis, with K > 0, each with its gain.
 
-    They are real roots of Im(D(jω) N(−jω)), which is a polynomial in ω.
+    None where branches lie on the boundary. They are roots of Im(D N*) on it, a polynomial in ω, on the circle in z.
     """
-    product = _imaginary_part(locus)
+    product = _on_circle(locus) if locus.discrete else _imaginary_part(locus)
     if not any(abs(c) > NEAR for c in product):
         return None
     while abs(product[-1]) <= NEAR:
         product.pop()
     while product and abs(product[0]) <= NEAR:
         del product[0]
+    ends = [MP.mpc(1), MP.mpc(-1)] if locus.discrete else [MP.mpc(0)]
+    for end in ends if locus.discrete else []:
+        product = _without(product, end)
     roots = MP.polyroots(product, maxsteps=1000, extraprec=1000) if len(product) > 1 else []
     found: list[tuple[Any, Any]] = []
-    for root in [MP.mpf(0), *roots]:
-        omega = MP.re(root)
-        gain = locus.gain(MP.mpc(0, omega))
-        real = abs(MP.im(root)) < NEAR * (1 + abs(root)) and omega >= 0
-        new = all(abs(omega - other) > MP.sqrt(NEAR) for other, _ in found)
-        if real and new and NEAR < MP.re(gain) < MP.inf and abs(MP.im(gain)) < MP.sqrt(NEAR) * (1 + abs(gain)):
-            found.append((omega, MP.re(gain)))
+    for point in [*ends, *(each for root in roots for each in _placed_on_boundary(root, discrete=locus.discrete))]:
+        gain = locus.gain(point)
+        new = all(abs(point - other) > MP.sqrt(NEAR) for other, _ in found)
+        if new and NEAR < MP.re(gain) < MP.inf and abs(MP.im(gain)) < MP.sqrt(NEAR) * (1 + abs(gain)):
+            found.append((point, MP.re(gain)))
     return found
+
+
+def _placed_on_boundary(root: Any, *, discrete: bool) -> list[Any]:
+    """The point of a root of that polynomial, if it lies on the boundary and not below the real axis."""
+    if not discrete:
+        real = abs(MP.im(root)) < NEAR * (1 + abs(root)) and MP.re(root) >= 0
+        return [MP.mpc(0, MP.re(root))] if real else []
+    on = abs(abs(root) - 1) < NEAR and MP.im(root) > 0
+    return [root / abs(root)] if on else []
 
 
 def _imaginary_part(locus: Locus) -> list[Any]:
@@ -97,32 +107,63 @@ def _imaginary_part(locus: Locus) -> list[Any]:
     return [MP.im(c) for c in total]
 
 
-def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequence[Any] | None) -> float:
-    """Return how far points are from those where branches meet the imaginary axis for K > 0, and gains from theirs.
+def _on_circle(locus: Locus) -> list[Any]:
+    """The coefficients of zⁿ(D(z) N(1/z) − D(1/z) N(z)), highest power first; n is the larger degree."""
+    D, N = (list(reversed(p)) for p in (locus.denominator, locus.numerator))
+    n = max(len(D), len(N)) - 1
+    total = [MP.mpf(0)] * (2 * n + 1)
+    for i, a in enumerate(D):
+        for k, b in enumerate(N):
+            total[n + i - k] += a * b
+            total[n - i + k] -= a * b
+    return total[::-1]
 
-    Points are ±jω, both, or frequencies ω; a gain counts once for a pair.
+
+def _without(p: list[Any], root: Any) -> list[Any]:
+    """A polynomial divided by all factors of a real root."""
+    x = MP.re(root)
+    while len(p) > 1 and abs(MP.polyval(p, x)) < NEAR * sum(map(abs, p)):
+        rest = p[:1]
+        for c in p[1:-1]:
+            rest.append(c + x * rest[-1])
+        p = rest
+    return p
+
+
+def crossings_residual(locus: Locus, points: Sequence[Any] | None, gains: Sequence[Any] | None) -> float:
+    """Return how far points are from those where branches meet the boundary for K > 0, and gains from theirs.
+
+    Points are both of each pair, on the axis also frequencies ω; a gain counts once for a pair.
     """
-    wanted = axis_points(locus)
-    if wanted is None:  # whole branches lie on the axis; it is reached at the origin only
-        origin = MP.re(locus.gain(MP.mpf(0)))
-        wanted = [(MP.mpf(0), origin)] if NEAR < origin < MP.inf and (points or gains) else []
+    wanted = boundary_points(locus)
+    if wanted is None:  # whole branches lie on the boundary; it is reached at its real points only
+        ends = [MP.mpc(1), MP.mpc(-1)] if locus.discrete else [MP.mpc(0)]
+        reached = [(end, MP.re(locus.gain(end))) for end in ends]
+        wanted = [pair for pair in reached if NEAR < pair[1] < MP.inf] if points or gains else []
     worst = 0.0
     if points is not None:
-        sides = _frequencies([number(each) for each in points])
+        sides = _sides([number(each) for each in points], discrete=locus.discrete)
         if sides is None:
             return float("inf")
-        worst = max(_matched([(omega, None) for omega in side], wanted) for side in sides)
+        worst = max(_matched([(point, None) for point in side], wanted) for side in sides)
     if gains is not None:
         worst = max(worst, _matched([(None, number(each)) for each in gains], wanted))
     return worst
 
 
-def _frequencies(points: Sequence[Any]) -> tuple[list[Any], list[Any]] | None:
-    """The ω of points jω and those of −jω, with what is told as a frequency; None where a point lies off the axis."""
-    upper, lower = ([abs(each.imag) for each in points if sign * each.imag > NEAR] for sign in (1, -1))
-    real = [each.real for each in points if abs(each.imag) <= NEAR]
-    off = any(abs(each.real) > NEAR * abs(each) for each in points if abs(each.imag) > NEAR)
-    return None if off else (upper + real, lower + real)
+def _sides(points: Sequence[Any], *, discrete: bool) -> tuple[list[Any], list[Any]] | None:
+    """The points above the real axis, those below mirrored, each with the real ones; None where one is off the axis.
+
+    On the axis a real number is a frequency, for both points ±jω.
+    """
+    upper = [each for each in points if each.imag > NEAR]
+    lower = [MP.conj(each) for each in points if each.imag < -NEAR]
+    real = [MP.mpc(each.real) for each in points if abs(each.imag) <= NEAR]
+    if discrete:
+        return upper + real, lower + real
+    off = any(abs(each.real) > NEAR * abs(each) for each in (*upper, *lower))
+    turned = [MP.mpc(0, each.real) for each in real]
+    return None if off else (upper + turned, lower + turned)
 
 
 def directions_residual(locus: Locus, angles: Sequence[Any], *, poles: bool) -> float:
