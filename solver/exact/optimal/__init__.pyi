@@ -2,6 +2,7 @@
 
 from solver.exact.optimal.discrete_riccati import DiscreteRiccati, Undetermined, discrete_riccati
 from solver.exact.optimal.minimal import MinimalSolution, minimal_solution
+from solver.exact.optimal.pencils import annihilator, pencil_polynomial, reciprocal_factor, symplectic_pencil
 from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati
 from solver.exact.optimal.riccati_cases import Case, case_split
 from solver.exact.optimal.riccati_entries import discrete_riccati_entries, riccati_entries
@@ -17,13 +18,17 @@ __all__ = [
     "Riccati",
     "RiccatiSolution",
     "Undetermined",
+    "annihilator",
     "case_split",
     "completed_square",
     "discrete_riccati",
     "discrete_riccati_entries",
     "minimal_solution",
+    "pencil_polynomial",
+    "reciprocal_factor",
     "riccati",
     "riccati_entries",
+    "symplectic_pencil",
     "weighted_input",
     "weighted_transpose",
 ]

@@ -39,6 +39,7 @@ from solver.exact.optimal.root_choices import WORKING_DIGITS, Choice, Coefficien
 from solver.exact.optimal.spectral_factor import Group, decimal_polynomial, groups_of
 from solver.exact.optimal.square_roots import Nested, RootTower
 from solver.exact.optimal.tower_matrices import polynomial_at, product_of, quotient_of, shown, solved
+from solver.exact.optimal.weighting import weighted_transpose
 from solver.exact.structure.ranks import hidden_part
 
 
@@ -64,7 +65,7 @@ class DiscreteRiccati(Riccati):
 
     def loop_gain(self, solution: RiccatiSolution) -> sp.ImmutableMatrix:
         """(R + BᵀPB)⁻¹ BᵀPA (m×n) for a solution."""
-        found = self._factor(solution) if solution.exact else None
+        found = self.factor_of(solution) if solution.exact else None
         if found is not None:
             tower, coefficients = found
             P = solved(tower, polynomial_at(tower, coefficients, domain_matrix(self.H)))
@@ -75,10 +76,11 @@ class DiscreteRiccati(Riccati):
             return sp.ImmutableMatrix([[decimal_number(entry) for entry in row] for row in gain])
 
     def gain(
-        self, _B: sp.ImmutableMatrix, _R: sp.ImmutableMatrix, _N: sp.ImmutableMatrix | None = None
+        self, _B: sp.ImmutableMatrix, R: sp.ImmutableMatrix, N: sp.ImmutableMatrix | None = None
     ) -> sp.ImmutableMatrix:
-        """(R + BᵀPB)⁻¹ BᵀPA (m×n) for the stabilizing solution."""
-        return self.loop_gain(self.stabilizing)
+        """(R + BᵀPB)⁻¹ BᵀPA + R⁻¹Nᵀ (m×n) for the stabilizing solution, N n×m (None: zero)."""
+        K = self.loop_gain(self.stabilizing)
+        return K if N is None else sp.ImmutableMatrix((K + weighted_transpose(N, R)).expand())
 
     def _gain_over(self, tower: RootTower, P: list[list[Nested]]) -> sp.ImmutableMatrix:
         whole = domain_matrix(_stacked(self.A, self.B, self.R))

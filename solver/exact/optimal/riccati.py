@@ -124,7 +124,7 @@ class Riccati:
         """K = R⁻¹ (Bᵀ P + Nᵀ) (m×n) of the stabilizing solution, N n×m (None: zero)."""
         P, W = self.stabilizing.P, weighted_transpose(B, R)
         cross = weighted_transpose(N, R) if N is not None else sp.ImmutableMatrix(sp.zeros(*W.shape))
-        found = self._factor(self.stabilizing) if P.free_symbols else None
+        found = self.factor_of(self.stabilizing) if P.free_symbols else None
         if found is None:
             return sp.ImmutableMatrix((W * P + cross).expand())
         tower, coefficients = found
@@ -144,7 +144,7 @@ class Riccati:
 
     def polynomial_of_hamiltonian(self, solution: RiccatiSolution) -> sp.ImmutableMatrix | None:
         """p(H) (2n×2n), exact, or None where p is decimal."""
-        found = self._factor(solution)
+        found = self.factor_of(solution)
         if found is None:
             return None
         tower, coefficients = found
@@ -184,22 +184,21 @@ class Riccati:
         H = domain_matrix(self.H)
         found = exact_polynomial(H.domain, choices, shortest=self.shortest)
         if found is not None:
-            tower, coefficients = found
-            entries = solved(tower, polynomial_at(tower, coefficients, H))
+            tower, p = found
+            entries = solved(tower, polynomial_at(tower, p, H))
             P = [[shown(tower, entry) for entry in row] for row in entries]
-            if (
-                self.H.free_symbols
-                and max(len(str(entry)) for entry in chain.from_iterable(P)) > LONGEST_WITH_PARAMETERS
-            ):
+            longest = max(len(str(entry)) for entry in chain.from_iterable(P))
+            if self.H.free_symbols and longest > LONGEST_WITH_PARAMETERS:
                 raise NotExact("optimal/parameters")
             if self.H.free_symbols or all(map(readable, chain.from_iterable(P))):
-                p = tuple(shown(tower, c) for c in self._polynomial_of_the_loop(tower, coefficients))
-                return RiccatiSolution(sp.ImmutableMatrix(P), p, flips, True, choices, radicand)
+                shown_p = tuple(shown(tower, c) for c in self._polynomial_of_the_loop(tower, p))
+                return RiccatiSolution(sp.ImmutableMatrix(P), shown_p, flips, True, choices, radicand)
         if self.H.free_symbols:
             raise NotExact("optimal/parameters")
         return RiccatiSolution(*self._in_decimals(choices), flips, False, choices)
 
-    def _factor(self, solution: RiccatiSolution) -> tuple[RootTower, Coefficients] | None:
+    def factor_of(self, solution: RiccatiSolution) -> tuple[RootTower, Coefficients] | None:
+        """The factor of det(sI − H) that makes a solution, over a tower of roots; None where it is decimal."""
         return exact_polynomial(domain_matrix(self.H).domain, solution.choices, shortest=self.shortest)
 
     def _polynomial_of_the_loop(self, _tower: RootTower, p: Coefficients) -> Coefficients:
@@ -252,7 +251,7 @@ def _riccati(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, Q: sp.ImmutableMatrix
 def is_stable(root: sp.Expr, *, discrete: bool = False) -> bool:
     """Whether the real part is negative (the modulus below one); raises NotExact where parameters leave it open."""
     if not root.free_symbols:
-        return bool(sp.N(sp.Abs(root), DIGITS) < 1 if discrete else sp.N(sp.re(root), DIGITS) < 0)
+        return bool(sp.N(sp.Abs(root) - 1 if discrete else sp.re(root), DIGITS) < 0)
     signs = possible_signs(sp.expand(root**2 - 1) if discrete else root)
     if len(signs) == 1 or -1 not in signs:
         return signs == {-1}
