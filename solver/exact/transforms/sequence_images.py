@@ -17,10 +17,15 @@ FEW, LONG, LONGEST = 2, 4, 60
 
 @dataclass(frozen=True)
 class SequenceImage:
-    """F(z) in lowest terms (`whole`), and F/z (`divided`), whose partial fractions get back their z for the table."""
+    """F(z) (`fraction`), and F/z (`divided`), whose partial fractions get back their z for the table."""
 
-    whole: RationalImage
+    fraction: RationalImage
     divided: RationalImage
+
+    @property
+    def whole(self) -> sp.Expr:
+        """F in lowest terms."""
+        return self.fraction.whole
 
     @property
     def advanced(self) -> bool:
@@ -91,9 +96,9 @@ def _by_delays(F: sp.Expr, z: sp.Symbol) -> tuple[DelayedSequenceImage, ...] | N
     if not useful or len(terms) < FEW or max(terms) > LONGEST:
         return None
     found = [(n, sequence_image(part, z)) for n, part in sorted(terms.items())]
-    if any(image.advanced or not image.whole.denominator.has(z) for _, image in found):
+    if any(image.advanced or not image.fraction.denominator.has(z) for _, image in found):
         return None
-    return tuple(DelayedSequenceImage(sp.Integer(n), image) for n, image in found if image.whole.numerator != 0)
+    return tuple(DelayedSequenceImage(sp.Integer(n), image) for n, image in found if image.fraction.numerator != 0)
 
 
 def _relative_degree(F: sp.Expr, z: sp.Symbol) -> int:
@@ -123,10 +128,10 @@ def _terms_of(term: sp.Expr, z: sp.Symbol) -> Iterator[tuple[int, sp.Expr]]:
 def _shifted(F: sp.Expr, z: sp.Symbol) -> DelayedSequenceImage:
     """F = z⁻ⁿ F₁ where a pole at zero of order two and more goes away; else F itself."""
     image = sequence_image(F, z)
-    below = sp.Poly(image.whole.denominator, z)
+    below = sp.Poly(image.fraction.denominator, z)
     order = min(n for (n,) in below.monoms())
-    relative = below.degree() - int(sp.degree(image.whole.numerator, z))
+    relative = below.degree() - int(sp.degree(image.fraction.numerator, z))
     n = min(relative, order + 1)
     if order <= 1 or n < order or below.degree() == order:
         return DelayedSequenceImage(sp.S.Zero, image)
-    return DelayedSequenceImage(sp.Integer(n), sequence_image(sp.cancel(image.whole.whole * z**n), z))
+    return DelayedSequenceImage(sp.Integer(n), sequence_image(sp.cancel(image.whole * z**n), z))

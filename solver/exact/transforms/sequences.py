@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from solver.exact.time_response.signals import Signal, in_order, read_signal, written
-from solver.exact.transforms.rules import Pair, TransformPiece
+from solver.exact.transforms.rules import Pair, TransformedTerm, TransformPiece
 
 MOST_IN_THE_TABLE = 2
 """The highest power of k in the table."""
@@ -41,21 +41,12 @@ class _Image:
 
 
 @dataclass(frozen=True)
-class SequenceTerm:
+class SequenceTerm(TransformedTerm):
     """A term `factor` · kⁿ aᵏ w(θk), a = `growth`, w one of cos, sin or none ("")."""
-
-    factor: sp.Expr
-    power: int
-    growth: sp.Expr
-    angle: sp.Expr
-    wave: str
 
     def function(self, k: sp.Symbol) -> sp.Expr:
         """The sequence without its factor."""
         return k**self.power * self.growth**k * self._wave(k)
-
-    def _wave(self, k: sp.Symbol) -> sp.Expr:
-        return {"cos": sp.cos, "sin": sp.sin}[self.wave](self.angle * k) if self.wave else sp.S.One
 
     @property
     def entry(self) -> str:
@@ -86,7 +77,7 @@ class SequenceTerm:
             found.append(Pair("damping", self.function(k), image.expression(factored=True)))
         return tuple(found)
 
-    def radius(self) -> sp.Expr:
+    def abscissa(self) -> sp.Expr:
         """The absolute value that z must exceed for the series to converge."""
         return sp.Abs(self.growth)
 
@@ -105,7 +96,7 @@ def sequence_pieces(f: sp.Expr, k: sp.Symbol) -> tuple[TransformPiece, ...]:
 def _piece(signal: Signal, delay: sp.Expr, k: sp.Symbol) -> TransformPiece:
     here = sp.Add(*(c * written(term, k, discrete=True) for (begin, term), c in signal.terms.items() if begin == delay))
     local = here if delay == 0 else here.subs(k, k + delay)
-    terms = []
+    terms: list[TransformedTerm] = []
     for (_, (n, growth, angle, sine)), c in read_signal(local, k, discrete=True).terms.items():
         wave = "" if angle == 0 else "sin" if sine else "cos"
         terms.append(SequenceTerm(c, n, growth, angle, wave))
@@ -124,12 +115,13 @@ def moved_image(delay: sp.Expr, image: sp.Expr, z: sp.Symbol) -> sp.Expr:
     if delay == 0:
         return image
     if image.is_Add:
-        return sp.Add(*(moved_image(delay, term, z) for term in image.args))
+        terms: tuple[Any, ...] = image.args
+        return sp.Add(*(moved_image(delay, term, z) for term in terms))
     found: Any = image * z**-delay
     return found
 
 
 def radius_of(pieces: Sequence[TransformPiece]) -> sp.Expr | None:
     """The absolute value of z beyond which the series converges; None where it does for every z ≠ 0."""
-    found = [term.radius() for piece in pieces for term in piece.terms]
+    found = [term.abscissa() for piece in pieces for term in piece.terms]
     return sp.Max(*found) if found else None

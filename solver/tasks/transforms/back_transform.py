@@ -12,22 +12,50 @@ from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import power, product, quotient, total
-from solver.stated.transforms import inverse_laplace
+from solver.stated.transforms import inverse_laplace, inverse_z, laplace, z_transform
 from solver.tasks.linear_algebra.resolvent import completed_squares_of
 from solver.words import Phrase
 
 if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
+    from solver.stated import Stated
+
 
 @dataclass(frozen=True)
 class Names:
-    """What an image and its function of time are called (LaTeX), and the variables that they are functions of."""
+    """What an image and its function of time are called (LaTeX), and the variables that they are functions of.
+
+    Of a sequence they are z and k.
+    """
 
     image: str
     function: str
     s: Symbol
     t: Symbol
+
+    @property
+    def discrete(self) -> bool:
+        """Whether they are those of the z-transform."""
+        return self.s.name == "z"
+
+    @property
+    def divided(self) -> Names:
+        """The names of the image divided by z."""
+        return Names(rf"\frac{{{self.image}(z)}}{{z}}", self.function, self.s, self.t)
+
+    def transform(self, function: Any) -> Stated:
+        """The transform of a function of time, as it is stated."""
+        return z_transform(function, self.t, self.s) if self.discrete else laplace(function, self.t, self.s)
+
+    def inverse(self, image: Any) -> Stated:
+        """The function of time with an image, as it is stated."""
+        return inverse_z(image, self.s, self.t) if self.discrete else inverse_laplace(image, self.s, self.t)
+
+    def delayed(self, delay: Expr) -> Expr:
+        """The factor of what comes a delay later."""
+        found: Expr = self.s**-delay if self.discrete else sp.exp(-delay * self.s)
+        return found
 
     def part(self, number: int) -> Names:
         """The names of a part of the image."""
@@ -39,10 +67,17 @@ class Names:
         apart = self.image.removeprefix(self.image.split("_")[0])
         return Names(f"R{apart}", self.function, self.s, self.t)
 
+    def moved(self, delay: Expr, function: Expr) -> Expr:
+        """The function from its delay on."""
+        if not self.discrete:
+            return moved_by(delay, function, self.t)
+        found: Expr = exact.shifted(sp.ImmutableMatrix([function]), self.t, delay, discrete=True)[0]
+        return found
+
     @property
     def told(self) -> dict[str, Any]:
         """The names as the wording takes them."""
-        return {"F": self.image, "f": self.function, "s": self.s, "t": self.t}
+        return {"F": self.image, "f": self.function, "s": self.s, "t": self.t, "discrete": self.discrete}
 
 
 @lemma("back_transform")
@@ -182,13 +217,16 @@ def _pairs(proper: exact.RationalMatrix, names: Names) -> Step:
 
 
 @lemma("back_transform")
-def split_by_delays(terms: Sequence[exact.DelayedImage], F: Expr, names: Names) -> Derivation[None]:
-    """F = F₀ + F₁ e^{−T₁s} + …, of which each term is transformed back by itself."""
-    factors = [sp.exp(-each.delay * names.s) for each in terms]
-    shown = total(*(product(each.image.whole, e) for each, e in zip(terms, factors, strict=True)))
+def split_by_delays(
+    terms: Sequence[exact.DelayedImage | exact.DelayedSequenceImage], F: Expr, names: Names
+) -> Derivation[None]:
+    """F = F₀ + F₁ e^{−T₁s} + …, of which each term is transformed back by itself; in discrete time z⁻ⁿ for e^{−Ts}."""
+    factors = [names.delayed(each.delay) for each in terms]
+    images = [each.image.whole for each in terms]
+    shown = total(*(product(image, factor) for image, factor in zip(images, factors, strict=True)))
     claim = Claim(F, shown, "the terms of each dead time")
     yield Step("delays", claims={"F": claim}, delays=[each.delay for each in terms], factors=factors,
-               images=[each.image.whole for each in terms], **names.told)  # fmt: skip
+               images=images, **names.told)  # fmt: skip
 
 
 @lemma("back_transform")
@@ -199,10 +237,11 @@ def multiple_of_earlier(number: int, factor: Expr, before: int, function: Expr, 
 
 
 @lemma("back_transform")
-def put_together(terms: Sequence[exact.DelayedImage], functions: Sequence[Expr], names: Names) -> Derivation[Expr]:
+def put_together(
+    terms: Sequence[exact.DelayedImage | exact.DelayedSequenceImage], functions: Sequence[Expr], names: Names
+) -> Derivation[Expr]:
     """Each function shifted to its place, and the sum of them; returns it."""
-    t = names.t
-    moved = [moved_by(each.delay, f, t) for each, f in zip(terms, functions, strict=True)]
+    moved = [names.moved(each.delay, f) for each, f in zip(terms, functions, strict=True)]
     whole = sp.Add(*moved)
     yield Step("shifted", unclaimed="each function at its place", delays=[each.delay for each in terms],
                functions=list(functions), moved=moved, whole=whole, **names.told)  # fmt: skip

@@ -11,7 +11,6 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
 from solver.stated.calculus import derivative
-from solver.stated.transforms import laplace
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -36,7 +35,7 @@ def transformed(f: Expr, pieces: Sequence[exact.TransformPiece], names: Names) -
             used |= {"impulse"} | ({"sifting"} if sifted else set())
             yield Step("impulse", unclaimed="the transform of an impulse, by definition", weight=piece.impulse,
                        delay=piece.delay, sifted=sifted, part=part,
-                       image=piece.impulse * sp.exp(-piece.delay * names.s), **names.told)  # fmt: skip
+                       image=piece.impulse * names.delayed(piece.delay), **names.told)  # fmt: skip
         if piece.delay != 0 and piece.terms:
             used.add("delay")
             yield _late(piece, part, names)
@@ -71,7 +70,7 @@ def _taken_apart(f: Expr, pieces: Sequence[exact.TransformPiece], names: Names) 
 
 
 def _moved(piece: exact.TransformPiece, part: str, names: Names) -> Step:
-    t, tau = names.t, sp.Symbol("tau")
+    t, tau = names.t, sp.Symbol("i" if names.discrete else "tau")
     written, local = put_in(piece.function, t, tau + piece.delay), piece.moved.xreplace({t: tau})
     claim = Claim(written, local, "written in the time since the step")
     return Step("moved", claims={"f": claim}, delay=piece.delay, function=piece.function, tau=tau,
@@ -90,7 +89,7 @@ def terms_of(
     shown |= {each.function(t) for each in terms}
     if at_once:
         claims = {
-            f"pair{i}": Claim(laplace(found[0].function, t, s), found[0].image, "pair of the table")
+            f"pair{i}": Claim(names.transform(found[0].function), found[0].image, "pair of the table")
             for i, (_, found) in enumerate(at_once, 1)
         }
         yield Step("table", claims=claims, entries={each.entry for each, _ in at_once}, **names.told)
@@ -101,31 +100,36 @@ def terms_of(
 
 
 def _by_rules(term: exact.TransformedTerm, pairs: Sequence[Any], names: Names) -> Step:
-    t, s = names.t, names.s
     claims: dict[str, Claim] = {}
-    lines: list[tuple[str, str]] = []
-    for pair in pairs:
-        name = pair.rule if pair.rule != "table" else "pair"
+    lines: list[tuple[str, str, Any]] = []
+    for i, pair in enumerate(pairs):
+        name = f"{pair.rule}{i}" if pair.rule != "table" else "pair"
         told = Phrase("the rule of {rule}", rule=pair.rule) if pair.rule != "table" else "pair of the table"
-        claims[name] = Claim(laplace(pair.function, t, s), pair.image, told)
-        lines.append((pair.rule, name))
-    slopes = None
-    if "derivative" in claims:
-        before = claims["pair"].right
-        stated = derivative(before, s, term.power)
-        slopes = stated if term.power % 2 == 0 else product(sp.Integer(-1), stated)
-        claims["slope"] = Claim(slopes, claims["derivative"].right, "derivative of the image")
-    return Step("by_rules", claims=claims, term=term.function(t), power=term.power, growth=term.growth,
-                lines=lines, slopes=slopes, **names.told)  # fmt: skip
+        claims[name] = Claim(names.transform(pair.function), pair.image, told)
+        slope = _slope(pairs[i - 1].image, term.power, names) if pair.rule == "derivative" else None
+        if slope is not None:
+            claims[f"slope{i}"] = Claim(slope, pair.image, "derivative of the image")
+        lines.append((pair.rule, name, slope))
+    return Step("by_rules", claims=claims, term=term.function(names.t), power=term.power, growth=term.growth,
+                lines=lines, again=sum(each.rule == "derivative" for each in pairs), **names.told)  # fmt: skip
+
+
+def _slope(before: Expr, power: int, names: Names) -> Any:
+    """(−1)ⁿ dⁿG/dsⁿ of tⁿ g(t); in discrete time −z dG/dz of k g(k)."""
+    if names.discrete:
+        return product(-names.s, derivative(before, names.s))
+    stated = derivative(before, names.s, power)
+    return stated if power % 2 == 0 else product(sp.Integer(-1), stated)
 
 
 def _late(piece: exact.TransformPiece, part: str, names: Names) -> Step:
     t, s = names.t, names.s
     images = [product(each.factor, each.pairs(t, s)[-1].image) for each in piece.terms]
     inner = sp.Add(*(each.factor * each.pairs(t, s)[-1].image for each in piece.terms))
-    image, factor = exact.late_image(piece.delay, inner, s), sp.exp(-piece.delay * s)
+    late = exact.moved_image if names.discrete else exact.late_image
+    image, factor = late(piece.delay, inner, s), names.delayed(piece.delay)
     claims = {
-        "inner": Claim(laplace(piece.moved, t, s), total(*images), "the transform in the time since the step"),
-        "image": Claim(product(factor, laplace(piece.moved, t, s)), image, "the transform of what is delayed"),
+        "inner": Claim(names.transform(piece.moved), total(*images), "the transform in the time since the step"),
+        "image": Claim(product(factor, names.transform(piece.moved)), image, "the transform of what is delayed"),
     }
     return Step("late", claims=claims, delay=piece.delay, part=part, image=image, **names.told)
