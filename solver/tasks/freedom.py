@@ -43,6 +43,12 @@ def observer_gain_is_free(given: Given[StateSpace, Options]) -> bool:
     return plant.C is not None and (plant.C.rows > 1 or _deficient(plant.A.T, plant.C.T))
 
 
+def current_gain_is_free(given: Given[StateSpace, Options]) -> bool:
+    """Several outputs, or modes that no output shows one step later."""
+    plant = given.system
+    return plant.C is not None and (plant.C.rows > 1 or _deficient(plant.A.T, (plant.C * plant.A).T))
+
+
 def one_of_the_gains_is_free(given: Given[StateSpace, Options]) -> bool:
     """The feedback, or the observer's."""
     return gain_is_free(given) or observer_gain_is_free(given)

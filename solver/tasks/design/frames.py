@@ -24,7 +24,7 @@ class Frame:
     """How formulas for (A, b, k) are written: as they are, or transposed (`dual`) for an observer of (A, C).
 
     `several`: one input stands for several. `shifted`: A is the loop with a preliminary gain. `partial`: A is a part.
-    `augmented`: A and B are those of the plant with integrators.
+    `augmented`: A and B are those of the plant with integrators. `current`: C A stands in the place of C.
     """
 
     dual: bool = False
@@ -32,6 +32,7 @@ class Frame:
     shifted: bool = False
     partial: bool = False
     augmented: bool = False
+    current: bool = False
 
     def shown(self, M: ImmutableMatrix) -> ImmutableMatrix:
         """Return M as it is written: transposed in the dual."""
@@ -82,7 +83,7 @@ class Pair:
         """What the wording of a step needs to name the matrices."""
         frame = self.frame
         names = {"dual": frame.dual, "several": frame.several, "shifted": frame.shifted, "part": frame.partial}
-        return {**names, "augmented": frame.augmented, "x": self.x}
+        return {**names, "augmented": frame.augmented, "current": frame.current, "x": self.x}
 
     @property
     def unknowns(self) -> tuple[Symbol, ...]:

@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class SampledPoles(PlantOptions):
-    """Poles of a discrete system that are given in s."""
+    """Poles; those of a discrete system may be given in s."""
 
+    poles: tuple[Expr, ...] | None = option(Poles(), "the poles asked for")
     s_poles: tuple[Expr, ...] | None = option(
         Poles(), "of a discrete plant, in place of poles: the poles in s, which z = e^{sT} takes to z", answer="poles"
     )
@@ -68,40 +69,45 @@ def _is_aliased(s: Expr, period: Expr) -> bool:
     return bool(angle.is_number and abs(sp.N(angle, 30)) > sp.N(sp.pi, 30))
 
 
-def poles_in_z(given: Given[Any, SampledPoles], poles: Sequence[Expr] | None, name: str = "s_poles") -> Derivation[Any]:
-    """Return the poles that the question gives in z, or those that it gives in s under a name, mapped by a step."""
-    in_s = getattr(given.options, name)
-    if in_s is None:
-        return list(poles or ())
-    return (yield from mapped_poles(in_s, sample_time_of(given)))
+def poles_in_z(given: Given[Any, SampledPoles]) -> Derivation[list[Expr]]:
+    """Return the poles that the question gives, those in s mapped to z by a step."""
+    options = given.options
+    if options.s_poles is None:
+        return list(options.poles or ())
+    return (yield from mapped_poles(options.s_poles, sample_time_of(given)))
 
 
-def numeric_poles_in_z(
-    given: Given[Any, SampledPoles], poles: Sequence[Expr] | None, name: str = "s_poles"
-) -> list[Any]:
+def numeric_poles_in_z(given: Given[Any, SampledPoles]) -> list[Any]:
     """Return the same without the exact kernels, e^{sT} as it stands."""
-    in_s = getattr(given.options, name)
-    return list(poles or ()) if in_s is None else judges.sampled_poles(in_s, sample_time_of(given))
+    options = given.options
+    if options.s_poles is None:
+        return list(options.poles or ())
+    return judges.sampled_poles(options.s_poles, sample_time_of(given))
 
 
-def mapping_faults(
-    system: Any, options: SampledPoles, poles: str = "poles", in_s: str = "s_poles", *, mapped: bool = False
-) -> Iterable[Refusal]:
+def mapping_faults(system: Any, options: SampledPoles, *, others: bool = False) -> Iterable[Refusal]:
     """Yield what is wrong with poles in s: a continuous plant, poles in z beside them, no sampling period.
 
-    `mapped`: other poles in s are there, which need the period too.
+    `others`: there are poles in s by other options, which need the period too.
     """
-    asked = options.has(in_s)
+    asked = options.has("s_poles")
     if asked and not system.discrete:
-        yield in_s, Reason("mapped_poles/continuous", {"name": in_s, "poles": poles})
-    elif asked and options.has(poles):
-        yield in_s, Reason("mapped_poles/both", {"name": in_s, "poles": poles})
+        yield "s_poles", Reason("mapped_poles/continuous")
+    elif asked and options.has("poles"):
+        yield "s_poles", Reason("mapped_poles/both")
     elif not system.discrete and options.sample_time is not None:
-        yield "sample_time", Reason("mapped_poles/period_of_continuous", {})
+        yield "sample_time", Reason("mapped_poles/period_of_continuous")
     else:
-        yield from sample_time_refusals(system, options, needed=asked or mapped)
+        yield from sample_time_refusals(system, options, needed=asked or (others and system.discrete))
 
 
-def number_given(options: SampledPoles, poles: Sequence[Any] | None) -> Sequence[Any] | None:
-    """Return the poles by which their number is judged: those in z, else those in s; None where neither is known."""
-    return poles if poles is not None else options.s_poles
+def asked_faults(system: Any, options: SampledPoles) -> Iterable[Refusal]:
+    """Yield what is wrong where poles must be given: neither in z nor in s, or mapped without need or period."""
+    if not options.has("poles") and not options.has("s_poles"):
+        yield "", Reason("mapped_poles/none", {"discrete": system.discrete})
+    yield from mapping_faults(system, options)
+
+
+def listed(options: SampledPoles) -> tuple[str, Sequence[Any] | None]:
+    """Return the name and the value of the option by which the number of poles is judged; None where it is unknown."""
+    return ("poles", options.poles) if options.poles is not None else ("s_poles", options.s_poles)

@@ -15,9 +15,9 @@ from solver.stated.algebra import difference, product
 from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
+from solver.tasks.design.mapped_poles import SampledPoles, asked_faults, listed, numeric_poles_in_z, poles_in_z
 from solver.tasks.design.pole_options import PLACING
 from solver.tasks.freedom import observer_gain_is_free
-from solver.tasks.plant_options import PlantOptions
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -28,12 +28,10 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ObserverOptions(PlantOptions):
+class ObserverOptions(SampledPoles):
     """Where the estimation error has its poles."""
 
-    poles: tuple[Expr, ...] = option(
-        Poles(), "the n eigenvalues of A − LC (or those of the observable part)", required=True
-    )
+    poles: tuple[Expr, ...] | None = option(Poles(), "the n eigenvalues of A − LC (or those of the observable part)")
 
 
 observer: Task[WithOutput, ObserverOptions] = Task(
@@ -62,19 +60,24 @@ observer: Task[WithOutput, ObserverOptions] = Task(
             told=("gain_polynomial",),
         ),
     ],
+    example={"poles": "[-4, -5]"},
 )
 
 
 @observer.refusal
 def has_another_number_of_poles(system: System, options: ObserverOptions) -> Iterator[Refusal]:
-    """Neither n poles, nor as many as the observable part has."""
-    if isinstance(system, systems.StateSpace) and options.poles is not None:
-        yield from observer_pole_faults(system, options.poles)
+    """Neither n poles, nor as many as the observable part has; poles in s where they cannot be mapped."""
+    wrong = [*asked_faults(system, options)]
+    yield from wrong
+    name, poles = listed(options)
+    if not wrong and isinstance(system, systems.StateSpace) and poles is not None:
+        yield from observer_pole_faults(system, poles, name)
 
 
 def _designed(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answers]:
     """The gain by the method of the same name for the dual pair (Aᵀ, Cᵀ), written for (A, C)."""
-    found = yield from observer_gain_of(given.system, given.options.poles, given.method)
+    poles = yield from poles_in_z(given)
+    found = yield from observer_gain_of(given.system, poles, given.method)
     yield from observer_equation_of(given.system, found)
     answers = Answers(L=found.K, error_A=found.loop, polynomial=found.polynomial)
     if given.method == "coefficient_matching" and found.gain_polynomial is not None:
@@ -115,7 +118,7 @@ def by_unity_rank(given: Given[WithOutput, ObserverOptions]) -> Derivation[Answe
 @observer.verification("L", "error_A", "polynomial")
 def has_the_poles(given: Given[WithOutput, ObserverOptions], answers: Answers) -> Iterable[Check]:
     """A − LC has the eigenvalues asked for, beside those that no gain moves."""
-    A, C, poles = given.system.A, given.system.C, given.options.poles
+    A, C, poles = given.system.A, given.system.C, numeric_poles_in_z(given)
     At, Ct = sp.ImmutableMatrix(A.T), sp.ImmutableMatrix(C.T)
     if "L" in answers:
         yield numeric.check_residual(
@@ -143,7 +146,7 @@ def _is_the_error_matrix(given: Given[WithOutput, ObserverOptions], answers: Ans
     yield numeric.check_residual(
         "the error has the poles asked for",
         "characteristic polynomial",
-        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.options.poles),
+        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), numeric_poles_in_z(given)),
         answer="error_A",
     )
     if error.shape == A.shape:
@@ -172,7 +175,7 @@ def is_the_determinant(given: Given[WithOutput, ObserverOptions], answers: Answe
     """det(sI − A + LC) at random values of s and of the entries of L."""
     A, C = given.system.A, given.system.C
     x = sp.Symbol("z" if given.system.discrete else "s")
-    unknowns = unknown_gains((A.T, C.T), given.options.poles, dual=True)
+    unknowns = unknown_gains((A.T, C.T), numeric_poles_in_z(given), dual=True)
     L = sp.ImmutableMatrix(list(unknowns))
     claim = Claim(characteristic(sp.ImmutableMatrix(A - L * C), x), answers["gain_polynomial"])
     yield numeric.check_claim(claim, r"$\det(sI - A + LC)$ with unknown gain")
@@ -192,7 +195,7 @@ observer.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)
 @observer.meaning("L", "error_A", "polynomial")
 def poles_of_the_error(wrong: Attempt[WithOutput, ObserverOptions]) -> Reason | None:
     """The poles that the gain, the matrix of the error or the polynomial has."""
-    plant, asked = wrong.given.system, wrong.given.options.poles
+    plant, asked = wrong.given.system, numeric_poles_in_z(wrong.given)
     if wrong.name == "polynomial":
         return meanings.roots_given(wrong.value, sp.Symbol("z" if plant.discrete else "s"), asked)
     return meanings.poles_given(wrong.value if wrong.name == "error_A" else plant.A - wrong.value * plant.C, asked)

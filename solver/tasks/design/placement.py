@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from solver.arithmetic.determinants import expanded, first_line
 from solver.arithmetic.factors import factors_multiplied
@@ -70,17 +70,19 @@ def place(
     *,
     x: Symbol,
     dual: bool = False,
-    augmented: bool = False,
+    named: Literal["", "augmented", "current"] = "",
     wanted: Wanted | None = None,
 ) -> Derivation[Placement]:
     """Find K (m×n) with det(xI − A + BK) = Π(x − pᵢ). `dual`: B is C (p×n), the gain is L (n×p) of A − LC.
 
     `poles` are all n, or those of the controllable (observable) part; `method` is one of METHODS. Several inputs are
-    joined to one first. `augmented`: A and B are those of a plant with integrators and named so. Raises Unsolved if a
-    mode that no gain moves is not among n poles.
+    joined to one first. `named` as "augmented", A and B are those of a plant with integrators; as "current", B is C A.
+    Raises Unsolved if a mode that no gain moves is not among n poles.
     """
     wanted = wanted or Wanted()
-    frame = Frame(dual, several=(B.rows if dual else B.cols) > 1, augmented=augmented)
+    frame = Frame(
+        dual, several=(B.rows if dual else B.cols) > 1, augmented=named == "augmented", current=named == "current"
+    )
     plant, inputs = frame.shown(A), frame.shown(B)
     desired = wanted.coefficients or (
         yield from desired_polynomial_of(poles, x, dual=frame.dual, partial=len(poles) < A.rows)
@@ -265,4 +267,4 @@ def _moved(before: ImmutableMatrix, after: ImmutableMatrix, *, dual: bool, discr
 
 def _named(frame: Frame) -> dict[str, Any]:
     """What the wording needs to name the whole plant."""
-    return {"dual": frame.dual, "augmented": frame.augmented}
+    return {"dual": frame.dual, "augmented": frame.augmented, "current": frame.current}

@@ -14,9 +14,9 @@ from solver.options.poles import Poles
 from solver.tasks.design.desired_poles import NAMES, StepSpecifications, band, faults, second_order_of, specified
 from solver.tasks.design.mapped_poles import (
     SampledPoles,
+    listed,
     mapped_poles,
     mapping_faults,
-    number_given,
     numeric_poles_in_z,
     poles_in_z,
 )
@@ -59,7 +59,7 @@ def asked_poles(given: Given[Any, PoleOptions]) -> Derivation[list[Expr]]:
     Those of a discrete plant are mapped to z where they are given in s, by themselves or by specifications.
     """
     options = given.options
-    poles = yield from poles_in_z(given, options.poles)
+    poles = yield from poles_in_z(given)
     if not specified(options):
         return poles
     found = yield from second_order_of(options)
@@ -72,7 +72,7 @@ def asked_poles(given: Given[Any, PoleOptions]) -> Derivation[list[Expr]]:
 def numeric_poles(given: Given[Any, PoleOptions]) -> list[Any]:
     """Return the poles asked for without the exact kernels, in decimals where specifications give them."""
     options = given.options
-    poles = numeric_poles_in_z(given, options.poles)
+    poles = numeric_poles_in_z(given)
     if specified(options):
         pair = judges.second_order_poles(specified(options), band(options))
         if given.system.discrete:
@@ -87,16 +87,16 @@ def pole_faults(system: Any, options: PoleOptions, extra: int = 0) -> Iterable[R
         yield from faults(options)
     elif not any(options.has(name) for name in ("poles", "s_poles", *NAMES)):
         yield "", Reason("placement/no_poles")
-    wrong = [*mapping_faults(system, options, mapped=bool(specified(options)) and system.discrete)]
+    wrong = [*mapping_faults(system, options, others=bool(specified(options)))]
     yield from wrong
-    listed = number_given(options, options.poles)
-    count = len(listed or ()) + 2 * bool(specified(options))
+    name, given = listed(options)
+    count = len(given or ()) + 2 * bool(specified(options))
     unknown = options.later & {"poles", "s_poles", *NAMES}
     if wrong or unknown or not count or not isinstance(system, systems.StateSpace) or system.B is None:
         return
     allowed = _numbers_of_poles(system, options) if not extra else {system.order + extra}
     if count not in allowed:
-        where = "poles" if options.poles else "s_poles" if listed else next(iter(specified(options)), "")
+        where = name if given else next(iter(specified(options)), "")
         numbers = {"n": system.order + extra, "all": max(allowed), "some": min(allowed), "count": count}
         yield where, Reason("placement/number_of_poles", numbers)
 

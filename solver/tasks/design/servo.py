@@ -103,7 +103,7 @@ def _designed(given: Given[WithBoth, PoleOptions], method: str) -> Derivation[An
     )
     yield from _integrators_reached(plant, D)
     poles = yield from asked_poles(given)
-    found = yield from place(A, B, poles, method, x=x, augmented=True)
+    found = yield from place(A, B, poles, method, x=x, named="augmented")
     K, k_I = sp.ImmutableMatrix(found.K[:, :n]), sp.ImmutableMatrix(-found.K[:, n:])
     yield Step(
         "parts",
