@@ -19,12 +19,15 @@ POWERS = {"step": 0, "ramp": 1, "parabola": 2}
 
 @dataclass(frozen=True, slots=True)
 class Signal(OptionKind[Any]):
-    """The unit step, the unit ramp t, the unit parabola t²/2, or an expression in t; the value is the expression."""
+    """The unit step, the unit ramp t, the unit parabola t²/2, or an expression in t; the value is the expression.
+
+    In discrete time the ramp is kT, the parabola (kT)²/2, with `period()` for T, and expressions are in k.
+    """
 
     @property
     def words(self) -> str:
         """What is written, in words."""
-        return f"{', '.join(POWERS)}, or an expression in t"
+        return f"{', '.join(POWERS)}, or an expression in t (discrete: k)"
 
     @property
     def schema(self) -> Schema:
@@ -41,7 +44,13 @@ class Signal(OptionKind[Any]):
         word = node.text if isinstance(node, ScalarNode) else ""
         if word in POWERS:
             n = POWERS[word]
-            return sp.Symbol("t") ** n / sp.factorial(n)
+            time = sp.Symbol("k") * period() if context.discrete else sp.Symbol("t")
+            return time**n / sp.factorial(n)
         if word.isalpha() and (meant := did_you_mean(word.lower(), POWERS)):
             raise node.fault(f"{name} must be {self.words}, not '{word}'", suggestion=meant)
-        return context.expression(node, ("t",))
+        return context.expression(node, ("t", "k"))
+
+
+def period() -> Any:
+    """Return what stands for the sampling period in the usual signals: it is written T, and no parameter is."""
+    return sp.Dummy("T", dummy_index=1)

@@ -37,11 +37,11 @@ def _has_sign(x: Any, sign: int) -> Iterator[Claim | Check]:
 
 
 def of_root_conditions(found: Sequence[Any], listed: Sequence[Any], *, discrete: bool) -> Iterator[Claim]:
-    """Of one or two roots: the coefficients; in discrete time p(1), ±p(−1) and 1 − their product."""
+    """Of one or two roots: the coefficients; in discrete time p(1), ±p(−1) and a₀ − a₂."""
     if len(listed) > 3:
         return
-    b, c = [*listed[1:], sp.Integer(0)][:2]
-    wanted = [1 + b + c, 1 - b + c, 1 - c] if discrete else [b, c]
+    a, b, c = [*listed, sp.Integer(0)][:3]
+    wanted = [a + b + c, a - b + c, a - c] if discrete else [b, c]
     if len(listed) == 2:
         wanted = wanted[:-1]
     yield Claim(sp.ImmutableMatrix([wanted]), sp.ImmutableMatrix([list(found)]))

@@ -1,6 +1,8 @@
 """What remains of an error: the limit of s E(s), and the constants of a loop that tell it.
 
 E has poles inside, which die out, and at the origin, which remain; any other pole is of a signal that goes on.
+In discrete time it is the limit of (1 − z⁻¹) E(z), inside is the unit disc, and in place of the origin stands z = 1.
+Source: Ogata, Discrete-Time Control Systems, section 4-4.
 """
 
 from __future__ import annotations
@@ -24,18 +26,23 @@ from solver.exact.time_response.signals import read_signal, written
 class ErrorConstants:
     """The number of integrators of L, at least 0, and the limits of L, s L and s² L for s → 0 from above.
 
+    In discrete time those of L, (z − 1) L and (z − 1)² L for z → 1.
     A limit is ∞ or −∞ where there are more integrators, or None where parameters decide which; `lead` is the limit of
-    sᵏ L that is neither zero nor infinite.
+    sᵏ L, of (z − 1)ᵏ L, that is neither zero nor infinite. `constants` are K_p, K_v, K_a: the limits, in discrete time
+    over 1, T, T²; None also where T is needed and is not known.
     """
 
     integrators: int
     limits: tuple[sp.Expr | None, ...]
     lead: sp.Expr
+    constants: tuple[sp.Expr | None, ...]
 
 
 @dataclass(frozen=True)
 class LongRun:
     """What E(s) says of e(t) for t → ∞: its pole at the origin of this order, and lim sᵒʳᵈᵉʳ E there.
+
+    In discrete time its pole at z = 1, and lim (z − 1)ᵒʳᵈᵉʳ E there.
 
     `others` is the polynomial of the poles that are neither at the origin nor known to be inside, 1 without; `settles`:
     they are inside all the same (None: parameters decide). `value` is the limit of e, which may be infinite; None where
@@ -51,44 +58,73 @@ class LongRun:
     quotient: tuple[sp.Expr, sp.Expr]
 
 
-def lasting(signal: sp.Expr, t: sp.Symbol) -> sp.Expr:
+def lasting(signal: sp.Expr, t: sp.Symbol, *, discrete: bool = False) -> sp.Expr:
     """A signal as it is once all has begun: steps are one, impulses are over; raises NotExact for other functions."""
-    read = read_signal(signal, t, discrete=False)
-    return sp.Add(*(c * written(term, t, discrete=False) for (_, term), c in read.terms.items()))
+    read = read_signal(signal, t, discrete=discrete)
+    return sp.Add(*(c * written(term, t, discrete=discrete) for (_, term), c in read.terms.items()))
 
 
-def usual_parts(signal: sp.Expr, t: sp.Symbol) -> tuple[sp.Expr, ...] | None:
-    """The c₀, c₁, c₂ of c₀ + c₁ t + c₂ t²/2; None for other signals."""
+def usual_parts(signal: sp.Expr, t: sp.Symbol, period: sp.Expr = sp.S.One) -> tuple[sp.Expr, ...] | None:
+    """The c₀, c₁, c₂ of c₀ + c₁ t + c₂ t²/2, in discrete time with kT for t; None for other signals."""
     if not signal.is_polynomial(t) or sp.degree(signal, t) > 2:
         return None
     p = sp.Poly(signal, t)
-    return p.nth(0), p.nth(1), 2 * p.nth(2)
+    c, b, a = p.nth(0), p.nth(1), 2 * p.nth(2)
+    return (c, b, a) if period == 1 else (c, sp.cancel(b / period), sp.cancel(a / period**2))
 
 
 def error_constants(
-    numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, positive: Sequence[sp.Expr] = ()
+    numerator: sp.Expr,
+    denominator: sp.Expr,
+    s: sp.Symbol,
+    positive: Sequence[sp.Expr] = (),
+    *,
+    discrete: bool = False,
+    period: sp.Expr | None = None,
 ) -> ErrorConstants:
-    """The constants of L = numerator/denominator, common factors cancelled, where some expressions are positive."""
-    top, bottom = _lowest(numerator / denominator, s)
+    """The constants of L = numerator/denominator, common factors cancelled, where some expressions are positive.
+
+    In discrete time with the sampling period, None where it is not known.
+    """
+    top, bottom = (_beside(p, discrete=discrete) for p in _lowest(numerator / denominator, s))
     zeros, poles = _at_origin(top), _at_origin(bottom)
     integrators = max(poles - zeros, 0)
-    lead = tidy(top.nth(zeros) / bottom.nth(poles))
+    lead = _quotient(top.nth(zeros), bottom.nth(poles))
     limits: list[sp.Expr | None] = []
     for power in range(3):
         excess = poles - zeros - power
         sign = _sign_where(lead, positive) if excess > 0 else 0
         infinite = None if sign is None else sign * sp.oo
         limits.append(infinite if excess > 0 else lead if excess == 0 else sp.S.Zero)
-    return ErrorConstants(integrators, tuple(limits), lead)
+    constants = tuple(_over_time(each, power, period) for power, each in enumerate(limits)) if discrete else limits
+    return ErrorConstants(integrators, tuple(limits), lead, tuple(constants))
 
 
-def long_run(E: sp.Expr, s: sp.Symbol, inside: sp.Expr, positive: Sequence[sp.Expr] = ()) -> LongRun:
+def _over_time(limit: sp.Expr | None, power: int, period: sp.Expr | None) -> sp.Expr | None:
+    """A limit over Tⁿ; None where that is not known."""
+    if power == 0 or limit in (None, 0, sp.oo, -sp.oo):
+        return limit
+    return None if period is None else tidy(sp.cancel(limit / period**power))
+
+
+def integrators_apart(D: sp.Expr, s: sp.Symbol, *, discrete: bool = False) -> tuple[sp.Expr, int]:
+    """A polynomial without its roots at the origin (at z = 1), and how many these are."""
+    p = sp.Poly(D, s)
+    count = _at_origin(_beside(p, discrete=discrete))
+    return sp.quo(p, sp.Poly((s - 1 if discrete else s) ** count, s)).as_expr(), count
+
+
+def long_run(
+    E: sp.Expr, s: sp.Symbol, inside: sp.Expr, positive: Sequence[sp.Expr] = (), *, discrete: bool = False
+) -> LongRun:
     """What remains of e; the roots of the polynomial `inside` are known to be there, and these to be `positive`."""
-    top, bottom = _lowest(E, s)
+    lowest = _lowest(E, s)
+    top, bottom = (_beside(p, discrete=discrete) for p in lowest)
     order = _at_origin(bottom)
-    lead = tidy(top.nth(0) / bottom.nth(order)) if order else sp.S.Zero
-    others = _without(sp.Poly(sp.cancel(bottom.as_expr() / s**order), s), sp.Poly(inside, s))
-    settles = is_stable_polynomial(others.all_coeffs(), discrete=False) if others.degree() > 0 else True
+    lead = _quotient(top.nth(0), bottom.nth(order)) if order else sp.S.Zero
+    integrators = sp.Poly((s - 1 if discrete else s) ** order, s)
+    others = _without(sp.quo(lowest[1], integrators), sp.Poly(inside, s))
+    settles = is_stable_polynomial(others.all_coeffs(), discrete=discrete) if others.degree() > 0 else True
     value = None
     if settles:
         sign = _sign_where(lead, positive) if order > 1 else None
@@ -97,10 +133,22 @@ def long_run(E: sp.Expr, s: sp.Symbol, inside: sp.Expr, positive: Sequence[sp.Ex
     return LongRun(order, lead, others.as_expr(), settles, value, put_in)
 
 
+def _beside(p: sp.Poly, *, discrete: bool) -> sp.Poly:
+    """A polynomial in z as one in z − 1; one in s as it is."""
+    return p.compose(sp.Poly(p.gen + 1, p.gen)) if discrete else p
+
+
 def _lowest(F: sp.Expr, s: sp.Symbol) -> tuple[sp.Poly, sp.Poly]:
     """Numerator and denominator of a rational function in lowest terms."""
     above, below = sp.fraction(sp.cancel(sp.together(F)))
     return sp.Poly(above, s), sp.Poly(below, s)
+
+
+def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
+    """The quotient in the form a person would write, e^{−aT} treated as a letter."""
+    found = above / below
+    powers = any(each.free_symbols for each in found.atoms(sp.exp))
+    return tidy(found) if not powers else sp.factor(sp.cancel(found))
 
 
 def _at_origin(p: sp.Poly) -> int:
@@ -140,11 +188,11 @@ def rational(F: sp.Expr) -> sp.Expr:
     return quotient
 
 
-def transform_of(signal: sp.Expr, t: sp.Symbol, s: sp.Symbol) -> sp.Expr:
+def transform_of(signal: sp.Expr, t: sp.Symbol, s: sp.Symbol, *, discrete: bool = False) -> sp.Expr:
     """The transform of a signal that begins at zero and does not jump later."""
-    (piece,) = read_inputs([signal], t, discrete=False)
-    image: sp.Expr = piece.image(s, discrete=False)[0]
-    return image
+    (piece,) = read_inputs([signal], t, discrete=discrete)
+    image: sp.Expr = piece.image(s, discrete=discrete)[0]
+    return sp.factor(image) if image.free_symbols - {s} else image
 
 
 def held_where(positive: Sequence[sp.Expr]) -> Any:

@@ -167,14 +167,17 @@ def polynomial_conditions(listed: Sequence[sp.Expr], *, discrete: bool) -> list[
 
 
 def root_conditions(listed: Sequence[sp.Expr], *, discrete: bool) -> list[sp.Expr]:
-    """Return what must be positive for all roots of a monic polynomial to be inside, as it is known for low degrees."""
+    """Return what must be positive for all roots of a polynomial to be inside, as it is known for low degrees.
+
+    The leading coefficient must be positive; from three roots on it must be one.
+    """
     c = listed
     if not discrete and len(c) <= 3:
         return list(c[1:])
     if discrete and len(c) == 2:
-        return [1 + c[1], 1 - c[1]]
+        return [c[0] + c[1], c[0] - c[1]]
     if discrete and len(c) == 3:
-        return [1 + c[1] + c[2], 1 - c[1] + c[2], 1 - c[2]]
+        return [c[0] + c[1] + c[2], c[0] - c[1] + c[2], c[0] - c[2]]
     return polynomial_conditions(c, discrete=discrete)
 
 

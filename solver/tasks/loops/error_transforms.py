@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.stated.algebra import difference, product, quotient, total
+from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.limits import Side, limit
-from solver.stated.transforms import inverse_laplace
+from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ class Share:
 def shares_of(loop: OpenLoop, r: Expr, d: Expr) -> Derivation[tuple[Share, ...]]:
     """E = (1 − T) R − T_d D with T = CG/(1 + L) and T_d = G/(1 + L); without a loop T = CG and T_d = G."""
     signals = [(name, signal) for name, signal in (("r", r), ("d", d)) if signal != 0]
-    images = yield from _images(signals)
+    images = yield from _images(signals, discrete=loop.discrete)
     shares, alone = [], len(signals) == 1
     for (name, signal), R in zip(signals, images, strict=True):
         E = yield from (_of_reference if name == "r" else _of_disturbance)(loop, R, alone=alone)
@@ -43,18 +43,19 @@ def shares_of(loop: OpenLoop, r: Expr, d: Expr) -> Derivation[tuple[Share, ...]]
 
 
 @lemma("error_transforms")
-def _images(signals: Sequence[tuple[str, Expr]]) -> Derivation[list[Expr]]:
-    """R(s), D(s) of what the signals are in the long run."""
-    s, t = sp.symbols("s t")
+def _images(signals: Sequence[tuple[str, Expr]], *, discrete: bool) -> Derivation[list[Expr]]:
+    """R(s), D(s) of what the signals are in the long run; in discrete time R(z), D(z)."""
+    s, t = sp.symbols("z k" if discrete else "s t")
+    back = inverse_z if discrete else inverse_laplace
     rows, claims = [], {}
     for name, signal in signals:
-        lasting = exact.lasting(signal, t)
-        image = exact.transform_of(lasting, t, s)
+        lasting = exact.lasting(signal, t, discrete=discrete)
+        image = exact.transform_of(lasting, t, s, discrete=discrete)
         if image != 0:
-            claims[name] = Claim(inverse_laplace(image, s, t), lasting, Phrase("transform of ${name}$", name=name))
+            claims[name] = Claim(back(image, s, t), lasting, Phrase("transform of ${name}$", name=name))
         rows.append((name, signal, lasting, image))
-    yield Step("signals", claims=claims, unclaimed="" if claims else "there are no signals that last", rows=rows,
-               cut=[lasting != signal for _, signal, lasting, _ in rows])  # fmt: skip
+    yield Step("signals", claims=claims, unclaimed="" if claims else "there are no signals that last", rows=rows, t=t,
+               s=s, cut=[signal.has(sp.Heaviside, sp.DiracDelta) for _, signal, _, _ in rows])  # fmt: skip
     return [image for *_, image in rows]
 
 
@@ -102,18 +103,20 @@ def _of_disturbance(loop: OpenLoop, R: Expr, *, alone: bool) -> Derivation[Expr]
 
 
 @lemma("error_transforms")
-def limit_of(shares: Sequence[Share], inside: Inside) -> Derivation[Expr]:
-    """The limit of s E(s); raises Unsolved where e has none, or where parameters decide."""
-    s = sp.Symbol("s")
-    found = [exact.long_run(share.E, s, inside.polynomial, inside.positive) for share in shares]
+def limit_of(shares: Sequence[Share], inside: Inside, *, discrete: bool) -> Derivation[Expr]:
+    """The limit of s E(s), of (1 − z⁻¹) E(z); raises Unsolved where e has none, or where parameters decide."""
+    s = sp.Symbol("z" if discrete else "s")
+    factor, goal = (difference(1, power(s, -1)), sp.S.One) if discrete else (s, sp.S.Zero)
+    found = [exact.long_run(share.E, s, inside.polynomial, inside.positive, discrete=discrete) for share in shares]
     for share, each in zip(shares, found, strict=True):
         if not each.settles:
-            values = {"name": share.name, "signal": share.signal, "others": each.others}
+            values = {"name": share.name, "signal": share.signal, "others": each.others, "discrete": discrete}
             undecided = each.settles is None
             raise Unsolved("steady_state_error/undecided" if undecided else "steady_state_error/no_limit", **values)
     whole = found[0]
     if any(each.order > 1 for each in found) and len(found) > 1:
-        whole = exact.long_run(sp.Add(*(share.E for share in shares)), s, inside.polynomial, inside.positive)
+        E = sp.Add(*(share.E for share in shares))
+        whole = exact.long_run(E, s, inside.polynomial, inside.positive, discrete=discrete)
     rows, claims = [], {}
     for share, each in zip(shares, found, strict=True):
         if each.order == 1 and each.lead != each.quotient[0]:
@@ -121,7 +124,7 @@ def limit_of(shares: Sequence[Share], inside: Inside) -> Derivation[Expr]:
         if each.value is not None and (each.order < 2 or not each.value.free_symbols):
             side: Side = "+" if each.order > 1 else ""
             if each.order < 2 or not share.E.free_symbols - {s}:
-                claims[share.name] = Claim(limit(product(s, share.E), s, sp.S.Zero, side), each.value, "final value")
+                claims[share.name] = Claim(limit(product(factor, share.E), s, goal, side), each.value, "final value")
         rows.append((share.name, share.E, each))
     if all(each.order < 2 for each in found):
         e: Any = sp.Add(*(each.lead for each in found))
@@ -132,5 +135,5 @@ def limit_of(shares: Sequence[Share], inside: Inside) -> Derivation[Expr]:
     else:
         e = whole.value
     yield Step("final_value", claims=claims, unclaimed="" if claims else "an order of growth has no value", rows=rows,
-               e=e, order=whole.order, lead=whole.lead, s=s)  # fmt: skip
+               e=e, order=whole.order, lead=whole.lead, s=s, discrete=discrete)  # fmt: skip
     return e

@@ -24,10 +24,10 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import loops as judges
 from solver.options.loop_element import UNITY, LoopElement
 from solver.options.signal import Signal
-from solver.stated.algebra import power, product, quotient, total
-from solver.stated.limits import limit
+from solver.stated.algebra import quotient, total
 from solver.tasks.loops import error_mistakes
-from solver.tasks.loops.error_constants import CONSTANTS, LIMITS, constants_of
+from solver.tasks.loops.error_constants import CONSTANTS, DISCRETE_LIMITS, LIMITS, constants_of, limit_stated
+from solver.tasks.loops.error_signals import Acting, acting_on, needs_the_sample_time
 from solver.tasks.loops.error_transforms import limit_of, shares_of
 from solver.tasks.loops.loop_stability import stable_loop
 from solver.tasks.plant_options import LoopOptions
@@ -69,25 +69,29 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
             earned=("stable", "unity", "reference", "disturbance", "final_value", "by_constants"),
         ),
         AnswerName("system_type", r"\text{type}", "the number of integrators of L", count=True, earned=("constants",)),
-        AnswerName("position_constant", "K_p", "lim L(s) for s → 0", optional=True, earned=("constants",)),
-        AnswerName("velocity_constant", "K_v", "lim s L(s) for s → 0", optional=True, earned=("constants",)),
-        AnswerName("acceleration_constant", "K_a", "lim s² L(s) for s → 0", optional=True, earned=("constants",)),
+        AnswerName(
+            "position_constant", "K_p", "lim L(s) for s → 0, lim L(z) for z → 1", optional=True, earned=("constants",)
+        ),
+        AnswerName("velocity_constant", "K_v", "lim s L(s), lim (z − 1) L(z)/T", optional=True, earned=("constants",)),
+        AnswerName(
+            "acceleration_constant", "K_a", "lim s² L(s), lim (z − 1)² L(z)/T²", optional=True, earned=("constants",)
+        ),
     ],
 )
+steady_state_error.refusal(needs_the_sample_time)
 
 
 @steady_state_error.method(
     "final_value",
     title="Final value theorem",
-    source="Ogata, Modern Control Engineering, §5–8",
-    time="continuous",
+    source="Ogata, Modern Control Engineering, §5–8; Discrete-Time Control Systems, §4–4",
 )
 def by_final_value(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
-    """The limit of s E(s), where all poles of s E(s) are inside."""
-    loop = _without_dead_time(given)
+    """The limit of s E(s), where all poles of s E(s) are inside; in discrete time that of (1 − z⁻¹) E(z)."""
+    loop, acting = _without_dead_time(given), acting_on(given)
     inside = yield from stable_loop(loop)
-    shares = yield from shares_of(loop, given.options.reference, given.options.disturbance or sp.S.Zero)
-    e: Expr = (yield from limit_of(shares, inside)) if shares else sp.S.Zero
+    shares = yield from shares_of(loop, acting.r, acting.d)
+    e: Expr = (yield from limit_of(shares, inside, discrete=loop.discrete)) if shares else sp.S.Zero
     constants = yield from constants_of(loop, inside)
     return Answers(error=e, **constants)
 
@@ -95,36 +99,38 @@ def by_final_value(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
 @steady_state_error.method(
     "error_constants",
     title="Error constants",
-    source="Ogata, Modern Control Engineering, §5–8",
-    time="continuous",
+    source="Ogata, Modern Control Engineering, §5–8; Discrete-Time Control Systems, §4–4",
 )
 def by_constants(given: Given[OpenLoop, ErrorOptions]) -> Derivation[Answers]:
     """1/(1 + K_p), 1/K_v, 1/K_a for each step, ramp and parabola in the reference; of stable loops with H = 1."""
-    loop, r = _without_dead_time(given), given.options.reference
-    t = sp.Symbol("t")
-    powers = exact.usual_parts(r, t)
+    loop, acting = _without_dead_time(given), acting_on(given)
+    r, t, discrete = acting.r, acting.time, loop.discrete
+    powers = acting.parts
     missing = (
         "loop" if not loop.closed
         else "unity" if loop.H != 1
-        else "disturbance" if given.options.disturbance not in (None, 0)
+        else "disturbance" if acting.d != 0
         else "reference" if powers is None
+        else "sample_time" if discrete and loop.sample_time is None and any(powers[1:])
         else ""
     )  # fmt: skip
     if missing:
         raise Unsolved("steady_state_error/no_constants", missing=missing, r=r)
     inside = yield from stable_loop(loop)
     constants = yield from constants_of(loop, inside)
-    N, D = loop.numerator, loop.denominator
-    E = exact.error_transform(D / (D + N), exact.transform_of(r, t, loop.variable)) if r != 0 else sp.S.Zero
-    found = exact.long_run(E, loop.variable, inside.polynomial, inside.positive)
+    N, D, x = loop.numerator, loop.denominator, loop.variable
+    image = exact.transform_of(r, t, x, discrete=discrete) if r != 0 else sp.S.Zero
+    E = exact.error_transform(D / (D + N), image) if r != 0 else sp.S.Zero
+    found = exact.long_run(E, x, inside.polynomial, inside.positive, discrete=discrete)
     if found.value is None:
         raise Unsolved("steady_state_error/sign", lead=found.lead, order=found.order)
-    yield _told_by_constants(powers, constants, found.value, r)
+    yield _told_by_constants(acting, constants, found.value)
     return Answers(error=found.value, **constants)
 
 
-def _told_by_constants(powers: Any, constants: Mapping[str, Any], e: Expr, r: Expr) -> Step:
+def _told_by_constants(acting: Acting, constants: Mapping[str, Any], e: Expr) -> Step:
     """The error as a sum of one quotient for each power of t."""
+    powers = acting.parts or ()
     rows: list[Any] = []
     for n, (c, name) in enumerate(zip(powers, CONSTANTS, strict=True)):
         K = constants.get(name)
@@ -135,7 +141,7 @@ def _told_by_constants(powers: Any, constants: Mapping[str, Any], e: Expr, r: Ex
     if finite and e not in (sp.oo, -sp.oo):
         claims = {"e": Claim(total(*finite) if len(finite) > 1 else finite[0], e, "the error")}
     return Step("by_constants", claims=claims, unclaimed="" if claims else "a quotient by zero or by infinity",
-                rows=rows, e=e, r=r)  # fmt: skip
+                rows=rows, e=e, r=acting.r)  # fmt: skip
 
 
 def _without_dead_time(given: Given[OpenLoop, ErrorOptions]) -> OpenLoop:
@@ -145,63 +151,60 @@ def _without_dead_time(given: Given[OpenLoop, ErrorOptions]) -> OpenLoop:
     return given.system
 
 
-BESIDE = "mpmath, s E(s) beside the origin (50 digits)"
-SIMULATED = "scipy.signal.lsim, the loop simulated"
-
-
 @steady_state_error.verification("error")
 def is_what_remains(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterable[Check]:
-    """By s E(s) beside the origin, from the factors of the loop, and by a simulation of the loop."""
-    loop, error = given.system, answers["error"]
-    s, t = loop.variable, sp.Symbol("t")
-    signals = [given.options.reference, given.options.disturbance or sp.S.Zero]
+    """Continuous: by s E(s) beside the origin and a simulation; discrete: by the recursion of the loop, twice."""
+    loop, error, acting = given.system, answers["error"], acting_on(given)
+    s, signals, discrete = loop.variable, [acting.r, acting.d], loop.discrete
     label = Phrase("$e(\\infty)$ is what remains of $r - y$")
     if error == sp.zoo:
-        yield Check.that(label, BESIDE, False, answer="error")
+        yield Check.that(label, "compared", False, answer="error")
         return
 
     def loops() -> Any:
-        return judges.stable_loops((loop.C, loop.G, loop.H), s, [*signals, error], closed=loop.closed)
+        factors = (loop.C, loop.G, loop.H)
+        return judges.stable_loops(factors, s, [*signals, error], closed=loop.closed, discrete=discrete)
 
-    yield numeric.check_residual(
-        label, BESIDE, lambda: judges.residual_beside_origin(loops(), signals, s, t, error), 1e-11, answer="error"
-    )
-    yield numeric.check_residual(
-        label, SIMULATED, lambda: judges.residual_of_simulation(loops(), signals, t, error), 1e-3, answer="error"
-    )
+    for oracle, residual, tolerance in judges.error_judges(discrete=discrete):
+        check = partial(residual, loops, signals, s, acting.time, error)
+        yield numeric.check_residual(label, oracle, check, tolerance, answer="error")
 
 
 @steady_state_error.verification("system_type")
 def is_the_order_of_the_pole(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterable[Check]:
-    """How fast L grows near the origin."""
+    """How fast L grows near the origin, near z = 1."""
     loop = given.system
-    found = judges.order_at_origin(loop.numerator, loop.denominator, loop.variable)
+    at = sp.Integer(1 if loop.discrete else 0)
+    found = judges.order_at_origin(loop.numerator, loop.denominator, loop.variable, at)
     own = answers["system_type"]
-    yield Check.that("the order of the pole of $L$ at the origin", "mpmath", {max(n, 0) for n in found} == {own})
+    label = "the order of the pole of $L$ at $z = 1$" if loop.discrete else "the order of the pole of $L$ at the origin"
+    yield Check.that(label, "mpmath", {max(n, 0) for n in found} == {own})
 
 
 @steady_state_error.verification(*CONSTANTS)
 def are_limits(given: Given[OpenLoop, ErrorOptions], answers: Answers) -> Iterable[Check]:
     """The limits of sⁿ L; of an infinite one that of 1/(sⁿ L), which is zero, and the sign of L beside the origin."""
-    loop, signals = given.system, [given.options.reference, given.options.disturbance or sp.S.Zero]
-    s, L = loop.variable, quotient(loop.numerator, loop.denominator)
+    loop, acting = given.system, acting_on(given)
+    s, labels = loop.variable, DISCRETE_LIMITS if loop.discrete else LIMITS
 
     def wrong_side(sign: int) -> float:
-        loops = judges.stable_loops((loop.C, loop.G, loop.H), s, signals, closed=loop.closed)
-        return judges.sign_residual(loops, s, sign)
+        factors = (loop.C, loop.G, loop.H)
+        found = judges.stable_loops(factors, s, [acting.r, acting.d], closed=loop.closed, discrete=loop.discrete)
+        return judges.sign_residual(found, s, sign)
 
     for n, name in enumerate(CONSTANTS):
         if name in answers:
-            stated, value = product(power(s, n), L) if n else L, answers[name]
+            value, T = answers[name], loop.sample_time
             if value == sp.zoo:
-                yield Check.that(LIMITS[n], "mpmath", False, answer=name)
+                yield Check.that(labels[n], "mpmath", False, answer=name)
                 continue
             if value in (sp.oo, -sp.oo):
                 side = partial(wrong_side, 1 if value == sp.oo else -1)
-                yield numeric.check_residual(LIMITS[n], "mpmath", side, answer=name)
-                stated, value = quotient(1, stated), sp.S.Zero
-            claim = Claim(limit(stated, s, sp.S.Zero, "+"), value)
-            yield numeric.check_claim(claim, LIMITS[n], answer=name)
+                yield numeric.check_residual(labels[n], "mpmath", side, answer=name)
+                claim = Claim(limit_stated(loop, n, "+", inverse=True), sp.S.Zero)
+            else:
+                claim = Claim(limit_stated(loop, n, "+"), value * T**n if n and T is not None else value)
+            yield numeric.check_claim(claim, labels[n], answer=name)
 
 
 error_mistakes.register(steady_state_error)

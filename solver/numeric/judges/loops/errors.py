@@ -1,11 +1,11 @@
 """What remains of an error, judged twice: by s E(s) beside the origin, and by the signals of the loop simulated.
 
-A loop is its factors C, G, H as expressions in s and whether it is closed; signals are expressions in t.
+A loop is its factors C, G, H as expressions in s (discrete: z) and whether it is closed; signals are expressions in t.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import pairwise
@@ -48,6 +48,7 @@ class LoopInNumbers:
     factors: tuple[Any, ...]
     """C, G, H as they are given."""
     closed: bool
+    discrete: bool = False
 
     @property
     def characteristic(self) -> Array:
@@ -58,9 +59,17 @@ class LoopInNumbers:
 
     @property
     def poles(self) -> Array:
-        """The roots of the characteristic polynomial, those at zero left out where the loop is open."""
-        roots = np.roots(np.trim_zeros(self.characteristic, "f"))
-        return roots if self.closed else roots[np.abs(roots) > 1e-9]
+        """The roots of the characteristic polynomial, without those of integrators where the loop is open."""
+        p = np.trim_zeros(self.characteristic, "f")
+        while not self.closed and abs(np.polyval(p, float(self.discrete))) <= 1e-12 * np.sum(np.abs(p)):
+            p = np.polydiv(p, [1.0, -float(self.discrete)])[0]
+        return np.roots(p)
+
+    @property
+    def slowest(self) -> float:
+        """How fast the slowest mode decays: the least −Re p, in discrete time −ln|p|; one without modes."""
+        sizes = -np.log(np.abs(self.poles) + 1e-300) if self.discrete else -self.poles.real
+        return float(min(sizes, default=1.0))
 
     @property
     def numerators(self) -> tuple[Array, Array]:
@@ -76,18 +85,24 @@ class LoopInNumbers:
         return 1 - C * G / below, -G / below
 
 
+Loops = Callable[[], Sequence[tuple[Point, LoopInNumbers]]]
+"""What finds loops in numbers, with the values of the parameters."""
+
+
 def _times(*factors: Array) -> Array:
     return reduce(np.polymul, factors)
 
 
-def stable_loops(factors: Sequence[Any], s: Any, others: Any, *, closed: bool) -> list[tuple[Point, LoopInNumbers]]:
+def stable_loops(
+    factors: Sequence[Any], s: Any, others: Any, *, closed: bool, discrete: bool = False
+) -> list[tuple[Point, LoopInNumbers]]:
     """Return the loop in numbers at some values of the parameters for which it is stable; raises NotEvaluable."""
     symbols = free_symbols([*factors, *others]) - {s}
     found = []
     for point in admissible(symbols, TRIED if symbols else 1):
         C, G, H = (_quotient(each, s, point) for each in factors)
-        loop = LoopInNumbers(C, G, H, tuple(factors), closed)
-        if all(root.real < 0 for root in loop.poles):
+        loop = LoopInNumbers(C, G, H, tuple(factors), closed, discrete)
+        if loop.slowest > 0:
             found.append((point, loop))
         if len(found) == (POINTS if symbols else 1):
             return found
@@ -103,12 +118,10 @@ def _quotient(element: Any, s: Any, point: Point) -> Quotient:
     return top, bottom
 
 
-def residual_beside_origin(
-    loops: Sequence[tuple[Point, LoopInNumbers]], signals: Sequence[Any], s: Any, t: Any, error: Any
-) -> float:
+def residual_beside_origin(loops: Loops, signals: Sequence[Any], s: Any, t: Any, error: Any) -> float:
     """Return how far s E(s) beside the origin is from the limit of e; ∞ where one of them alone is without end."""
     worst, signals = 0.0, list(map(_lasting, signals))
-    for point, loop in loops:
+    for point, loop in loops():
         found = [_scaled_transform(loop, signals, s, t, point, beside) for beside in BESIDE]
         (claimed,) = numbers_at([error], point) if error not in (sp.oo, -sp.oo) else (error,)
         ratio = abs(found[1]) / (abs(found[0]) or MANY.context.mpf(1))
@@ -159,12 +172,10 @@ def _times_at(point: Point, t: Any, times: Array) -> Environment:
     return Environment.at([{**point, t: each} for each in times], MANY)
 
 
-def residual_of_simulation(
-    loops: Sequence[tuple[Point, LoopInNumbers]], signals: Sequence[Any], t: Any, error: Any
-) -> float:
+def residual_of_simulation(loops: Loops, signals: Sequence[Any], _s: Any, t: Any, error: Any) -> float:
     """Return how far the error of the simulated loop is from its limit, late; ∞ where one alone is without end."""
     worst, signals = 0.0, list(map(_lasting, signals))
-    for point, loop in loops:
+    for point, loop in loops():
         early, late = _simulated(loop, signals, t, point)
         if error in (sp.oo, -sp.oo):
             grows = abs(late) > 1.5 * abs(early) and (late > 0) == (error == sp.oo)
@@ -179,7 +190,7 @@ def _simulated(loop: LoopInNumbers, signals: Sequence[Any], t: Any, point: Point
     """e at two late times, from r, d and the output, whose state goes on by e^{Ah} with the signals linear between."""
     from scipy.signal import lsim  # noqa: PLC0415
 
-    slowest = min((-root.real for root in loop.poles), default=1.0)
+    slowest = loop.slowest
     unit = np.linspace(0.0, SETTLED, STEPS + 1)
     here = {symbol: complex(value) for symbol, value in point.items()}
     e = np.zeros(len(unit))
@@ -201,13 +212,13 @@ def _slower(polynomial: Array, rate: float) -> Array:
     return np.array([c * rate ** (n - i) for i, c in enumerate(polynomial)])
 
 
-def order_at_origin(numerator: Any, denominator: Any, s: Any) -> set[int]:
-    """Return the orders of the pole of a quotient at the origin that are found, by how fast it grows there."""
+def order_at_origin(numerator: Any, denominator: Any, s: Any, where: Any = 0) -> set[int]:
+    """Return the orders of the pole of a quotient at the origin, or at 1, that are found by how fast it grows."""
     found = set()
     F = numerator / denominator
     for point in admissible(free_symbols([numerator, denominator]) - {s}, POINTS):
         near, nearer = (
-            abs(np.ravel(value_of(F, Environment.at([{**point, s: MANY.context.mpf(at)}], MANY)).value)[0])
+            abs(np.ravel(value_of(F, Environment.at([{**point, s: int(where) + MANY.context.mpf(at)}], MANY)).value)[0])
             for at in ("1e-18", "1e-20")
         )
         found.add(round(float(MANY.context.log10(nearer / near)) / 2) if nearer and near else 0)
@@ -215,9 +226,9 @@ def order_at_origin(numerator: Any, denominator: Any, s: Any) -> set[int]:
 
 
 def sign_residual(loops: Sequence[tuple[Point, LoopInNumbers]], s: Any, sign: int) -> float:
-    """Return 0 where C G H has a sign just to the right of the origin, else infinity."""
+    """Return 0 where C G H has a sign just to the right of the origin, of z = 1, else infinity."""
     for point, loop in loops:
-        here = Environment.at([{**point, s: MANY.context.mpf(10) ** -18}], MANY)
+        here = Environment.at([{**point, s: int(loop.discrete) + MANY.context.mpf(10) ** -18}], MANY)
         value = reduce(mul, (np.ravel(value_of(each, here).value)[0] for each in loop.factors))
         if not value.real * sign > 0:
             return WRONG
