@@ -1,5 +1,7 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.digital.fractions import FractionInZ
+from solver.exact.digital.holds import Held, augmented, held_blocks, integral_of_exponential, zero_order_hold
 from solver.exact.digital.jury import (
     DiscCounts,
     JuryConditions,
@@ -12,16 +14,48 @@ from solver.exact.digital.jury import (
     jury_table,
     off_the_point_minus_one,
 )
+from solver.exact.digital.maps import (
+    Mapped,
+    MappedQuotient,
+    Rule,
+    longest_period,
+    mapped_matrices,
+    mapped_quotient,
+    rule_of,
+)
+from solver.exact.digital.matched import MappedRoot, Matched, mapped_roots, matched
+from solver.exact.digital.pulses import Pulse, SampledTerm, dead_time_in_periods, pulse
 
 __all__ = [
     "DiscCounts",
+    "FractionInZ",
+    "Held",
     "JuryConditions",
     "JuryRow",
     "JuryTable",
+    "Mapped",
+    "MappedQuotient",
+    "MappedRoot",
+    "Matched",
+    "Pulse",
+    "Rule",
+    "SampledTerm",
+    "augmented",
     "bilinear_image",
+    "dead_time_in_periods",
     "disc_counts",
+    "held_blocks",
     "inside_by_jury",
+    "integral_of_exponential",
     "jury_conditions",
     "jury_table",
+    "longest_period",
+    "mapped_matrices",
+    "mapped_quotient",
+    "mapped_roots",
+    "matched",
     "off_the_point_minus_one",
+    "pulse",
+    "rule_of",
+    "zero_order_hold",
 ]

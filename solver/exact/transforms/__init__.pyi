@@ -21,7 +21,7 @@ from solver.exact.transforms.jumps import (
 )
 from solver.exact.transforms.long_division import DivisionRow, LongDivision, long_division
 from solver.exact.transforms.operators import Operators, images_of_unknowns, operators_of
-from solver.exact.transforms.poles import Pole, poles_of
+from solver.exact.transforms.poles import Pole, polar_pairs, poles_of
 from solver.exact.transforms.products import factors_for_convolution
 from solver.exact.transforms.rules import (
     TransformedTerm,
@@ -31,7 +31,7 @@ from solver.exact.transforms.rules import (
     transform_of_pieces,
     transform_pieces,
 )
-from solver.exact.transforms.sampled import Base, Sample, SampledImage, sampled_image
+from solver.exact.transforms.sampled import Base, Sample, SampledImage, base_of, sampled_image
 from solver.exact.transforms.sequence_images import (
     DelayedSequenceImage,
     SequenceImage,
@@ -69,6 +69,7 @@ __all__ = [
     "TransformedTerm",
     "abscissa_of",
     "acting_pieces",
+    "base_of",
     "compared_at_all",
     "divided_again",
     "factors_for_convolution",
@@ -82,6 +83,7 @@ __all__ = [
     "long_division",
     "moved_image",
     "operators_of",
+    "polar_pairs",
     "poles_of",
     "radius_of",
     "ratio_of_images",

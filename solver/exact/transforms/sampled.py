@@ -115,16 +115,14 @@ def _sampled(term: sp.Expr, t: sp.Symbol, T: sp.Expr, ahead: sp.Expr) -> Iterato
     """A term of f at t = (k + μ)T: its power by the binomial theorem, its wave by the addition theorem."""
     constant, n, sigma, wave, omega = _read(term, t)
     constant *= sp.exp(sp.expand(sigma * ahead * T))
-    radius = sp.exp(sp.expand(sigma * T))
-    sign, angle, turned = _turned(sp.expand(omega * T), wave)
-    base = Base(sign * radius, angle, wave in (sp.cosh, sp.sinh))
+    base, turned = base_of(sigma, omega, T, wave)
     for name, weight in _parts(wave, omega * ahead * T):
-        if angle == 0 and name == "sin":
+        if base.angle == 0 and name == "sin":
             continue
         turn = turned if name == "sin" else sp.S.One
         for i in range(n + 1):
             factor = constant * turn * weight * comb(n, i) * T**n * ahead ** (n - i)
-            yield Sample(factor, i, base, name if angle != 0 else "")
+            yield Sample(factor, i, base, name if base.angle != 0 else "")
 
 
 def _read(term: sp.Expr, t: sp.Symbol) -> tuple[sp.Expr, int, sp.Expr, Any, sp.Expr]:
@@ -148,6 +146,12 @@ def _read(term: sp.Expr, t: sp.Symbol) -> tuple[sp.Expr, int, sp.Expr, Any, sp.E
         else:
             raise NotExact("transforms/not_rational", part=term)
     return constant, n, sigma, wave, omega
+
+
+def base_of(sigma: sp.Expr, omega: sp.Expr, T: sp.Expr, wave: Any = None) -> tuple[Base, sp.Expr]:
+    """The base of e^{σkT} w(ωkT), and the sign that a sine gets as a function of the angle of the base."""
+    sign, angle, turned = _turned(sp.expand(omega * T), wave)
+    return Base(sign * sp.exp(sp.expand(sigma * T)), angle, wave in (sp.cosh, sp.sinh)), turned
 
 
 def _turned(angle: sp.Expr, wave: Any) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
