@@ -113,8 +113,9 @@ class Marker:
         """Return what reads the values of a part, in which the names of our own answers have their meaning."""
         problem = self.solution.problem
         symbols, parameters = {**problem.symbols, **part.symbols}, {**problem.parameters, **part.parameters}
-        names = names_for(symbols, parameters, dict(ours), part.system.discrete)
-        return Reader(names, discrete=part.system.discrete, decimal_comma=part.decimal_comma)
+        discrete = part.system.discrete or catalogue()[part.task].sampled
+        names = names_for(symbols, parameters, dict(ours), discrete)
+        return Reader(names, discrete=discrete, decimal_comma=part.decimal_comma)
 
     def ours(self, part: str) -> dict[str, Any]:
         """Our answers of a part by all its methods, verified ones only."""

@@ -94,6 +94,7 @@ class Task(Generic[S, O]):
     question is about, e.g. ("A",) or ("A", "B"); what is needed with some options only is for a refusal. `example` are
     matrices and options that the file of `solve new` gives, as they are typed, where the needed and the required ones
     as usual would not do. The entries of the system are real, but where `complex_entries` says that they need not.
+    Where it is `sampled`, its functions of time are sequences, whatever the time of the problem's system.
     A task with one way of solving it has a method of the task's own name, which is not spelled in problem files.
     """
 
@@ -108,6 +109,7 @@ class Task(Generic[S, O]):
         options: type[O],
         example: Mapping[str, str] = MappingProxyType({}),
         complex_entries: bool = False,
+        sampled: bool = False,
     ) -> None:
         self.name = name
         self.title = title
@@ -115,6 +117,7 @@ class Task(Generic[S, O]):
         self.needs = needs
         self.example = example
         self.complex_entries = complex_entries
+        self.sampled = sampled
         self.equations: list[AnswerEquations] = []
         self.answers = {answer.name: answer for answer in answers}
         self.options_class = options

@@ -88,6 +88,13 @@ def poles_of(image: RationalMatrix, s: sp.Symbol) -> tuple[Pole, ...]:
     return tuple(found)
 
 
+def polar_pairs(image: RationalMatrix) -> list[tuple[Root, sp.Expr, sp.Expr]]:
+    """The upper poles σ + jω of pairs, with r and θ of r e^{jθ}."""
+    roots = [root for each, _ in image.poles for root in each.factor.roots]
+    pairs = [each for each in roots if each.kind in ("complex", "decimal") and each.shift != 0 and not is_lower(each)]
+    return [(each, *polar(each)) for each in pairs]
+
+
 def _parts(c: sp.Expr, k: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
     """Real and imaginary part of a polynomial in k."""
     parts = [(n, complex_parts(each)) for (n,), each in sp.Poly(sp.expand(c), k).terms()]

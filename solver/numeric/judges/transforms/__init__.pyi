@@ -3,5 +3,23 @@
 from solver.numeric.judges.transforms.equations import Problem, sides_in_time, transformed_sides
 from solver.numeric.judges.transforms.inverse import values_in_time
 from solver.numeric.judges.transforms.laplace import transform_of
+from solver.numeric.judges.transforms.sequences import (
+    sampled_values,
+    samples_of_image,
+    series_of,
+    telling_samples,
+    values_of_image,
+)
 
-__all__ = ["Problem", "sides_in_time", "transform_of", "transformed_sides", "values_in_time"]
+__all__ = [
+    "Problem",
+    "sampled_values",
+    "samples_of_image",
+    "series_of",
+    "sides_in_time",
+    "telling_samples",
+    "transform_of",
+    "transformed_sides",
+    "values_in_time",
+    "values_of_image",
+]
