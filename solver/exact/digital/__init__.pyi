@@ -2,6 +2,7 @@
 
 from solver.exact.digital.fractions import FractionInZ
 from solver.exact.digital.holds import Held, augmented, held_blocks, integral_of_exponential, zero_order_hold
+from solver.exact.digital.deadbeat import Stage, stages_to_rest
 from solver.exact.digital.jury import (
     DiscCounts,
     JuryConditions,
@@ -40,6 +41,7 @@ __all__ = [
     "Pulse",
     "Rule",
     "SampledTerm",
+    "Stage",
     "augmented",
     "bilinear_image",
     "dead_time_in_periods",
@@ -57,5 +59,6 @@ __all__ = [
     "off_the_point_minus_one",
     "pulse",
     "rule_of",
+    "stages_to_rest",
     "zero_order_hold",
 ]

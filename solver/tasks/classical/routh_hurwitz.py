@@ -11,7 +11,6 @@ from solver.derivation import AnswerName, Answers, Attempt, Check, Claim, Deriva
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import stability as judges
-from solver.stated.algebra import product
 from solver.stated.matrices import determinant
 from solver.tasks import consequences
 from solver.tasks.form_meanings import routh_entry
@@ -23,6 +22,7 @@ from solver.tasks.stability.criterion import (
     has_no_such_parameter,
     polynomial_of,
     positive_lead,
+    symmetric_roots,
 )
 from solver.tasks.stability.routh_array import rows_of
 from solver.words import Phrase, Reason
@@ -148,12 +148,7 @@ def by_determinants(given: Given[Polynomial, CriterionOptions]) -> Derivation[An
 def _counted(coefficients: Sequence[Expr], x: Symbol, counts: exact.RootCounts) -> Derivation[dict[str, Any]]:
     """Where the roots lie; those that lie symmetrically to the origin are the roots of a factor of their own."""
     n = len(coefficients) - 1
-    if len(counts.symmetric) > 1:
-        g, rest = (polynomial_of(each, x) for each in (counts.symmetric, counts.rest))
-        p = polynomial_of(coefficients, x)
-        claim = Claim(p, product(rest, g), "the factor of the symmetric roots")
-        yield Step("symmetric", claims={"factors": claim}, g=g, degree=len(counts.symmetric) - 1, rest=rest, x=x,
-                   outside=counts.outside_symmetric, on=counts.on, total=counts.outside)  # fmt: skip
+    yield from symmetric_roots(coefficients, x, counts)
     stable = not counts.outside and not counts.on
     yield Step("verdict", unclaimed="a consequence of the count; the answers have checks of their own", stable=stable,
                outside=counts.outside, on=counts.on, inside=n - counts.outside - counts.on)  # fmt: skip

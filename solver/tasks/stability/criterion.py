@@ -59,6 +59,19 @@ def polynomial_of(coefficients: Sequence[Expr], x: Symbol) -> Expr:
 
 
 @lemma("criterion")
+def symmetric_roots(
+    coefficients: Sequence[Expr], x: Symbol, counts: exact.RootCounts, name: str = "p"
+) -> Derivation[None]:
+    """The factor of the roots that lie symmetrically to the origin, and where they are; nothing without such roots."""
+    if len(counts.symmetric) < 2:
+        return
+    g, rest = (polynomial_of(each, x) for each in (counts.symmetric, counts.rest))
+    claim = Claim(polynomial_of(coefficients, x), product(rest, g), "the factor of the symmetric roots")
+    yield Step("symmetric", claims={"factors": claim}, g=g, degree=len(counts.symmetric) - 1, rest=rest, x=x, name=name,
+               outside=counts.outside_symmetric, on=counts.on, total=counts.outside)  # fmt: skip
+
+
+@lemma("criterion")
 def condition_of(
     given: Given[Polynomial, CriterionOptions], positive: Sequence[Expr], *, of: str, special: bool
 ) -> Derivation[dict[str, Any]]:

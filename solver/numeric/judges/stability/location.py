@@ -169,15 +169,16 @@ def externally_stable(A: Any, B: Any, C: Any, point: Point, *, discrete: bool) -
     return True
 
 
-def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
+def routh_fault(A: Any, array: Any, *, discrete: bool, at_minus_one: bool = False) -> str:
     """Return what is wrong with a Routh array of det(sI − A) (discrete: after the bilinear transformation), or "".
 
     Each row must follow from the two above it, up to a positive factor, which for a row of one entry is the number
-    that it is divided by. A symbol that is no parameter is a small ε.
+    that it is divided by. A symbol that is no parameter is a small ε. The transformation sends z = 1 to infinity, or
+    z = −1 (`at_minus_one`); of its image any multiple will do then.
     """
     for point in spread_points([A], 3):
         mp = multiple(60).context
-        coefficients = _polynomial(A, point, discrete=discrete)
+        coefficients = _polynomial(A, point, discrete=discrete, at_minus_one=at_minus_one)
         n = len(coefficients) - 1
         if array.shape != (n + 1, n // 2 + 1):
             return Phrase("the array must have {rows} rows and {columns} columns", rows=n + 1, columns=n // 2 + 1)
@@ -185,7 +186,9 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
         near = mp.mpf(10) ** (-6 if small else -9 if holds_decimals([A, array]) else -20)
         rows = value_of(array, Environment.at([{**point, **small}], multiple(60))).value[0].tolist()
         multiplied = rows[0][0] / coefficients[0]
-        if mp.re(multiplied) > 0 and not mp.im(multiplied):  # the array of a positive multiple of the polynomial
+        if (mp.re(multiplied) > 0 or at_minus_one) and not mp.im(
+            multiplied
+        ):  # of a positive multiple of the polynomial
             coefficients = [multiplied * c for c in coefficients]
         for i, row in enumerate(rows):
             wanted = _expected(rows, i, coefficients, mp)
@@ -194,16 +197,17 @@ def routh_fault(A: Any, array: Any, *, discrete: bool) -> str:
     return ""
 
 
-def _polynomial(A: Any, point: Point, *, discrete: bool) -> list[Any]:
-    """The coefficients of det(xI − A), highest power first, by traces; discrete: of its image, without roots at 1."""
+def _polynomial(A: Any, point: Point, *, discrete: bool, at_minus_one: bool = False) -> list[Any]:
+    """The coefficients of det(xI − A), highest power first, by traces; discrete: of its image, without roots at ±1."""
     mp, c = multiple(60).context, characteristic_coefficients(A, point, multiple(60))
     if not discrete:
         return c
-    while len(c) > 1 and abs(sum(c)) < mp.mpf(10) ** -30 * sum(map(abs, c)):
+    x = -1 if at_minus_one else 1
+    while len(c) > 1 and abs(sum(a * x**i for i, a in enumerate(c))) < mp.mpf(10) ** -30 * sum(map(abs, c)):
         for i in range(1, len(c)):
-            c[i] += c[i - 1]
+            c[i] += x * c[i - 1]
         c.pop()
-    return _image(c)
+    return _image(c)[::-1] if at_minus_one else _image(c)
 
 
 def _image(c: list[Any]) -> list[Any]:
