@@ -43,7 +43,7 @@ def stable_loop(loop: OpenLoop) -> Derivation[Inside]:
         yield Step("static", unclaimed="a constant has no roots", closed=loop.closed)
         return Inside(sp.S.One, ())
     coefficients = yield from _positive_lead(p, s)
-    positive = yield from _inside_circle(coefficients) if loop.discrete else _left_of_axis(coefficients, s)
+    positive = yield from inside_circle(coefficients) if loop.discrete else _left_of_axis(coefficients, s)
     condition = exact.held_where(positive)
     if condition is sp.false:
         raise Unsolved("loops/unstable", **_unstable(coefficients, loop, p_shown))
@@ -70,7 +70,7 @@ def _left_of_axis(coefficients: Sequence[Expr], s: Symbol) -> Derivation[list[Ex
 
 
 @lemma("loop_stability")
-def _inside_circle(coefficients: Sequence[Expr]) -> Derivation[list[Expr]]:
+def inside_circle(coefficients: Sequence[Expr]) -> Derivation[list[Expr]]:
     """What must be positive for all roots to lie inside the unit circle; of three and more by the bilinear image."""
     if len(coefficients) - 1 <= BY_SIGNS:
         found = exact.root_conditions(coefficients, discrete=True)
