@@ -20,13 +20,14 @@ from solver.words import Phrase
 ORACLE = "mpmath (50 digits)"
 
 
-def of_value_at_zero(found: Any, G: Any) -> Iterator[Claim | Check]:
-    """The order is that of the zero of the denominator, and G₀(0) the quotient of the last coefficients."""
+def of_value_at_zero(found: Any, G: Any, *, discrete: bool = False) -> Iterator[Claim | Check]:
+    """The order is that of the zero of the denominator at the origin, or at 1, and G₀ has the value there."""
     x = G.variable
     top, bottom = G.numerators[0][0], G.denominators[0][0]
-    yield Claim(bottom, sp.expand(x**found.order * found.below), "integrators of the denominator")
+    apart = x - 1 if discrete else x
+    yield Claim(bottom, sp.expand(apart**found.order * found.below), "integrators of the denominator")
     rest = sp.Matrix([[top / found.below]])
-    check = partial(judges.dc_gain_residual, rest, found.value, x)
+    check = partial(judges.dc_gain_residual, rest, found.value, x, int(discrete))
     yield numeric.check_residual("value beside the integrators", ORACLE, check)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -75,19 +76,30 @@ def real_factors(factor: Factor, x: sp.Symbol) -> list[sp.Expr]:
 
 @dataclass(frozen=True)
 class ValueAtZero:
-    """G(0), or where G = G₀/xʳ has a pole at the origin, r > 0, the value G₀(0), which is not zero."""
+    """G(0), or where G = G₀/xʳ has a pole at the origin, r > 0, the value G₀(0), which is not zero.
+
+    In discrete time G(1), or where G = G₀/(x − 1)ʳ the value G₀(1).
+    """
 
     order: int
     value: sp.Expr
     below: sp.Expr
 
 
-def value_at_zero(G: TransferMatrix) -> ValueAtZero:
-    """The value at x = 0 of the only entry (1×1, in lowest terms), `below` its denominator without xʳ."""
-    top, bottom = (p.rep.to_list() for p in (G.tops[0][0], G.bottoms[0][0]))
-    order = next(i for i, c in enumerate(reversed(bottom)) if c)
-    K = G.domain
-    above, below = (top[-1] if top else K.zero), bottom[len(bottom) - 1 - order]
-    value = sp.factor(expression(K, above / below))
-    rest = sp.Poly(bottom[: len(bottom) - order], G.variable, domain=K)
+def value_at_zero(G: TransferMatrix, *, discrete: bool = False) -> ValueAtZero:
+    """The value at x = 0, in discrete time at 1, of the only entry (1×1, in lowest terms), `below` what is left."""
+    K, x = G.domain, G.variable
+    at = K.one if discrete else K.zero
+    factor = sp.Poly([K.one, -at], x, domain=K)
+    order, rest = 0, G.bottoms[0][0]
+    while _at(rest, at) == K.zero:
+        order, rest = order + 1, rest.quo(factor)
+    value = sp.factor(expression(K, _at(G.tops[0][0], at) / _at(rest, at)))
     return ValueAtZero(order, value, expanded(rest))
+
+
+def _at(p: sp.Poly, point: Any) -> Any:
+    """The value of a polynomial at 0 or 1, an element of its domain."""
+    listed = p.rep.to_list()
+    zero = p.domain.zero
+    return sum(listed, zero) if point != zero else listed[-1] if listed else zero

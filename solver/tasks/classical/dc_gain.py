@@ -1,4 +1,4 @@
-"""The DC gain G(0): what a constant input becomes in the end."""
+"""The DC gain G(0), of discrete systems G(1): what a constant input becomes in the end."""
 
 from __future__ import annotations
 
@@ -35,23 +35,23 @@ if TYPE_CHECKING:
 dc_gain: Task[Plant, LoopOptions] = Task(
     "dc_gain",
     title="DC gain",
-    doc="G(0), the gain of a constant input in the stationary state.",
+    doc="G(0), in discrete time G(1): the gain of a constant input in the stationary state.",
     needs=("path",),
     options=LoopOptions,
-    answers=[AnswerName("dc_gain", "G(0)", "the DC gain", earned=("value", "integrators"))],
+    answers=[AnswerName("dc_gain", r"\text{DC gain}", "the DC gain", earned=("value", "integrators"))],
 )
 
 
-@dc_gain.method(source="Franklin, Powell and Emami-Naeini, section 3.1", time="continuous")
+@dc_gain.method(source="Franklin, Powell and Emami-Naeini, section 3.1; Ogata, Discrete-Time Control Systems, §3–4")
 def by_the_value_at_zero(given: Given[Plant, LoopOptions]) -> Derivation[Answers]:
-    """G at s = 0; infinite where G has a pole there."""
+    """G at s = 0, at z = 1; infinite where G has a pole there."""
     path = yield from path_of(given)
-    found = exact.value_at_zero(path.fraction)
+    found = exact.value_at_zero(path.fraction, discrete=path.discrete)
     if found.order:
         return (yield from _infinite(path, found))
-    claim = Claim(value_at(quotient(*path.shown), path.variable, sp.Integer(0)), found.value, "$G(0)$")
-    yield Step("value", claims={"value": claim}, x=path.variable, delay=path.delay,
-               excluded=exact.vanishing_factors(found.below.subs(path.variable, 0)))  # fmt: skip
+    claim = Claim(value_at(quotient(*path.shown), path.variable, path.rest), found.value, "the DC gain")
+    yield Step("value", claims={"value": claim}, x=path.variable, delay=path.delay, discrete=path.discrete,
+               excluded=exact.vanishing_factors(found.below.subs(path.variable, path.rest)))  # fmt: skip
     yield _meaning(path)
     return Answers(dc_gain=found.value)
 
@@ -60,13 +60,14 @@ def _infinite(path: Path, found: exact.ValueAtZero) -> Derivation[Answers]:
     """Without the integrators G has a value, whose sign tells where the output goes."""
     x = path.variable
     rest = quotient(path.top, found.below)
-    apart = product(quotient(1, power(x, sp.Integer(found.order))), rest)
+    factor = x - 1 if path.discrete else x
+    apart = product(quotient(1, power(factor, sp.Integer(found.order)) if found.order > 1 else factor), rest)
     claims = {
         "apart": Claim(quotient(*path.shown), apart, "integrators apart"),
-        "rest": Claim(value_at(rest, x, sp.Integer(0)), found.value, "value without the integrators"),
+        "rest": Claim(value_at(rest, x, path.rest), found.value, "value without the integrators"),
     }
     sign = exact.sign_of(found.value)
-    yield Step("integrators", claims=claims, x=x, order=found.order, name=path.name, sign=sign)
+    yield Step("integrators", claims=claims, x=x, order=found.order, name=path.name, sign=sign, discrete=path.discrete)
     if sign is None:
         raise Unsolved("dc_gain/sign_open", value=found.value)
     return Answers(dc_gain=sp.oo if sign > 0 else -sp.oo)
@@ -75,16 +76,19 @@ def _infinite(path: Path, found: exact.ValueAtZero) -> Derivation[Answers]:
 def _meaning(path: Path) -> Step:
     """Whether the output of a constant input settles at all."""
     listed = sp.Poly(path.bottom, path.variable).all_coeffs()
-    stable = exact.is_stable_polynomial(listed, discrete=False) if len(listed) > 1 else True
+    stable = exact.is_stable_polynomial(listed, discrete=path.discrete) if len(listed) > 1 else True
     return Step("meaning", detail="full", unclaimed="a remark; the answer has a check of its own", stable=stable,
-                static=len(listed) == 1)  # fmt: skip
+                static=len(listed) == 1, discrete=path.discrete)  # fmt: skip
 
 
 @dc_gain.verification("dc_gain")
 def is_the_value_near_zero(given: Given[Plant, LoopOptions], answers: Answers) -> Iterable[Check]:
-    """G as it was given, at a point so near to zero that it makes no difference."""
-    check = partial(judges.dc_gain_residual, stated_path(given.system), answers["dc_gain"])
-    yield numeric.check_residual("$G$ near $s = 0$", "mpmath (50 digits)", check, answer="dc_gain")
+    """G as it was given, at a point so near to 0, or to 1, that it makes no difference."""
+    discrete = given.system.discrete
+    x, stated = sp.Symbol("z" if discrete else "s"), stated_path(given.system)
+    check = partial(judges.dc_gain_residual, stated, answers["dc_gain"], x, int(discrete))
+    label = "$G$ near $z = 1$" if discrete else "$G$ near $s = 0$"
+    yield numeric.check_residual(label, "mpmath (50 digits)", check, answer="dc_gain")
 
 
 @dc_gain.mistake(
@@ -94,6 +98,16 @@ def leading_coefficients(wrong: Attempt[Plant, LoopOptions]) -> Iterable[Expr]:
     """The gain of the pole-zero form, G's value at infinity where it has one."""
     path = quietly(path_of(wrong.given))
     yield sp.LC(path.top, path.variable)
+
+
+@dc_gain.mistake(
+    Slip("at_zero", "it is $G$ at $z = 0$; a constant input has $z = 1$, as $e^{sT}$ is 1 for $s = 0$"), "dc_gain"
+)
+def at_the_origin(wrong: Attempt[Plant, LoopOptions]) -> Iterable[Expr]:
+    """G(0) of a discrete system."""
+    path = quietly(path_of(wrong.given))
+    if path.discrete:
+        yield exact.value_at_zero(path.fraction).value
 
 
 @dc_gain.mistake(Slip("reciprocal", "numerator and denominator are exchanged"), "dc_gain")

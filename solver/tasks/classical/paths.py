@@ -35,8 +35,18 @@ class Path:
 
     @property
     def variable(self) -> Symbol:
-        """The symbol s."""
+        """The symbol s (discrete: z)."""
         return self.fraction.variable
+
+    @property
+    def discrete(self) -> bool:
+        """Whether time is discrete."""
+        return self.given.discrete
+
+    @property
+    def rest(self) -> Expr:
+        """Where the variable is for what is constant: s = 0, z = 1."""
+        return sp.Integer(1 if self.discrete else 0)
 
     @property
     def top(self) -> Expr:

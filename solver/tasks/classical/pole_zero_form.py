@@ -1,4 +1,4 @@
-"""The pole-zero form G = k Π(s − zᵢ)/Π(s − pᵢ) of a transfer function."""
+"""The pole-zero form G = k Π(s − zᵢ)/Π(s − pᵢ) of a transfer function, of a discrete one in z."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from solver.tasks.representation.lowest_terms import from_roots
 from solver.words import Reason
 
 if TYPE_CHECKING:
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
     from solver.tasks.classical.paths import Plant
 
@@ -51,7 +51,7 @@ pole_zero_form: Task[Plant, LoopOptions] = Task(
 )
 
 
-@pole_zero_form.method(source="Dorf and Bishop, Modern Control Systems, section 2.4", time="continuous")
+@pole_zero_form.method(source="Dorf and Bishop, Modern Control Systems, section 2.4")
 def by_the_roots(given: Given[Plant, LoopOptions]) -> Derivation[Answers]:
     """The leading coefficients make the gain; the roots of what is left are the zeros and the poles."""
     path = yield from path_of(given)
@@ -63,9 +63,9 @@ def by_the_roots(given: Given[Plant, LoopOptions]) -> Derivation[Answers]:
     yield Step("gain", claims={"gain": Claim(quotient(*leads), form.gain, "gain")}, x=x, shown=path.shown,
                leads=leads, late=path.delay != 0)  # fmt: skip
     zeros = _roots(path.top / form.gain, form.top, form.zeros, x)
-    yield Step("numerator", claims=zeros, unclaimed=_constant(zeros), **_shown(form.zeros))
+    yield Step("numerator", claims=zeros, unclaimed=_constant(zeros), x=x, **_shown(form.zeros))
     poles = _roots(path.bottom, form.bottom, form.poles, x)
-    yield Step("denominator", claims=poles, unclaimed=_constant(poles), **_shown(form.poles))
+    yield Step("denominator", claims=poles, unclaimed=_constant(poles), x=x, **_shown(form.poles))
     yield _whole(path, form)
     G = sp.exp(-path.delay * x) * form.function if path.delay != 0 else form.function
     return Answers(G=G, zeros=form.zeros, poles=form.poles, gain=form.gain)
@@ -114,16 +114,17 @@ def _whole(path: Path, form: exact.PoleZeroForm) -> Step:
         form.top, form.bottom
     )  # fmt: skip
     claim = Claim(product(*factors, stated) if factors else stated, right, "pole-zero form")
-    figure = plane("Poles and zeros", roots("poles", form.poles), roots("zeros", form.zeros, "ring"), stable=True)
+    figure = plane("Poles and zeros", roots("poles", form.poles), roots("zeros", form.zeros, "ring"),
+                   discrete=path.discrete, stable=True)  # fmt: skip
     return Step("form", claims={"form": claim}, x=x, right=right, excess=len(form.poles) - len(form.zeros),
-                figures=figure)  # fmt: skip
+                discrete=path.discrete, figures=figure)  # fmt: skip
 
 
 @pole_zero_form.verification("G")
 def has_the_values_of_the_given(given: Given[Plant, LoopOptions], answers: Answers) -> Iterable[Check]:
     """The same function at random points."""
     yield numeric.check_claim(
-        Claim(stated_path(given.system), sp.ImmutableMatrix([[answers["G"]]])), "$G(s)$ at random points"
+        Claim(stated_path(given.system), sp.ImmutableMatrix([[answers["G"]]])), "$G$ at random points"
     )
 
 
@@ -148,11 +149,16 @@ def are_those_of_the_minimal_part(given: Given[Plant, LoopOptions], answers: Ans
 @pole_zero_form.consequence("G", of=("zeros", "poles", "gain"))
 def function_of_its_roots(given: Given[Plant, LoopOptions], found: Mapping[str, Any]) -> Any:
     """k Π(s − z)/Π(s − p), with the dead time of the question."""
-    s = sp.Symbol("s")
+    s = _variable(given)
     top, bottom = (sp.Mul(*(s - root for root in found[name])) for name in ("zeros", "poles"))
     return getattr(given.system, "factor", sp.Integer(1)) * found["gain"] * top / bottom
 
 
+def _variable(given: Given[Plant, LoopOptions]) -> Symbol:
+    return sp.Symbol("z" if given.system.discrete else "s")
+
+
+DC_OF_SAMPLES = Slip("gain_at_one", "it is the DC gain $G(1)$; $k$ stands before the factors $z - p$")
 DC = Slip("gain_at_zero", "it is the DC gain $G(0)$, which belongs to factors $1 - s/p$; here the factors are $s - p$")
 SIGN = Slip("sign", "the signs are turned: $s + a$ has the root $-a$")
 EXCHANGED = Slip("exchanged", "zeros and poles are exchanged")
@@ -163,8 +169,18 @@ def gain_of_the_time_constant_form(wrong: Attempt[Plant, LoopOptions]) -> Iterab
     """G without its poles and zeros at the origin, at zero."""
     s = sp.Symbol("s")
     path = quietly(path_of(wrong.given))
+    if path.discrete:
+        return
     top, bottom = (sp.Poly(p, s).terms()[-1][1] for p in (path.top, path.bottom))
     yield sp.cancel(top / bottom)
+
+
+@pole_zero_form.mistake(DC_OF_SAMPLES, "gain")
+def gain_of_constant_inputs(wrong: Attempt[Plant, LoopOptions]) -> Iterable[Expr]:
+    """G(1) of a discrete system, its accumulators apart."""
+    path = quietly(path_of(wrong.given))
+    if path.discrete:
+        yield exact.value_at_zero(path.fraction, discrete=True).value
 
 
 @pole_zero_form.mistake(SIGN, "zeros", "poles")
@@ -183,7 +199,8 @@ def of_the_other_polynomial(wrong: Attempt[Plant, LoopOptions]) -> Iterable[list
 @pole_zero_form.meaning("poles", "zeros")
 def value_at_one_of_them(wrong: Attempt[Plant, LoopOptions]) -> Reason | None:
     """The value of G where it has no pole, or no zero."""
-    return meanings.finite_at(wrong.value, stated_path(wrong.given.system), sp.Symbol("s"), zeros=wrong.name == "zeros")
+    x = _variable(wrong.given)
+    return meanings.finite_at(wrong.value, stated_path(wrong.given.system), x, zeros=wrong.name == "zeros")
 
 
 @pole_zero_form.meaning("G")

@@ -25,8 +25,8 @@ LARGE = 1e12
 WRONG = float("inf")
 
 
-def dc_gain_residual(G: Any, answer: Any, x: Any = None) -> float:
-    """Return the relative difference of an answer and of G (1×1, a matrix or a stated formula in x) near the origin."""
+def dc_gain_residual(G: Any, answer: Any, x: Any = None, where: int = 0) -> float:
+    """Return the relative difference of an answer and of G (1×1, a matrix or a stated formula in x) near 0, or 1."""
     x = sp.Symbol("s") if x is None else x
     worst = 0.0
     infinite = answer in (sp.oo, -sp.oo)
@@ -34,7 +34,7 @@ def dc_gain_residual(G: Any, answer: Any, x: Any = None) -> float:
         return WRONG
     for point in points_of(value_at_one(G, x), sp.Integer(0) if infinite else answer):
         try:
-            near, nearer = (_value(G, x, point, by) for by in (1, MANY.context.mpf("1e-3")))
+            near, nearer = (_value(G, x, point, where, by) for by in (1, MANY.context.mpf("1e-3")))
         except Undefined:
             return WRONG
         if infinite:
@@ -46,9 +46,9 @@ def dc_gain_residual(G: Any, answer: Any, x: Any = None) -> float:
     return with_many_digits(worst, G, answer)
 
 
-def _value(G: Any, x: Any, point: Any, by: Any) -> Any:
-    """G at a point of the positive real axis."""
-    at = MANY.context.mpf(NEAR) * by
+def _value(G: Any, x: Any, point: Any, where: int, by: Any) -> Any:
+    """G at a point of the real axis, just right of the one asked for."""
+    at = where + MANY.context.mpf(NEAR) * by
     found = value_of(G, Environment.at([{**dict(point), x: MANY.context.mpc(at)}], MANY)).value
     return found.reshape(-1)[0]
 
