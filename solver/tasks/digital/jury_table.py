@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.stated.algebra import product, quotient
+from solver.stated.algebra import difference, product, quotient
 from solver.stated.calculus import value_at
 from solver.stated.matrices import determinant, matrix_of, partitioned
 from solver.tasks.stability.criterion import polynomial_of
@@ -75,7 +75,7 @@ def table_of(coefficients: Sequence[Expr], z: Symbol, *, whole: bool) -> Derivat
     table, n = exact.jury_table(coefficients, whole=whole), len(coefficients) - 1
     for i, row in enumerate(table.rows[1:], 1):
         above = table.rows[i - 1].entries
-        yield Step("row", detail="tutor", claims=_entries(above, row), letter=letter(i), above=letter(i - 1),
+        yield Step("row", detail="tutor", claims=_entries(above, row), letter=letter(i), count=len(row.entries),
                    divisor=row.divisor, divided=letter(i - 2) if row.divisor != 1 else "")  # fmt: skip
     powers = [sp.Pow(z, k, evaluate=False) for k in range(n + 1)]
     shown = sp.ImmutableMatrix(sp.Matrix.vstack(sp.Matrix([powers]), sp.Matrix(table.matrix)))
@@ -86,13 +86,16 @@ def table_of(coefficients: Sequence[Expr], z: Symbol, *, whole: bool) -> Derivat
 
 
 def _entries(above: Sequence[Expr], row: exact.JuryRow) -> dict[str, Claim]:
-    """The determinants |r₀ r₍ₘ₋ₖ₎; rₘ rₖ| of the row above, divided where they are."""
+    """The determinants |r₀ r₍ₘ₋ₖ₎; rₘ rₖ| of the row above, and their products, divided where they are."""
     m = len(above) - 1
     claims: dict[str, Claim] = {}
     for k, entry in enumerate(row.entries):
         stated: Any = determinant(matrix_of([[above[0], above[m - k]], [above[m], above[k]]]))
-        stated = stated if row.divisor == 1 else quotient(stated, row.divisor)
-        claims[f"entry{k}"] = Claim(stated, entry, Phrase("entry {k} of the row", k=k))
+        products: Any = difference(product(above[0], above[k]), product(above[m], above[m - k]))
+        if row.divisor != 1:
+            stated, products = quotient(stated, row.divisor), quotient(products, row.divisor)
+        claims[f"determinant{k}"] = Claim(stated, products, Phrase("the determinant of entry {k}", k=k))
+        claims[f"entry{k}"] = Claim(products, entry, Phrase("entry {k} of the row", k=k))
     return claims
 
 

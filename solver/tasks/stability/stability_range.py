@@ -194,7 +194,7 @@ def _together(
         truth="always" if condition is sp.true else "never" if condition is sp.false else "",
         positive=[symbol for symbol in assumed if symbol.is_positive],
         negative=[symbol for symbol in assumed if symbol.is_negative],
-        figures=parameter_region(conditions, wanted, condition),
+        figures=parameter_region(conditions, wanted, condition, discrete=plant.discrete),
     )
     yield from edges_of(plant, condition, x)
     return Answers(condition=condition)
