@@ -18,7 +18,7 @@ from solver.exact.linear_algebra.row_reduction import null_space, row_reduce
 
 @dataclass(frozen=True)
 class Stage:
-    """States that need one step more than those before: V (n×r), with the input W (m×r) A V − B W = `image` is theirs."""
+    """States V (n×r) that need a step more than those before: the inputs −W (m×r) take them to `image` among these."""
 
     V: sp.ImmutableMatrix
     W: sp.ImmutableMatrix
@@ -30,7 +30,7 @@ def stages_to_rest(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix) -> tuple[Stage,
 
     Raises NotExact.
     """
-    n, m = A.rows, B.cols
+    n = A.rows
     whole = domain_matrix(sp.Matrix.hstack(A, B))
     a, b = whole[:, :n], whole[:, n:]
     known = DomainMatrix.zeros((n, 0), whole.domain).to_dense()

@@ -27,13 +27,7 @@ def companion_coordinates_of(plant: StateSpace, form: str, *, first: bool) -> De
     if coordinates is None:
         return None
     T, P, found = coordinates.T, coordinates.P, coordinates.found
-    yield Step(
-        "chains",
-        claims=_columns(A, B if controllable else C, P, coordinates.indices, controllable=controllable),
-        P=P,
-        indices=coordinates.indices,
-        controllable=controllable,
-    )
+    yield from chains_of(A, B if controllable else C, P, coordinates.indices, controllable=controllable)
     yield Step(
         "coordinates",
         claims={
@@ -54,6 +48,13 @@ def companion_coordinates_of(plant: StateSpace, form: str, *, first: bool) -> De
     G = exact.transfer_matrix(A, B, C, D, x)
     yield from assembled(G, found, cancelled=True, x=x, discrete=plant.discrete)
     return found
+
+
+@lemma("multivariable_forms")
+def chains_of(A: Any, B: Any, P: Any, indices: tuple[int, ...], *, controllable: bool = True) -> Derivation[None]:
+    """The independent columns of the controllability matrix, chain by chain (rows of the observability matrix of C)."""
+    claims = _columns(A, B, P, indices, controllable=controllable)
+    yield Step("chains", claims=claims, P=P, indices=indices, controllable=controllable)
 
 
 def _columns(A: Any, B: Any, P: Any, indices: tuple[int, ...], *, controllable: bool) -> dict[str, Claim]:
