@@ -8,6 +8,15 @@ from solver.exact.transforms.comparison import (
     divided_again,
     is_found_otherwise,
 )
+from solver.exact.transforms.difference_operators import (
+    SampleOperators,
+    SampleRow,
+    cleared_adjugate,
+    sample_operators_of,
+    start_of,
+    start_of_sample,
+    window_of,
+)
 from solver.exact.transforms.images import DelayedImage, RationalImage, ratio_of_images, rational_image, read_image
 from solver.exact.transforms.jumps import (
     ActingPiece,
@@ -41,10 +50,12 @@ from solver.exact.transforms.sequence_images import (
 )
 from solver.exact.transforms.sequences import (
     SequenceTerm,
+    finite_values,
     moved_image,
     radius_of,
     sequence_pieces,
     sequence_transform,
+    terms_of_samples,
 )
 
 __all__ = [
@@ -62,6 +73,8 @@ __all__ = [
     "QuadraticDivision",
     "RationalImage",
     "Sample",
+    "SampleOperators",
+    "SampleRow",
     "SampledImage",
     "SequenceImage",
     "SequenceTerm",
@@ -70,9 +83,11 @@ __all__ = [
     "abscissa_of",
     "acting_pieces",
     "base_of",
+    "cleared_adjugate",
     "compared_at_all",
     "divided_again",
     "factors_for_convolution",
+    "finite_values",
     "fitted_constants",
     "images_of_unknowns",
     "impulse_balance",
@@ -91,11 +106,16 @@ __all__ = [
     "read_image",
     "read_sequence_image",
     "right_sides",
+    "sample_operators_of",
     "sampled_image",
     "sequence_image",
     "sequence_pieces",
     "sequence_transform",
+    "start_of",
+    "start_of_sample",
+    "terms_of_samples",
     "transform_of_pieces",
     "transform_pieces",
     "values_after",
+    "window_of",
 ]

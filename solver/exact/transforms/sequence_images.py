@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -51,6 +52,7 @@ class DelayedSequenceImage:
     image: SequenceImage
 
 
+@lru_cache(maxsize=64)
 def sequence_image(F: sp.Expr, z: sp.Symbol) -> SequenceImage:
     """F and F/z; raises NotExact where F is no quotient of polynomials in z."""
     try:

@@ -10,9 +10,13 @@ import sympy as sp
 
 from solver.exact.time_response.signals import Signal, in_order, read_signal, written
 from solver.exact.transforms.rules import Pair, TransformedTerm, TransformPiece
+from solver.exact.transforms.sampled import SampledImage
 
 MOST_IN_THE_TABLE = 2
 """The highest power of k in the table."""
+
+MOST_VALUES = 12
+"""So many values of a sequence that ends are written out."""
 
 
 @dataclass(frozen=True)
@@ -35,14 +39,19 @@ class _Image:
     def damped(self, a: sp.Expr, z: sp.Symbol) -> _Image:
         """The image of aᵏ g(k), G(z/a), multiplied through by powers of a."""
         degree = int(sp.degree(self.base, z))
-        above = sp.expand(a ** (degree * self.power) * sp.expand(self.above).subs(z, z / a))
-        below = sp.expand(a**degree * sp.expand(self.base).subs(z, z / a))
-        return _Image(above, below, self.power)
+        return _Image(_scaled(self.above, degree * self.power, a, z), _scaled(self.base, degree, a, z), self.power)
+
+
+def _scaled(polynomial: sp.Expr, degree: int, a: sp.Expr, z: sp.Symbol) -> sp.Expr:
+    """aⁿ p(z/a), the lowest power of z in front."""
+    terms = sp.Poly(sp.expand(polynomial), z).terms()
+    least = min(i for (i,), _ in terms)
+    return z**least * sp.Add(*(c * a ** (degree - i) * z ** (i - least) for (i,), c in terms))
 
 
 @dataclass(frozen=True)
 class SequenceTerm(TransformedTerm):
-    """A term `factor` · kⁿ aᵏ w(θk), a = `growth`, w one of cos, sin or none ("")."""
+    """A term `factor` · kⁿ aᵏ w(θk), a = `growth`, w one of `WAVES` or none ("")."""
 
     def function(self, k: sp.Symbol) -> sp.Expr:
         """The sequence without its factor."""
@@ -62,8 +71,9 @@ class SequenceTerm(TransformedTerm):
         if not (self.wave or self.power):
             return (Pair("table", self.growth**k, z / (z - self.growth)),)
         if self.wave:
-            c, s = sp.cos(self.angle), sp.sin(self.angle)
-            above = z * (z - c) if self.wave == "cos" else z * s
+            cosine, sine = (sp.cos, sp.sin) if self.wave in ("cos", "sin") else (sp.cosh, sp.sinh)
+            c, s = cosine(self.angle), sine(self.angle)
+            above = z * (z - c) if self.wave in ("cos", "cosh") else z * s
             image, have = _Image(above, z**2 - 2 * c * z + 1, 1), 0
         else:
             have = min(self.power, MOST_IN_THE_TABLE)
@@ -74,12 +84,22 @@ class SequenceTerm(TransformedTerm):
             found.append(Pair("derivative", k**power * self._wave(k), image.expression(factored=True)))
         if self.growth != 1:
             image = image.damped(self.growth, z)
-            found.append(Pair("damping", self.function(k), image.expression(factored=True)))
+            factored = not self.growth.has(sp.exp)
+            found.append(Pair("damping", self.function(k), image.expression(factored=factored)))
         return tuple(found)
 
     def abscissa(self) -> sp.Expr:
         """The absolute value that z must exceed for the series to converge."""
         return sp.Abs(self.growth)
+
+
+def terms_of_samples(image: SampledImage) -> tuple[SequenceTerm, ...]:
+    """The terms of a sampled function as the table has them."""
+    found = []
+    for each in image.samples:
+        wave = each.wave + ("h" if each.wave and each.base.hyperbolic else "")
+        found.append(SequenceTerm(each.factor, each.power, each.base.radius, each.base.angle, wave))
+    return tuple(found)
 
 
 def sequence_pieces(f: sp.Expr, k: sp.Symbol) -> tuple[TransformPiece, ...]:
@@ -125,3 +145,17 @@ def radius_of(pieces: Sequence[TransformPiece]) -> sp.Expr | None:
     """The absolute value of z beyond which the series converges; None where it does for every z ≠ 0."""
     found = [term.abscissa() for piece in pieces for term in piece.terms]
     return sp.Max(*found) if found else None
+
+
+def finite_values(f: sp.Expr, k: sp.Symbol) -> tuple[sp.Expr, ...] | None:
+    """The values f(0), f(1), … of a sequence that is zero after few of them, steps in it; None for any other."""
+    signal = read_signal(f, k, discrete=True)
+    last = max(signal.delays, default=sp.S.Zero)
+    whole = sp.Add(*(c * written(term, k, discrete=True) for (_, term), c in signal.terms.items()))
+    if not signal.terms or sp.expand(whole) != 0 or last > MOST_VALUES:
+        return None
+    values = []
+    for at in range(int(last) + 1):
+        begun = (c * written(term, k, discrete=True) for (begin, term), c in signal.terms.items() if begin <= at)
+        values.append(sp.expand(sp.Add(*begun).subs(k, at)) + signal.impulses.get(sp.Integer(at), sp.S.Zero))
+    return tuple(values)

@@ -10,3 +10,7 @@ if TYPE_CHECKING:
 
 def name_mistakes_of_sequences(task: Task[Any, Any]) -> None:
     """Register what goes wrong with the sequence f of an image F."""
+
+
+def name_mistakes_of_z_images(task: Task[Any, Any]) -> None:
+    """Register what goes wrong with the transform F of a sequence."""

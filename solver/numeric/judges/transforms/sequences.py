@@ -8,9 +8,13 @@ from typing import Any
 import sympy as sp
 
 from solver.numeric.judges.time_response.response import sampled
+from solver.numeric.judges.transforms.inverse import terms_of
 from solver.stated import Stated
+from solver.stated.algebra import total
 from solver.stated.calculus import value_at
 from solver.stated.transforms import inverse_laplace, inverse_z, z_transform
+
+MOST_SAMPLES = 30
 
 
 def series_of(f: Any, k: Any, z: Any) -> Stated:
@@ -31,15 +35,19 @@ def values_of_image(F: Any, z: Any, count: int) -> Iterator[Stated]:
         yield inverse_z(F, z, sp.Integer(step))
 
 
-def sampled_values(terms: Any, s: Any, T: Any, F: Any, z: Any, count: int) -> Iterator[tuple[Stated, Any, int]]:
-    """Yield f(kT) by contour integrals of F(z) z^{k−1}, and by those of the terms (delay, G) of the image in s."""
-    for step in range(count):
-        begun = [
-            inverse_laplace(G, s, sp.expand(step * T - delay))
-            for delay, G in terms
-            if (sp.expand(step * T - delay)).is_nonnegative
-        ]
-        yield inverse_z(F, z, sp.Integer(step)), begun, step
+def sampled_values(image: Any, s: Any, T: Any, F: Any, z: Any) -> Iterator[tuple[Stated, Stated, int]]:
+    """Yield f(kT) by contour integrals of F(z) z^{k−1}, and by those of the image in s, its dead times apart.
+
+    There are so many that two rational functions of the degrees of both which agree are the same.
+    """
+    terms = terms_of(image, s)
+    late = max(int(sp.ceiling(delay / T)) for delay, _ in terms)
+    orders = [sp.degree(sp.fraction(sp.together(G))[1], s) for _, G in terms]
+    count = int(sum(orders)) + late + telling_samples(F, z)[0]
+    for step in range(min(count, MOST_SAMPLES)):
+        times = [(sp.expand(step * T - delay), G) for delay, G in terms]
+        begun: list[Any] = [inverse_laplace(G, s, time) for time, G in times if time.is_nonnegative]
+        yield inverse_z(F, z, sp.Integer(step)), total(*begun) if begun else total(sp.S.Zero), step
 
 
 def telling_samples(F: Any, z: Any) -> tuple[int, int]:
