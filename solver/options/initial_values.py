@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class InitialValues(OptionKind["Mapping[tuple[str, int], Any]"]):
-    """Values by the names of unknowns, a derivative as x' or x_dot; what is not named is zero."""
+    """Values by the names of unknowns, a derivative as x' or x_dot, a sample as y(0), y(-1); what is not named is zero."""
 
     @property
     def words(self) -> str:
@@ -42,6 +42,6 @@ class InitialValues(OptionKind["Mapping[tuple[str, int], Any]"]):
         values: dict[tuple[str, int], Any] = {}
         for entry in node:
             with report:
-                values[known_jet(entry.key, context)] = context.expression(entry.value)
+                values[known_jet(entry.key, context, samples=True)] = context.expression(entry.value)
         report.conclude()
         return values

@@ -21,7 +21,7 @@ class InputFunctions(OptionKind[Mapping[str, Any]]):
     @property
     def words(self) -> str:
         """What is written, in words."""
-        return "functions of t by the names of the inputs"
+        return "functions of t (in discrete time: of k) by the names of the inputs"
 
     @property
     def schema(self) -> Schema:
@@ -39,7 +39,7 @@ class InputFunctions(OptionKind[Mapping[str, Any]]):
         if not isinstance(node, MappingNode):
             if len(known) != 1:
                 raise node.fault(f"'{name}' has functions of time by name, as {{u: exp(-t)}}, not {node.what}")
-            return {known[0]: context.expression(node, ("t",))}
+            return {known[0]: context.expression(node, ("t", "k"))}
         report = Report()
         values: dict[str, Any] = {}
         for entry in node:
@@ -53,6 +53,6 @@ class InputFunctions(OptionKind[Mapping[str, Any]]):
                         else f"name it beside the equations: inputs: [{own[:40]}]"
                     )
                     raise entry.key.fault(message, suggestion=did_you_mean(own, known), note=note)
-                values[own] = context.expression(entry.value, ("t",))
+                values[own] = context.expression(entry.value, ("t", "k"))
         report.conclude()
         return values

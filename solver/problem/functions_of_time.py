@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,6 +9,7 @@ import sympy as sp
 
 from solver.problem.equations import EquationReader
 from solver.problem.lexicon import Lexicon
+from solver.problem.named_functions import sample
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode, scalar
 from solver.problem.source import Report, did_you_mean
 from solver.systems.ends import End
@@ -96,14 +96,14 @@ class FunctionsOfTime:
         return tuple(found), jets
 
     def initial(self, key: str, functions: Sequence[str]) -> dict[tuple[str, int], sp.Expr]:
-        """Return the values of derivatives at the beginning: {x: 0, "x'": 1}, discrete {"y(0)": 0, "y(1)": 1}."""
+        """Return the values of derivatives at the beginning: {x: 0, "x'": 1}, discrete {"y(0)": 0, "y(-1)": 1}."""
         node = self.node.get(key)
         found: dict[tuple[str, int], sp.Expr] = {}
         for entry in node if isinstance(node, MappingNode) else ():
             with self.report:
                 text = entry.key.text
-                start = re.fullmatch(r"(\w+)\(([0-9]+)\)", text) if self.discrete else None
-                jet = (start[1], int(start[2])) if start else self._equations.jet(entry.key)
+                start = sample(text) if self.discrete else None
+                jet = start or self._equations.jet(entry.key)
                 if jet[0] not in functions:
                     meant = did_you_mean(jet[0], functions)
                     raise entry.key.fault(f"'{text[:40]}' is no unknown of the equations", suggestion=meant)

@@ -17,12 +17,21 @@ if TYPE_CHECKING:
 DERIVATIVE = re.compile(r"_(?:d{1,3}ot|d[0-9]+)$")
 
 
-def known_jet(node: ScalarNode, context: Context) -> Jet:
+def sample(text: str) -> Jet | None:
+    """Return the function and the sample of a value y(0), y(-1); None where the text is none."""
+    found = re.fullmatch(r"\s*(\w+)\s*\(\s*([+-]?)\s*([0-9]+)\s*\)\s*", text)
+    return (found[1], int(found[2] + found[3])) if found else None
+
+
+def known_jet(node: ScalarNode, context: Context, *, samples: bool = False) -> Jet:
     """Return the function that is named, x' or x_dot, and the order of its derivative.
+
+    Where there may be `samples`, y(0) and y(-1) are read as such in discrete time.
 
     Raises Fault where the system is known and has no such function.
     """
-    function, order = context.jet(node)
+    at = sample(node.text) if samples and context.discrete else None
+    function, order = at or context.jet(node)
     known = getattr(context.system, "functions", None)
     plain = DERIVATIVE.sub("", function)
     if known is not None and function not in known and plain not in known:
