@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 
@@ -10,6 +11,7 @@ class FrequencyResponse:
     """L(jω) = c (jω)^power ∏ (1 − jω/r)^m e^{−jωT}, under its name (LaTeX).
 
     `roots` are (r, m), m > 0 for zeros and < 0 for poles, of each conjugate pair the upper one; r real or complex.
+    With a sampling `period` T it is c (z − 1)^power ∏ ((z − r)/(1 − r))^m at z = e^{jωT}, up to ω = π/T.
     """
 
     name: str
@@ -17,6 +19,12 @@ class FrequencyResponse:
     power: int
     roots: tuple[tuple[complex, int], ...]
     delay: float = 0.0
+    period: float = 0.0
+
+    @property
+    def last(self) -> float:
+        """The Nyquist frequency of a discrete loop, else 0."""
+        return math.pi / self.period if self.period else 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -85,8 +85,17 @@ def _asymptotes(response: FrequencyResponse, low: float, high: float) -> DrawnCu
     return DrawnCurve(r"\text{asymptotes}", "dashed", tuple(xs), tuple(ys))
 
 
+def _reach(response: FrequencyResponse, low: float, high: float) -> tuple[float, ...]:
+    """How high a curve goes apart from sharp peaks: the heights of its asymptotes, of a discrete loop its own."""
+    if not response.period:
+        return _asymptotes(response, low, high).y
+    omega = np.geomspace(low, high * (1 - 1e-3), 400)
+    size = PER_NEPER * factors_at(response, omega)[0]
+    return tuple(float(each) for each in np.percentile(size[np.isfinite(size)], (2, 98)))
+
+
 def _magnitudes(figure: BodeDiagram, curves: list[DrawnCurve], low: float, high: float) -> DrawnPlot:
-    reach = [_asymptotes(each, low, high).y for each in figure.responses]
+    reach = [_reach(each, low, high) for each in figure.responses]
     ys = [y for each in curves for y in each.y]
     top = min(max(ys), max(map(max, reach)) + ABOVE)
     bottom = max(min(ys), min(map(min, reach)) - ABOVE)

@@ -9,7 +9,16 @@ import numpy as np
 from solver.derivation.figures import DrawnCurve, DrawnPlot, Mark
 from solver.derivation.frequency_figures import FrequencyResponse, NyquistDiagram
 from solver.figures.bode import short
-from solver.figures.responses import Array, decades, factors_at, frequencies, on_the_axis, pieces, values
+from solver.figures.responses import (
+    Array,
+    decades,
+    factors_at,
+    frequencies,
+    frequency_of,
+    on_the_axis,
+    pieces,
+    values,
+)
 from solver.figures.sampling import plain
 
 LEAST = 1.7
@@ -47,7 +56,7 @@ def reach_of(response: FrequencyResponse, crossings: tuple[float, ...]) -> float
 def on_the_axis_of_poles(response: FrequencyResponse) -> list[tuple[float, int]]:
     """Return the frequencies of the poles on the axis but the origin, with their multiplicities."""
     on = on_the_axis(response)
-    return [(abs(r), -m) for r, m in response.roots if m < 0 and abs(r) in on]
+    return [(frequency_of(response, r), -m) for r, m in response.roots if m < 0 and frequency_of(response, r) in on]
 
 
 def nyquist_of(figure: NyquistDiagram) -> DrawnPlot:
@@ -80,6 +89,8 @@ def _order(curve: DrawnCurve) -> tuple[bool, str]:
 
 def _range(response: FrequencyResponse) -> tuple[float, float]:
     low, high = decades([response], [])
+    if response.period:
+        return low / 10**WIDER, high
     return low / 10**WIDER, high * 10**WIDER
 
 
@@ -111,7 +122,8 @@ def _arcs(response: FrequencyResponse, radius: float) -> Iterator[DrawnCurve]:
         _, angle = factors_at(response, np.array([omega * (1 - 1e-7)]))
         before = float(angle[0])
         yield _arc(before, before - 180.0 * m, radius)
-        yield _arc(180.0 * m - before, -before, radius)
+        if omega != response.last:
+            yield _arc(180.0 * m - before, -before, radius)
 
 
 def _arc(start: float, stop: float, radius: float) -> DrawnCurve:

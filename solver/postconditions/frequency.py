@@ -16,7 +16,7 @@ ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
 
 
 def _loop(L: Any) -> judges.NumericLoop:
-    return judges.numeric_loop(L.N.as_expr(), L.D.as_expr(), L.variable, L.delay)
+    return judges.numeric_loop(L.N.as_expr(), L.D.as_expr(), L.variable, L.delay, L.sample_time)
 
 
 def of_on_axis(found: Any, numerator: Any, denominator: Any, s: Any, delay: Any = sp.S.Zero) -> Iterator[Claim | Check]:
@@ -24,6 +24,12 @@ def of_on_axis(found: Any, numerator: Any, denominator: Any, s: Any, delay: Any 
     yield Claim(quotient(found.N.as_expr(), found.D.as_expr()), numerator / denominator)
     yield Check.that("the variable and the dead time", "compared", found.variable == s and found.delay == delay)
     yield Check.that("lowest terms", "sympy.gcd", sp.gcd(found.N.as_expr(), found.D.as_expr()).is_number)
+
+
+def of_on_circle(found: Any, numerator: Any, denominator: Any, z: Any, sample_time: Any) -> Iterator[Claim | Check]:
+    """The same of a discrete loop."""
+    yield from of_on_axis(found, numerator, denominator, z)
+    yield Check.that("the sampling period", "compared", found.sample_time == sample_time)
 
 
 def of_gain_crossovers(found: Any, L: Any, level: Any = sp.S.One) -> Iterator[Claim | Check]:

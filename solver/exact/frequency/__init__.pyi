@@ -2,6 +2,7 @@
 
 from solver.exact.frequency.axis import Angle, OnAxis, on_axis
 from solver.exact.frequency.bode_forms import BodeForm, Corner, bode_form
+from solver.exact.frequency.circle import OnCircle, on_circle
 from solver.exact.frequency.crossings import Crossover, GainCrossovers, gain_crossovers
 from solver.exact.frequency.encirclements import Arc, Encirclements, encirclements
 from solver.exact.frequency.following import phase_crossings
@@ -28,6 +29,7 @@ __all__ = [
     "GainCrossovers",
     "Margins",
     "OnAxis",
+    "OnCircle",
     "PhaseCrossovers",
     "Resonance",
     "Sinusoid",
@@ -38,6 +40,7 @@ __all__ = [
     "in_decibels",
     "margins_of",
     "on_axis",
+    "on_circle",
     "phase_crossings",
     "phase_crossovers",
     "phase_function",

@@ -1,6 +1,7 @@
 """A quotient of polynomials with a dead time on the imaginary axis: L(jω) = N(jω)/D(jω) e^{−jωT}, by w = ω².
 
 N(jω) = E(w) + jω O(w) with the even and the odd part of N; so N(jω) times the conjugate of D(jω) is R(w) + jω I(w).
+What is said of ω² and ω here a discrete loop says of cos ωT and sin ωT, on the unit circle.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from solver.exact.frequency.surds import WORKING, decimal, ratio_of, root_of
+from solver.exact.frequency.parts import Parts, parts_by_squares
+from solver.exact.frequency.places import Place, real_roots
+from solver.exact.frequency.surds import WORKING, decimal, ratio_of, root_of, value_of
 from solver.exact.linear_algebra.fields import NotExact, domain_matrix
 from solver.exact.linear_algebra.spectrum import DIGITS
 
@@ -21,37 +24,6 @@ ORDERS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 18, 20, 24, 30)
 """Roots of unity of these orders are tried for an angle that is a rational number of degrees."""
 
 NEAR = mpmath.mpf(10) ** (8 - DIGITS)
-
-
-@dataclass(frozen=True)
-class Parts:
-    """The even and odd parts by w: N(jω) = E + jω O, D(jω) = e + jω o, and R, I, |N|², |D|² made of them."""
-
-    E: sp.Poly
-    O: sp.Poly
-    e: sp.Poly
-    o: sp.Poly
-    w: sp.Symbol
-
-    @cached_property
-    def real(self) -> sp.Poly:
-        """R = E e + w O o."""
-        return self.E * self.e + self.O * self.o * sp.Poly(self.w, self.w, domain=self.E.domain)
-
-    @cached_property
-    def imaginary(self) -> sp.Poly:
-        """I = O e − E o."""
-        return self.O * self.e - self.E * self.o
-
-    @cached_property
-    def above(self) -> sp.Poly:
-        """|N(jω)|² = E² + w O²."""
-        return self.E**2 + self.O**2 * sp.Poly(self.w, self.w, domain=self.E.domain)
-
-    @cached_property
-    def below(self) -> sp.Poly:
-        """|D(jω)|² = e² + w o²."""
-        return self.e**2 + self.o**2 * sp.Poly(self.w, self.w, domain=self.E.domain)
 
 
 @dataclass(frozen=True)
@@ -67,16 +39,25 @@ class Angle:
 
 @dataclass(frozen=True)
 class OnAxis:
-    """L₀ = N/D in lowest terms, polynomials in s over a field of numbers, and the dead time T ≥ 0."""
+    """L₀ = N/D in lowest terms, polynomials in s over a field of numbers, and the dead time T ≥ 0.
+
+    Of a discrete loop they are polynomials in z, and `sample_time` is known (`OnCircle`).
+    """
 
     N: sp.Poly
     D: sp.Poly
     delay: sp.Expr
+    sample_time: sp.Expr | None = None
 
     @property
     def variable(self) -> sp.Symbol:
         """The symbol s."""
         return self.N.gen
+
+    @property
+    def discrete(self) -> bool:
+        """Whether the boundary is the unit circle."""
+        return self.sample_time is not None
 
     @property
     def late(self) -> bool:
@@ -86,9 +67,12 @@ class OnAxis:
     @cached_property
     def parts(self) -> Parts:
         """What N and D are made of on the axis."""
-        w = sp.Symbol("w")
-        (E, O), (e, o) = (_even_and_odd(p, w) for p in (self.N, self.D))
-        return Parts(E, O, e, o, w)
+        return parts_by_squares(self.N, self.D)
+
+    @cached_property
+    def end(self) -> Place | None:
+        """The last frequency; there is none on the axis."""
+        return None
 
     @cached_property
     def start(self) -> tuple[sp.Expr, int]:
@@ -96,20 +80,45 @@ class OnAxis:
         (a, k), (b, m) = (_lowest(p) for p in (self.N, self.D))
         return a / b, k - m
 
+    def place(self, omega: sp.Expr) -> sp.Expr:
+        """What the parts are polynomials in, at a frequency: ω²."""
+        return sp.expand(omega**2)
+
+    def unit(self, omega: sp.Expr) -> sp.Expr:
+        """The factor of the odd parts at a frequency: ω."""
+        return omega
+
+    def point(self, omega: sp.Expr) -> sp.Expr:
+        """The point of the boundary: jω."""
+        return sp.I * omega
+
+    def places(self, p: sp.Poly) -> list[Place]:
+        """The frequencies between the ends at which a polynomial in ω² is zero, rising."""
+        return [Place(root_of(x), x, m) for x, m in real_roots(p) if decimal(x) > 0]
+
+    def first_sign(self, p: sp.Poly) -> int:
+        """The sign of a polynomial in ω² that is not zero, at low frequencies."""
+        return int(mpmath.sign(decimal(next(c for c in reversed(p.all_coeffs()) if c != 0))))
+
+    @property
+    def samples(self) -> list[sp.Expr]:
+        """Some values of what the parts are polynomials in, over all frequencies."""
+        return [sp.Integer(10) ** k for k in range(-12, 13)]
+
     @property
     def excess(self) -> int:
         """The degree of D less that of N."""
         return int(self.D.degree() - self.N.degree())
 
     def rational_value(self, square: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """Re L₀ and Im L₀/ω at ω² = `square`, a number that is no pole."""
+        """Re L₀ and Im L₀/ω at ω² = `square` (Im L/sin ωT at cos ωT), a number that is no pole."""
         real, imaginary, below = self.parts.real, self.parts.imaginary, self.parts.below
         return ratio_of(real, below, square), ratio_of(imaginary, below, square)
 
     def value(self, omega: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Re L and Im L at a frequency; with a dead time in decimals, unless ωT is a simple part of π."""
-        real, slope = self.rational_value(sp.expand(omega**2))
-        imaginary = sp.expand(omega * slope)
+        real, slope = self.rational_value(self.place(omega))
+        imaginary = sp.expand(self.unit(omega) * slope)
         if not self.late:
             return real, imaginary
         angle = sp.expand(-omega * self.delay)
@@ -122,7 +131,7 @@ class OnAxis:
 
     def magnitude(self, omega: sp.Expr) -> sp.Expr:
         """|L| at a frequency."""
-        return root_of(ratio_of(self.parts.above, self.parts.below, sp.expand(omega**2)))
+        return root_of(ratio_of(self.parts.above, self.parts.below, self.place(omega)))
 
     def phase(self, omega: sp.Expr) -> sp.Expr:
         """∠L at a frequency in degrees, in (−180, 180]: rational where it is, else 30 digits."""
@@ -138,12 +147,13 @@ class OnAxis:
 
     def _rational_phase(self, omega: sp.Expr) -> sp.Expr:
         """∠L₀: where it is a rational number of degrees, a power of L₀ is real."""
-        square = sp.expand(omega**2)
-        real, slope = self.rational_value(square)
+        place = self.place(omega)
+        real, slope = self.rational_value(place)
         with mpmath.workdps(WORKING):
-            x, y = (decimal(each) for each in (real, omega * slope))
+            x, y = (decimal(each) for each in (real, self.unit(omega) * slope))
             degrees = mpmath.degrees(mpmath.atan2(y, x))
-            if not square.has(sp.Float):
+            if not place.has(sp.Float):
+                square = value_of(self.parts.unit, place)
                 for m in ORDERS:
                     whole = mpmath.nint(degrees * m / 180)
                     if abs(degrees * m / 180 - whole) < NEAR and _is_real_power(real, slope, square, m):
@@ -156,12 +166,21 @@ class OnAxis:
         number = sp.S.One
         for p, sign in ((self.N, 1), (self.D, -1)):
             for factor, m in p.factor_list()[1]:
-                primitive = factor if factor.domain.is_QQ is False else factor.clear_denoms(convert=True)[1]
-                primitive = primitive if primitive.LC() > 0 else -primitive
-                listed.append((primitive.as_expr(), sign * m))
+                listed.append((self.shown_factor(factor).as_expr(), sign * m))
             number *= (p.LC() / sp.Mul(*(sp.Poly(f, s).LC() ** abs(m) for f, m in listed if m * sign > 0))) ** sign
         negative = [(sp.Integer(-1), 1)] if decimal(number) < 0 else []
-        return [_angle(factor, power, s, omega) for factor, power in (*negative, *listed)]
+        return [self._angle(factor, power, omega) for factor, power in (*negative, *listed)]
+
+    def shown_factor(self, factor: sp.Poly) -> sp.Poly:
+        """A factor of N or D up to a positive or negative number: whole coefficients, the first one positive."""
+        primitive = factor if factor.domain.is_QQ is False else factor.clear_denoms(convert=True)[1]
+        return primitive if primitive.LC() > 0 else -primitive
+
+    def _angle(self, factor: sp.Expr, power: int, omega: sp.Expr) -> Angle:
+        p = sp.Poly(factor, self.variable, extension=True)
+        found = type(self)(p, sp.Poly(1, self.variable, domain=p.domain), sp.S.Zero, self.sample_time)
+        real, imaginary = found.value(omega)
+        return Angle(factor, power, real, imaginary, found.phase(omega))
 
     @cached_property
     def roots(self) -> tuple[tuple[Any, int], ...]:
@@ -169,7 +188,7 @@ class OnAxis:
         found: list[tuple[Any, int]] = []
         for p, sign in ((self.N, 1), (self.D, -1)):
             for factor, m in p.factor_list()[1]:
-                found += [(r, sign * m) for r in _upper_roots(factor) if r != 0]
+                found += [(r, sign * m) for r in upper_roots(factor) if r != 0]
         return tuple(found)
 
     def continuous_phase(self, omega: sp.Expr) -> sp.Float:
@@ -195,7 +214,14 @@ class OnAxis:
 @lru_cache(maxsize=64)
 def on_axis(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay: sp.Expr = sp.S.Zero) -> OnAxis:
     """Return N/D e^{−Ts} cancelled; raises NotExact where a parameter is left."""
-    free = (numerator.free_symbols | denominator.free_symbols | (sp.S.Zero + delay).free_symbols) - {s}
+    return OnAxis(*in_lowest_terms(numerator, denominator, s, delay), sp.S.Zero + delay)
+
+
+def in_lowest_terms(
+    numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, *numbers: sp.Expr
+) -> tuple[sp.Poly, sp.Poly]:
+    """N and D over one field, cancelled; raises NotExact where a parameter is left, there or in `numbers`."""
+    free = set().union(*((sp.S.Zero + each).free_symbols for each in (numerator, denominator, *numbers))) - {s}
     if free:
         raise NotExact("frequency/parameters", names=sorted(free, key=str))
     p, q = sp.Poly(numerator, s), sp.Poly(denominator, s)
@@ -207,25 +233,7 @@ def on_axis(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay: sp.Ex
     n = p.degree() + 1
     N, D = (sp.Poly(each, s, domain=matrix.domain) for each in (entries[:n], entries[n:]))
     common = N.gcd(D)
-    return OnAxis(N.quo(common), D.quo(common), sp.S.Zero + delay)
-
-
-def _angle(factor: sp.Expr, power: int, s: sp.Symbol, omega: sp.Expr) -> Angle:
-    p = sp.Poly(factor, s, extension=True)
-    found = OnAxis(p, sp.Poly(1, s, domain=p.domain), sp.S.Zero)
-    real, imaginary = found.value(omega)
-    return Angle(factor, power, real, imaginary, found.phase(omega))
-
-
-def _even_and_odd(p: sp.Poly, w: sp.Symbol) -> tuple[sp.Poly, sp.Poly]:
-    """E and O of p(jω) = E(ω²) + jω O(ω²)."""
-    rising = list(reversed(p.rep.to_list()))
-    K = p.domain
-    found = []
-    for first in (0, 1):
-        listed = [c if i % 2 == 0 else -c for i, c in enumerate(rising[first::2])]
-        found.append(sp.Poly(list(reversed(listed)) or [K.zero], w, domain=K))
-    return found[0], found[1]
+    return N.quo(common), D.quo(common)
 
 
 def _lowest(p: sp.Poly) -> tuple[sp.Expr, int]:
@@ -235,14 +243,14 @@ def _lowest(p: sp.Poly) -> tuple[sp.Expr, int]:
 
 
 def _is_real_power(real: sp.Expr, slope: sp.Expr, square: sp.Expr, m: int) -> bool:
-    """Whether (a + jωb)^m is real, with ω² = `square`."""
+    """Whether (a + jub)^m is real, with u² = `square`."""
     a, b = real, slope
     for _ in range(m - 1):
         a, b = sp.expand(a * real - square * b * slope), sp.expand(a * slope + b * real)
-    return bool(b == 0 or sp.radsimp(b) == 0)
+    return bool(b == 0 or square == 0 or sp.radsimp(b) == 0)
 
 
-def _upper_roots(p: sp.Poly) -> Iterator[Any]:
+def upper_roots(p: sp.Poly) -> Iterator[Any]:
     """The real roots of an irreducible polynomial, and the upper one of each pair, in decimals."""
     with mpmath.workdps(2 * DIGITS):
         coefficients = [decimal(c) for c in p.all_coeffs()]
@@ -261,4 +269,4 @@ def _upper_roots(p: sp.Poly) -> Iterator[Any]:
                 yield mpmath.mpc(0 if upright else each.real, each.imag)
 
 
-__all__ = ["Angle", "OnAxis", "on_axis"]
+__all__ = ["NEAR", "Angle", "OnAxis", "in_lowest_terms", "on_axis", "upper_roots"]

@@ -15,7 +15,7 @@ import mpmath
 import sympy as sp
 
 from solver.exact.frequency.axis import OnAxis, on_axis
-from solver.exact.frequency.crossings import Crossover, positive_roots
+from solver.exact.frequency.crossings import Crossover
 from solver.exact.frequency.real_axis import phase_crossovers
 from solver.exact.frequency.surds import WORKING, decimal
 from solver.exact.linear_algebra.fields import NotExact
@@ -73,7 +73,7 @@ def encirclements(numerator: sp.Expr, denominator: sp.Expr, s: sp.Symbol, delay:
     beyond = tuple(each for each in phases.found if _exceeds_one(each.magnitude)) if not phases.everywhere else ()
     arcs = tuple(_arcs(L, [omega for omega, _ in phases.real_axis])) if not phases.everywhere else ()
     closing = _closing(L)
-    turns = sum(each.clockwise * (1 if each.omega == 0 else 2) for each in beyond)
+    turns = sum(each.clockwise * (1 if each.end else 2) for each in beyond)
     turns += sum(each.passes for each in arcs) + closing
     if L.late:
         through = any(each.magnitude == 1 for each in phases.found)
@@ -106,7 +106,7 @@ def _exceeds_one(magnitude: sp.Expr) -> bool:
 def _arcs(L: OnAxis, crossings: Iterable[sp.Expr]) -> Iterator[Arc]:
     """The poles on the axis, that at the origin first; between an arc and the next frequency here L is not real."""
     with mpmath.workdps(WORKING):
-        poles = [(root.omega, root.multiplicity // 2) for root in positive_roots(L.parts.below)]
+        poles = [(root.omega, root.multiplicity // 2) for root in L.places(L.parts.below)]
         marks = sorted([*map(decimal, crossings), *(decimal(omega) for omega, _ in poles)])
         c, power = L.start
         if power < 0:

@@ -12,7 +12,7 @@ import sympy as sp
 from solver.exact.frequency.axis import OnAxis
 from solver.exact.frequency.crossings import Crossover, GainCrossovers, gain_crossovers
 from solver.exact.frequency.real_axis import PhaseCrossovers, phase_crossovers
-from solver.exact.frequency.surds import decimal, reciprocal
+from solver.exact.frequency.surds import decimal, reciprocal, value_of
 from solver.exact.linear_algebra.fields import NotExact
 from solver.exact.linear_algebra.spectrum import DIGITS
 
@@ -87,14 +87,10 @@ def _on_the_real_axis(L: OnAxis, gains: GainCrossovers, phases: PhaseCrossovers)
     through = tuple(each for each in gains.found if each.phase == 180)
     if through:
         return PhaseCrossovers(phases.polynomial, through, everywhere=True)
-    samples = [L.rational_value(sp.Integer(10) ** k)[0] for k in range(-12, 13) if not _is_pole(L, k)]
+    samples = [L.rational_value(each)[0] for each in L.samples if value_of(L.parts.below, each) != 0]
     if any(decimal(each) < 0 for each in samples):
         raise NotExact("frequency/real_everywhere")
     return phases
-
-
-def _is_pole(L: OnAxis, k: int) -> bool:
-    return bool(L.parts.below(sp.Integer(10) ** k) == 0)
 
 
 def _nearest(found: Sequence[Crossover], distances: Sequence[object]) -> Crossover | None:

@@ -1,4 +1,4 @@
-"""Where L(jω) meets the negative real axis: exact where ω² is of degree two at most, with a dead time in decimals."""
+"""Where L(jω) meets the negative real axis: exact where ω² (cos ωT) is of degree two at most, else in decimals."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import mpmath
 import sympy as sp
 
 from solver.exact.frequency.axis import OnAxis
-from solver.exact.frequency.crossings import Crossover, gain_crossovers, positive_roots
+from solver.exact.frequency.crossings import Crossover, gain_crossovers
 from solver.exact.frequency.following import HALF_TURN, levels, turning_points
 from solver.exact.frequency.surds import WORKING, decimal, value_of
 from solver.exact.linear_algebra.fields import NotExact
@@ -21,7 +21,7 @@ from solver.exact.linear_algebra.spectrum import DIGITS
 class PhaseCrossovers:
     """Where L < 0: the roots of I, Im(N D̄) = ω I(ω²), with R < 0; None with a dead time. `everywhere`: I is zero.
 
-    `real_axis` are all frequencies ω > 0 where L is real and not zero, with its value there.
+    `real_axis` are all frequencies ω > 0 where L is real and not zero, with its value there; π/T is one of them.
     With a dead time there are more beyond the last one, all of smaller size; `last` is then its frequency.
     """
 
@@ -41,19 +41,29 @@ def phase_crossovers(L: OnAxis) -> PhaseCrossovers:
     start = _at_rest(L)
     if p.is_zero:
         return PhaseCrossovers(p, (), everywhere=True)
-    sign = int(mpmath.sign(decimal(next(c for c in reversed(p.all_coeffs()) if c != 0))))
-    found = [] if start is None else [Crossover(sp.S.Zero, sp.S.Zero, abs(start), sp.Integer(HALF_TURN), sign)]
+    sign = L.first_sign(p)
+    found = [] if start is None else [_at_an_end(sp.S.Zero, L.place(sp.S.Zero), start, sign)]
     every = []
-    for root in positive_roots(p):
+    for root in L.places(p):
         before, sign = sign, sign * (-1) ** root.multiplicity
-        if _is_root(R, root.square):
+        if _is_root(R, root.value):
             continue  # a pole or zero on the axis
-        real, _ = L.rational_value(root.square)
+        real, _ = L.rational_value(root.value)
         every.append((root.omega, real))
         if decimal(real) < 0:
             turn = 0 if before == sign else sign
-            found.append(Crossover(root.omega, root.square, -real, sp.Integer(HALF_TURN), turn))
+            found.append(Crossover(root.omega, root.value, -real, sp.Integer(HALF_TURN), turn))
+    if L.end is not None and all(value_of(each, L.end.value) != 0 for each in (L.parts.above, L.parts.below)):
+        real, _ = L.rational_value(L.end.value)
+        every.append((L.end.omega, real))
+        if decimal(real) < 0:
+            found.append(_at_an_end(L.end.omega, L.end.value, real, -sign))
     return PhaseCrossovers(p, tuple(found), real_axis=tuple(every))
+
+
+def _at_an_end(omega: sp.Expr, place: sp.Expr, value: sp.Expr, turn: int) -> Crossover:
+    """Where the curve crosses the negative real axis on its way to that of −ω."""
+    return Crossover(omega, place, -value, sp.Integer(HALF_TURN), turn, end=True)
 
 
 def _at_rest(L: OnAxis) -> sp.Expr | None:
@@ -63,11 +73,11 @@ def _at_rest(L: OnAxis) -> sp.Expr | None:
 
 
 def _is_root(p: sp.Poly, x: sp.Expr) -> bool:
-    """Whether a polynomial is zero at a number > 0; in decimals, but for rounding."""
+    """Whether a polynomial is zero at a number; in decimals, but for rounding."""
     value = value_of(p, x)
     if not x.has(sp.Float):
         return bool(value == 0)
-    size = sum(abs(decimal(c)) * decimal(x) ** i for i, c in enumerate(reversed(p.all_coeffs())))
+    size = sum(abs(decimal(c) * decimal(x) ** i) for i, c in enumerate(reversed(p.all_coeffs())))
     return bool(abs(decimal(value)) <= size * mpmath.mpf(10) ** (8 - DIGITS))
 
 
@@ -88,7 +98,7 @@ def _late_crossovers(L: OnAxis) -> PhaseCrossovers:
                 found.append(Crossover(exact, sp.expand(exact**2), magnitude, sp.Integer(HALF_TURN), turn))
     if start is not None:
         first = 1 if _falls_at_once(L) else -1
-        found.insert(0, Crossover(sp.S.Zero, sp.S.Zero, abs(start), sp.Integer(HALF_TURN), first))
+        found.insert(0, _at_an_end(sp.S.Zero, sp.S.Zero, start, first))
     return PhaseCrossovers(None, tuple(found), real_axis=tuple(every), last=found[-1].omega if found else None)
 
 
@@ -105,7 +115,7 @@ def _stationary(L: OnAxis) -> list[sp.Expr]:
     """Where |L₀| has no slope."""
     P, Q = L.parts.above, L.parts.below
     p = P.diff() * Q - P * Q.diff()
-    return [] if p.is_zero else [root.omega for root in positive_roots(p)]
+    return [] if p.is_zero else [root.omega for root in L.places(p)]
 
 
 def _falls_at_once(L: OnAxis) -> bool:

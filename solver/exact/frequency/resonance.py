@@ -9,9 +9,9 @@ import mpmath
 import sympy as sp
 
 from solver.exact.frequency.axis import OnAxis
-from solver.exact.frequency.crossings import Crossover, gain_crossovers, positive_roots
+from solver.exact.frequency.crossings import Crossover, gain_crossovers
 from solver.exact.frequency.following import turning_points
-from solver.exact.frequency.surds import WORKING, decimal
+from solver.exact.frequency.surds import WORKING, decimal, value_of
 from solver.exact.time_response.signals import read_signal
 from solver.exact.time_response.steady_state import wave_of
 
@@ -54,18 +54,19 @@ def resonance(L: OnAxis) -> Resonance | None:
     """Where |T| is largest; None where it goes to infinity on the axis, or does not depend on ω."""
     P, Q = L.parts.above, L.parts.below
     p = P.diff() * Q - P * Q.diff()
-    if p.is_zero or L.start[1] < 0 or positive_roots(Q):
+    if p.is_zero or L.start[1] < 0 or L.places(Q) or (L.end is not None and value_of(Q, L.end.value) == 0):
         return None
-    listed = [(root, L.magnitude(root.omega)) for root in positive_roots(p)]
+    ends = [] if L.end is None else [L.end]
+    listed = [(root, L.magnitude(root.omega)) for root in (*L.places(p), *ends)]
     bounds = [decimal(L.magnitude(sp.S.Zero))]
-    if L.excess == 0:
+    if L.end is None and L.excess == 0:
         bounds.append(abs(decimal(L.N.LC() / L.D.LC())))
     best = max(listed, key=lambda pair: decimal(pair[1]), default=None)
     peak = None
     if best is not None and decimal(best[1]) > max(bounds) * (1 + mpmath.mpf(10) ** -12):
         root, size = best
-        peak = Crossover(root.omega, root.square, size, L.phase(root.omega))
-    return Resonance(p, tuple(root.omega for root, _ in listed), peak)
+        peak = Crossover(root.omega, root.value, size, L.phase(root.omega), end=root is L.end)
+    return Resonance(p, tuple(root.omega for root, _ in listed if root is not L.end), peak)
 
 
 @lru_cache(maxsize=64)

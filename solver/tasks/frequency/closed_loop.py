@@ -1,4 +1,4 @@
-"""Lemma: whether a loop is stable, by Routh's array of D + N; with a dead time by Nyquist's count."""
+"""Lemma: whether a loop is stable, by Routh's array of D + N (discrete: of its image); late loops by Nyquist's count."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
+from solver.tasks.loops.loop_stability import inside_circle
 from solver.tasks.stability.routh_array import rows_of
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ BY_SIGNS = 2
 
 @lemma("closed_loop_stability")
 def is_stable(loop: OpenLoop) -> Derivation[bool]:
-    """Whether all poles of the closed loop lie to the left, those that cancel in L among them."""
+    """Whether all poles of the closed loop are in the region of stability, those that cancel in L among them."""
     if loop.delay != 0:
         return (yield from _by_counting(loop))
     s, N, D = loop.variable, loop.numerator, loop.denominator
@@ -35,11 +36,14 @@ def is_stable(loop: OpenLoop) -> Derivation[bool]:
     yield Step("characteristic", claims={"p": Claim(total(D, N), p, "characteristic polynomial")}, s=s, p=p)
     listed = sp.Poly(p, s).all_coeffs()
     if len(listed) == 1:
-        return (yield from _verdict(listed, s, None))
+        return (yield from _verdict(listed, s, None, discrete=loop.discrete))
     if exact.sign_of(listed[0]) == -1:
         listed = [-c for c in listed]
         claim = Claim(product(sp.Integer(-1), p), _polynomial(listed, s), "the same roots")
         yield Step("lead", claims={"lead": claim}, s=s)
+    if loop.discrete:
+        yield from inside_circle(listed)
+        return (yield from _verdict(listed, s, None, discrete=True))
     if len(listed) - 1 <= BY_SIGNS:
         return (yield from _verdict(listed, s, None))
     array = yield from rows_of(exact.routh(listed), s)
@@ -51,9 +55,9 @@ def _polynomial(listed: Sequence[Expr], s: Symbol) -> Expr:
     return sp.Add(*(c * s ** (n - i) for i, c in enumerate(listed)))
 
 
-def _verdict(listed: Sequence[Expr], s: Symbol, array: Any) -> Derivation[bool]:
-    """The count of the roots to the right and on the axis."""
-    counts: Any = exact.root_counts(listed)
+def _verdict(listed: Sequence[Expr], s: Symbol, array: Any, *, discrete: bool = False) -> Derivation[bool]:
+    """The count of the roots outside of the region of stability and on its boundary."""
+    counts: Any = exact.root_counts(listed, discrete=discrete)
     stable = not counts.outside and not counts.on
     yield Step(
         "verdict",
@@ -64,6 +68,7 @@ def _verdict(listed: Sequence[Expr], s: Symbol, array: Any) -> Derivation[bool]:
         on=counts.on,
         special=array is not None and any(row.special for row in array.rows),
         s=s,
+        discrete=discrete,
     )
     return stable
 

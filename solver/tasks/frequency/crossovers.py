@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from sympy import Expr
 
 
+LONG = 9999
+"""Whole coefficients that are larger are not shown, in a polynomial in cos ωT."""
+
+
 def formula_of(L: exact.OnAxis) -> Expr:
     """L(s) with its dead time."""
     s = L.variable
@@ -53,11 +57,12 @@ def real_axis_of(L: exact.OnAxis) -> Derivation[exact.PhaseCrossovers]:
 
 
 def _even_odd(L: exact.OnAxis) -> dict[str, tuple[Expr, Expr]]:
-    """Real and imaginary part of N(jω) and D(jω), in ω."""
+    """Real and imaginary part of N(jω) and D(jω), in ω; discrete: of N and D at e^{jωT}."""
     omega, parts = sp.Symbol("omega"), L.parts
+    place, unit = L.place(omega), L.unit(omega)
     found = {"N": (parts.E, parts.O), "D": (parts.e, parts.o)}
     return {
-        name: (even.as_expr().subs(parts.w, omega**2), sp.expand(omega * odd.as_expr().subs(parts.w, omega**2)))
+        name: (even.as_expr().subs(parts.w, place), sp.expand(unit * odd.as_expr().subs(parts.w, place)))
         for name, (even, odd) in found.items()
     }
 
@@ -67,41 +72,55 @@ def _on_axis(L: exact.OnAxis, name_of_L: str) -> Step:
     s, omega, claims = L.variable, sp.Symbol("omega"), {}
     for name, (real, imaginary) in _even_odd(L).items():
         p = (L.N if name == "N" else L.D).as_expr()
-        size = (L.parts.above if name == "N" else L.parts.below).as_expr().subs(L.parts.w, omega**2)
+        size = (L.parts.above if name == "N" else L.parts.below).as_expr().subs(L.parts.w, L.place(omega))
         if p.has(s):
             says = Phrase("${name}(j\\omega)$", name=name)
-            claims[name] = Claim(value_at(p, s, sp.I * omega), real + sp.I * imaginary, says)
+            claims[name] = Claim(value_at(p, s, L.point(omega)), real + sp.I * imaginary, says)
             squares = [power(part, 2) for part in (real, imaginary) if part != 0]
             stated = total(*squares) if len(squares) > 1 else squares[0]
             claims[f"{name}_size"] = Claim(stated, size, Phrase("$|{name}(j\\omega)|^2$", name=name))
     return Step("on_axis", claims=claims, unclaimed="" if claims else "L is a constant", L=formula_of(L), s=s,
-                N=L.N.as_expr(), D=L.D.as_expr(), delay=L.delay, name=name_of_L)  # fmt: skip
+                N=L.N.as_expr(), D=L.D.as_expr(), delay=L.delay, name=name_of_L, discrete=L.discrete,
+                powers=max(L.N.degree(), L.D.degree()), point=L.point(omega))  # fmt: skip
 
 
 def _gain_crossovers(L: exact.OnAxis, found: exact.Margins) -> Step:
     """|N|² = |D|² as a polynomial in w = ω², and its positive roots."""
     w, omega, gains = L.parts.w, sp.Symbol("omega"), found.gains
-    p = _positive(gains.polynomial)
+    p = shown_polynomial(gains.polynomial)
     claims = {}
     for i, each in enumerate(gains.found, 1):
-        claims[f"root{i}"] = Claim(value_at(p, w, each.square), sp.S.Zero, Phrase("a root in $w = \\omega^2$"))
-        at = value_at(formula_of(L), L.variable, sp.I * each.omega)
+        says = "a root in $\\cos\\omega T$" if L.discrete else "a root in $w = \\omega^2$"
+        claims[f"root{i}"] = Claim(value_at(p, w, each.square), sp.S.Zero, says)
+        at = value_at(formula_of(L), L.variable, L.point(each.omega))
         claims[f"size{i}"] = Claim(absolute(at), each.magnitude, Phrase("the size of $L$ at a gain crossover"))
     sample = None
     if not gains.found:
-        sample = next(sp.Integer(k) for k in range(1, 99) if L.parts.below(k**2) != 0)
-        at = value_at(formula_of(L), L.variable, sp.I * sample)
+        sample = next(omega for omega in _sample_frequencies(L) if L.parts.below(L.place(omega)) != 0)
+        at = value_at(formula_of(L), L.variable, L.point(sample))
         claims["sample"] = Claim(absolute(at), L.magnitude(sample), "the size of $L$ at one frequency")
     roots = [{"square": each.square, "omega": each.omega, "near": approximation(each.omega)} for each in gains.found]
-    sizes = [each.as_expr().subs(w, omega**2) for each in (L.parts.above, L.parts.below)]
+    sizes = [each.as_expr().subs(w, L.place(omega)) for each in (L.parts.above, L.parts.below)]
     return Step("gain_crossovers", claims=claims, p=p, w=w, sizes=sizes, roots=roots, sample=sample,
+                discrete=L.discrete, T=L.sample_time, constant=not p.has(w),
                 below=sample is not None and bool(L.magnitude(sample) < 1))  # fmt: skip
 
 
-def _positive(p: Any) -> Expr:
-    """The polynomial up to a factor: whole coefficients without a common divisor, the first one positive."""
+def _sample_frequencies(L: exact.OnAxis) -> Iterator[Expr]:
+    """Frequencies that a person may take to see how large L is."""
+    if L.end is not None:
+        yield from (L.end.omega, L.end.omega / 2, L.end.omega / 3)
+    yield from map(sp.Integer, range(1, 99))
+
+
+def shown_polynomial(p: Any) -> Expr:
+    """The polynomial up to a factor: whole coefficients without a common divisor, the first one positive.
+
+    Those that would be long stay as they are.
+    """
     if p.domain.is_QQ:
-        p = p.clear_denoms(convert=True)[1].primitive()[1]
+        whole = p.clear_denoms(convert=True)[1].primitive()[1]
+        p = p if max(map(abs, whole.all_coeffs()), default=0) > LONG and p.gen.name == "c" else whole
     found: Expr = (-p if p.LC().is_negative else p).as_expr()
     return found
 
@@ -122,12 +141,13 @@ def _phase(L: exact.OnAxis, at: exact.Crossover, number: int) -> Step:
     if turns:
         claims["turned"] = Claim(total(whole, 360 * turns), at.phase, "the phase between −180° and 180°")
     claims["phase"] = Claim(
-        phase(value_at(formula_of(L), L.variable, sp.I * at.omega)), at.phase, "the phase at a gain crossover"
+        phase(value_at(formula_of(L), L.variable, L.point(at.omega))), at.phase, "the phase at a gain crossover"
     )
     margin = exact.phase_margin_of(at.phase)
     claims["margin"] = Claim(total(sp.Integer(180), at.phase), at.phase + 180, "the phase margin")
     return Step("phase", claims=claims, rows=rows, at=at, number=number, whole=whole, turns=turns, margin=margin,
-                late=L.late, wrapped=margin != at.phase + 180, L=formula_of(L))  # fmt: skip
+                late=L.late, wrapped=margin != at.phase + 180, L=formula_of(L), discrete=L.discrete,
+                point=L.point(at.omega))  # fmt: skip
 
 
 def angle_rows(L: exact.OnAxis, omega: Expr) -> Iterator[dict[str, Any]]:
@@ -147,26 +167,32 @@ def _signed(degrees: Expr, power_of: int) -> Any:
 
 
 def _phase_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: bool = False) -> Step:
-    """Im(N D̄) = ω I(ω²) = 0, and the value of L at each root; `every` crossing of the real axis may be asked for."""
+    """Im(N D̄) = u I = 0, u = ω or sin ωT, and the value of L at each root; `every` crossing may be asked for."""
     omega, w, s = sp.Symbol("omega"), L.parts.w, L.variable
     parts = {name: real + sp.I * imaginary for name, (real, imaginary) in _even_odd(L).items()}
-    real, slope = (p.as_expr().subs(w, omega**2) for p in (L.parts.real, L.parts.imaginary))
-    whole = real + sp.I * sp.expand(omega * slope)
+    real, slope = (p.as_expr().subs(w, L.place(omega)) for p in (L.parts.real, L.parts.imaginary))
+    imaginary = sp.expand(L.unit(omega) * slope)
+    whole = real + sp.I * imaginary
     claims = {
         "product": Claim(product(parts["N"], conjugate(parts["D"])), whole, "$N(j\\omega)\\overline{D(j\\omega)}$")
     }
     p, roots = L.parts.imaginary, []
     for i, (at, value) in enumerate(found.real_axis, 1):
-        claims[f"root{i}"] = Claim(value_at(_positive(p), w, sp.expand(at**2)), sp.S.Zero, "a root in $w = \\omega^2$")
-        claims[f"value{i}"] = Claim(value_at(formula_of(L), s, sp.I * at), value, "the value of $L$ on the real axis")
-        roots.append(_row(at, value))
+        end = L.end is not None and at == L.end.omega
+        if not end:
+            says = "a root in $\\cos\\omega T$" if L.discrete else "a root in $w = \\omega^2$"
+            claims[f"root{i}"] = Claim(value_at(shown_polynomial(p), w, L.place(at)), sp.S.Zero, says)
+        claims[f"value{i}"] = Claim(value_at(formula_of(L), s, L.point(at)), value, "the value of $L$ on the real axis")
+        roots.append(_row(at, value) | {"place": L.place(at), "end": end})
     start = next((each for each in found.found if each.omega == 0), None)
     if start is not None:
-        claims["start"] = Claim(value_at(formula_of(L), s, sp.S.Zero), -start.magnitude, "$L(0)$")
+        claims["start"] = Claim(value_at(formula_of(L), s, L.point(sp.S.Zero)), -start.magnitude, "$L(0)$")
     kind = "real_axis" if every else "phase_crossovers"
-    return Step(kind, claims=claims, roots=roots, p=_positive(p) if not p.is_zero else sp.S.Zero, w=w,
-                imaginary=sp.expand(omega * slope), everywhere=found.everywhere, start=start,
-                crossing=list(found.found), moves=bool(p.degree() > 0))  # fmt: skip
+    return Step(kind, claims=claims, roots=roots, p=shown_polynomial(p) if not p.is_zero else sp.S.Zero, w=w,
+                imaginary=imaginary, everywhere=found.everywhere, start=start, crossing=list(found.found),
+                moves=bool(p.degree() > 0), discrete=L.discrete, T=L.sample_time, above=parts["N"],
+                conjugate=parts["D"].subs(sp.I, -sp.I),
+                inner=sum(not row["end"] for row in roots))  # fmt: skip
 
 
 def _late_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: bool = False) -> Step:
@@ -213,4 +239,12 @@ def _gain_margin(found: exact.Margins) -> Step:
     )
 
 
-__all__ = ["angle_rows", "approximation", "crossovers_of", "formula_of", "on_axis_of", "real_axis_of"]
+__all__ = [
+    "angle_rows",
+    "approximation",
+    "crossovers_of",
+    "formula_of",
+    "on_axis_of",
+    "real_axis_of",
+    "shown_polynomial",
+]

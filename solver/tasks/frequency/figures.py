@@ -19,7 +19,8 @@ def response_of(L: exact.OnAxis, name: str = "L") -> FrequencyResponse:
     """Return a function on the axis in Bode's form, in numbers."""
     c, power = L.start
     roots = tuple((complex(r), m) for r, m in L.roots)
-    return FrequencyResponse(name, float(c), power, roots, float(L.delay))
+    period = 0.0 if L.sample_time is None else float(L.sample_time)
+    return FrequencyResponse(name, float(c), power, roots, float(L.delay), period)
 
 
 def bode_figure(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Attempt, Slip
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.frequency.boundary import on_boundary
 
 if TYPE_CHECKING:
     from solver.derivation import Task
@@ -26,7 +27,13 @@ INVERTED = Slip("inverted", "this is |L| at the crossover; the margin is 1/|L|")
 HERTZ = Slip("hertz", "the frequency is in Hz; rad/s are asked for")
 OTHER = Slip("other_crossover", "the gain crossover and the phase crossover are exchanged")
 NOT_NEAREST = Slip("not_nearest", "of several crossovers the one nearest to −1 decides, not this one")
+NORMALIZED = Slip("rad_per_sample", "this is ωT, the frequency in rad per sample; rad/s are asked for")
+POINT_JW = Slip("jw_put_into_z", "jω is put in for z; on the unit circle it is e^{jωT}")
+WITHOUT_T = Slip("period_left_out", "T is missing in e^{jωT}")
 OPEN_LOOP = Slip("open_loop", "that is said of L; the closed loop is asked for")
+
+
+AT_FREQUENCIES = ("gain_crossover", "phase_crossover", "gain_margin", "gain_margin_db", "phase_margin")
 
 
 def register(task: Task[OpenLoop, LoopOptions]) -> None:
@@ -39,6 +46,9 @@ def register(task: Task[OpenLoop, LoopOptions]) -> None:
     task.mistake(RATIO, "gain_margin_db")(as_a_ratio)
     task.mistake(INVERTED, "gain_margin", "gain_margin_db")(inverted)
     task.mistake(HERTZ, "gain_crossover", "phase_crossover")(in_hertz)
+    task.mistake(NORMALIZED, "gain_crossover", "phase_crossover")(in_rad_per_sample)
+    task.mistake(POINT_JW, *AT_FREQUENCIES)(with_jw_for_z)
+    task.mistake(WITHOUT_T, "gain_margin", "phase_margin")(at_the_frequency_without_period)
     task.mistake(OTHER, "gain_crossover", "phase_crossover")(exchanged)
     task.mistake(NOT_NEAREST, "gain_crossover", "phase_crossover", "gain_margin", "gain_margin_db", "phase_margin")(
         of_another_crossover
@@ -98,6 +108,31 @@ def in_hertz(wrong: Wrong) -> Iterable[Any]:
         yield sp.N(wrong.ours / (2 * sp.pi), 30)
 
 
+def in_rad_per_sample(wrong: Wrong) -> Iterable[Any]:
+    """ωT."""
+    period = wrong.given.system.sample_time
+    if wrong.given.system.discrete and _finite(wrong) and period != 1:
+        yield wrong.ours * period
+
+
+def with_jw_for_z(wrong: Wrong) -> Iterable[Any]:
+    """The margins of L(jω), as if the loop were continuous."""
+    loop = wrong.given.system
+    if loop.discrete:
+        found = exact.margins_of(exact.on_axis(loop.numerator, loop.denominator, loop.variable))
+        yield getattr(found, wrong.name)
+
+
+def at_the_frequency_without_period(wrong: Wrong) -> Iterable[Any]:
+    """The phase margin, or 1/|L|, at the right frequency, but at e^{jω}."""
+    loop, kind = wrong.given.system, wrong.name == "phase_margin"
+    omega = wrong.answers["gain_crossover" if kind else "phase_crossover"]
+    if loop.discrete and loop.sample_time != 1 and omega.is_finite and omega != 0:
+        L = exact.on_circle(loop.numerator, loop.denominator, loop.variable, sp.S.One)
+        omega = sp.Float(omega, 30)
+        yield exact.phase_margin_of(L.phase(omega)) if kind else 1 / L.magnitude(omega)
+
+
 def exchanged(wrong: Wrong) -> Iterable[Any]:
     """The crossover of the other kind."""
     other = {"gain_crossover": "phase_crossover", "phase_crossover": "gain_crossover"}[wrong.name]
@@ -108,7 +143,7 @@ def exchanged(wrong: Wrong) -> Iterable[Any]:
 def of_another_crossover(wrong: Wrong) -> Iterable[Any]:
     """The values at the crossovers that do not decide."""
     loop = wrong.given.system
-    found = exact.margins_of(exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay))
+    found = exact.margins_of(on_boundary(loop))
     for each in found.gains.found:
         if each is not found.at_gain:
             yield from {"gain_crossover": [each.omega], "phase_margin": [exact.phase_margin_of(each.phase)]}.get(
@@ -124,7 +159,7 @@ def of_another_crossover(wrong: Wrong) -> Iterable[Any]:
 def of_the_open_loop(wrong: Wrong) -> Iterable[Any]:
     """Whether L itself is stable."""
     loop = wrong.given.system
-    counts = exact.root_counts(sp.Poly(loop.denominator, loop.variable).all_coeffs())
+    counts = exact.root_counts(sp.Poly(loop.denominator, loop.variable).all_coeffs(), discrete=loop.discrete)
     if counts is not None and (stable := not counts.outside and not counts.on) != wrong.ours:
         yield stable
 

@@ -10,12 +10,15 @@ from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import frequency as judges
 from solver.tasks.frequency import margin_mistakes
+from solver.tasks.frequency.boundary import needs_a_sampling_period, numbers_of, on_boundary, poles_in_numbers
 from solver.tasks.frequency.closed_loop import is_stable
 from solver.tasks.frequency.crossovers import crossovers_of
 from solver.tasks.frequency.figures import bode_figure
 from solver.tasks.plant_options import LoopOptions
 
 if TYPE_CHECKING:
+    from sympy import Expr
+
     from solver.systems import OpenLoop
 
 stability_margins: Task[OpenLoop, LoopOptions] = Task(
@@ -40,13 +43,14 @@ stability_margins: Task[OpenLoop, LoopOptions] = Task(
 )  # fmt: skip
 
 margin_mistakes.register(stability_margins)
+stability_margins.refusal(needs_a_sampling_period)
 
 
-@stability_margins.method(source="Ogata, Modern Control Engineering, §7–7", time="continuous")
+@stability_margins.method(source="Ogata, Modern Control Engineering, §7–7", time="both")
 def on_the_axis(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
-    """|L(jω)| = 1 and Im L(jω) = 0 are solved for ω, and the margins read off there."""
+    """|L(jω)| = 1 and Im L(jω) = 0 are solved for ω (at e^{jωT} of a discrete loop), the margins read off there."""
     loop = given.system
-    L = exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay)
+    L = on_boundary(loop)
     found = yield from crossovers_of(L)
     stable = yield from is_stable(loop)
     yield _picture(L, found, stable=stable)
@@ -81,8 +85,20 @@ def _picture(L: exact.OnAxis, found: exact.Margins, *, stable: bool) -> Step:
         most=min((1 / x for x in below), default=None) if stable else None,
         contradicts=not stable and bool(gain > 1) and bool(margin > 0),
         delay=delay,
+        periods=None if delay is None or L.sample_time is None else sp.N(delay / L.sample_time, 30),
+        hold=_turned_by_the_hold(L, found),
+        T=L.sample_time,
+        discrete=L.discrete,
+        omega=found.gain_crossover,
         none=found.at_gain is None and found.at_phase is None,
     )
+
+
+def _turned_by_the_hold(L: exact.OnAxis, found: exact.Margins) -> Expr | None:
+    """How far a zero-order hold turns the phase at the gain crossover, −ω_g T/2, in degrees."""
+    if L.sample_time is None or found.at_gain is None:
+        return None
+    return sp.N(-found.at_gain.omega * L.sample_time * 90 / sp.pi, 30)
 
 
 ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
@@ -99,8 +115,7 @@ NAMES = {
 @stability_margins.verification("gain_crossover", "phase_crossover", "gain_margin", "gain_margin_db", "phase_margin")
 def are_those_of_the_values(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
     """All crossovers are found anew in numbers; phase margins are judged up to full turns."""
-    loop = given.system
-    wanted = judges.numeric_margins(judges.numeric_loop(loop.numerator, loop.denominator, loop.variable, loop.delay))
+    wanted = judges.numeric_margins(numbers_of(given.system))
     for name, (place, of, label) in NAMES.items():
         if name in answers:
             known = [pair[place] for pair in getattr(wanted, of)]
@@ -113,8 +128,12 @@ def are_those_of_the_values(given: Given[OpenLoop, LoopOptions], answers: Answer
 def is_told_by_the_poles(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
     """The poles of the loop in numbers; with a dead time their number by the argument principle."""
     loop = given.system
-    outside, on = judges.closed_loop_poles(loop.numerator, loop.denominator, loop.variable, loop.delay)
-    label = "no pole of the closed loop in the right half plane or on the axis"
+    outside, on = poles_in_numbers(loop)
+    label = (
+        "no pole of the closed loop outside or on the unit circle"
+        if loop.discrete
+        else "no pole of the closed loop in the right half plane or on the axis"
+    )
     oracle = "numpy, the argument principle on a contour" if loop.delay != 0 else "mpmath.polyroots"
     yield Check.that(label, oracle, bool(answers["stable"]) == (not outside and not on))
 
@@ -129,18 +148,16 @@ def in_decibels(_given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) 
 @stability_margins.consequence("phase_margin", of=("gain_crossover",))
 def at_the_gain_crossover(given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
     """180° + ∠L at the student's own frequency."""
-    loop, omega = given.system, found["gain_crossover"]
+    omega = found["gain_crossover"]
     if not omega.is_positive or omega == sp.oo:
         return None
-    L = exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay)
-    return exact.phase_margin_of(L.phase(omega))
+    return exact.phase_margin_of(on_boundary(given.system).phase(omega))
 
 
 @stability_margins.consequence("gain_margin", of=("phase_crossover",))
 def at_the_phase_crossover(given: Given[OpenLoop, LoopOptions], found: Mapping[str, Any]) -> Any:
     """1/|L| at the student's own frequency."""
-    loop, omega = given.system, found["phase_crossover"]
+    omega = found["phase_crossover"]
     if not omega.is_positive or omega == sp.oo:
         return None
-    L = exact.on_axis(loop.numerator, loop.denominator, loop.variable, loop.delay)
-    return 1 / L.magnitude(omega)
+    return 1 / on_boundary(given.system).magnitude(omega)

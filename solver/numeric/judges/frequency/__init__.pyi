@@ -19,13 +19,12 @@ from solver.numeric.judges.frequency.crossings import (
 from solver.numeric.judges.frequency.loops import (
     NumericLoop,
     NumericMargins,
-    closed_loop_poles,
     margin_residual,
-    numeric_loop,
     numeric_margins,
     roots_outside,
     unstable_poles,
 )
+from solver.numeric.judges.frequency.numbers import closed_loop_poles, numeric_loop
 from solver.numeric.judges.frequency.responses import ClosedResponse, closed_response, frequencies_asked
 from solver.numeric.judges.frequency.turns import crossing_residual, turns_about
 

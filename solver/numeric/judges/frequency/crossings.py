@@ -40,47 +40,48 @@ def is_everywhere(loop: NumericLoop, level: Any) -> bool:
     return all(abs(abs(loop.value(mpmath.mpf(w))) - decimal(level)) < NEAR for w in SAMPLES)
 
 
-def _ratios(p: Any, w: Any, wanted: Any) -> bool:
-    """Whether a polynomial in ω² is a multiple of what is wanted at several frequencies."""
-    found = [decimal(p.subs(w, sp.Rational(omega) ** 2)) / wanted(mpmath.mpf(omega)) for omega in SAMPLES]
+def _ratios(loop: NumericLoop, p: Any, w: Any, wanted: Any) -> bool:
+    """Whether a polynomial in ω², or cos ωT, is a multiple of what is wanted at several frequencies."""
+    at = [mpmath.mpf(omega) for omega in SAMPLES]
+    found = [decimal(p.subs(w, sp.Float(loop.place(omega), WORKING))) / wanted(omega) for omega in at]
     return all(abs(each - found[0]) < NEAR * abs(found[0]) for each in found)
 
 
 def _parts(loop: NumericLoop, omega: Any) -> tuple[Any, Any]:
-    s = mpmath.mpc(0, omega)
+    s = loop.point(omega)
     return mpmath.polyval(loop.N, s), mpmath.polyval(loop.D, s)
 
 
 def is_size_equation(loop: NumericLoop, p: Any, w: Any, level: Any) -> bool:
-    """Whether p(ω²) is a multiple of |N|² − level² |D|²."""
+    """Whether p at ω², or cos ωT, is a multiple of |N|² − level² |D|²."""
 
     def wanted(omega: Any) -> Any:
         above, below = _parts(loop, omega)
         return abs(above) ** 2 - decimal(level) ** 2 * abs(below) ** 2
 
     with mpmath.workdps(WORKING):
-        return _ratios(p, w, wanted)
+        return _ratios(loop, p, w, wanted)
 
 
 def is_slope_equation(loop: NumericLoop, p: Any, w: Any) -> bool:
-    """Whether ω p(ω²) is a multiple of the imaginary part of N times the conjugate of D."""
+    """Whether ω p(ω²), or sin ωT p(cos ωT), is a multiple of the imaginary part of N times the conjugate of D."""
 
     def wanted(omega: Any) -> Any:
         above, below = _parts(loop, omega)
-        return mpmath.im(above * mpmath.conj(below)) / omega
+        return mpmath.im(above * mpmath.conj(below)) / loop.unit(omega)
 
     with mpmath.workdps(WORKING):
-        return _ratios(p, w, wanted)
+        return _ratios(loop, p, w, wanted)
 
 
 def fits(loop: NumericLoop, omega: Any, square: Any, magnitude: Any, phase: Any, size: Any) -> bool:
-    """Whether ω², |L| and the phase in degrees, in (−180, 180], belong to a frequency; `size` is what |L| must be."""
+    """Whether ω² (cos ωT), |L| and the phase in degrees, in (−180, 180], belong to a frequency; `size` is what |L| must be."""
     with mpmath.workdps(WORKING):
         at = decimal(omega)
         value = loop.value(at) if at else loop.at_rest
         turned = mpmath.degrees(mpmath.arg(-value)) - decimal(phase) - 180
         return bool(
-            abs(at**2 - decimal(square)) < NEAR * (1 + at**2)
+            abs(loop.place(at) - decimal(square)) < NEAR * (1 + at**2)
             and abs(abs(value) - decimal(magnitude)) < NEAR * (1 + abs(value))
             and abs(turned - 360 * mpmath.nint(turned / 360)) < NEAR * 1000
             and -180 < decimal(phase) <= 180
@@ -116,18 +117,12 @@ def are_half_turns(numerator: Any, denominator: Any, s: Any, found: Sequence[tup
     return all(any(abs(z.imag - float(omega)) < 1e-3 * (1 + abs(z)) for z in on) for omega, _ in found)
 
 
-def _sampled(loop: NumericLoop) -> tuple[Any, Any]:
-    """Frequencies, close about the roots, and magnitudes."""
-    roots = [abs(z) for p in (loop.N, loop.D) for z in np.roots([float(c) for c in p]) if abs(z)] or [1.0]
-    close = [r * (1 + d) for r in roots for d in np.linspace(-0.05, 0.05, 401)]
-    omega = np.unique([*np.geomspace(min(roots) / 1e4, max(roots) * 1e4, 8000), *close])
-    return omega, np.abs(loop.values(omega))
-
-
 def peak_of(loop: NumericLoop) -> Any:
     """The frequency of the largest magnitude; None where it is largest at an end."""
-    omega, sizes = _sampled(loop)
+    omega, sizes = loop.sampled
     i = int(np.argmax(sizes))
+    if loop.last is not None and i == len(omega) - 1:
+        return loop.last
     if i in (0, len(omega) - 1):
         return None
     with mpmath.workdps(WORKING):
@@ -144,14 +139,14 @@ def peak_of(loop: NumericLoop) -> Any:
 
 def has_no_peak(loop: NumericLoop) -> bool:
     """Whether the magnitude grows without bound somewhere, or does not change."""
-    _, sizes = _sampled(loop)
+    _, sizes = loop.sampled
     return bool(
         np.max(sizes) > 1e3 * np.median(sizes) or not np.all(np.isfinite(sizes)) or np.ptp(sizes) < 1e-9 * np.max(sizes)
     )
 
 
 def are_flat(loop: NumericLoop, found: Sequence[Any], p: Any, w: Any) -> bool:
-    """Whether the slope of |L| is zero at these frequencies, which are all positive roots of a polynomial in ω²."""
+    """Whether the slope of |L| is zero at these frequencies, which are all those at which a polynomial is zero."""
     with mpmath.workdps(WORKING):
         for omega in map(decimal, found):
             step = omega * mpmath.mpf(10) ** -10
@@ -160,7 +155,7 @@ def are_flat(loop: NumericLoop, found: Sequence[Any], p: Any, w: Any) -> bool:
                 return False
         listed = [decimal(c) for c in sp.Poly(p, w).all_coeffs()]
         zeros = np.roots([float(c / max(map(abs, listed))) for c in listed])
-        positive = [z for z in zeros if abs(z.imag) < 1e-6 * (1 + abs(z)) and z.real > 1e-12]
+        positive = [z for z in zeros if loop.is_place(z)]
         distinct = [z for i, z in enumerate(positive) if all(abs(z - other) > 1e-5 * abs(z) for other in positive[:i])]
         return len(distinct) == len(found)
 

@@ -34,8 +34,29 @@ class NumericLoop:
     def value(self, omega: Any) -> Any:
         """L(jω), 40 digits."""
         with mpmath.workdps(WORKING):
-            s = mpmath.mpc(0, omega)
-            return mpmath.polyval(self.N, s) / mpmath.polyval(self.D, s) * mpmath.exp(-s * self.T)
+            s = self.point(omega)
+            found = mpmath.polyval(self.N, s) / mpmath.polyval(self.D, s)
+            return found * mpmath.exp(-s * self.T) if self.T else found
+
+    def point(self, omega: Any) -> Any:
+        """The point of the boundary of stability."""
+        return mpmath.mpc(0, omega)
+
+    def place(self, omega: Any) -> Any:
+        """What sizes are polynomials in."""
+        return omega**2
+
+    def unit(self, omega: Any) -> Any:
+        """The factor of odd parts."""
+        return omega
+
+    def frequency(self, x: Any) -> Any:
+        """The frequency of a root of the polynomials `turned`."""
+        return x
+
+    def is_place(self, root: complex) -> bool:
+        """Whether a rough root of a polynomial in ω² is that of a frequency."""
+        return abs(root.imag) < 1e-6 * (1 + abs(root)) and root.real > 1e-12
 
     def values(self, omega: Any) -> Any:
         """L(jω) at many frequencies, in doubles."""
@@ -60,18 +81,20 @@ class NumericLoop:
     def gain_crossovers(self, level: Any = 1) -> list[Any]:
         """All ω > 0 with |L| = level, rising."""
         n, d = self.turned
-        p = _minus(_times(n, _conjugate(n)), [level**2 * c for c in _times(d, _conjugate(d))])
-        return [w for w in _positive_roots(p) if abs(abs(self.value(w)) - level) < NEAR * level]
+        p = _minus(times(n, _conjugate(n)), [level**2 * c for c in times(d, _conjugate(d))])
+        found = map(self.frequency, _positive_roots(p))
+        return [w for w in found if abs(abs(self.value(w)) - level) < NEAR * level]
 
     def real_crossings(self) -> list[tuple[Any, Any]]:
         """All ω > 0 with L real and not zero, and L there; with a dead time those up to a last one far away."""
         if self.T:
             return self._sampled_crossings()
         n, d = self.turned
-        product = _times(n, _conjugate(d))
+        product = times(n, _conjugate(d))
         found = []
-        for w in _positive_roots([mpmath.im(c) for c in product]):
-            if abs(mpmath.polyval(d, w)) > NEAR * sum(abs(c) * w ** (len(d) - 1 - i) for i, c in enumerate(d)):
+        for x in _positive_roots([mpmath.im(c) for c in product]):
+            if abs(mpmath.polyval(d, x)) > NEAR * sum(abs(c) * x ** (len(d) - 1 - i) for i, c in enumerate(d)):
+                w = self.frequency(x)
                 value = self.value(w)
                 if abs(mpmath.im(value)) < NEAR * abs(value):
                     found.append((w, mpmath.re(value)))
@@ -92,6 +115,19 @@ class NumericLoop:
                 found.append((w, mpmath.re(value)))
         return found
 
+    @cached_property
+    def sampled(self) -> tuple[Any, Any]:
+        """Frequencies, close about the roots, and magnitudes."""
+        roots = [abs(z) for p in (self.N, self.D) for z in np.roots([float(c) for c in p]) if abs(z)] or [1.0]
+        close = [r * (1 + d) for r in roots for d in np.linspace(-0.05, 0.05, 401)]
+        omega = np.unique([*np.geomspace(min(roots) / 1e4, max(roots) * 1e4, 8000), *close])
+        return omega, np.abs(self.values(omega))
+
+    @property
+    def last(self) -> Any:
+        """The last frequency; there is none on the axis."""
+        return None
+
     @property
     def at_rest(self) -> Any:
         """L(0); infinite at a pole."""
@@ -106,15 +142,8 @@ class NumericMargins:
     phases: tuple[tuple[Any, Any], ...]
 
 
-def numeric_loop(numerator: Any, denominator: Any, s: Any, delay: Any) -> NumericLoop:
-    """Return a loop of numbers, what N and D have in common cancelled by its roots being met in both."""
-    with mpmath.workdps(WORKING):
-        parts = sp.fraction(sp.cancel(numerator / denominator))
-        N, D = (tuple(_number(c) for c in sp.Poly(p, s).all_coeffs()) for p in parts)
-        return NumericLoop(N, D, _number(sp.S.Zero + delay))
-
-
-def _number(value: Any) -> Any:
+def number_of(value: Any) -> Any:
+    """A number with 40 digits."""
     return mpmath.mpmathify(sp.N(value, WORKING))
 
 
@@ -146,25 +175,18 @@ def _least(pairs: Sequence[tuple[Any, Any]], distance: Callable[[Any], Any]) -> 
 
 
 def unstable_poles(loop: NumericLoop) -> tuple[int, int]:
-    """How many poles of 1/(1 + L) lie in the right half plane, and on the axis."""
+    """How many poles of 1/(1 + L) lie in the right half plane, and on the axis; discrete: beside the unit circle."""
     if not loop.T:
-        p = _plus(list(loop.N), list(loop.D))
-        return roots_outside(p)
+        p = plus(list(loop.N), list(loop.D))
+        return roots_outside(p, discrete=loop.last is not None)
     return _by_the_argument(loop)
-
-
-def closed_loop_poles(numerator: Any, denominator: Any, s: Any, delay: Any) -> tuple[int, int]:
-    """How many poles of a closed loop lie to the right and on the axis, nothing cancelled in L."""
-    with mpmath.workdps(WORKING):
-        N, D = (tuple(_number(c) for c in sp.Poly(p, s).all_coeffs()) for p in (numerator, denominator))
-        return unstable_poles(NumericLoop(N, D, _number(sp.S.Zero + delay)))
 
 
 def margin_residual(value: Any, known: Sequence[Any], name: str) -> float:
     """How far a value is, relatively, from the nearest of those that are right; oo is right where there are none."""
     if not known or not value.is_finite:
         return 0.0 if not known and value == sp.oo else float("inf")
-    own = _number(value)
+    own = number_of(value)
     if name == "gain_margin_db":
         known = [20 * mpmath.log10(each) for each in known]
     away = [abs(own - each) for each in known]
@@ -201,7 +223,7 @@ def _by_the_argument(loop: NumericLoop) -> tuple[int, int]:
     return round(-float(turns)), int(near < 1e-9)
 
 
-def _times(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+def times(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
     found = [mpmath.mpc(0)] * (len(a) + len(b) - 1)
     for i, x in enumerate(a):
         for j, y in enumerate(b):
@@ -213,14 +235,14 @@ def _conjugate(p: Sequence[Any]) -> list[Any]:
     return [mpmath.conj(c) for c in p]
 
 
-def _plus(a: list[Any], b: list[Any]) -> list[Any]:
+def plus(a: list[Any], b: list[Any]) -> list[Any]:
     size = max(len(a), len(b))
     pad = [[mpmath.mpf(0)] * (size - len(p)) + list(p) for p in (a, b)]
     return [x + y for x, y in zip(*pad, strict=True)]
 
 
 def _minus(a: list[Any], b: list[Any]) -> list[Any]:
-    return _plus(a, [-c for c in b])
+    return plus(a, [-c for c in b])
 
 
 def _positive_roots(p: Sequence[Any]) -> list[Any]:
@@ -265,10 +287,11 @@ def _bracketed(f: Callable[[Any], Any], low: float, high: float) -> Any:
 __all__ = [
     "NumericLoop",
     "NumericMargins",
-    "closed_loop_poles",
     "margin_residual",
-    "numeric_loop",
+    "number_of",
     "numeric_margins",
+    "plus",
     "roots_outside",
+    "times",
     "unstable_poles",
 ]  # fmt: skip
