@@ -1,4 +1,4 @@
-"""Lemma: whether a loop is stable, by Routh's array of D + N (discrete: of its image); late loops by Nyquist's count."""
+"""Lemma: whether a loop is stable, by Routh's array of D + N, discrete of its image; late loops by Nyquist's count."""
 
 from __future__ import annotations
 

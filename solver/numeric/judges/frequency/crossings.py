@@ -75,7 +75,7 @@ def is_slope_equation(loop: NumericLoop, p: Any, w: Any) -> bool:
 
 
 def fits(loop: NumericLoop, omega: Any, square: Any, magnitude: Any, phase: Any, size: Any) -> bool:
-    """Whether ω² (cos ωT), |L| and the phase in degrees, in (−180, 180], belong to a frequency; `size` is what |L| must be."""
+    """Whether ω² (cos ωT), |L| and the phase in degrees, in (−180, 180], belong to a frequency; |L| must be `size`."""
     with mpmath.workdps(WORKING):
         at = decimal(omega)
         value = loop.value(at) if at else loop.at_rest

@@ -224,6 +224,7 @@ def _by_the_argument(loop: NumericLoop) -> tuple[int, int]:
 
 
 def times(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
+    """The product of two polynomials, highest power first."""
     found = [mpmath.mpc(0)] * (len(a) + len(b) - 1)
     for i, x in enumerate(a):
         for j, y in enumerate(b):
@@ -236,6 +237,7 @@ def _conjugate(p: Sequence[Any]) -> list[Any]:
 
 
 def plus(a: list[Any], b: list[Any]) -> list[Any]:
+    """Their sum."""
     size = max(len(a), len(b))
     pad = [[mpmath.mpf(0)] * (size - len(p)) + list(p) for p in (a, b)]
     return [x + y for x, y in zip(*pad, strict=True)]

@@ -13,7 +13,8 @@ from solver.numeric.judges.frequency.sampled import sampled_loop
 
 def numeric_loop(numerator: Any, denominator: Any, s: Any, delay: Any, sample_time: Any = None) -> NumericLoop:
     """Return a loop of numbers, what N and D have in common cancelled by its roots being met in both."""
-    return _loop(*sp.fraction(sp.cancel(numerator / denominator)), s, delay, sample_time)
+    above, below = sp.fraction(sp.cancel(numerator / denominator))
+    return _loop(above, below, s, delay, sample_time)
 
 
 def closed_loop_poles(numerator: Any, denominator: Any, s: Any, delay: Any, sample_time: Any = None) -> tuple[int, int]:
