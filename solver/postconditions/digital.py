@@ -86,3 +86,20 @@ def _sizes(coefficients: Sequence[Any]) -> Any:
 def _near(n: int) -> float:
     """How near to the circle roots of n-fold multiplicity are not told from it in doubles."""
     return max(1e-6, 10.0 ** (-12 / max(n, 1)))
+
+
+def of_integral_weights(found: tuple[Any, Any], rule: str, T: Any) -> Iterator[Claim]:
+    """The weights are those of a strip of width T, taken as high as at its end, its beginning, or between."""
+    share = {"backward": sp.Integer(1), "forward": sp.Integer(0), "tustin": sp.Rational(1, 2)}[rule]
+    yield Claim(sp.ImmutableMatrix([list(found)]), sp.ImmutableMatrix([[share * T, (1 - share) * T]]))
+
+
+def of_discrete_pid(found: Any, gains: Sequence[Any], T: Any, rule: str, z: Any) -> Iterator[Claim]:
+    """The controller is the sum of its terms, and by its coefficients; the terms are those of the rule."""
+    K_p, K_i, K_d = gains
+    yield from of_integral_weights(found.weights, rule, T)
+    new, old = found.weights
+    yield Claim(found.integral, (new + old / z) / (1 - 1 / z))
+    yield Claim(found.derivative, (1 - 1 / z) / T)
+    yield Claim(K_p + K_i * found.integral + K_d * found.derivative, found.controller)
+    yield Claim(sp.Add(*(q / z**i for i, q in enumerate(found.coefficients))) / (1 - 1 / z), found.controller)

@@ -1,8 +1,8 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
+from solver.exact.digital.deadbeat import Stage, stages_to_rest
 from solver.exact.digital.fractions import FractionInZ
 from solver.exact.digital.holds import Held, augmented, held_blocks, integral_of_exponential, zero_order_hold
-from solver.exact.digital.deadbeat import Stage, stages_to_rest
 from solver.exact.digital.jury import (
     DiscCounts,
     JuryConditions,
@@ -25,10 +25,12 @@ from solver.exact.digital.maps import (
     rule_of,
 )
 from solver.exact.digital.matched import MappedRoot, Matched, mapped_roots, matched
+from solver.exact.digital.pid import DiscretePid, discrete_pid, integral_weights
 from solver.exact.digital.pulses import Pulse, SampledTerm, dead_time_in_periods, pulse
 
 __all__ = [
     "DiscCounts",
+    "DiscretePid",
     "FractionInZ",
     "Held",
     "JuryConditions",
@@ -46,9 +48,11 @@ __all__ = [
     "bilinear_image",
     "dead_time_in_periods",
     "disc_counts",
+    "discrete_pid",
     "held_blocks",
     "inside_by_jury",
     "integral_of_exponential",
+    "integral_weights",
     "jury_conditions",
     "jury_table",
     "longest_period",
