@@ -74,4 +74,6 @@ def declared(change: DeclaredChange, task: Task[Any, Any], part: Part) -> Part |
         return None
     system, new = changed
     others = {name: getattr(new, name) for name in task.options if getattr(new, name) is not getattr(options, name)}
-    return replace(part, system=system, options={**part.options, **others})
+    left_out = {name for name, value in others.items() if value is None}  # a value of None is one not known yet
+    asked = {name: value for name, value in {**part.options, **others}.items() if name not in left_out}
+    return replace(part, system=system, options=asked)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from solver.derivation import Claim, Derivation, Given, Refusal, Step, lemma, option
+from solver.derivation import Claim, Derivation, Given, Refusal, Slip, Step, Task, lemma, option
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
@@ -19,6 +19,10 @@ from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import Expr
+
+PERIOD_MISSING = Slip("period_missing", "the sampling period is missing: a pole $s$ becomes $e^{sT}$, not $e^{s}$")
+NOT_MAPPED = Slip("not_mapped", "the poles in $s$ are taken for poles in $z$; a pole $s$ becomes $z = e^{sT}$")
+LINEARIZED = Slip("linearized", "$1 + sT$ is taken for $e^{sT}$")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,10 +108,40 @@ def mapping_faults(system: Any, options: SampledPoles, *, others: bool = False) 
 def asked_faults(system: Any, options: SampledPoles) -> Iterable[Refusal]:
     """Yield what is wrong where poles must be given: neither in z nor in s, or mapped without need or period."""
     if not options.has("poles") and not options.has("s_poles"):
-        yield "", Reason("mapped_poles/none", {"discrete": system.discrete})
+        yield "", Reason("mapped_poles/no_poles", {"discrete": system.discrete})
     yield from mapping_faults(system, options)
 
 
 def listed(options: SampledPoles) -> tuple[str, Sequence[Any] | None]:
     """Return the name and the value of the option by which the number of poles is judged; None where it is unknown."""
     return ("poles", options.poles) if options.poles is not None else ("s_poles", options.s_poles)
+
+
+O = TypeVar("O", bound=SampledPoles)
+
+
+def without_the_period(system: Any, options: O) -> tuple[Any, O] | None:
+    """e^{s} for e^{sT}."""
+    asked = system.discrete and (options.s_poles is not None or options.poles is None)
+    return (replace(system, sample_time=None), replace(options, sample_time=sp.Integer(1))) if asked else None
+
+
+def not_mapped(system: Any, options: O) -> tuple[Any, O] | None:
+    """s for e^{sT}."""
+    return None if options.s_poles is None else (system, replace(options, s_poles=None, poles=options.s_poles))
+
+
+def linearized(system: Any, options: O) -> tuple[Any, O] | None:
+    """1 + sT for e^{sT}."""
+    period = options.sample_time if options.sample_time is not None else system.sample_time
+    if options.s_poles is None or period is None:
+        return None
+    poles = tuple(sp.expand(1 + s * period) for s in options.s_poles)
+    return system, replace(options, s_poles=None, poles=poles)
+
+
+def with_mapping_mistakes(task: Task[Any, Any]) -> None:
+    """Declare what goes wrong when poles are mapped."""
+    task.mistaken_question(PERIOD_MISSING)(without_the_period)
+    task.mistaken_question(NOT_MAPPED)(not_mapped)
+    task.mistaken_question(LINEARIZED)(linearized)

@@ -15,7 +15,14 @@ from solver.stated.algebra import difference, product
 from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design.frames import characteristic, unknown_gains
 from solver.tasks.design.full_order import observer_equation_of, observer_gain_of, observer_pole_faults
-from solver.tasks.design.mapped_poles import SampledPoles, asked_faults, listed, numeric_poles_in_z, poles_in_z
+from solver.tasks.design.mapped_poles import (
+    SampledPoles,
+    asked_faults,
+    listed,
+    numeric_poles_in_z,
+    poles_in_z,
+    with_mapping_mistakes,
+)
 from solver.tasks.design.pole_options import PLACING
 from solver.tasks.freedom import observer_gain_is_free
 from solver.words import Reason
@@ -190,6 +197,9 @@ observer.mistaken_question(mistakes.EXCHANGED)(mistakes.inputs_for_outputs)
 
 observer.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
 observer.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)
+
+
+with_mapping_mistakes(observer)
 
 
 @observer.meaning("L", "error_A", "polynomial")

@@ -29,6 +29,7 @@ from solver.tasks.design.eigenvector_assignment import Question, assign_eigenvec
 from solver.tasks.design.frames import Placement, Wanted
 from solver.tasks.design.gain_checks import Asked, judge_gain, judge_gain_polynomial
 from solver.tasks.design.loop_figures import block_diagram, zero_input_response
+from solver.tasks.design.mapped_poles import with_mapping_mistakes
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PLACING, PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.wanted_eigenvectors import eigenvector_faults, judge_eigenvectors
@@ -251,6 +252,9 @@ def taken_as_asked(wrong: Attempt[WithInput, PolePlacementOptions]) -> Iterable[
     """The wanted eigenvectors themselves."""
     if wrong.given.options.eigenvectors is not None:
         yield wrong.given.options.eigenvectors
+
+
+with_mapping_mistakes(pole_placement)
 
 
 @pole_placement.meaning("K", "closed_loop_A", "polynomial")

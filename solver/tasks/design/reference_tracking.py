@@ -31,6 +31,7 @@ from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse, rank
 from solver.tasks import consequences, meanings
 from solver.tasks.design.loop_figures import block_diagram
+from solver.tasks.design.mapped_poles import with_mapping_mistakes
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import (
@@ -248,6 +249,9 @@ def holds_the_output_at_the_reference(
 reference_tracking.consequence("F", of=("N",))(consequences.state_of_rest)
 reference_tracking.consequence("K_o", of=("F", "N"))(consequences.reference_gain)
 reference_tracking.consequence("K_o", of=("F", "N", "K"))(consequences.reference_gain)
+
+
+with_mapping_mistakes(reference_tracking)
 
 
 @reference_tracking.meaning("K")

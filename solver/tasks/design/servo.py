@@ -28,6 +28,7 @@ from solver.stated.matrices import inverse, rank
 from solver.tasks import meanings
 from solver.tasks.design.gain_checks import Asked, judge_gain
 from solver.tasks.design.loop_figures import block_diagram
+from solver.tasks.design.mapped_poles import with_mapping_mistakes
 from solver.tasks.design.placement import place
 from solver.tasks.design.pole_options import PLACING, PoleOptions, asked_poles, numeric_poles, pole_faults, variable
 from solver.tasks.design.set_point import determinant_of_rest, feedthrough
@@ -239,6 +240,9 @@ def loop_of_the_gains(given: Given[WithBoth, PoleOptions], found: Mapping[str, A
     A, B = augmented(given.system)
     whole = sp.Matrix.hstack(sp.Matrix(found["K"]), -sp.Matrix(found["k_I"]))
     return sp.ImmutableMatrix(A - B * whole)
+
+
+with_mapping_mistakes(servo)
 
 
 @servo.meaning("K", "k_I", "closed_loop_A")

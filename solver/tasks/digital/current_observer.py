@@ -26,7 +26,14 @@ from solver.numeric.judges import design as judges
 from solver.options.poles import Poles
 from solver.stated.algebra import difference, product
 from solver.tasks import meanings, mistakes
-from solver.tasks.design.mapped_poles import SampledPoles, asked_faults, listed, numeric_poles_in_z, poles_in_z
+from solver.tasks.design.mapped_poles import (
+    SampledPoles,
+    asked_faults,
+    listed,
+    numeric_poles_in_z,
+    poles_in_z,
+    with_mapping_mistakes,
+)
 from solver.tasks.design.pole_options import PLACING
 from solver.tasks.digital.current_order import (
     current_gain_of,
@@ -241,6 +248,9 @@ def factors_turned_round(wrong: Attempt[WithOutput, CurrentObserverOptions]) -> 
 
 
 current_observer.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
+
+
+with_mapping_mistakes(current_observer)
 
 
 @current_observer.meaning("L", "L_prediction", "error_A")
