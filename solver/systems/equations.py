@@ -74,9 +74,9 @@ class Equations:
 
     @cached_property
     def parameters(self) -> tuple[Symbol, ...]:
-        """The free symbols but the functions of time and their derivatives, sorted by name."""
+        """The free symbols but the functions of time, their derivatives and the number of a sample, sorted by name."""
         found: set[Any] = {symbol for side in self._written for symbol in side.free_symbols} - set(self.jets)
-        return tuple(sorted(found, key=str))
+        return tuple(sorted((each for each in found if not (self.discrete and each.name == "k")), key=str))
 
     def symbol(self, jet: Jet) -> Symbol:
         """Return the symbol of a derivative."""

@@ -32,6 +32,7 @@ from solver.exact.transforms.long_division import DivisionRow, LongDivision, lon
 from solver.exact.transforms.operators import Operators, images_of_unknowns, operators_of
 from solver.exact.transforms.poles import Pole, polar_pairs, poles_of
 from solver.exact.transforms.products import factors_for_convolution
+from solver.exact.transforms.recursion import LatestSample, Run, latest_samples, run_through
 from solver.exact.transforms.rules import (
     TransformedTerm,
     TransformPiece,
@@ -56,6 +57,7 @@ from solver.exact.transforms.sequences import (
     sequence_pieces,
     sequence_transform,
     terms_of_samples,
+    value_of_pieces,
 )
 
 __all__ = [
@@ -67,11 +69,13 @@ __all__ = [
     "Divided",
     "DivisionRow",
     "ImpulseBalance",
+    "LatestSample",
     "LongDivision",
     "Operators",
     "Pole",
     "QuadraticDivision",
     "RationalImage",
+    "Run",
     "Sample",
     "SampleOperators",
     "SampleRow",
@@ -95,6 +99,7 @@ __all__ = [
     "is_in_inverse_powers",
     "jumps_of_inputs",
     "late_image",
+    "latest_samples",
     "long_division",
     "moved_image",
     "operators_of",
@@ -106,6 +111,7 @@ __all__ = [
     "read_image",
     "read_sequence_image",
     "right_sides",
+    "run_through",
     "sample_operators_of",
     "sampled_image",
     "sequence_image",
@@ -116,6 +122,7 @@ __all__ = [
     "terms_of_samples",
     "transform_of_pieces",
     "transform_pieces",
+    "value_of_pieces",
     "values_after",
     "window_of",
 ]

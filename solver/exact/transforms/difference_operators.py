@@ -137,6 +137,7 @@ def window_of(operators: SampleOperators, given: Mapping[Jet, sp.Expr]) -> int |
     As they stand they need y(a) … y(b − 1), where y(k+a) is the earliest sample and y(k+b) the latest; what is not
     given is zero then. Values at other samples must be complete.
     """
+
     def fits(n: int, *, whole: bool) -> bool:
         needed = {(x, m) for x, (low, high) in operators.spans.items() for m in range(low + n, high + n)}
         return set(given) <= needed and (not whole or set(given) == needed)

@@ -159,3 +159,10 @@ def finite_values(f: sp.Expr, k: sp.Symbol) -> tuple[sp.Expr, ...] | None:
         begun = (c * written(term, k, discrete=True) for (begin, term), c in signal.terms.items() if begin <= at)
         values.append(sp.expand(sp.Add(*begun).subs(k, at)) + signal.impulses.get(sp.Integer(at), sp.S.Zero))
     return tuple(values)
+
+
+def value_of_pieces(pieces: Sequence[TransformPiece], k: sp.Symbol, at: int) -> sp.Expr:
+    """The value of a sequence at a sample k ≥ 0."""
+    begun = [each.function.subs(k, at) for each in pieces if each.delay <= at]
+    found: sp.Expr = sp.expand(sp.Add(*begun, *(each.impulse for each in pieces if each.delay == at)))
+    return found

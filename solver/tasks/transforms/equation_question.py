@@ -109,12 +109,17 @@ class Question:
     def names(self, name: str) -> Names:
         """What an unknown or input and its transform are called."""
         shown = formula(self.model.symbol((name, 0)))
-        return Names(formula(self.capital(name)), shown, self.s, self.t)
+        return Names(formula(capital(name)), shown, self.s, self.t)
 
     def capital(self, name: str) -> Symbol:
-        """The symbol of the transform of a function of time: X for x, with a hat where there is no capital."""
-        base, *rest = name.split("_", 1)
-        letter = base.rstrip("0123456789")
-        known = letter in CAPITALS or (len(letter) == 1 and letter.islower())
-        capital = letter.capitalize() + base[len(letter) :] if known else f"{base}hat"
-        return sp.Symbol("_".join([capital.replace("Lamda", "Lambda"), *rest]))
+        """The symbol of the transform of an unknown or input."""
+        return capital(name)
+
+
+def capital(name: str) -> Symbol:
+    """Return the symbol of the transform of a function of time: X for x, with a hat where there is no capital."""
+    base, *rest = name.split("_", 1)
+    letter = base.rstrip("0123456789")
+    known = letter in CAPITALS or (len(letter) == 1 and letter.islower())
+    large = letter.capitalize() + base[len(letter) :] if known else f"{base}hat"
+    return sp.Symbol("_".join([large.replace("Lamda", "Lambda"), *rest]))

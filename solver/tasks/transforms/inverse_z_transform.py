@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -13,9 +13,9 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import transforms as judges
 from solver.options.expression import Expression
 from solver.options.integer import Integer
-from solver.tasks.transforms.back_transform import Names, multiple_of_earlier, put_together, split_by_delays
+from solver.tasks.transforms.back_transform import Names
 from solver.tasks.transforms.divided_on_paper import by_long_division
-from solver.tasks.transforms.sequence_back import by_fractions_over_z, first_terms, in_powers_of_z
+from solver.tasks.transforms.sequence_back import by_fractions_over_z, first_terms, in_powers_of_z, of_image
 from solver.tasks.transforms.sequence_mistakes import name_mistakes_of_sequences
 from solver.tasks.transforms.sequence_residues import by_residues_in_z
 from solver.words import Phrase
@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from sympy import Expr
 
     from solver.systems import StateSpace
-
-    Way = Callable[[exact.SequenceImage, Names], Derivation[tuple[Expr, Expr]]]
+    from solver.tasks.transforms.sequence_back import Way
 
 USUAL_TERMS, MOST_TERMS = 6, 40
 
@@ -95,35 +94,10 @@ def _transformed_back(given: Given[StateSpace, InverseZOptions], way: Way) -> De
     """What belongs to each delay transformed back by itself, shifted and added."""
     names = Names("F", "f", sp.Symbol("z"), sp.Symbol("k"))
     F = given.options.F
-    whole = exact.sequence_image(F, names.s)
-    values = exact.long_division(whole.fraction, names.s, given.options.terms).values
-    terms = exact.read_sequence_image(F, names.s)
-    if len(terms) == 1 and terms[0].delay == 0:
-        yield from in_powers_of_z(F, terms[0].image, names)
-        f, fractions = yield from way(terms[0].image, names)
-    else:
-        f, fractions = yield from _by_delays(terms, F, way, names)
+    values = exact.long_division(exact.sequence_image(F, names.s).fraction, names.s, given.options.terms).values
+    f, fractions = yield from of_image(F, way, names)
     yield from first_terms(f, values, names)
     return Answers(f=f, partial_fractions=fractions, values=list(values))
-
-
-def _by_delays(
-    terms: tuple[exact.DelayedSequenceImage, ...], F: Expr, way: Way, names: Names
-) -> Derivation[tuple[Expr, Expr]]:
-    yield from split_by_delays(terms, F, names)
-    found: list[tuple[Expr, Expr]] = []
-    for number, each in enumerate(terms, 1):
-        earlier = ((exact.ratio_of_images(each.image.fraction, terms[i].image.fraction), i) for i in range(number - 1))
-        factor, before = next((pair for pair in earlier if pair[0] is not None), (None, 0))
-        if factor is None:
-            found.append((yield from way(each.image, names.part(number))))
-            continue
-        function = sp.expand(factor * found[before][0])
-        yield from multiple_of_earlier(number, factor, before + 1, function, names)
-        found.append((function, sp.expand(factor * found[before][1])))
-    f = yield from put_together(terms, [each for each, _ in found], names)
-    moved = (names.delayed(each.delay) * own for each, (_, own) in zip(terms, found, strict=True))
-    return f, sp.Add(*moved)
 
 
 @inverse_z_transform.verification("f")

@@ -27,7 +27,7 @@ class SampledTerm:
 
 
 def terms_to_sample(F: Expr, T: Expr) -> tuple[SampledTerm, ...]:
-    """The terms of an image in s; raises NotExact where it is none, holds impulses, or a dead time is not in periods."""
+    """The terms of an image in s; raises NotExact for impulses, and for dead times not in periods."""
     found = []
     for each in exact.read_image(F, sp.Symbol("s")):
         if each.image.direct:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.transformed import term_by_term
@@ -12,12 +12,50 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
 from solver.stated.calculus import value_at
 from solver.tasks.linear_algebra.resolvent import completed_squares_of
-from solver.tasks.transforms.back_transform import denominator_in_factors, partial_fractions_of
+from solver.tasks.transforms.back_transform import (
+    denominator_in_factors,
+    multiple_of_earlier,
+    partial_fractions_of,
+    put_together,
+    split_by_delays,
+)
 
 if TYPE_CHECKING:
     from sympy import Expr
 
     from solver.tasks.transforms.back_transform import Names
+
+    Way = Callable[[exact.SequenceImage, Names], Derivation[tuple[Expr, Expr]]]
+
+
+@lemma("sequence_back")
+def of_image(F: Expr, way: Way, names: Names) -> Derivation[tuple[Expr, Expr]]:
+    """What belongs to each delay of an image transformed back by itself, shifted and added; with F as fractions."""
+    terms = exact.read_sequence_image(F, names.s)
+    if len(terms) == 1 and terms[0].delay == 0:
+        yield from in_powers_of_z(F, terms[0].image, names)
+        return (yield from way(terms[0].image, names))
+    return (yield from _by_delays(terms, F, way, names))
+
+
+@lemma("sequence_back")
+def _by_delays(
+    terms: tuple[exact.DelayedSequenceImage, ...], F: Expr, way: Way, names: Names
+) -> Derivation[tuple[Expr, Expr]]:
+    yield from split_by_delays(terms, F, names)
+    found: list[tuple[Expr, Expr]] = []
+    for number, each in enumerate(terms, 1):
+        earlier = ((exact.ratio_of_images(each.image.fraction, terms[i].image.fraction), i) for i in range(number - 1))
+        factor, before = next((pair for pair in earlier if pair[0] is not None), (None, 0))
+        if factor is None:
+            found.append((yield from way(each.image, names.part(number))))
+            continue
+        function = sp.expand(factor * found[before][0])
+        yield from multiple_of_earlier(number, factor, before + 1, function, names)
+        found.append((function, sp.expand(factor * found[before][1])))
+    f = yield from put_together(terms, [each for each, _ in found], names)
+    moved = (names.delayed(each.delay) * own for each, (_, own) in zip(terms, found, strict=True))
+    return f, sp.Add(*moved)
 
 
 @lemma("sequence_back")
@@ -47,8 +85,9 @@ def by_fractions_over_z(image: exact.SequenceImage, names: Names) -> Derivation[
     own = names.divided
     rest = divided.rest(z)
     shown = total(*([divided.polynomial(z)] if image.advanced else []), rest)
-    yield Step("divide_by_z", claims={"F": Claim(image.whole / z, shown, "the image divided by z")},
-               whole=image.whole, advanced=image.advanced, at_zero=_order_at_zero(divided, z), **names.told)  # fmt: skip
+    claim = Claim(image.whole / z, shown, "the image divided by z")
+    yield Step("divide_by_z", claims={"F": claim}, whole=image.whole, advanced=image.advanced,
+               at_zero=_order_at_zero(divided, z), **names.told)  # fmt: skip
     yield from denominator_in_factors(_proper_part(divided, z).as_shown, own)
     terms = yield from partial_fractions_of(proper, rest, own)
     polynomial = [z * divided.polynomial(z)] if image.advanced else []
@@ -127,10 +166,11 @@ def _back(image: exact.SequenceImage, terms: Sequence[Expr], names: Names) -> St
 
 
 @lemma("sequence_back")
-def first_terms(f: Expr, values: Sequence[Expr], names: Names) -> Derivation[None]:
+def first_terms(f: Expr, values: Sequence[Expr], names: Names, *, recursion: bool = False) -> Derivation[None]:
     """The first values in a table, as a check: the closed form at k = 0, 1, …."""
     claims = {
         f"value{i}": Claim(value_at(f, names.t, sp.Integer(i)), value, "a value of the closed form")
         for i, value in enumerate(values)
     }
-    yield Step("first_terms", claims=claims, values=list(values), detail="brief", **names.told)
+    yield Step("first_terms", claims=claims, values=list(values), detail="brief", recursion=recursion,
+               **names.told)  # fmt: skip

@@ -14,3 +14,7 @@ def name_mistakes_of_sequences(task: Task[Any, Any]) -> None:
 
 def name_mistakes_of_z_images(task: Task[Any, Any]) -> None:
     """Register what goes wrong with the transform F of a sequence."""
+
+
+def name_mistakes_of_differences(task: Task[Any, Any]) -> None:
+    """Register what goes wrong with difference equations."""

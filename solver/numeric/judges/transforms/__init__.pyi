@@ -3,6 +3,7 @@
 from solver.numeric.judges.transforms.equations import Problem, sides_in_time, transformed_sides
 from solver.numeric.judges.transforms.inverse import values_in_time
 from solver.numeric.judges.transforms.laplace import transform_of
+from solver.numeric.judges.transforms.recursions import Recursion, recursion_residual
 from solver.numeric.judges.transforms.sequences import (
     sampled_values,
     samples_of_image,
@@ -13,6 +14,8 @@ from solver.numeric.judges.transforms.sequences import (
 
 __all__ = [
     "Problem",
+    "Recursion",
+    "recursion_residual",
     "sampled_values",
     "samples_of_image",
     "series_of",

@@ -1,0 +1,104 @@
+"""Linear difference equations run through numerically, the equations solved for their latest samples at each step."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from solver.numeric.evaluation.points import admissible, free_symbols
+from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.time_response.response import sampled
+
+Jet = tuple[str, int]
+DIGITS = 30
+
+
+@dataclass(frozen=True)
+class Recursion:
+    """Expressions that are zero in symbols of samples (`jets`: name and shift), for each k ≥ `first`.
+
+    `inputs` are sequences in k, zero before 0; `initial` the values known (others are zero). What has no unknown and no
+    input in an equation is zero before 0 where it starts `at_rest`.
+    """
+
+    equations: Sequence[Any]
+    jets: Mapping[Any, Jet]
+    inputs: Mapping[str, Any]
+    initial: Mapping[Jet, Any]
+    first: int
+    at_rest: bool
+
+
+def recursion_residual(problem: Recursion, sequences: Mapping[str, Any], k: Any, count: int) -> float:
+    """Return the largest relative difference between sequences and the recursion at k = 0 … `count` − 1.
+
+    A sequence is an expression in k or the list of its first values. Raises NotEvaluable where no latest sample comes
+    from the equations.
+    """
+    known = [each for each in sequences.values() for each in (each if isinstance(each, Sequence) else [each])]
+    symbols = free_symbols([*problem.equations, *problem.inputs.values(), *problem.initial.values(), *known])
+    own = {symbol for symbol in symbols if symbol not in problem.jets and str(symbol) != str(k)}
+    worst = 0.0
+    for point in admissible(frozenset(own), 2) if own else [{}]:
+        values = {symbol: sp.Float(complex(value).real, DIGITS) for symbol, value in point.items()}
+        found = _run(problem, values, k, count)
+        for name, sequence in sequences.items():
+            for step in range(min(count, len(sequence)) if isinstance(sequence, Sequence) else count):
+                told = sequence[step] if isinstance(sequence, Sequence) else sampled(sequence, k).subs(k, step)
+                wanted = found.get((name, step), mpmath.mpf(0))
+                difference = abs(_number(told, values) - wanted)
+                worst = max(worst, float(difference / (1 + abs(wanted))))
+    return worst
+
+
+def _number(value: Any, point: Mapping[Any, Any]) -> Any:
+    number = sp.N(sp.sympify(value).xreplace(point), DIGITS)
+    if number.free_symbols or number.has(sp.nan, sp.zoo, sp.oo):
+        raise NotEvaluable("a value of the sequence is no number")
+    return mpmath.mpmathify(complex(number)) if number.has(sp.I) else mpmath.mpf(str(number))
+
+
+def _run(problem: Recursion, point: Mapping[Any, Any], k: Any, count: int) -> dict[Jet, Any]:
+    """The values by name and sample."""
+    with mpmath.workdps(DIGITS):
+        unknowns = sorted({x for x, _ in problem.jets.values() if x not in problem.inputs})
+        tops = {x: max(q for y, q in problem.jets.values() if y == x) for x in unknowns}
+        values = {jet: _number(value, point) for jet, value in problem.initial.items()}
+        for step in range(problem.first, count - min(tops.values())):
+            rows, right = [], []
+            for equation in problem.equations:
+                whole, coefficients = mpmath.mpf(0), dict.fromkeys(unknowns, mpmath.mpf(0))
+                rest = equation
+                for symbol, (x, q) in problem.jets.items():
+                    c = sp.diff(equation, symbol)
+                    rest = rest.xreplace({symbol: sp.S.Zero})
+                    if c == 0:
+                        continue
+                    weight = _number(c, point)
+                    if x not in problem.inputs and q == tops[x]:
+                        coefficients[x] += weight
+                    else:
+                        whole += weight * _known(problem, (x, step + q), values, point, k)
+                here = rest.xreplace({each: sp.Integer(step) for each in rest.free_symbols if str(each) == str(k)})
+                if not (problem.at_rest and step < 0):
+                    whole += _number(here, point)
+                rows.append([coefficients[x] for x in unknowns])
+                right.append(-whole)
+            try:
+                found = mpmath.lu_solve(mpmath.matrix(rows), mpmath.matrix(right))
+            except ZeroDivisionError:
+                raise NotEvaluable("the equations do not give the latest samples") from None
+            values |= {(x, step + tops[x]): found[j] for j, x in enumerate(unknowns)}
+        return values
+
+
+def _known(problem: Recursion, jet: Jet, values: Mapping[Jet, Any], point: Mapping[Any, Any], k: Any) -> Any:
+    """The value of an input or of an earlier sample."""
+    name, at = jet
+    if name not in problem.inputs:
+        return values.get(jet, mpmath.mpf(0))
+    return mpmath.mpf(0) if at < 0 else _number(sampled(problem.inputs[name], k).subs(k, at), point)
