@@ -251,8 +251,9 @@ def _equations(
         moved = next(
             (step.values["following"] for step in result.steps if step.kind == "functions" and "f" in found), None
         )
-        tex = wording.equations(each, found, discrete=part.system.discrete, moved=moved)
-        narrow = wording.equations(each, found, discrete=part.system.discrete, moved=moved, narrow=True) or tex
+        discrete = part.system.discrete or any(task.answers[name].discrete for name in found)
+        tex = wording.equations(each, found, discrete=discrete, moved=moved)
+        narrow = wording.equations(each, found, discrete=discrete, moved=moved, narrow=True) or tex
         earned = sum(marks.get(name, 0) for name in each.instead if name in found)
         told = NumberFormat("decimal", 3).text(earned) if earned else ""
         if tex:

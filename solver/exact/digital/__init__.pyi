@@ -26,7 +26,8 @@ from solver.exact.digital.maps import (
 )
 from solver.exact.digital.matched import MappedRoot, Matched, mapped_roots, matched
 from solver.exact.digital.pid import DiscretePid, discrete_pid, integral_weights
-from solver.exact.digital.pulses import Pulse, SampledTerm, dead_time_in_periods, pulse
+from solver.exact.digital.pulses import Pulse, SampledTerm, dead_time_in_periods, pulse, two_factors
+from solver.exact.digital.sampled_loops import SampledLoop, closed_in_z, in_series_in_z
 
 __all__ = [
     "DiscCounts",
@@ -42,14 +43,17 @@ __all__ = [
     "Matched",
     "Pulse",
     "Rule",
+    "SampledLoop",
     "SampledTerm",
     "Stage",
     "augmented",
     "bilinear_image",
+    "closed_in_z",
     "dead_time_in_periods",
     "disc_counts",
     "discrete_pid",
     "held_blocks",
+    "in_series_in_z",
     "inside_by_jury",
     "integral_of_exponential",
     "integral_weights",
@@ -64,5 +68,6 @@ __all__ = [
     "pulse",
     "rule_of",
     "stages_to_rest",
+    "two_factors",
     "zero_order_hold",
 ]

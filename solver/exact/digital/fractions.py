@@ -60,7 +60,7 @@ def content_of(p: Coefficients) -> tuple[sp.Expr, Coefficients]:
     """(c, q) with p = c q, where q has no factor common to its coefficients and none below them."""
     if not p or any(c.has(sp.Float) for c in p):
         return sp.S.One, p
-    marks = {each: sp.Dummy() for c in p for each in _atoms(c)}
+    marks = marks_of(p)
     back = {dummy: each for each, dummy in marks.items()}
     x = sp.Dummy("x")
     above, below = sp.fraction(sp.together(in_z([c.xreplace(marks) for c in p], x)))
@@ -76,6 +76,11 @@ def _is_negative(c: sp.Expr) -> bool:
     """Whether a coefficient is negative, with parameters where these are one."""
     value = sp.N(c.xreplace(dict.fromkeys(c.free_symbols, sp.S.One)))
     return bool(value.is_negative) if value.is_real else bool(c.could_extract_minus_sign())
+
+
+def marks_of(p: Coefficients) -> dict[sp.Expr, sp.Symbol]:
+    """A symbol for each function and root in some coefficients."""
+    return {each: sp.Dummy() for c in p for each in _atoms(c)}
 
 
 def _atoms(c: sp.Expr) -> set[sp.Expr]:

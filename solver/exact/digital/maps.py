@@ -94,8 +94,8 @@ def mapped_matrices(
     direct = None
     if out is not None and B is not None and D is not None:
         direct = _put(D + multiply(out, sp.ImmutableMatrix(h * B)), back)
-    own = [None if each is None else _put(each, back) for each in (through, out)]
-    return Mapped(_put(M, back), _put(moved, back), *own, direct)
+    B_d, C_d = (None if each is None else _put(each, back) for each in (through, out))
+    return Mapped(_put(M, back), _put(moved, back), B_d, C_d, direct)
 
 
 def _put(M: sp.MatrixBase, back: dict[sp.Symbol, sp.Expr]) -> sp.ImmutableMatrix:

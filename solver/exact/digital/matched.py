@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 import sympy as sp
 
-from solver.exact.digital.fractions import FractionInZ
 from solver.exact.functions.fractions import keeps_quadratic
 from solver.exact.linear_algebra.spectrum import Factor, Root, is_lower, spectrum_of_polynomial
 from solver.exact.transforms.images import rational_image
@@ -29,19 +29,19 @@ class MappedRoot:
 
 @dataclass(frozen=True)
 class Matched:
-    """Poles and zeros with their images, `at_minus_one` zeros from infinity, the gain that keeps G at low frequencies.
+    """Poles and zeros with their images, `at_minus_one` zeros of `excess` ones at infinity, and the gain.
 
-    With the `order` of the pole of G at s = 0 (negative: of a zero) it is sʳG(s) that is kept: `wanted` is its value
-    at s = 0, `unscaled` that of ((z − 1)/T)ʳ times the fraction without its gain at z = 1.
+    With the `order` r of the pole of G at s = 0 (negative: of a zero) it is sʳG(s) that is kept at low frequencies:
+    `wanted` is its value at s = 0, `unscaled` that of ((z − 1)/T)ʳ times the fraction without its gain at z = 1.
     """
 
     poles: tuple[MappedRoot, ...]
     zeros: tuple[MappedRoot, ...]
+    excess: int
     at_minus_one: int
     order: int
     wanted: sp.Expr
     unscaled: sp.Expr
-    without_gain: FractionInZ
 
     @property
     def gain(self) -> sp.Expr:
@@ -51,9 +51,26 @@ class Matched:
 
     def expression(self, z: sp.Symbol) -> sp.Expr:
         """The matched transfer function."""
-        below = [base.polynomial(z) ** -m for base, m in self.without_gain.poles]
-        above = [each.base.polynomial(z) ** each.multiplicity for each in self.zeros]
-        return sp.Mul(self.gain, *above, (z + 1) ** self.at_minus_one, *below)
+        return sp.Mul(self.gain, self._fraction(z, set()))
+
+    def coefficients(self) -> tuple[list[sp.Expr], list[sp.Expr]]:
+        """Numerator and denominator multiplied out, the denominator monic."""
+        above = reduce(multiplied, self._rows(self.zeros), powered([sp.S.One, sp.S.One], self.at_minus_one))
+        return multiplied([self.gain], above), reduce(multiplied, self._rows(self.poles), [sp.S.One])
+
+    @staticmethod
+    def _rows(roots: Sequence[MappedRoot]) -> list[list[sp.Expr]]:
+        return [powered(each.base.coefficients, each.multiplicity) for each in roots]
+
+    def cleared(self, z: sp.Symbol) -> sp.Expr:
+        """The fraction without its gain and without the poles and zeros at z = 1."""
+        return self._fraction(z, {each.base for each in (*self.poles, *self.zeros) if each.root == 0})
+
+    def _fraction(self, z: sp.Symbol, without: set[Base]) -> sp.Expr:
+        powers = [(each.base, each.multiplicity) for each in self.zeros]
+        powers += [(each.base, -each.multiplicity) for each in self.poles]
+        parts = [base.polynomial(z) ** m for base, m in powers if base not in without]
+        return sp.Mul((z + 1) ** self.at_minus_one, *parts)
 
 
 def matched(G: sp.Expr, s: sp.Symbol, T: sp.Expr) -> Matched:
@@ -62,12 +79,12 @@ def matched(G: sp.Expr, s: sp.Symbol, T: sp.Expr) -> Matched:
     N, D = (sp.Poly(each, s) for each in (image.numerator, image.denominator))
     zeros = mapped_roots(_factors(N), T)
     poles = mapped_roots(_factors(D), T)
-    at_minus_one = max(int(D.degree() - N.degree()) - 1, 0)
+    excess = int(D.degree() - N.degree())
+    at_minus_one = max(excess - 1, 0)
     order = _power_of(D) - _power_of(N)
     above, below = (sp.cancel(p.as_expr() / s ** _power_of(p)).subs(s, 0) for p in (N, D))
-    fraction = FractionInZ.of(_numerator(zeros, at_minus_one), {each.base: each.multiplicity for each in poles})
     unscaled = _value_at_one(zeros, at_minus_one) / (_value_at_one(poles, 0) * T**order)
-    return Matched(poles, zeros, at_minus_one, order, above / below, unscaled, fraction)
+    return Matched(poles, zeros, excess, at_minus_one, order, above / below, unscaled)
 
 
 def mapped_roots(factors: Sequence[Factor], T: sp.Expr) -> tuple[MappedRoot, ...]:
@@ -95,13 +112,6 @@ def _factors(p: sp.Poly) -> Sequence[Factor]:
 def _power_of(p: sp.Poly) -> int:
     """How often s is a factor."""
     return min(power for (power,) in p.monoms())
-
-
-def _numerator(zeros: Sequence[MappedRoot], at_minus_one: int) -> list[sp.Expr]:
-    found = powered([sp.S.One, sp.S.One], at_minus_one)
-    for each in zeros:
-        found = multiplied(found, powered(each.base.coefficients, each.multiplicity))
-    return found
 
 
 def _value_at_one(roots: Sequence[MappedRoot], at_minus_one: int) -> sp.Expr:

@@ -15,9 +15,12 @@ import sympy as sp
 from solver.exact.digital.fractions import FractionInZ
 from solver.exact.functions.rational import fraction_of_term
 from solver.exact.functions.transforms import transformed_fractions
+from solver.exact.linear_algebra.signs import possible_signs
 from solver.exact.transforms.images import RationalImage, rational_image
 from solver.exact.transforms.sampled import Base, SampledImage, sampled_image
 
+MOST = 50
+"""So many periods a dead time may take."""
 ONE = Base(sp.S.One)
 ZERO = Base(sp.S.Zero)
 
@@ -32,7 +35,8 @@ class SampledTerm:
 
     def image(self, z: sp.Symbol) -> sp.Expr:
         """The transform of the samples; zero where all of them are."""
-        return sp.Add(*self.sampled.terms(z))
+        whole = FractionInZ.of(self.sampled.numerator, dict(self.sampled.factors))
+        return whole.times_zero(ZERO).expression(z)
 
 
 @dataclass(frozen=True)
@@ -84,9 +88,24 @@ def _result(sampled: SampledImage, late: int, *, held: bool) -> FractionInZ:
 
 
 def dead_time_in_periods(delay: sp.Expr, T: sp.Expr) -> tuple[int, sp.Expr] | None:
-    """(l, μ) of a dead time (l − μ)T, 0 ≤ μ < 1; None where its number of periods is not known."""
-    periods = sp.cancel(delay / T)
-    if not periods.is_number or not periods.is_real:
+    """(l, μ) of a dead time (l − μ)T ≥ 0, 0 ≤ μ < 1; None where parameters leave l open."""
+    for late in range(MOST + 1):
+        signs = possible_signs(sp.expand(late * T - delay))
+        if signs <= {0, 1}:
+            return late, sp.cancel(late - delay / T)
+        if 1 in signs:
+            return None
+    return None
+
+
+def two_factors(G: sp.Expr, s: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """G as a product of two factors of order one, the constant in the second; None for any other G."""
+    above, below = sp.fraction(sp.together(G))
+    if above.has(s):
         return None
-    late = int(sp.ceiling(periods))
-    return late, sp.expand(late - periods)
+    constant, listed = sp.factor_list(below, s)
+    roots = [p for p, m in listed for _ in range(m)]
+    if len(roots) != 2 or any(sp.degree(p, s) != 1 for p in roots):
+        return None
+    first, second = sorted(roots, key=lambda p: (p != s, sp.default_sort_key(p)))
+    return 1 / first, above / constant / second

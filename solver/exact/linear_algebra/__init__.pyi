@@ -20,7 +20,15 @@ from solver.exact.linear_algebra.radicals import complex_parts, without_bars
 from solver.exact.linear_algebra.row_reduction import RowReduction, null_space, row_reduce
 from solver.exact.linear_algebra.signs import always_holds, contradict
 from solver.exact.linear_algebra.special_values import divisors, special_values
-from solver.exact.linear_algebra.spectrum import Factor, Root, Spectrum, characteristic_factors, factored, spectrum
+from solver.exact.linear_algebra.spectrum import (
+    Factor,
+    Root,
+    Spectrum,
+    characteristic_factors,
+    factored,
+    spectrum,
+    spectrum_of_polynomial,
+)
 
 __all__ = [
     "Eigenspace",
@@ -57,6 +65,7 @@ __all__ = [
     "solve_affine",
     "special_values",
     "spectrum",
+    "spectrum_of_polynomial",
     "squares_of_roots",
     "taylor",
     "tidy",
