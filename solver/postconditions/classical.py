@@ -118,6 +118,31 @@ def of_step_events(found: Any, response: Any, band: Any, *, whole: bool) -> Iter
         yield Check.within("the undershoot of the response", "scipy.linalg.expm", fault, 1e-9)
 
 
+def of_sampled_events(found: Any, response: Any, band: Any, *, whole: bool, shown: int = 12) -> Iterator[Claim | Check]:
+    """Samples and shares are those of the recursion; the bound holds, and falls below the band where it says."""
+    del shown
+    system = response.system
+    plant = (system.A, system.B, system.C, system.D if system.D is not None else sp.zeros(1, 1))
+    asked = judges.Specification(sp.Integer(0), band, whole, period=sp.Integer(1))
+    judged = {
+        "final_value": found.final,
+        "settling_time": found.settling,
+        "rise_time": found.rise.time,
+        "overshoot": sp.Integer(0) if found.peak is None else found.peak.share - 1,
+        **({} if found.peak is None else {"peak_time": found.peak.time}),
+    }
+    for name, value in judged.items():
+        check = partial(judges.specification_residual, plant, asked, name, value)
+        label = Phrase("the {name} of the response", name=name.replace("_", " "))
+        yield numeric.check_residual(label, "the recursion (50 digits)", check)
+    yield Check.that("it is told whether it overshoots", "the recursion (50 digits)",
+                     judges.overshoots(plant) == (found.peak is not None))  # fmt: skip
+    fault = judges.samples_fault(plant, found.samples, [each for each in (found.under, found.outside) if each])
+    yield Check.within("the samples of the response", "the recursion (50 digits)", fault, 1e-12)
+    yield Check.that("no sample exceeds the bound", "the recursion (50 digits)",
+                     judges.is_bounded(plant, found.bound, int(found.within), band))  # fmt: skip
+
+
 def of_reduction(found: Any, form: Any, order: int) -> Iterator[Claim | Check]:
     """The slowest poles are kept and no pair is split; the function has them, and the value at zero."""
     fraction = form.function

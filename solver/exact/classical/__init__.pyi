@@ -27,6 +27,7 @@ from solver.exact.classical.reduction_errors import (
     reduced_modes,
     reduced_response,
 )
+from solver.exact.classical.sampled_events import SampledEvents, sampled_events
 from solver.exact.classical.step_events import Extreme, Rise, StepEvents, step_events
 
 __all__ = [
@@ -41,6 +42,7 @@ __all__ = [
     "PoleZeroForm",
     "Reduction",
     "Rise",
+    "SampledEvents",
     "StepEvents",
     "ValueAtZero",
     "damped_frequency",
@@ -57,6 +59,7 @@ __all__ = [
     "reduced_modes",
     "reduced_response",
     "reduction",
+    "sampled_events",
     "step_events",
     "value_at_zero",
 ]

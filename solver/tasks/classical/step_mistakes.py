@@ -26,13 +26,19 @@ PEAK = Slip(
 )
 PERIOD = Slip("period", "it is the whole period $2\\pi/\\omega_d$; the peak comes after half of it")
 HERTZ = Slip("hertz", "a frequency in Hz is taken for one in rad/s")
-ONE_POLE = Slip("final_gain", "it is the gain before the fraction; the final value is $G(0)$")
+ONE_POLE = Slip(
+    "final_gain", "it is the gain before the fraction; the final value is $G(0)$, of a discrete system $G(1)$"
+)
+COUNTED = Slip("counted", "it is a number of samples; the time is that many sampling periods")
+LAST_OUTSIDE = Slip("last_outside", "it is the last sample outside the band; the next one is settled")
+AT_ZERO = Slip("at_zero", "it is $G$ at $z = 0$, the first sample; the final value is $G(1)$")
 
 
 def register(task: Task[Any, Any]) -> None:
     """Register what goes wrong; by the formulas of second order, whatever the method."""
     _with_formulas(task)
     _with_values(task)
+    _at_samples(task)
 
 
 def _with_formulas(task: Task[Any, Any]) -> None:
@@ -78,11 +84,12 @@ def _with_values(task: Task[Any, Any]) -> None:
     """Other values than those asked for."""
 
     def in_hertz(wrong: Attempt[Any, Any]) -> Iterable[Any]:
-        yield from (wrong.ours / (2 * sp.pi), wrong.ours * 2 * sp.pi)
+        if not wrong.given.system.discrete:
+            yield from (wrong.ours / (2 * sp.pi), wrong.ours * 2 * sp.pi)
 
     def value_at_the_peak(wrong: Attempt[Any, Any]) -> Iterable[Any]:
         path = quietly(path_of(wrong.given))
-        final = exact.value_at_zero(path.fraction).value
+        final = exact.value_at_zero(path.fraction, discrete=path.discrete).value
         yield from (1 + wrong.ours, final * (1 + wrong.ours), final * wrong.ours)
 
     def leading(wrong: Attempt[Any, Any]) -> Iterable[Any]:
@@ -94,8 +101,39 @@ def _with_values(task: Task[Any, Any]) -> None:
     task.mistake(ONE_POLE, "final_value")(leading)
 
 
+def _at_samples(task: Task[Any, Any]) -> None:
+    """What goes wrong with samples."""
+
+    def number_of_samples(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        T = _period(wrong)
+        if T is not None:
+            yield wrong.ours / T
+
+    def sample_before(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        T = _period(wrong)
+        if wrong.given.system.discrete and wrong.ours != 0:
+            yield wrong.ours - (1 if T is None else T)
+
+    def first_sample(wrong: Attempt[Any, Any]) -> Iterable[Any]:
+        path = quietly(path_of(wrong.given))
+        if path.discrete and path.bottom.subs(path.variable, 0) != 0:
+            yield (path.top / path.bottom).subs(path.variable, 0)
+
+    task.mistake(COUNTED, "peak_time", "rise_time", "settling_time")(number_of_samples)
+    task.mistake(LAST_OUTSIDE, "settling_time")(sample_before)
+    task.mistake(AT_ZERO, "final_value")(first_sample)
+
+
+def _period(wrong: Attempt[Any, Any]) -> Any:
+    """The sampling period of a discrete system, None without."""
+    system = wrong.given.system
+    return system.sample_time if system.discrete else None
+
+
 def _damping(wrong: Attempt[Any, Any]) -> exact.Damping | None:
     """ω_n and ζ of the denominator where it has a conjugate pair alone."""
+    if wrong.given.system.discrete:
+        return None
     path = quietly(path_of(wrong.given))
     listed = sp.Poly(path.bottom, path.variable).all_coeffs()
     if len(listed) != 3:

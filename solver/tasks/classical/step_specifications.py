@@ -14,11 +14,14 @@ from solver.numeric.judges import classical as judges
 from solver.options.choice import Choice
 from solver.tasks.classical import step_mistakes
 from solver.tasks.classical.paths import Path, numbers_of, path_of
+from solver.tasks.classical.sampled_measures import sampled
 from solver.tasks.classical.step_formulas import BANDS, by_second_order
 from solver.tasks.classical.step_measures import measured
 from solver.tasks.plant_options import LoopOptions
 
 if TYPE_CHECKING:
+    from sympy import Expr
+
     from solver.tasks.classical.paths import Plant
 
 
@@ -84,13 +87,13 @@ def by_formulas(given: Given[Plant, StepOptions]) -> Derivation[Answers]:
 
 
 @step_specifications.method(
-    "response", title="The response itself", source="Ogata, Modern Control Engineering, section 5-3", time="continuous"
+    "response", title="The response itself", source="Ogata, Modern Control Engineering, section 5-3"
 )
 def by_response(given: Given[Plant, StepOptions]) -> Derivation[Answers]:
-    """Where y has a slope of zero, and where it reaches the levels that the specifications name."""
+    """Where y has a slope of zero, and where it reaches the levels that the specifications name; at samples of y(k)."""
     path = yield from path_of(given)
     settles(path)
-    found = yield from measured(path, given.options)
+    found = yield from (sampled if path.discrete else measured)(path, given.options)
     return _in_unit(found, given.options)
 
 
@@ -104,21 +107,28 @@ def _in_unit(found: Answers, options: StepOptions) -> Answers:
 def settles(path: Path) -> None:
     """Raise Unsolved where the response has parameters, or does not settle at a value other than zero."""
     if path.parameters:
-        raise Unsolved("step_specifications/parameters", names=list(path.parameters))
-    poles = path.fraction.poles or []
-    outside = [pole for pole in poles if exact.sign_of(sp.re(pole)) != -1]
+        raise Unsolved("step_specifications/parameters", names=list(path.parameters), discrete=path.discrete)
+    outside = [pole for pole in path.fraction.poles or [] if not _inside(pole, discrete=path.discrete)]
     if outside:
-        raise Unsolved("step_specifications/unstable", poles=outside)
-    if path.top.subs(path.variable, 0) == 0:
-        raise Unsolved("step_specifications/no_final_value")
+        raise Unsolved("step_specifications/unstable", poles=outside, discrete=path.discrete)
+    if sp.expand(path.top.subs(path.variable, path.rest)) == 0:
+        raise Unsolved("step_specifications/no_final_value", discrete=path.discrete)
+
+
+def _inside(pole: Expr, *, discrete: bool) -> bool:
+    """Whether the mode of a pole dies out."""
+    real, imaginary = pole.as_real_imag()
+    distance = sp.expand(real**2 + imaginary**2) - 1 if discrete else real
+    return bool(exact.sign_of(distance) == -1)
 
 
 @step_specifications.verification("rise_time", "peak_time", "overshoot", "settling_time", "final_value")
 def are_seen_in_the_response(given: Given[Plant, StepOptions], answers: Answers) -> Iterable[Check]:
-    """The response by matrix exponentials, searched and refined."""
+    """The response by matrix exponentials, searched and refined; of a discrete system by its recursion."""
     options, plant = given.options, given.system
     formula = BANDS[options.settling_band] if given.method == "formulas" else None
-    asked = judges.Specification(getattr(plant, "delay", sp.Integer(0)), options.band, options.whole, formula)
+    period = (plant.sample_time or sp.Integer(1)) if plant.discrete else None
+    asked = judges.Specification(getattr(plant, "delay", sp.Integer(0)), options.band, options.whole, formula, period)
     numbers = numbers_of(plant)
     for name in ("rise_time", "peak_time", "overshoot", "settling_time", "final_value"):
         if name not in answers:
@@ -126,7 +136,8 @@ def are_seen_in_the_response(given: Given[Plant, StepOptions], answers: Answers)
         percent = name == "overshoot" and options.overshoot_in == "percent"
         value = answers[name] / 100 if percent else answers[name]
         check = partial(judges.specification_residual, numbers, asked, name, value)
-        yield numeric.check_residual(LABELS[name], "scipy.linalg.expm, refined by mpmath", check, answer=name)
+        oracle = "the recursion (50 digits)" if plant.discrete else "scipy.linalg.expm, refined by mpmath"
+        yield numeric.check_residual(LABELS[name], oracle, check, answer=name)
 
 
 LABELS = {

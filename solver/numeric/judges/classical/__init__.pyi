@@ -9,6 +9,7 @@ from solver.numeric.judges.classical.damping import (
 )
 from solver.numeric.judges.classical.poles import shown_poles, time_constants_residual
 from solver.numeric.judges.classical.reductions import dominant_residual, reduced_residual
+from solver.numeric.judges.classical.sampled_responses import is_bounded, overshoots, samples_fault
 from solver.numeric.judges.classical.step_responses import (
     Specification,
     largest_sampled_difference,
@@ -26,11 +27,14 @@ __all__ = [
     "damping_words",
     "dc_gain_residual",
     "dominant_residual",
+    "is_bounded",
     "largest_sampled_difference",
     "largest_size_residual",
     "leading_gain_residual",
     "natural_frequency_residual",
+    "overshoots",
     "reduced_residual",
+    "samples_fault",
     "shown_poles",
     "specification_residual",
     "time_constants_residual",

@@ -14,6 +14,7 @@ import sympy as sp
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.compare import with_many_digits, worst_of
 from solver.numeric.judges.classical.poles import eigenvalues
+from solver.numeric.judges.classical.sampled_responses import sampled_specification
 from solver.numeric.judges.representation.minimal import MANY, minimal_part, numbers_at, points_of, quadruple_at
 
 LATEST = 30.0
@@ -109,19 +110,21 @@ def _response_of(plant: Any) -> StepResponse | None:
 class Specification:
     """What a step response is judged by: the delay, the band, whether the rise is asked for from 0 to 100 %.
 
-    `formula` asks for c/(ζω_n) as settling time, of a system of second order; then it is c.
+    `formula` asks for c/(ζω_n) as settling time, of a system of second order; then it is c. `period` is that of a
+    discrete system, 1 where times are counted in samples.
     """
 
     delay: Any
     band: Any
     whole: bool
     formula: int | None = None
+    period: Any = None
 
 
 def specification_residual(plant: Any, asked: Specification, name: str, answer: Any) -> float:
     """Return the largest relative difference of an answer and what the response shows, at values of the parameters."""
     worst = 0.0
-    for found in points_of(*plant, answer, asked.delay):
+    for found in points_of(*plant, answer, asked.delay, asked.period or sp.Integer(1)):
         point = {x: sp.Rational(complex(value).real) for x, value in dict(found).items()}
         at = tuple(M.xreplace(point) for M in plant)
         values = [each.xreplace(point) for each in (answer, asked.delay, asked.band)]
@@ -129,6 +132,8 @@ def specification_residual(plant: Any, asked: Specification, name: str, answer: 
         right = specified(at, asked, name, band)
         if right is None:
             return WRONG
+        if asked.period is not None and name.endswith("_time"):
+            right *= MANY.context.re(numbers_at([asked.period.xreplace(point)], {})[0])
         right += delay if name in ("peak_time", "settling_time") else 0
         size = max(abs(right), abs(value), MANY.context.mpf("1e-12"))
         worst = worst_of((worst, float(abs(right - value) / size)))
@@ -137,7 +142,10 @@ def specification_residual(plant: Any, asked: Specification, name: str, answer: 
 
 def specified(plant: Any, asked: Specification, name: str, band: Any) -> Any:
     """Return a quantity of the response, without its delay; None where there is none."""
-    m, found = MANY.context, step_response(plant)
+    m = MANY.context
+    if asked.period is not None:
+        return sampled_specification(plant, name, band, whole=asked.whole)
+    found = step_response(plant)
     if found is None:
         return _static(plant, name)
     if name == "final_value":
