@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,12 +18,19 @@ POWERS = {"step": 0, "ramp": 1, "parabola": 2}
 """The usual ones by name, n of tⁿ/n!."""
 
 
+TIME = re.compile(r"(?<![A-Za-z_])t(?![A-Za-z_0-9])")
+"""The letter t by itself: 4t is 4·t."""
+
+
 @dataclass(frozen=True, slots=True)
 class Signal(OptionKind[Any]):
     """The unit step, the unit ramp t, the unit parabola t²/2, or an expression in t; the value is the expression.
 
-    In discrete time the ramp is kT, the parabola (kT)²/2, with `period()` for T, and expressions are in k.
+    In discrete time the ramp is kT, the parabola (kT)²/2, with `period()` for T, and expressions are in k; a function
+    of t is allowed there where a signal may be `sampled`.
     """
+
+    sampled: bool = False
 
     @property
     def words(self) -> str:
@@ -48,6 +56,8 @@ class Signal(OptionKind[Any]):
             return time**n / sp.factorial(n)
         if word.isalpha() and (meant := did_you_mean(word.lower(), POWERS)):
             raise node.fault(f"{name} must be {self.words}, not '{word}'", suggestion=meant)
+        if self.sampled and context.discrete and TIME.search(word):
+            return context.expression(node, ("t",))
         return context.expression(node, ("t", "k"))
 
 

@@ -12,6 +12,7 @@ from solver.exact.frequency.axis import OnAxis
 from solver.exact.frequency.crossings import Crossover, gain_crossovers
 from solver.exact.frequency.following import turning_points
 from solver.exact.frequency.surds import WORKING, decimal, value_of
+from solver.exact.stability.boundary import parts_on_circle
 from solver.exact.time_response.signals import read_signal
 from solver.exact.time_response.steady_state import wave_of
 
@@ -82,7 +83,12 @@ def bandwidth(L: OnAxis) -> Bandwidth | None:
 
 
 def phase_function(L: OnAxis, omega: sp.Symbol) -> sp.Expr:
-    """∠L(jω) in degrees for ω > 0: arctangents of the factors where their sum stays in (−180, 180], else one of all."""
+    """∠L(jω) in degrees for ω > 0: arctangents of the factors where their sum stays in (−180, 180], else one of all.
+
+    Of a discrete loop it is their sum, each in (−180, 180]; a factor z turns by ωT.
+    """
+    if L.discrete:
+        return _of_samples(L, omega)
     factors = [(factor, sign * m) for p, sign in ((L.N, 1), (L.D, -1)) for factor, m in p.factor_list()[1]]
     simple = all(factor.degree() <= 2 for factor, _ in factors) and _within_a_turn(L)
     late = 180 * omega * L.delay / sp.pi
@@ -99,6 +105,22 @@ def phase_function(L: OnAxis, omega: sp.Symbol) -> sp.Expr:
         c, s = sp.cos(turned), sp.sin(turned)
         real, imaginary = real * c + imaginary * s, imaginary * c - real * s
     return 180 * sp.atan2(imaginary, real) / sp.pi
+
+
+def _of_samples(L: OnAxis, omega: sp.Symbol) -> sp.Expr:
+    """The sum of the angles of the monic factors at e^{jωT}, and 180° where the number before them is negative."""
+    angles: list[sp.Expr] = [sp.Integer(180)] if decimal(L.N.LC() / L.D.LC()) < 0 else []
+    for p, sign in ((L.N, 1), (L.D, -1)):
+        for factor, m in p.factor_list()[1]:
+            if factor.degree() == 1 and factor.TC() == 0:
+                turned = omega * L.sample_time
+            else:
+                even, odd = parts_on_circle(factor.to_field().monic(), L.parts.w)
+                c, s = L.place(omega), L.unit(omega)
+                imaginary = sp.expand(s * odd.as_expr().subs(L.parts.w, c))
+                turned = sp.atan2(imaginary, even.as_expr().subs(L.parts.w, c))
+            angles.append(sign * m * 180 / sp.pi * turned)
+    return sp.Add(*angles)
 
 
 def _angle(factor: sp.Poly, omega: sp.Symbol) -> sp.Expr:

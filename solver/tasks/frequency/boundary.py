@@ -28,21 +28,21 @@ def of_samples(loop: OpenLoop, numerator: Expr, denominator: Expr) -> exact.OnCi
     """Return a quotient of polynomials in z on the unit circle; T is 1 where it is not given."""
     if loop.delay != 0:
         raise Unsolved("frequency/delay_beside_samples")
-    period = sp.S.One if loop.sample_time is None else loop.sample_time
-    return exact.on_circle(numerator, denominator, loop.variable, period)
+    return exact.on_circle(numerator, denominator, loop.variable, period_of(loop))
 
 
 def numbers_of(loop: OpenLoop) -> judges.NumericLoop:
     """Return L in numbers, for its judges."""
-    return judges.numeric_loop(loop.numerator, loop.denominator, loop.variable, loop.delay, _period(loop))
+    return judges.numeric_loop(loop.numerator, loop.denominator, loop.variable, loop.delay, period_of(loop))
 
 
 def poles_in_numbers(loop: OpenLoop) -> tuple[int, int]:
     """Return how many poles of the closed loop are outside of the region of stability, and on its boundary."""
-    return judges.closed_loop_poles(loop.numerator, loop.denominator, loop.variable, loop.delay, _period(loop))
+    return judges.closed_loop_poles(loop.numerator, loop.denominator, loop.variable, loop.delay, period_of(loop))
 
 
-def _period(loop: OpenLoop) -> Any:
+def period_of(loop: OpenLoop) -> Any:
+    """Return the sampling period, 1 where it is not given; None of a continuous loop."""
     if not loop.discrete:
         return None
     return sp.S.One if loop.sample_time is None else loop.sample_time
@@ -54,4 +54,4 @@ def needs_a_sampling_period(system: System, options: Any) -> Iterable[Refusal]: 
         yield "", Reason("frequency/no_sample_time")
 
 
-__all__ = ["needs_a_sampling_period", "numbers_of", "of_samples", "on_boundary", "poles_in_numbers"]
+__all__ = ["needs_a_sampling_period", "numbers_of", "of_samples", "on_boundary", "period_of", "poles_in_numbers"]

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import (
     AnswerName,
     Answers,
-    Check,
     Claim,
     Derivation,
     Given,
@@ -21,14 +20,14 @@ from solver.derivation import (
 )  # fmt: skip
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.numeric.judges import frequency as judges
 from solver.options.number import Number
 from solver.options.signal import Signal
 from solver.stated.algebra import product, quotient, total
 from solver.stated.calculus import value_at
 from solver.stated.complex_numbers import absolute, phase
-from solver.tasks.frequency import response_mistakes
-from solver.tasks.frequency.crossovers import angle_rows, approximation, formula_of, on_axis_of
+from solver.tasks.frequency import response_checks, response_mistakes
+from solver.tasks.frequency.boundary import of_samples, on_boundary, period_of
+from solver.tasks.frequency.crossovers import angle_rows, approximation, formula_of, on_axis_of, shown_polynomial
 from solver.tasks.frequency.figures import bode_figure
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
@@ -43,7 +42,10 @@ if TYPE_CHECKING:
 class ResponseOptions(LoopOptions):
     """A frequency, or a sinusoid."""
 
-    input: Expr | None = option(Signal(), 'a sinusoidal input, such as "2cos(4t)", whose steady answer is asked for')
+    input: Expr | None = option(
+        Signal(sampled=True),
+        'a sinusoidal input, such as "2cos(4t)" (discrete: in k or t), whose steady answer is asked for',
+    )
     frequency: Expr | None = option(Number(), "the frequency in rad/s; without it magnitude and phase are functions")
 
 
@@ -72,20 +74,24 @@ frequency_response: Task[OpenLoop, ResponseOptions] = Task(
 )  # fmt: skip
 
 response_mistakes.register(frequency_response)
+response_checks.register(frequency_response)
 
 
 @frequency_response.refusal
-def is_no_frequency(system: System, options: ResponseOptions) -> Iterable[Refusal]:  # noqa: ARG001 - any system
-    """A frequency is positive; with an input it is that of the input."""
+def is_no_frequency(system: System, options: ResponseOptions) -> Iterable[Refusal]:
+    """A frequency is positive; with an input it is that of the input. In rad/s a discrete loop needs its period."""
     if options.frequency is not None and options.frequency.is_number and not options.frequency.is_positive:
         yield "frequency", Reason("frequency/not_positive")
     if options.frequency is not None and options.input is not None:
         yield "frequency", Reason("frequency/frequency_of_the_input")
+    in_samples = options.input is not None and not options.input.has(sp.Symbol("t"))
+    if system.discrete and system.sample_time is None and not in_samples:
+        yield "", Reason("frequency/no_sample_time")
 
 
-@frequency_response.method(source="Ogata, Modern Control Engineering, §7–1", time="continuous")
+@frequency_response.method(source="Ogata, Modern Control Engineering, §7–1", time="both")
 def on_the_axis(given: Given[OpenLoop, ResponseOptions]) -> Derivation[Answers]:
-    """T(jω) by its size and angle; at one frequency, or as functions with resonance and bandwidth."""
+    """T(jω), discrete T(e^{jωT}), by size and angle; at one frequency, or as functions with resonance and bandwidth."""
     loop, options = given.system, given.options
     T = yield from _transfer(loop)
     if options.input is not None:
@@ -111,7 +117,7 @@ def on_the_axis(given: Given[OpenLoop, ResponseOptions]) -> Derivation[Answers]:
             answers["bandwidth"] = band.omega
     letters = {"resonant_frequency": r"\omega_{r}", "bandwidth": r"\omega_{b}"}
     marked = [(answers[name], letter) for name, letter in letters.items() if name in answers]
-    yield Step("picture", unclaimed="drawn from the numbers found above",
+    yield Step("picture", unclaimed="drawn from the numbers found above", discrete=T.discrete, period=T.sample_time,
                figures=bode_figure("Bode diagram of $T$", ("T", T), marked=marked))  # fmt: skip
     return answers
 
@@ -120,7 +126,7 @@ def _transfer(loop: OpenLoop) -> Derivation[exact.OnAxis]:
     """T = C G/(1 + L) of a closed loop, C G of an open one."""
     s, N, D = loop.variable, loop.numerator, loop.denominator
     if not loop.closed:
-        return exact.on_axis(N, D, s, loop.delay)
+        return on_boundary(loop)
     if loop.delay != 0:
         raise Unsolved("frequency/closed_with_dead_time")
     forward = sp.cancel(loop.C * loop.G)
@@ -130,29 +136,29 @@ def _transfer(loop: OpenLoop) -> Derivation[exact.OnAxis]:
     claim = Claim(quotient(forward, total(sp.S.One, N / D)), closed, "the closed loop")
     yield Step("closed", claims={"T": claim}, s=s)
     above, below = sp.fraction(closed)
-    return exact.on_axis(above, below, s)
+    return of_samples(loop, above, below) if loop.discrete else exact.on_axis(above, below, s)
 
 
 def _functions(T: exact.OnAxis) -> Derivation[Answers]:
     """Magnitude and phase as functions of ω."""
     omega, s, w = sp.Symbol("omega"), T.variable, T.parts.w
-    P, Q = (p.as_expr().subs(w, omega**2) for p in (T.parts.above, T.parts.below))
+    P, Q = (p.as_expr().subs(w, T.place(omega)) for p in (T.parts.above, T.parts.below))
     magnitude = sp.sqrt(P) / sp.sqrt(Q)
     angle = exact.phase_function(T, omega)
     yield Step("functions", unclaimed="the answers, which have checks of their own", magnitude=magnitude, angle=angle,
-               late=T.late, s=s, positive=angle.has(sp.atan2))  # fmt: skip
+               late=T.late, s=s, positive=angle.has(sp.atan2), discrete=T.discrete)  # fmt: skip
     return Answers(magnitude=magnitude, phase=angle)
 
 
-def _value(T: exact.OnAxis, omega: Expr) -> Derivation[tuple[Expr, Expr]]:
-    """T(jω) at one frequency, its size and its angle."""
+def _value(T: exact.OnAxis, omega: Expr, *, normalized: bool = False) -> Derivation[tuple[Expr, Expr]]:
+    """T(jω) at one frequency, its size and its angle; `normalized`: in radians per sample."""
     s = T.variable
-    below = T.parts.below.as_expr().subs(T.parts.w, omega**2)
+    below = T.parts.below.as_expr().subs(T.parts.w, T.place(omega))
     if sp.expand(below) == 0:
         raise Unsolved("frequency/pole_at_the_frequency", omega=omega)
     real, imaginary = T.value(omega)
     value, magnitude = real + sp.I * imaginary, T.magnitude(omega)
-    at = value_at(formula_of(T), s, sp.I * omega)
+    at = value_at(formula_of(T), s, T.point(omega))
     if magnitude == 0:
         raise Unsolved("frequency/zero_at_the_frequency", omega=omega)
     angle = T.phase(omega)
@@ -175,29 +181,45 @@ def _value(T: exact.OnAxis, omega: Expr) -> Derivation[tuple[Expr, Expr]]:
     if turns:
         claims["turned"] = Claim(total(whole, 360 * turns), angle, "the phase between −180° and 180°")
     yield Step("value", claims=claims, omega=omega, value=value, rows=rows, turns=turns, angle=angle, s=s,
-               magnitude=magnitude, near=approximation(magnitude), T=formula_of(T))  # fmt: skip
+               magnitude=magnitude, near=approximation(magnitude), T=formula_of(T), discrete=T.discrete,
+               point=T.point(omega), alias=_alias(T, omega), normalized=normalized)  # fmt: skip
     return magnitude, angle
+
+
+def _alias(T: exact.OnAxis, omega: Expr) -> Expr | None:
+    """The frequency up to π/T that has the same samples as one beyond."""
+    if T.end is None or omega <= T.end.omega:
+        return None
+    turns = 2 * T.end.omega
+    rest = omega - turns * sp.floor(omega / turns)
+    return rest if rest <= T.end.omega else turns - rest
 
 
 def _steady(loop: OpenLoop, T: exact.OnAxis, u: Expr) -> Derivation[Answers]:
     """What is left of the output of a stable system."""
-    t = sp.Symbol("t")
+    in_samples = loop.discrete and not u.has(sp.Symbol("t"))
+    t = sp.Symbol("k" if in_samples else "t")
     wave = exact.sinusoid(u, t)
     if wave is None:
         raise Unsolved("frequency/no_sinusoid", u=u)
+    if loop.discrete:  # frequencies are in rad/s; samples at t = kT
+        t, period = sp.Symbol("k"), period_of(loop)
+        per_sample = wave.omega if in_samples else wave.omega * period
+        wave = replace(wave, omega=per_sample / period)
     whole = loop.numerator + loop.denominator if loop.closed else loop.denominator
-    counts: Any = exact.root_counts(sp.Poly(whole, loop.variable).all_coeffs())
+    counts: Any = exact.root_counts(sp.Poly(whole, loop.variable).all_coeffs(), discrete=loop.discrete)
     if counts is None or counts.outside or counts.on:
-        raise Unsolved("frequency/never_steady", p=whole, closed=loop.closed)
+        raise Unsolved("frequency/never_steady", p=whole, closed=loop.closed, discrete=loop.discrete)
     yield Step("stable", unclaimed="counted by a Routh array; the answer has a check of its own", p=whole,
-               closed=loop.closed, u=u)  # fmt: skip
-    magnitude, angle = yield from _value(T, wave.omega)
+               closed=loop.closed, u=u, discrete=loop.discrete, sampled=loop.discrete and not in_samples,
+               theta=per_sample if loop.discrete else None)  # fmt: skip
+    magnitude, angle = yield from _value(T, wave.omega, normalized=loop.discrete and loop.sample_time is None)
     radians = _radians(T, wave.omega, angle)
-    turned = wave.omega * t + radians
+    turned = (per_sample if loop.discrete else wave.omega) * t + radians
     y = sp.Add(*(sp.expand(size * magnitude) * f(turned, evaluate=False)
                  for size, f in ((wave.cosine, sp.cos), (wave.sine, sp.sin)) if size != 0))  # fmt: skip
     yield Step("steady_state", unclaimed="the answer, which has a check of its own", y=y, omega=wave.omega, u=u,
-               angle=angle, radians=radians, magnitude=magnitude)  # fmt: skip
+               angle=angle, radians=radians, magnitude=magnitude, discrete=loop.discrete)  # fmt: skip
     return Answers(magnitude=magnitude, phase=angle, y_steady_state=y)
 
 
@@ -216,21 +238,21 @@ def _resonance(T: exact.OnAxis, found: exact.Resonance) -> Step:
     """Where d|T|²/dω² = 0, and the largest magnitude."""
     w, claims = T.parts.w, {}
     p = found.polynomial
-    if p.domain.is_QQ:
-        p = p.clear_denoms(convert=True)[1].primitive()[1]
-    shown = (-p if p.LC().is_negative else p).as_expr()
+    shown = shown_polynomial(p)
+    says = "a root in $\\cos\\omega T$" if T.discrete else "a root in $w = \\omega^2$"
     for i, each in enumerate(found.stationary, 1):
-        claims[f"root{i}"] = Claim(value_at(shown, w, sp.expand(each**2)), sp.S.Zero, "a root in $w = \\omega^2$")
+        claims[f"root{i}"] = Claim(value_at(shown, w, T.place(each)), sp.S.Zero, says)
     peak = found.peak
     if peak is not None:
-        at = value_at(formula_of(T), T.variable, sp.I * peak.omega)
+        at = value_at(formula_of(T), T.variable, T.point(peak.omega))
         claims["peak"] = Claim(absolute(at), peak.magnitude, "the largest magnitude")
         claims["phase"] = Claim(phase(at), peak.phase, "the phase there")
     rows = [(each, approximation(each), T.magnitude(each)) for each in found.stationary]
     square = (T.parts.above.as_expr() / T.parts.below.as_expr()) if T.parts.above.degree() > 0 else None
     return Step("resonance", claims=claims, unclaimed="" if claims else "there is no such frequency", p=shown, w=w,
                 rows=rows, peak=peak, moves=p.degree() > 0, square=square, start=T.magnitude(sp.S.Zero),
-                root=sp.expand(peak.omega**2) if peak else None,
+                root=T.place(peak.omega) if peak else None, discrete=T.discrete, period=T.sample_time,
+                end=None if T.end is None else T.magnitude(T.end.omega), at_end=peak is not None and peak.end,
                 near_omega=approximation(peak.omega) if peak else None,
                 near=approximation(peak.magnitude) if peak else None)  # fmt: skip
 
@@ -238,62 +260,13 @@ def _resonance(T: exact.OnAxis, found: exact.Resonance) -> Step:
 def _bandwidth(T: exact.OnAxis, band: exact.Bandwidth) -> Step:
     """Where |T| = |T(0)|/√2."""
     w, claims = T.parts.w, {}
-    p = band.polynomial
-    if p.domain.is_QQ:
-        p = p.clear_denoms(convert=True)[1].primitive()[1]
-    shown = (-p if p.LC().is_negative else p).as_expr()
+    shown = shown_polynomial(band.polynomial)
     if band.omega is not None:
-        at = value_at(formula_of(T), T.variable, sp.I * band.omega)
-        claims["root"] = Claim(value_at(shown, w, sp.expand(band.omega**2)), sp.S.Zero, "a root in $w = \\omega^2$")
+        at = value_at(formula_of(T), T.variable, T.point(band.omega))
+        says = "a root in $\\cos\\omega T$" if T.discrete else "a root in $w = \\omega^2$"
+        claims["root"] = Claim(value_at(shown, w, T.place(band.omega)), sp.S.Zero, says)
         claims["level"] = Claim(absolute(at), band.level, "the magnitude there")
     return Step("bandwidth", claims=claims, unclaimed="" if claims else "there is no such frequency", p=shown, w=w,
-                omega=band.omega, root=sp.expand(band.omega**2) if band.omega is not None else None,
+                omega=band.omega, root=T.place(band.omega) if band.omega is not None else None, discrete=T.discrete,
+                period=T.sample_time,
                 near=approximation(band.omega) if band.omega is not None else None, level=band.level)  # fmt: skip
-
-
-BY_VALUES = "mpmath, values of C G/(1 + C G H) at jω"
-TOLERANCE = 1e-19
-
-
-def _numbers(given: Given[OpenLoop, ResponseOptions]) -> judges.ClosedResponse:
-    loop = given.system
-    H = loop.H if loop.closed else sp.S.Zero
-    return judges.closed_response(loop.C, loop.G, H, loop.variable, loop.delay)
-
-
-@frequency_response.verification("magnitude", "phase", "y_steady_state")
-def is_the_value(given: Given[OpenLoop, ResponseOptions], answers: Answers) -> Iterable[Check]:
-    """T(jω) by numbers; phases are judged up to full turns."""
-    found, options = _numbers(given), given.options
-    at = judges.frequencies_asked(options.input, options.frequency)
-    if "magnitude" in answers:
-        yield Check.within("$|T(j\\omega)|$", BY_VALUES, found.magnitude_residual(answers["magnitude"], at), TOLERANCE,
-                           answer="magnitude")  # fmt: skip
-    if "phase" in answers:
-        yield Check.within("$\\angle T(j\\omega)$", BY_VALUES, found.phase_residual(answers["phase"], at), TOLERANCE,
-                           answer="phase")  # fmt: skip
-    if "y_steady_state" in answers:
-        residual = found.steady_residual(answers["y_steady_state"], options.input)
-        yield Check.within("the steady answer to the input", BY_VALUES, residual, TOLERANCE, answer="y_steady_state")
-
-
-@frequency_response.verification("resonant_frequency", "resonant_peak", "resonant_phase")
-def is_the_largest(given: Given[OpenLoop, ResponseOptions], answers: Answers) -> Iterable[Check]:
-    """The largest magnitude is sought among samples and refined."""
-    peak = _numbers(given).peak()
-    for name, place in (("resonant_frequency", 0), ("resonant_peak", 1), ("resonant_phase", 2)):
-        if name in answers:
-            known = [] if peak is None else [peak[place]]
-            judged = "phase_margin" if place == 2 else name  # modulo 360°
-            residual = judges.margin_residual(answers[name], known, judged) if known else float("inf")
-            yield Check.within(
-                "the largest magnitude and where it is", "mpmath, samples refined", residual, TOLERANCE, answer=name
-            )
-
-
-@frequency_response.verification("bandwidth")
-def falls_there_first(given: Given[OpenLoop, ResponseOptions], answers: Answers) -> Iterable[Check]:
-    """The first frequency of all samples where |T| has fallen to |T(0)|/√2."""
-    found = _numbers(given).bandwidth()
-    residual = judges.margin_residual(answers["bandwidth"], [found], "bandwidth") if found else float("inf")
-    yield Check.within("$|T(j\\omega_b)| = |T(0)|/\\sqrt{2}$", "mpmath, samples bisected", residual, TOLERANCE)

@@ -22,6 +22,9 @@ SIGN = Slip("phase_sign", "the sign of the phase is reversed")
 DECIBELS = Slip("decibels", "this is the magnitude in dB; the ratio is asked for")
 SQUARED = Slip("squared", "this is $|T|^2$; the root is missing")
 HERTZ = Slip("hertz", "the frequency is in Hz; rad/s are asked for")
+NORMALIZED = Slip("rad_per_sample", "this is ωT, the frequency in rad per sample; rad/s are asked for")
+POINT_JW = Slip("jw_put_into_z", "jω is put in for z; on the unit circle it is e^{jωT}")
+WITHOUT_T = Slip("period_left_out", "T is missing in e^{jωT}")
 OPEN_LOOP = Slip("open_loop", "this is the answer of the open loop")
 
 
@@ -32,6 +35,9 @@ def register(task: Task[OpenLoop, ResponseOptions]) -> None:
     task.mistake(DECIBELS, "magnitude", "resonant_peak")(in_decibels)
     task.mistake(SQUARED, "magnitude", "resonant_peak")(squared)
     task.mistake(HERTZ, "resonant_frequency", "bandwidth")(in_hertz)
+    task.mistake(NORMALIZED, "resonant_frequency", "bandwidth")(in_rad_per_sample)
+    task.mistake(POINT_JW, "magnitude", "phase")(with_jw_for_z)
+    task.mistake(WITHOUT_T, "magnitude", "phase")(without_the_period)
     task.mistaken_question(OPEN_LOOP)(without_feedback)
 
 
@@ -59,6 +65,42 @@ def squared(wrong: Wrong) -> Iterable[Any]:
 def in_hertz(wrong: Wrong) -> Iterable[Any]:
     """The frequency over 2π."""
     yield sp.N(wrong.ours / (2 * sp.pi), 30)
+
+
+def in_rad_per_sample(wrong: Wrong) -> Iterable[Any]:
+    """ωT."""
+    period = wrong.given.system.sample_time
+    if wrong.given.system.discrete and period not in (None, 1):
+        yield wrong.ours * period
+
+
+def _at_the_frequency(wrong: Wrong, T: exact.OnAxis) -> Iterable[Any]:
+    """Magnitude or phase of another function at the frequency of the question."""
+    omega = wrong.given.options.frequency
+    if wrong.given.system.discrete and omega is not None and omega.is_number:
+        yield T.magnitude(omega) if wrong.name == "magnitude" else T.phase(omega)
+
+
+def with_jw_for_z(wrong: Wrong) -> Iterable[Any]:
+    """T(jω), as if z were s."""
+    if wrong.given.system.discrete:
+        above, below = _closed(wrong)
+        yield from _at_the_frequency(wrong, exact.on_axis(above, below, wrong.given.system.variable))
+
+
+def without_the_period(wrong: Wrong) -> Iterable[Any]:
+    """T(e^{jω})."""
+    if wrong.given.system.discrete and wrong.given.system.sample_time != 1:
+        above, below = _closed(wrong)
+        yield from _at_the_frequency(wrong, exact.on_circle(above, below, wrong.given.system.variable, sp.S.One))
+
+
+def _closed(wrong: Wrong) -> tuple[Any, Any]:
+    """Numerator and denominator of T."""
+    loop = wrong.given.system
+    L = loop.numerator / loop.denominator
+    above, below = sp.fraction(sp.cancel(loop.C * loop.G / (1 + L) if loop.closed else L))
+    return above, below
 
 
 def without_feedback(system: System, options: ResponseOptions) -> tuple[System, ResponseOptions] | None:

@@ -28,23 +28,25 @@ def _quotient(factor: Any, s: Any) -> Callable[[Any], Any]:
 
 @dataclass(frozen=True)
 class ClosedResponse:
-    """T by its factors: formulas in s and the dead time T of the plant."""
+    """T by its factors: formulas in s and the dead time of the plant; in z with a sampling period."""
 
     C: Any
     G: Any
     H: Any
     s: Any
     delay: Any
+    period: Any = None
 
     @cached_property
     def _function(self) -> Callable[[Any], Any]:
         parts = [_quotient(each, self.s) for each in (self.C, self.G, self.H)]
         late = decimal(self.delay)
+        period = None if self.period is None else decimal(self.period)
 
         def value(omega: Any) -> Any:
-            at = mpmath.mpc(0, omega)
+            at = mpmath.mpc(0, omega) if period is None else mpmath.expj(omega * period)
             C, G, H = (part(at) for part in parts)
-            forward = C * G * mpmath.exp(-at * late)
+            forward = C * G * (mpmath.exp(-at * late) if late else 1)
             return forward / (1 + forward * H)
 
         return value
@@ -79,7 +81,12 @@ class ClosedResponse:
         return worst
 
     def steady_residual(self, y: Any, u: Any) -> float:
-        """How far y(t) is from Im or Re of T(jω) e^{jωt}, by the input's amplitudes at two moments."""
+        """How far y(t) is from Im or Re of T(jω) e^{jωt}, by the input's amplitudes at two moments.
+
+        Of a discrete loop y is a function of k, t = kT, and told by its samples.
+        """
+        if self.period is not None:
+            return self._sampled_residual(y, u)
         t = sp.Symbol("t")
         omega = frequencies_asked(u, None)
         if omega is None or y.free_symbols - {t}:
@@ -97,6 +104,34 @@ class ClosedResponse:
                 worst = max(worst, float(abs(wanted - own) / (abs(value) * (abs(cosine) + abs(sine)))))
         return worst
 
+    def frequency_asked(self, u: Any, omega: Any) -> Any:
+        """The frequency of a question in rad/s; None for a function."""
+        if u is None or self.period is None:
+            return frequencies_asked(u, omega)
+        if u.has(sp.Symbol("t")):
+            return frequencies_asked(u, None)
+        asked = frequencies_asked(u, None, sp.Symbol("k"))
+        return None if asked is None else asked / self.period
+
+    def _sampled_residual(self, y: Any, u: Any) -> float:
+        t, k = sp.symbols("t k")
+        omega = self.frequency_asked(u, None)
+        samples = y.subs(t, k * self.period)
+        if omega is None or samples.free_symbols - {k}:
+            return WRONG
+        time = t if u.has(t) else k
+        quarter = sp.pi / (2 * (omega if time == t else omega * self.period))
+        with mpmath.workdps(WORKING):
+            w, T = decimal(omega), decimal(self.period)
+            cosine, sine = (decimal(u.subs(time, at)) for at in (0, quarter))
+            value, worst = self.value(w), 0.0
+            for moment in (0, 1, 2, 5, 13):
+                turned = value * mpmath.expj(w * T * moment)
+                wanted = cosine * mpmath.re(turned) + sine * mpmath.im(turned)
+                own = decimal(samples.subs(k, moment))
+                worst = max(worst, float(abs(wanted - own) / (abs(value) * (abs(cosine) + abs(sine)))))
+        return worst
+
     @cached_property
     def _samples(self) -> tuple[Any, Any]:
         """Frequencies and magnitudes, in doubles."""
@@ -104,17 +139,35 @@ class ClosedResponse:
         roots = [
             abs(z) for p in whole for z in np.roots([complex(c) for c in sp.Poly(p, self.s).all_coeffs()]) if abs(z)
         ]
+        if self.period is not None:
+            return self._on_circle(whole)
         scale = (min(roots), max(roots)) if roots else (1.0, 1.0)
         close = [abs(z) * (1 + d) for z in roots for d in np.linspace(-0.05, 0.05, 201)]
         omega = np.unique([*np.geomspace(scale[0] / 1e4, scale[1] * 1e4, SAMPLES), *close])
         return omega, np.array([float(abs(self._function(mpmath.mpf(w)))) for w in omega])
 
+    def _on_circle(self, whole: Any) -> tuple[Any, Any]:
+        """Frequencies from 0 to π/T, close about the angles of the roots, and magnitudes."""
+        T = float(decimal(self.period))
+        roots = [z for p in whole for z in np.roots([complex(c) for c in sp.Poly(p, self.s).all_coeffs()]) if abs(z)]
+        close = [abs(np.angle(z)) + d * max(abs(abs(z) - 1), 1e-4) for z in roots for d in np.linspace(-6, 6, 121)]
+        theta = [*np.linspace(0, np.pi, SAMPLES // 2)[1:-1], *np.geomspace(1e-6, 1e-2, 200), *close]
+        omega = np.unique([each / T for each in theta if 0 < each < np.pi * (1 - 1e-12)])
+        with mpmath.workdps(WORKING):
+            at = [*(mpmath.mpf(w) for w in omega), mpmath.pi / decimal(self.period)]
+            return np.array([float(w) for w in at]), np.array([float(abs(self._function(w))) for w in at])
+
     def peak(self) -> tuple[Any, Any, Any] | None:
         """The frequency of the largest magnitude, that, and the phase; None where it is largest at an end."""
         omega, sizes = self._samples
         i = int(np.argmax(sizes))
-        if i in (0, len(omega) - 1):
+        if i == 0 or (i == len(omega) - 1 and self.period is None):
             return None
+        if i == len(omega) - 1:
+            with mpmath.workdps(WORKING):
+                last = mpmath.pi / decimal(self.period)
+                value = self.value(last)
+                return last, abs(value), mpmath.degrees(mpmath.arg(value))
         with mpmath.workdps(WORKING):
             a, b = mpmath.mpf(omega[i - 1]), mpmath.mpf(omega[i + 1])
             step = mpmath.mpf(10) ** -12
@@ -145,16 +198,16 @@ class ClosedResponse:
             return a
 
 
-def closed_response(C: Any, G: Any, H: Any, s: Any, delay: Any) -> ClosedResponse:
-    """Return T = C G e^{−Ts}/(1 + C G e^{−Ts} H)."""
-    return ClosedResponse(sp.S.Zero + C, sp.S.Zero + G, sp.S.Zero + H, s, sp.S.Zero + delay)
+def closed_response(C: Any, G: Any, H: Any, s: Any, delay: Any, period: Any = None) -> ClosedResponse:
+    """Return T = C G e^{−Ts}/(1 + C G e^{−Ts} H); with a sampling period that of a discrete loop."""
+    return ClosedResponse(sp.S.Zero + C, sp.S.Zero + G, sp.S.Zero + H, s, sp.S.Zero + delay, period)
 
 
-def frequencies_asked(u: Any, omega: Any) -> Any:
-    """The frequency of a question: that of its input; None for a function."""
+def frequencies_asked(u: Any, omega: Any, t: Any = None) -> Any:
+    """The frequency of a question: that of its input, a function of t; None for a function."""
     if u is None:
         return omega
-    t = sp.Symbol("t")
+    t = sp.Symbol("t") if t is None else t
     angles = {abs(each.args[0].coeff(t)) for each in u.atoms(sp.cos, sp.sin)}
     return angles.pop() if len(angles) == 1 else None
 
