@@ -31,7 +31,7 @@ def by_z_transform(asked: Question) -> Derivation[dict[str, Expr]]:
         yield from _image(asked.inputs[name], asked.pieces[name], asked.names(name))
     for i, pieces in enumerate(asked.rests):
         if pieces:
-            yield from _image(asked.operators.rows[i].rest, pieces, _rest_names(asked, i))
+            yield from _image(asked.operators.rows[i].rest, pieces, _rest_names(asked, i), rest=True)
     yield _equations(asked)
     yield _solved(asked)
     found = {}
@@ -74,13 +74,16 @@ def _scaled(factor: Expr, what: Any) -> Any:
 
 
 def _rest_names(asked: Question, i: int) -> Names:
-    """What the rest of a row is called."""
+    """What the rest of a row is called: by a letter that the equations leave free."""
+    model = asked.model
+    taken = {*model.unknowns, *model.inputs, *(str(each) for each in model.parameters)}
+    letter = next((each for each in "rghvwpq" if not {each, each.upper()} & taken), "r")
     number = f"_{{{i + 1}}}" if len(asked.operators.rows) > 1 else ""
-    return Names(f"R{number}", f"r{number}", asked.z, asked.k)
+    return Names(f"{letter.upper()}{number}", f"{letter}{number}", asked.z, asked.k)
 
 
 @lemma("transformed_samples")
-def _image(f: Expr, pieces: tuple[exact.TransformPiece, ...], names: Names) -> Derivation[None]:
+def _image(f: Expr, pieces: tuple[exact.TransformPiece, ...], names: Names, *, rest: bool = False) -> Derivation[None]:
     """The transform of a sequence that acts, by the table and the rules."""
     k, z = names.t, names.s
     image = exact.sequence_transform(pieces, k, z)
@@ -90,7 +93,7 @@ def _image(f: Expr, pieces: tuple[exact.TransformPiece, ...], names: Names) -> D
         yield from transformed(f, pieces, names)
     claims = {"U": Claim(names.transform(pieces[0].function), image, "from the table")} if at_once else {}
     yield Step("input", claims=claims, unclaimed="" if claims else "the terms added", image=image, function=f,
-               at_once=at_once, **names.told)  # fmt: skip
+               at_once=at_once, rest=rest, **names.told)  # fmt: skip
 
 
 def _shifts(asked: Question) -> Step:
