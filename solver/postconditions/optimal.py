@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -54,26 +54,51 @@ def of_riccati(found: Any, A: Any, B: Any, Q: Any, R: Any) -> Iterator[Claim | C
     yield Claim(product(B, inverse(R), transpose(B)), found.G)
     yield Claim(total(product(transpose(A), P), product(P, A), Q), product(P, found.G, P))
     yield Check.that("exactness", "decimals", bool(P.has(sp.Float)) != bool(found.stabilizing.exact))
-    loop = A - found.G * P
+    yield from _stable(A - found.G * P, lambda values: values.real)
+
+
+def of_discrete_riccati(found: Any, A: Any, B: Any, Q: Any, R: Any) -> Iterator[Claim | Check]:
+    """P solves the equation, its loop is stable; H is that of the pencil; it is exact where it holds no decimals."""
+    P, Bt = found.stabilizing.P, transpose(B)
+    gain = product(inverse(total(R, product(Bt, P, B))), Bt, P, A)
+    yield Claim(total(Q, product(transpose(A), P, A)), total(P, product(transpose(A), P, B, gain)))
+    yield Check.that("exactness", "decimals", bool(P.has(sp.Float)) != bool(found.stabilizing.exact))
+    if R.rank() == R.rows:
+        one, G = sp.eye(A.rows), sp.Matrix(B * R.LUsolve(sp.Matrix(B.T)))
+        M = sp.Matrix(sp.BlockMatrix([[A, sp.zeros(*A.shape)], [-Q, one]]))
+        E = sp.Matrix(sp.BlockMatrix([[one, G], [sp.zeros(*A.shape), A.T]]))
+        yield Claim(product(sp.ImmutableMatrix(M + E), found.H), sp.ImmutableMatrix(M - E))
+    if not any(X.free_symbols for X in (A, B, R, P)):
+        a, b, r, p = (np.array(X.evalf(30).tolist(), dtype=float) for X in (A, B, R, P))
+        loop = a - b @ np.linalg.solve(r + b.T @ p @ b, b.T @ p @ a)
+        yield from _stable(sp.Matrix(loop), lambda values: np.abs(values) - 1)
+
+
+def _stable(loop: Any, excess: Callable[[Any], Any]) -> Iterator[Check]:
+    """No eigenvalue exceeds the border of stability by more than rounding does."""
     if not loop.free_symbols and loop.is_square:
         values = np.linalg.eigvals(np.array(loop.evalf(30).tolist(), dtype=complex))
-        stable = bool(values.real.max() < 1e-6 * (1 + np.abs(values).max()))
+        stable = bool(excess(values).max() < 1e-6 * (1 + np.abs(values).max()))
         yield Check.that("the stabilizing solution", "numpy.linalg.eigvals", stable)
 
 
-def of_minimal_solution(found: Any, A: Any, _B: Any, Q: Any, _R: Any) -> Iterator[Check]:
+def of_minimal_solution(found: Any, A: Any, _B: Any, Q: Any, _R: Any, *, discrete: bool = False) -> Iterator[Check]:
     """The modes that do not decay and that Q does not see; none where [λI − A; Q] has rank n at each of them."""
     if A.free_symbols or Q.free_symbols:
         return
     a, q = (np.array(M.evalf(30).tolist(), dtype=float) for M in (A, Q))
+
+    def grows(value: Any) -> bool:
+        return bool(abs(value) > 1 if discrete else value.real > 0)
+
     if found is None:
-        for value in filter(lambda value: value.real > 0, np.linalg.eigvals(a)):
+        for value in filter(grows, np.linalg.eigvals(a)):
             sizes = np.linalg.svd(np.vstack([value * np.eye(len(a)) - a, q]), compute_uv=False)
             yield Check.that("modes that are seen", "numpy.linalg.svd", bool(sizes[-1] > 1e-9 * sizes[0]))
         return
     V = np.array(found.unseen.evalf(30).tolist(), dtype=float)
     within = np.linalg.lstsq(V, a @ V, rcond=None)[0]
-    values = sorted(filter(lambda value: value.real > 0, np.linalg.eigvals(within)), key=_place)
+    values = sorted(filter(grows, np.linalg.eigvals(within)), key=_place)
     modes = sorted(map(complex, found.modes), key=_place)
     same = len(modes) == len(values) and np.allclose(modes, values, atol=1e-4 * (1 + np.abs(a).max()))
     yield Check.that("modes that are not seen", "numpy.linalg.eigvals", bool(same))

@@ -7,7 +7,6 @@ from scipy.linalg import solve_continuous_are
 
 from solver import solve
 from solver.derivation import Status
-from solver.problem.source import InputError
 from tests.helpers.asking import ask, rejected, system
 
 METHODS = ("riccati", "hamiltonian")
@@ -63,20 +62,6 @@ def test_an_unseen_unstable_mode_is_named():
     result = ask("kalman_filter", system([[1, 0], [0, -1]], C=[[0, 1]]), **ASKED)
     assert result.status is Status.UNSOLVED
     assert "not detectable: the mode $\\lambda = 1$" in str(result.reason)
-
-
-@pytest.mark.parametrize("task", ["lqr", "kalman_filter"])
-def test_discrete_time_is_refused_at_its_place(task):
-    text = (
-        "system: {time: discrete, A: [[1, 1], [0, 1]], B: [0, 1], C: [1, 0]}\n"
-        f"find:\n  a: observability\n  b: {{task: {task}, R: 1}}\n"
-    )
-    with pytest.raises(InputError) as refused:
-        solve(text)
-    said = refused.value.render()
-    assert ":4:13:" in said
-    assert f"{task} cannot be asked of a system in discrete time" in said
-    assert "its methods (riccati, hamiltonian) are for continuous time" in said
 
 
 RIGHT = ask("kalman_filter", PLANT, **ASKED).answers

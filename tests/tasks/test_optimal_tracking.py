@@ -5,10 +5,10 @@ import pytest
 import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.linalg import solve_discrete_are
 
 from solver import solve
 from solver.derivation import Status
-from solver.problem.source import InputError
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.tried import tried
 
@@ -85,15 +85,15 @@ def test_what_the_file_shows_to_be_wrong_is_refused(options, words):
         solve(text)
 
 
-def test_weights_in_discrete_time_are_refused_at_their_place():
-    text = (
-        "system: {time: discrete, A: [[1, 1], [0, 1]], B: [0, 1], C: [1, 0]}\n"
-        "find:\n  a: {task: optimal_tracking, R: 1}\n"
-    )
-    with pytest.raises(InputError) as refused:
-        solve(text)
-    assert ":3:" in refused.value.render()
-    assert "in discrete time give the gain" in refused.value.render()
+def test_weights_in_discrete_time():
+    plant = system([[1, 1], [0, 1]], discrete=True, B=[[0], [1]], C=[[1, 0]])
+    result = ask("optimal_tracking", plant, R=sp.ImmutableMatrix([[1]]))
+    assert result.status is Status.VERIFIED, result.reason
+    K, F, N = (result.answers[name] for name in ("K", "F", "N"))
+    P = solve_discrete_are(*(floats(M) for M in (plant.A, plant.B, sp.eye(2), sp.eye(1))))
+    A, B = floats(plant.A), floats(plant.B)
+    assert np.allclose(floats(K), np.linalg.solve(1 + B.T @ P @ B, B.T @ P @ A))
+    assert sp.simplify(result.answers["K_o"] - N - K * F) == sp.zeros(1)
 
 
 RIGHT = ask("optimal_tracking", SINGULAR, **ASKED).answers

@@ -65,13 +65,21 @@ class DiscreteRiccati(Riccati):
 
     def loop_gain(self, solution: RiccatiSolution) -> sp.ImmutableMatrix:
         """(R + BᵀPB)⁻¹ BᵀPA (m×n) for a solution."""
+        return self._gain(solution, self.A)
+
+    def current_gain(self, solution: RiccatiSolution) -> sp.ImmutableMatrix:
+        """(R + BᵀPB)⁻¹ BᵀP (m×n) for a solution."""
+        return self._gain(solution, sp.ImmutableMatrix(sp.eye(self.order)))
+
+    def _gain(self, solution: RiccatiSolution, A: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+        """(R + BᵀPB)⁻¹ BᵀPA with any A."""
         found = self.factor_of(solution) if solution.exact else None
         if found is not None:
             tower, coefficients = found
             P = solved(tower, polynomial_at(tower, coefficients, domain_matrix(self.H)))
-            return self._gain_over(tower, P)
+            return self._gain_over(tower, P, A)
         with mpmath.workdps(WORKING_DIGITS):
-            a, b, r, p = (sp.Matrix(rows_of(M, WORKING_DIGITS)) for M in (self.A, self.B, self.R, solution.P))
+            a, b, r, p = (sp.Matrix(rows_of(M, WORKING_DIGITS)) for M in (A, self.B, self.R, solution.P))
             gain = solution_of(*(M.tolist() for M in (r + b.T * p * b, b.T * p * a)))
             return sp.ImmutableMatrix([[decimal_number(entry) for entry in row] for row in gain])
 
@@ -82,10 +90,10 @@ class DiscreteRiccati(Riccati):
         K = self.loop_gain(self.stabilizing)
         return K if N is None else sp.ImmutableMatrix((K + weighted_transpose(N, R)).expand())
 
-    def _gain_over(self, tower: RootTower, P: list[list[Nested]]) -> sp.ImmutableMatrix:
-        whole = domain_matrix(_stacked(self.A, self.B, self.R))
+    def _gain_over(self, tower: RootTower, P: list[list[Nested]], plant: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+        whole = domain_matrix(_stacked(plant, self.B, self.R))
         if not whole.domain.is_QQ and whole.domain.unify(tower.K) != tower.K:
-            return self._gain_of(sp.Matrix([[shown(tower, entry) for entry in row] for row in P]))
+            return self._gain_of(sp.Matrix([[shown(tower, entry) for entry in row] for row in P]), plant)
         lifted = [[tower.constant(c) for c in row] for row in whole.convert_to(tower.K).to_list()]
         n, m = self.order, self.B.cols
         A, B, R = ([row[:n] for row in lifted[:n]], [row[n:] for row in lifted[:n]], [row[n:] for row in lifted[n:]])
@@ -95,11 +103,16 @@ class DiscreteRiccati(Riccati):
         gain = quotient_of(tower, weight, product_of(tower, BtP, A))
         return sp.ImmutableMatrix([[shown(tower, entry) for entry in row] for row in gain])
 
-    def _gain_of(self, P: sp.Matrix) -> sp.ImmutableMatrix:
+    def _gain_of(self, P: sp.Matrix, plant: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
         """The gain where B or R has roots that the equation does not have."""
-        weight, right = (M.expand() for M in (self.R + self.B.T * P * self.B, self.B.T * P * self.A))
+        weight, right = (M.expand() for M in (self.R + self.B.T * P * self.B, self.B.T * P * plant))
         by = sp.radsimp(1 / sp.expand(weight.det()))
         return sp.ImmutableMatrix((weight.adjugate() * right * by).expand())
+
+    @property
+    def unreached(self) -> bool:
+        """Whether the input leaves a mode other than zero where it is."""
+        return any(keep and not _is_zero(group) for group, keep in zip(self.groups, self.fixed, strict=True))
 
     @cached_property
     def symplectic(self) -> sp.ImmutableMatrix | None:

@@ -77,16 +77,16 @@ def common_factors(K: Any, elements: Sequence[Any]) -> tuple[Any, list[tuple[Any
     scale, _ = _factors(K(below))
     numbers = [sp.QQ.convert(n) / scale for x in elements for n in (x * K(below)).numer.coeffs()]
     _, powers = _factors(K(above) / K(below))
-    return sp.QQ(*square_content(numbers)), [each for each in powers if _positive(each[0].as_expr())]
+    return sp.QQ(*square_content(numbers)), [each for each in powers if known_positive(each[0].as_expr())]
 
 
-def _positive(x: sp.Expr) -> bool:
+def known_positive(x: sp.Expr) -> bool:
     """Whether a polynomial other than zero is known to be positive, up to special values where it is zero.
 
     A quadratic a y² + b y + c is where a and 4ac − b² are.
     """
-    if is_positive(x):
-        return True
+    if is_positive(x) or not x.is_polynomial(*x.free_symbols):
+        return is_positive(x)
     for y in sorted(x.free_symbols, key=str):
         p = sp.Poly(x, y)
         if p.degree() == 2 and y.is_real is not False:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from solver.exact.linear_algebra.signs import is_not_zero, is_positive
+from solver.exact.optimal.field_roots import known_positive
 
 MOST_NODES = 60
 LONGEST = 250
@@ -225,5 +226,14 @@ def _real_pair(middle: sp.Expr, square: sp.Expr) -> tuple[tuple[sp.Expr, ...], s
     elif is_positive(-square) or sp.factor(square).is_negative:
         return (), None
     root = _root_of_sum(square) if square.free_symbols else sp.sqrtdenest(sp.sqrt(square))
-    known = not square.free_symbols or is_positive(square) or sp.factor(square).is_positive
+    known = not square.free_symbols or is_positive(square) or sp.factor(square).is_positive or _of_positives(square)
     return (_tidy(middle + root), _tidy(middle - root)), None if known else square
+
+
+def _of_positives(value: sp.Expr) -> bool:
+    """Whether a quotient of polynomials has factors only that are known to be positive, or squares."""
+    if not value.is_rational_function(*value.free_symbols):
+        return False
+    above, below = sp.fraction(sp.together(value))
+    number, factors = sp.factor_list(sp.expand(above * below))
+    return bool(number > 0) and all(power % 2 == 0 or known_positive(factor) for factor, power in factors)

@@ -45,6 +45,32 @@ def discrete_riccati_entries(
     return sp.expand(ring.to_sympy(delta)), sp.ImmutableMatrix(n, n, entries).applyfunc(sp.expand)
 
 
+def riccati_weight(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix, P: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
+    """R + BᵀPB (m×m) multiplied out."""
+    return expanded(R + B.T * P * B)
+
+
+def expanded(M: sp.MatrixBase) -> sp.ImmutableMatrix:
+    """The entries multiplied out, but not what stands under a root of parameters."""
+    return sp.ImmutableMatrix(M.applyfunc(expanded_around_roots))
+
+
+def expanded_around_roots(value: sp.Expr) -> sp.Expr:
+    """The expression multiplied out, but not what stands under a root of parameters."""
+    half = sp.Rational(1, 2)
+    roots = {each: sp.Dummy() for each in value.atoms(sp.Pow) if each.exp == half and each.free_symbols}
+    if not roots:
+        return sp.expand(value)
+    squares = {dummy: root.base for root, dummy in roots.items()}
+    x = sp.Poly(sp.expand(value.xreplace(roots)), *squares)
+    terms = []
+    for powers, c in x.terms():
+        parts = zip(squares.items(), powers, strict=True)
+        terms.append(c * sp.Mul(*(square ** (power // 2) * dummy ** (power % 2) for (dummy, square), power in parts)))
+    back = {dummy: root for root, dummy in roots.items()}
+    return sp.expand(sp.Add(*terms)).xreplace(back)
+
+
 def _determinant_and_adjugate(M: DomainMatrix) -> tuple[Any, DomainMatrix]:
     """Of a square matrix over a ring; of order 1 without any division."""
     if M.shape == (1, 1):

@@ -1,4 +1,7 @@
-"""The steady-state Kalman filter: the observer gain that minimizes the variance of the estimation error."""
+"""The steady-state Kalman filter: the observer gain that minimizes the variance of the estimation error.
+
+In discrete time x̂(k+1) = A x̂(k) + B u(k) + L (y(k) − C x̂(k)) predicts, and x̂(k) + L_c (y(k) − C x̂(k)) is current.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ from solver.derivation import (
     option,
 )
 from solver.derivation.figures import Diagram
-from solver.lazy import exact
+from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
@@ -29,9 +32,12 @@ from solver.stated.algebra import difference, product
 from solver.stated.matrices import inverse
 from solver.tasks import consequences, figures, meanings, mistakes
 from solver.tasks.design.regulator import REGULATING, Regulator, faulty_weights, given_or_identity
+from solver.tasks.design.regulator_formulas import gain_of
 from solver.tasks.design.regulator_products import products_of_the_gain
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
+    FLOATS,
+    are_of,
     equations_check,
     gain_check,
     listed_checks,
@@ -60,7 +66,7 @@ class KalmanFilterOptions(PlantOptions):
     """The intensities of the noise."""
 
     Q: ImmutableMatrix | None = option(
-        MatrixOf("n", "n"), "intensity of the noise on x', n×n, positive semidefinite (default I)"
+        MatrixOf("n", "n"), "intensity of the noise on x' (discrete: on x(k+1)), n×n, positive semidefinite (default I)"
     )
     R: ImmutableMatrix | None = option(
         MatrixOf("p", "p"), "intensity of the noise on y, p×p, positive definite (default I)"
@@ -84,6 +90,13 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
             principal=True,
             earned=REGULATING,
         ),
+        AnswerName(
+            "L_current",
+            r"L_{\text{cur}}",
+            "the gain by which a measurement corrects the estimate of the same time (discrete)",
+            optional=True,
+            told=("current",),
+        ),
         AnswerName("error_A", r"A - \sym{L}C", "the matrix of the estimation error"),
         AnswerName("eigenvalues", r"\lambda_i", "its eigenvalues", told=("error",)),
         *LISTED,
@@ -93,11 +106,11 @@ kalman_filter: Task[WithOutput, KalmanFilterOptions] = Task(
 
 
 @kalman_filter.refusal
-def wrong_intensities(_system: Any, options: KalmanFilterOptions) -> Iterable[Refusal]:
+def wrong_intensities(system: Any, options: KalmanFilterOptions) -> Iterable[Refusal]:
     """Intensities that are not symmetric and definite as they must be."""
     if not options.has("Q") and not options.has("R"):
         yield "", Reason("regulators/no_noise")
-    yield from faulty_weights(options.Q, options.R)
+    yield from faulty_weights(options.Q, options.R, discrete=system.discrete)
 
 
 def _intensities(given: Given[WithOutput, KalmanFilterOptions]) -> tuple[ImmutableMatrix, ImmutableMatrix]:
@@ -125,15 +138,17 @@ def _duality(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Regula
         Ct=C,
         chosen=given.options.Q is None or given.options.R is None,
         rounded=exact.negative_by_rounding(Q),
+        discrete=given.system.discrete,
     )
-    return Regulator.of(A, C, Q, R, dual=True)
+    return Regulator.of(A, C, Q, R, dual=True, discrete=given.system.discrete)
 
 
-@kalman_filter.method(
-    "riccati", title="Riccati equation", source="Lecture note, sections 4.3 and 5.5", time="continuous"
-)
+@kalman_filter.method("riccati", title="Riccati equation", source="Lecture note, sections 4.3 and 5.5")
 def by_the_riccati_equation(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Answers]:
-    """Solve AP + PAᵀ − P Cᵀ R⁻¹ C P + Q = 0 entry by entry and choose the stabilizing solution."""
+    """Solve AP + PAᵀ − P Cᵀ R⁻¹ C P + Q = 0 entry by entry and choose the stabilizing solution.
+
+    In discrete time the equation is P = Q + APAᵀ − APCᵀ (R + CPCᵀ)⁻¹ CPAᵀ.
+    """
     problem = yield from _duality(given)
     equation, listed = yield from solutions_by_equations(problem)
     answers = yield from _filter(given.system, problem, equation)
@@ -143,12 +158,11 @@ def by_the_riccati_equation(given: Given[WithOutput, KalmanFilterOptions]) -> De
 
 @kalman_filter.method(
     "hamiltonian",
-    title="Hamiltonian matrix",
+    title="Hamiltonian matrix (discrete: symplectic pencil)",
     source="Lancaster and Rodman, Algebraic Riccati Equations",
-    time="continuous",
 )
 def by_the_hamiltonian_matrix(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Answers]:
-    """Take the stable half of the spectrum of the Hamiltonian matrix of (Aᵀ, Cᵀ); its invariant subspace gives P."""
+    """Take the stable half of the spectrum of the Hamiltonian matrix or pencil of (Aᵀ, Cᵀ); its subspace gives P."""
     problem = yield from _duality(given)
     equation = yield from solution_by_hamiltonian(problem)
     return (yield from _filter(given.system, problem, equation))
@@ -156,29 +170,59 @@ def by_the_hamiltonian_matrix(given: Given[WithOutput, KalmanFilterOptions]) -> 
 
 @lemma("kalman_gain")
 def _filter(plant: WithOutput, problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
-    """Find L = P Cᵀ R⁻¹ and the matrix of the error."""
-    P, C = equation.stabilizing.P, sp.ImmutableMatrix(problem.B.T)
+    """Find L = P Cᵀ R⁻¹, or the two gains of discrete time, and the matrix of the error."""
+    P, C, discrete = equation.stabilizing.P, problem.Bt, problem.discrete
     L = sp.ImmutableMatrix(equation.gain(problem.B, problem.R).T)
-    claims = {"L": Claim(product(P, problem.B, inverse(problem.R)), L, "the gain of the filter")}
-    yield Step("gain", claims=claims, L=L, steps=products_of_the_gain(problem, P))
+    current = (yield from _current_gain(problem, equation)) if isinstance(equation, exact.DiscreteRiccati) else None
+    if current is None:
+        claims = {"L": Claim(product(P, problem.B, inverse(problem.R)), L, "the gain of the filter")}
+        yield Step("gain", claims=claims, L=L, steps=products_of_the_gain(problem, P))
+    else:
+        claims = {"L": Claim(product(sp.ImmutableMatrix(problem.A.T), current), L, "the gain of the filter")}
+        yield Step("prediction", claims=claims, L=L)
     A = sp.ImmutableMatrix(problem.A.T)
-    error = sp.ImmutableMatrix((A - L * C).expand())
+    expand = exact.expanded_around_roots if discrete else sp.expand
+    error = sp.ImmutableMatrix((A - L * C).applyfunc(expand))
     yield Step(
         "error",
         claims={"error": Claim(difference(A, product(L, C)), error, "matrix of the error $A - LC$")},
         eigenvalues=equation.eigenvalues,
+        discrete=discrete,
         figures=(
             *_loop(plant, problem.restored(L)),
             *figures.plane(
                 "Poles of the error, without correction and with it",
                 figures.eigenvalues_of("without correction", A),
                 figures.roots("with correction", equation.eigenvalues, "square"),
+                discrete=discrete,
             ),
-            *figures.error_of_estimate(error, "e", discrete=False),
+            *figures.error_of_estimate(error, r"\tilde{x}" if discrete else "e", discrete=discrete),
         ),
     )
     answers = Answers(P=P, L=L, error_A=error, eigenvalues=equation.eigenvalues)
+    if current is not None:
+        answers["L_current"] = current
     return Answers(**{name: problem.restored(value) for name, value in answers.items()})
+
+
+@lemma("kalman_gain")
+def _current_gain(problem: Regulator, equation: exact.DiscreteRiccati) -> Derivation[ImmutableMatrix]:
+    """Find P Cᵀ (R + C P Cᵀ)⁻¹, and the covariance that a measurement leaves."""
+    P, C = equation.stabilizing.P, problem.Bt
+    L = sp.ImmutableMatrix(equation.current_gain(equation.stabilizing).T)
+    weight = exact.riccati_weight(problem.B, problem.R, P)
+    left = sp.ImmutableMatrix((P - L * C * P).applyfunc(exact.expanded_around_roots))
+    yield Step(
+        "current",
+        claims={
+            "weight": Claim(problem.weight_of(P), weight, "the covariance of what is measured"),
+            "L": Claim(product(P, problem.B, inverse(weight)), L, "the current gain"),
+            "left": Claim(difference(P, product(L, C, P)), left, "the covariance after the measurement"),
+        },
+        L=L,
+        steps=products_of_the_gain(problem, P),
+    )
+    return L
 
 
 def _loop(plant: WithOutput, L: ImmutableMatrix) -> tuple[Diagram, ...]:
@@ -194,7 +238,8 @@ def _loop(plant: WithOutput, L: ImmutableMatrix) -> tuple[Diagram, ...]:
 def _problem(given: Given[WithOutput, KalmanFilterOptions]) -> Weights:
     """The dual regulator problem, for the judges."""
     A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
-    return judges.Weights(A, C, *_intensities(given))
+    kind = judges.DiscreteWeights if given.system.discrete else judges.Weights
+    return kind(A, C, *_intensities(given))
 
 
 def _transposed(M: Any) -> Any:
@@ -203,15 +248,31 @@ def _transposed(M: Any) -> Any:
 
 @kalman_filter.verification("P")
 def is_the_stabilizing_solution(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
-    """P is symmetric, solves the Riccati equation, and A − PCᵀR⁻¹C is Hurwitz; there is only one such P."""
-    yield from stabilizing_checks(_problem(given), answers["P"], "A - PC^{T}R^{-1}C")
+    """P is symmetric, solves the Riccati equation, and A − PCᵀR⁻¹C is stable; there is only one such P."""
+    gain = "APC^{T}(R + CPC^{T})^{-1}" if given.system.discrete else "PC^{T}R^{-1}"
+    yield from stabilizing_checks(_problem(given), answers["P"], f"A - {gain}C")
 
 
 @kalman_filter.verification("L")
 def is_optimal(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
-    """L stabilizes the error and is PCᵀR⁻¹ for the covariance P that it leads to."""
-    label = "$A - LC$ is stable, and $L = PC^{T}R^{-1}$ for the covariance $P$ that $L$ leads to"
+    """L stabilizes the error and is PCᵀR⁻¹ for the covariance P that it leads to; discrete APCᵀ(R + CPCᵀ)⁻¹."""
+    label = (
+        "$A - LC$ is stable, and $L = APC^{T}(R + CPC^{T})^{-1}$ for the covariance $P$ that $L$ leads to"
+        if given.system.discrete
+        else "$A - LC$ is stable, and $L = PC^{T}R^{-1}$ for the covariance $P$ that $L$ leads to"
+    )
     yield gain_check(_problem(given), _transposed(answers["L"]), "L", label)
+
+
+@kalman_filter.verification("L_current")
+def corrects_at_best(given: Given[WithOutput, KalmanFilterOptions], answers: Answers) -> Iterable[Check]:
+    """PCᵀ(R + CPCᵀ)⁻¹ with scipy's P."""
+    yield numeric.check_residual(
+        "$PC^{T}(R + CPC^{T})^{-1}$ with the optimal $P$",
+        are_of(given.system.discrete),
+        lambda: judges.current_gain_residual(_problem(given), _transposed(answers["L_current"])),
+        FLOATS,
+    )
 
 
 @kalman_filter.verification("error_A")
@@ -245,8 +306,10 @@ kalman_filter.consequence("definiteness", of=("solutions",), symbolic=False)(con
 
 @kalman_filter.consequence("L", of=("P",))
 def gain_of_the_covariance(given: Given[WithOutput, KalmanFilterOptions], found: Mapping[str, Any]) -> Any:
-    """L = P Cᵀ R⁻¹."""
-    return sp.ImmutableMatrix(found["P"] * given.system.C.T * _intensities(given)[1].inv())
+    """L = P Cᵀ R⁻¹, in discrete time A P Cᵀ (R + C P Cᵀ)⁻¹."""
+    A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
+    R = _intensities(given)[1]
+    return sp.ImmutableMatrix(gain_of(A, C, R, found["P"], discrete=given.system.discrete).T)
 
 
 kalman_filter.mistake(mistakes.ADDED, "error_A")(mistakes.plus_for_minus)
@@ -255,7 +318,7 @@ kalman_filter.mistake(mistakes.OBSERVER_ADDED, "L")(mistakes.negative)
 
 @kalman_filter.mistake(mistakes.OF_ANOTHER_SOLUTION, "L")
 def gain_of_another_solution(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Iterable[Any]:
-    """L = PCᵀR⁻¹ of a P that is not the stabilizing one."""
+    """L of a P that is not the stabilizing one."""
     for P in wrong.answers.get("solutions", ()):
         yield gain_of_the_covariance(wrong.given, {"P": P})
 

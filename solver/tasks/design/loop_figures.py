@@ -60,7 +60,13 @@ def zero_input_response(loop: ImmutableMatrix, plant: StateSpace, K: ImmutableMa
 
 
 def optimal_loop(
-    A: ImmutableMatrix, loop: ImmutableMatrix, K: ImmutableMatrix, poles: Iterable[Any], x0: ImmutableMatrix | None
+    A: ImmutableMatrix,
+    loop: ImmutableMatrix,
+    K: ImmutableMatrix,
+    poles: Iterable[Any],
+    x0: ImmutableMatrix | None,
+    *,
+    discrete: bool = False,
 ) -> tuple[Figure, ...]:
     """The poles before and after, and x and u of the optimal loop; from ones where no numbers are given."""
     start = figures.start_of(None if x0 is None or x0.free_symbols else x0, A.rows)
@@ -68,7 +74,8 @@ def optimal_loop(
         "Poles of the open loop and of the optimal one",
         figures.eigenvalues_of("open loop", A),
         figures.roots("optimal loop", poles, "square"),
+        discrete=discrete,
     )
     caption = Phrase("The optimal loop from $x(0) = {x0}$", x0=figures.column(start))
     panels = (figures.states(A.rows), figures.inputs(sp.ImmutableMatrix(-K)))
-    return (*moved, *figures.motion(caption, loop, start, *panels))
+    return (*moved, *figures.motion(caption, loop, start, *panels, discrete=discrete))

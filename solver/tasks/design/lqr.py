@@ -1,4 +1,4 @@
-"""The linear quadratic regulator: the state feedback that minimizes ∫ xᵀQx + 2xᵀNu + uᵀRu dt."""
+"""The linear quadratic regulator: the state feedback that minimizes ∫ xᵀQx + 2xᵀNu + uᵀRu dt, or the sum over k."""
 
 from __future__ import annotations
 
@@ -32,8 +32,11 @@ from solver.tasks.design.regulator_formulas import initial_state_of, states_of
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
     FLOATS,
+    are_of,
+    cost_oracle,
     equations_check,
     gain_check,
+    gain_formula,
     listed_checks,
     loop_check,
     spectrum_check,
@@ -76,7 +79,7 @@ class LqrOptions(WeightOptions):
 lqr: Task[WithInput, LqrOptions] = Task(
     "lqr",
     title="Linear quadratic regulator",
-    doc="The feedback u = −K x that minimizes ∫ xᵀQx + uᵀRu dt, by the algebraic Riccati equation.",
+    doc="The feedback u = −K x that minimizes ∫ xᵀQx + uᵀRu dt, or its sum, by the algebraic Riccati equation.",
     needs=("A", "B"),
     options=LqrOptions,
     answers=[
@@ -98,7 +101,7 @@ lqr: Task[WithInput, LqrOptions] = Task(
 @lqr.refusal
 def wrong_weights(system: Any, options: LqrOptions) -> Iterable[Refusal]:
     """Weights given twice, of the wrong size, or not definite as they must be."""
-    yield from faulty_weights(options.Q, options.R)
+    yield from faulty_weights(options.Q, options.R, discrete=system.discrete and options.N is None)
     yield from faulty_state_weight(system, options)
     yield from faulty_cross_weight(system, options)
     factor = options.cost_factor
@@ -106,9 +109,12 @@ def wrong_weights(system: Any, options: LqrOptions) -> Iterable[Refusal]:
         yield "cost_factor", Reason("regulators/not_positive", {"name": "cost_factor"})
 
 
-@lqr.method("riccati", title="Riccati equation", source="Lecture note, section 5.3", time="continuous")
+@lqr.method("riccati", title="Riccati equation", source="Lecture note, section 5.3")
 def by_the_riccati_equation(given: Given[WithInput, LqrOptions]) -> Derivation[Answers]:
-    """Solve AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 entry by entry and choose the stabilizing solution."""
+    """Solve AᵀP + PA − P B R⁻¹ Bᵀ P + Q = 0 entry by entry and choose the stabilizing solution.
+
+    In discrete time the equation is P = Q + AᵀPA − AᵀPB (R + BᵀPB)⁻¹ BᵀPA.
+    """
     asked, problem = yield from regulator_of(given)
     equation, listed = yield from solutions_by_equations(problem)
     minimal = yield from minimal_solution_of(problem, listed.solutions)
@@ -121,12 +127,11 @@ def by_the_riccati_equation(given: Given[WithInput, LqrOptions]) -> Derivation[A
 
 @lqr.method(
     "hamiltonian",
-    title="Hamiltonian matrix",
+    title="Hamiltonian matrix (discrete: symplectic pencil)",
     source="Lancaster and Rodman, Algebraic Riccati Equations",
-    time="continuous",
 )
 def by_the_hamiltonian_matrix(given: Given[WithInput, LqrOptions]) -> Derivation[Answers]:
-    """Take the stable half of the spectrum of the Hamiltonian matrix; its invariant subspace gives P."""
+    """Take the stable half of the spectrum of the Hamiltonian matrix or of the pencil; its subspace gives P."""
     asked, problem = yield from regulator_of(given)
     equation = yield from solution_by_hamiltonian(problem)
     return (yield from control_of(given, asked, equation))
@@ -135,20 +140,21 @@ def by_the_hamiltonian_matrix(given: Given[WithInput, LqrOptions]) -> Derivation
 def _problem(given: Given[WithInput, LqrOptions]) -> Weights:
     """The plant and the weights, for the judges."""
     Q, R = state_weight(given), weights_as_stated(given)[1]
-    return judges.Weights(given.system.A, given.system.B, Q, R, given.options.N)
+    kind = judges.DiscreteWeights if given.system.discrete else judges.Weights
+    return kind(given.system.A, given.system.B, Q, R, given.options.N)
 
 
 @lqr.verification("P")
 def is_the_stabilizing_solution(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
-    """P is symmetric, solves the Riccati equation, and A − BR⁻¹(BᵀP + Nᵀ) is Hurwitz; there is only one such P."""
-    loop = "A - BR^{-1}B^{T}P" if given.options.N is None else "A - BR^{-1}(B^{T}P + N^{T})"
-    yield from stabilizing_checks(_problem(given), answers["P"], loop)
+    """P is symmetric, solves the Riccati equation, and A − BR⁻¹(BᵀP + Nᵀ) is stable; there is only one such P."""
+    gain = gain_formula(discrete=given.system.discrete, cross=given.options.N is not None)
+    yield from stabilizing_checks(_problem(given), answers["P"], f"A - B{gain}")
 
 
 @lqr.verification("K")
 def is_optimal(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
-    """K stabilizes and is R⁻¹(BᵀP + Nᵀ) for the matrix P of its own cost."""
-    gain = "R^{-1}B^{T}P" if given.options.N is None else "R^{-1}(B^{T}P + N^{T})"
+    """K stabilizes and is R⁻¹(BᵀP + Nᵀ) for the matrix P of its own cost; discrete (R + BᵀPB)⁻¹(BᵀPA + Nᵀ)."""
+    gain = gain_formula(discrete=given.system.discrete, cross=given.options.N is not None)
     label = Phrase("$K$ stabilizes, and $K = {gain}$ for the $P$ of its own cost", gain=gain)
     yield gain_check(_problem(given), answers["K"], "K", label)
 
@@ -158,7 +164,7 @@ def is_the_optimal_control(given: Given[WithInput, LqrOptions], answers: Answers
     """u = −K x at random states, K from scipy."""
     yield numeric.check_residual(
         "$u = -Kx$ at random states",
-        "scipy.linalg.solve_continuous_are",
+        are_of(given.system.discrete),
         lambda: judges.control_residual(_problem(given), answers["u"], states_of(given)),
         FLOATS,
     )
@@ -183,17 +189,17 @@ def is_the_optimal_loop(given: Given[WithInput, LqrOptions], answers: Answers) -
 
 @lqr.verification("eigenvalues")
 def are_the_stable_eigenvalues(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
-    """The stable half of the spectrum of the Hamiltonian matrix."""
+    """The stable half of the spectrum of the Hamiltonian matrix, or of the pencil."""
     yield spectrum_check(_problem(given), answers["eigenvalues"])
 
 
 @lqr.verification("cost")
 def is_the_least_cost(given: Given[WithInput, LqrOptions], answers: Answers) -> Iterable[Check]:
-    """The cost of the optimal loop by its Lyapunov equation."""
+    """The cost of the optimal loop by its Lyapunov equation, or summed up along the motion."""
     x0 = initial_state_of(given)
     yield numeric.check_residual(
         "the cost of the optimal loop from $x(0)$",
-        "scipy.linalg.solve_continuous_lyapunov",
+        cost_oracle(given.system.discrete),
         lambda: judges.cost_residual(_problem(given), answers["cost"], x0, cost_factor(given.options)),
         FLOATS,
     )
@@ -231,7 +237,7 @@ lqr.mistake(mistakes.GAIN_ADDED, "K")(mistakes.negative)
 
 @lqr.mistake(mistakes.OF_ANOTHER_SOLUTION, "K")
 def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
-    """K = R⁻¹(BᵀP + Nᵀ) of a P that is not the stabilizing one."""
+    """K of a P that is not the stabilizing one."""
     for P in wrong.answers.get("solutions", ()):
         yield formulas.gain_of_the_solution(wrong.given, {"P": P})
 

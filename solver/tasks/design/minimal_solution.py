@@ -11,8 +11,8 @@ from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
 from solver.stated.algebra import product
 from solver.tasks.design.regulator import Regulator
-from solver.tasks.design.riccati import residual_claim
 from solver.tasks.design.riccati_checks import holds, solution_checks
+from solver.tasks.design.riccati_claims import residual_claim
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -32,7 +32,7 @@ MINIMAL = AnswerName(
 def minimal_solution_of(problem: Regulator, listed: list[ImmutableMatrix] | None) -> Derivation[ImmutableMatrix | None]:
     """Show the cost of leaving alone what Q does not see; returns None where that is stabilizing, or has no form."""
     try:
-        found = exact.minimal_solution(problem.A, problem.B, problem.Q, problem.R)
+        found = exact.minimal_solution(problem.A, problem.B, problem.Q, problem.R, discrete=problem.discrete)
     except exact.NotExact:
         return None
     if found is None:

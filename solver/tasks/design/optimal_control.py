@@ -16,43 +16,64 @@ from solver.tasks.design.regulator_products import products_of_a_form, products_
 from solver.tasks.design.weights import cost_factor
 
 if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
+
     from solver.tasks.design.lqr import LqrOptions
     from solver.tasks.needed import WithInput
 
 
+def gain_claims(problem: Regulator, P: ImmutableMatrix, K: ImmutableMatrix) -> dict[str, Claim]:
+    """The gain K of a solution P; in discrete time R + BᵀPB and BᵀPA first."""
+    if not problem.discrete:
+        return {"K": Claim(problem.gain_of(P), K, "the gain")}
+    weight = exact.riccati_weight(problem.B, problem.R, P)
+    seen = sp.ImmutableMatrix((problem.Bt * P * problem.A).applyfunc(exact.expanded_around_roots))
+    cross = [] if problem.N is None else [sp.ImmutableMatrix(problem.N.T)]
+    return {
+        "weight": Claim(problem.weight_of(P), weight, "the weight of the input"),
+        "seen": Claim(product(problem.Bt, P, problem.A), seen, "what the input acts on"),
+        "K": Claim(product(inverse(weight), total(seen, *cross) if cross else seen), K, "the gain"),
+    }
+
+
 @lemma("regulator")
 def control_of(given: Given[WithInput, LqrOptions], problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
-    """Find K = R⁻¹(BᵀP + Nᵀ), u = −K x, the closed loop and the cost."""
-    P, n, N = equation.stabilizing.P, problem.A.rows, problem.N
+    """Find K = R⁻¹(BᵀP + Nᵀ), in discrete time (R + BᵀPB)⁻¹(BᵀPA + Nᵀ), u = −K x, the closed loop and the cost."""
+    P, n, N, discrete = equation.stabilizing.P, problem.A.rows, problem.N, problem.discrete
     K = equation.gain(problem.B, problem.R, N)
-    Bt = sp.ImmutableMatrix(problem.B.T)
-    stated = product(inverse(problem.R), Bt, P)
-    if N is not None:
-        stated = product(inverse(problem.R), total(product(Bt, P), sp.ImmutableMatrix(N.T)))
-    claims = {"K": Claim(stated, K, "the gain")}
-    yield Step("gain", claims=claims, K=K, cross=N is not None, steps=products_of_the_gain(problem, P))
+    yield Step(
+        "gain",
+        claims=gain_claims(problem, P, K),
+        K=K,
+        cross=N is not None,
+        discrete=discrete,
+        steps=products_of_the_gain(problem, P),
+    )
     states = states_of(given)
     control = sp.ImmutableMatrix(-K * sp.Matrix(states))
     u = control[0, 0] if control.rows == 1 else control
     yield Step("law", claims={"u": Claim(product(-1, K, sp.ImmutableMatrix(states)), control, "the control law")}, u=u)
-    loop = sp.ImmutableMatrix((problem.A - problem.B * K).expand())
+    expand = exact.expanded_around_roots if discrete else sp.expand
+    loop = sp.ImmutableMatrix((problem.A - problem.B * K).applyfunc(expand))
     yield Step(
         "closed_loop",
         claims={"loop": Claim(difference(problem.A, product(problem.B, K)), loop, "closed loop $A - BK$")},
         eigenvalues=equation.eigenvalues,
         n=n,
-        figures=optimal_loop(problem.A, loop, K, equation.eigenvalues, initial_state_of(given)),
+        discrete=discrete,
+        figures=optimal_loop(problem.A, loop, K, equation.eigenvalues, initial_state_of(given), discrete=discrete),
     )
     answers = Answers(P=P, K=K, u=u, Q=problem.Q, R=problem.R, closed_loop_A=loop, eigenvalues=equation.eigenvalues)
     x0 = initial_state_of(given)
     if x0 is not None:
         start = x0.xreplace({plain: positive for positive, plain in problem.plain.items()})
         stated = product(cost_factor(given.options), sp.ImmutableMatrix(start.T), P, start)
-        cost = sp.expand((start.T * P * start)[0, 0] * cost_factor(given.options))
+        cost = expand((start.T * P * start)[0, 0] * cost_factor(given.options))
         yield Step(
             "cost",
             claims={"J": Claim(stated, cost, "the least cost")},
             factor=cost_factor(given.options),
+            discrete=discrete,
             steps=products_of_a_form(start, P, ("Px(0)", "x(0)^{T}Px(0)")),
         )
         answers["cost"] = cost

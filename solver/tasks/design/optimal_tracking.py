@@ -22,20 +22,18 @@ from solver.derivation import (
 )
 from solver.derivation.figures import Diagram
 from solver.lazy import exact, numeric
-from solver.lazy import sympy as sp
 from solver.numeric.judges import design, optimal
 from solver.options.matrix import MatrixOf
-from solver.stated.algebra import product
-from solver.stated.matrices import inverse
 from solver.tasks import consequences, meanings
+from solver.tasks.design.optimal_control import gain_claims
 from solver.tasks.design.regulator import REGULATING, Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.regulator_products import products_of_the_gain
 from solver.tasks.design.riccati import solution_by_hamiltonian
-from solver.tasks.design.riccati_checks import FLOATS, gain_check
+from solver.tasks.design.riccati_checks import FLOATS, are_of, gain_check, gain_formula
 from solver.tasks.design.set_point import equations_of_rest, reference_gain, set_point_checks, set_point_of
 from solver.tasks.freedom import more_inputs_than_outputs
 from solver.tasks.plant_options import PlantOptions
-from solver.words import Reason
+from solver.words import Phrase, Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -94,9 +92,7 @@ def wrong_weights(system: Any, options: OptimalTrackingOptions) -> Iterable[Refu
         yield "gain", Reason("regulators/gain_and_weight", {"weight": weights[0]})
     if not options.has("gain") and not weights:
         yield "", Reason("regulators/no_gain")
-    if not options.has("gain") and weights and system.discrete:
-        yield weights[0], Reason("regulators/discrete_gain")
-    yield from faulty_weights(options.Q, options.R)
+    yield from faulty_weights(options.Q, options.R, discrete=system.discrete)
 
 
 def _weights(given: Given[WithBoth, OptimalTrackingOptions]) -> tuple[ImmutableMatrix, ImmutableMatrix]:
@@ -135,26 +131,35 @@ def _optimal_gain(given: Given[WithBoth, OptimalTrackingOptions]) -> Derivation[
         R=R,
         chosen=given.options.Q is None or given.options.R is None,
         rounded=exact.negative_by_rounding(Q),
+        discrete=given.system.discrete,
     )
-    problem = Regulator.of(given.system.A, given.system.B, Q, R)
+    problem = Regulator.of(given.system.A, given.system.B, Q, R, discrete=given.system.discrete)
     equation = yield from solution_by_hamiltonian(problem)
     P = equation.stabilizing.P
     K = equation.gain(problem.B, problem.R)
-    stated = product(inverse(problem.R), sp.ImmutableMatrix(problem.B.T), P)
-    yield Step("gain", claims={"K": Claim(stated, K, "the gain")}, steps=products_of_the_gain(problem, P))
+    yield Step(
+        "gain", claims=gain_claims(problem, P, K), discrete=problem.discrete, steps=products_of_the_gain(problem, P)
+    )
     restored: ImmutableMatrix = problem.restored(K)
     return restored
 
 
+def _problem(given: Given[WithBoth, OptimalTrackingOptions]) -> optimal.Weights:
+    """The plant and the weights, for the judges."""
+    kind = optimal.DiscreteWeights if given.system.discrete else optimal.Weights
+    return kind(given.system.A, given.system.B, *_weights(given))
+
+
 @optimal_tracking.verification("K")
 def is_optimal_or_given(given: Given[WithBoth, OptimalTrackingOptions], answers: Answers) -> Iterable[Check]:
-    """The gain given; else K stabilizes and is R⁻¹BᵀP for the P of its own cost."""
+    """The gain given; else K stabilizes and is optimal for the P of its own cost."""
     K = answers["K"]
     if given.options.gain is not None:
         yield numeric.check_claim(Claim(given.options.gain, K), "the gain given", answer="K")
         return
-    weights = optimal.Weights(given.system.A, given.system.B, *_weights(given))
-    yield gain_check(weights, K, "K", "$K$ stabilizes, and $K = R^{-1}B^{T}P$ for the $P$ of its own cost")
+    gain = gain_formula(discrete=given.system.discrete, cross=False)
+    label = Phrase("$K$ stabilizes, and $K = {gain}$ for the $P$ of its own cost", gain=gain)
+    yield gain_check(_problem(given), K, "K", label)
 
 
 @optimal_tracking.verification("F", "N", "K_o")
@@ -163,11 +168,11 @@ def belong_to_a_set_point(given: Given[WithBoth, OptimalTrackingOptions], answer
     K = answers.get("K", given.options.gain)
     yield from set_point_checks(given.system, answers, K)
     if "K_o" in answers and K is None:
-        weights = optimal.Weights(given.system.A, given.system.B, *_weights(given))
+        weights = _problem(given)
         M, p = equations_of_rest(given.system), given.system.C.rows
         yield numeric.check_residual(
             "$K_o = N + KF$ for a set point, with the optimal $K$",
-            "scipy.linalg.solve_continuous_are",
+            are_of(given.system.discrete),
             lambda: design.reference_residual_at_optimum(weights, M, p, answers["K_o"]),
             FLOATS,
             answer="K_o",

@@ -31,10 +31,18 @@ def initial_state_of(given: Given[WithInput, LqrOptions]) -> ImmutableMatrix | N
 
 
 def gain_of_the_solution(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
-    """K = R⁻¹(BᵀP + Nᵀ)."""
-    N, B = given.options.N, given.system.B
-    R = weights_as_stated(given)[1]
-    return sp.ImmutableMatrix(R.inv() * (B.T * found["P"] + (N.T if N is not None else sp.zeros(*B.T.shape))))
+    """K = R⁻¹(BᵀP + Nᵀ), in discrete time (R + BᵀPB)⁻¹(BᵀPA + Nᵀ)."""
+    N, R = given.options.N, weights_as_stated(given)[1]
+    return gain_of(given.system.A, given.system.B, R, found["P"], N, discrete=given.system.discrete)
+
+
+def gain_of(
+    A: ImmutableMatrix, B: ImmutableMatrix, R: ImmutableMatrix, P: Any, N: Any = None, *, discrete: bool
+) -> ImmutableMatrix:
+    """The gain (m×n) that a matrix P gives, whatever it solves."""
+    cross = N.T if N is not None else sp.zeros(*B.T.shape)
+    weight, seen = (R + B.T * P * B, B.T * P * A) if discrete else (R, B.T * P)
+    return sp.ImmutableMatrix(sp.Matrix(weight).LUsolve(sp.Matrix(seen + cross)))
 
 
 def law_of_the_gain(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:

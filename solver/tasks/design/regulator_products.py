@@ -24,6 +24,15 @@ def products_of_the_equation(problem: Regulator, P: ImmutableMatrix) -> tuple[St
         return ()
     names, At, Bt = problem.names, problem.A.T, problem.B.T
     seen = _expanded(Bt * P)
+    if problem.discrete:
+        applied = _expanded(P * problem.A)
+        return (
+            *_multiplied(P, problem.A, f"P{names['A']}"),
+            *_multiplied(At, applied, f"{names['At']}P{names['A']}"),
+            *_multiplied(Bt, P, f"{names['Bt']}P"),
+            *_multiplied(seen, problem.B, f"{names['Bt']}P{names['B']}"),
+            *_multiplied(seen, problem.A, f"{names['Bt']}P{names['A']}"),
+        )
     weighted = _expanded(P * exact.weighted_transpose(problem.B, problem.R).T)
     return (
         *_multiplied(At, P, f"{names['At']}P"),
@@ -34,12 +43,25 @@ def products_of_the_equation(problem: Regulator, P: ImmutableMatrix) -> tuple[St
 
 def products_of_the_gain(problem: Regulator, P: ImmutableMatrix) -> tuple[Step, ...]:
     """BᵀP and R⁻¹ times it (with a cross weight times BᵀP + Nᵀ); for a filter PCᵀ and that times R⁻¹."""
-    Bt, R = sp.ImmutableMatrix(problem.B.T), exact.inverse(problem.R)
+    Bt = problem.Bt
     first = _expanded(Bt * P)
+    if problem.discrete:
+        return _products_of_the_discrete_gain(problem, P, first)
+    R = exact.inverse(problem.R)
     if problem.dual:
         return (*_multiplied(P, problem.B, f"P{problem.names['B']}"), *_multiplied(first.T, R, ""))
     whole = first if problem.N is None else _expanded(first + problem.N.T)
     return (*_multiplied(Bt, P, f"{problem.names['Bt']}P"), *_multiplied(R, whole, ""))
+
+
+def _products_of_the_discrete_gain(problem: Regulator, P: ImmutableMatrix, first: ImmutableMatrix) -> tuple[Step, ...]:
+    """BᵀP, BᵀPB and BᵀPA."""
+    names = problem.names
+    return (
+        *_multiplied(problem.Bt, P, f"{names['Bt']}P"),
+        *_multiplied(first, problem.B, f"{names['Bt']}P{names['B']}"),
+        *_multiplied(first, problem.A, f"{names['Bt']}P{names['A']}"),
+    )
 
 
 def products_of_a_form(x: ImmutableMatrix, P: ImmutableMatrix, names: tuple[str, str]) -> tuple[Step, ...]:

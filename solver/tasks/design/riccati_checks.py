@@ -13,10 +13,25 @@ from solver.words import Phrase
 if TYPE_CHECKING:
     from solver.numeric.judges.optimal import Weights
 
-ARE = "scipy.linalg.solve_continuous_are"
-LYAPUNOV = "scipy.linalg.solve_continuous_lyapunov"
 FLOATS = 1e-8
 """Tolerance of comparisons with what scipy finds in floats."""
+
+
+def are_of(discrete: bool) -> str:
+    """The name of scipy's solver of the Riccati equation."""
+    return "scipy.linalg.solve_discrete_are" if discrete else "scipy.linalg.solve_continuous_are"
+
+
+def cost_oracle(discrete: bool) -> str:
+    """What finds the cost of a gain."""
+    return "the steps simulated, and their costs summed up" if discrete else "scipy.linalg.solve_continuous_lyapunov"
+
+
+def gain_formula(*, discrete: bool, cross: bool) -> str:
+    """The gain by P, as LaTeX."""
+    if discrete:
+        return "(R + B^{T}PB)^{-1}" + ("(B^{T}PA + N^{T})" if cross else "B^{T}PA")
+    return "R^{-1}(B^{T}P + N^{T})" if cross else "R^{-1}B^{T}P"
 
 
 def solution_checks(weights: Weights, P: Any, name: str = "$P$", answer: str = "P") -> Iterable[Check]:
@@ -41,7 +56,9 @@ def stabilizing_checks(weights: Weights, P: Any, loop: str) -> Iterable[Check]:
     checks = list(solution_checks(weights, P))
     yield from checks
     if all(check.status is not CheckStatus.FAILED for check in checks):
-        label = Phrase("${loop}$ has all eigenvalues in the open left half plane", loop=loop)
+        where = "${loop}$ has all eigenvalues in the open left half plane"
+        within = "${loop}$ has all eigenvalues inside of the unit circle"
+        label = Phrase(within if weights.discrete else where, loop=loop)
         yield holds(label, "numpy.linalg.eigvals", lambda: judges.stabilizes(weights, P), "P")
 
 
@@ -58,19 +75,24 @@ def holds(label: str, oracle: str, question: Any, answer: str) -> Check:
 
 
 def gain_check(weights: Weights, K: Any, answer: str, label: str) -> Check:
-    """The gain is optimal: it stabilizes, and is R⁻¹BᵀP for the P of its own cost."""
-    return numeric.check_residual(label, LYAPUNOV, lambda: judges.gain_residual(weights, K), FLOATS, answer=answer)
+    """The gain is optimal: it stabilizes, and is R⁻¹BᵀP for the P of its own cost, or what that is in discrete time."""
+    oracle = cost_oracle(weights.discrete)
+    return numeric.check_residual(label, oracle, lambda: judges.gain_residual(weights, K), FLOATS, answer=answer)
 
 
 def loop_check(weights: Weights, loop: Any, answer: str, label: str) -> Check:
     """The closed loop (given as that of the regulator's form) is the optimal one."""
-    return numeric.check_residual(label, ARE, lambda: judges.loop_residual(weights, loop), FLOATS, answer=answer)
+    return numeric.check_residual(
+        label, are_of(weights.discrete), lambda: judges.loop_residual(weights, loop), FLOATS, answer=answer
+    )
 
 
 def spectrum_check(weights: Weights, eigenvalues: Sequence[Any]) -> Check:
-    """They are the stable eigenvalues of the Hamiltonian matrix."""
+    """They are the stable eigenvalues of the Hamiltonian matrix, or of the symplectic pencil."""
     return numeric.check_residual(
-        "the stable eigenvalues of the Hamiltonian matrix",
+        "the eigenvalues of the symplectic pencil inside of the unit circle"
+        if weights.discrete
+        else "the stable eigenvalues of the Hamiltonian matrix",
         "numpy.linalg.det",
         lambda: judges.hamiltonian_spectrum_residual(weights, eigenvalues),
         FLOATS,

@@ -14,15 +14,15 @@ from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant
 from solver.tasks.design.frames import characteristic, expansion_of
 from solver.tasks.design.regulator import Regulator, unknown_matrix
-from solver.tasks.design.regulator_products import products_of_the_equation
-from solver.tasks.design.riccati import (
-    hamiltonian_step,
+from solver.tasks.design.riccati_cases import cases_of
+from solver.tasks.design.riccati_claims import (
     loop_polynomial_claim,
     polynomial_of,
     residual_claim,
     riccati_of,
+    variable_of,
 )
-from solver.tasks.design.riccati_cases import cases_of
+from solver.tasks.design.riccati_equations import spectrum_step, unknown_step
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -64,6 +64,10 @@ LISTED = (
 """The answers of the method `riccati` beside the stabilizing solution."""
 
 
+LARGEST_BY_CASES = {False: 3, True: 2}
+"""The largest matrices whose equations may be solved case by case, in continuous and in discrete time."""
+
+
 @dataclass(frozen=True)
 class Listed:
     """What the equation method finds: the equations, all solutions (None if endless or too many) and what each is."""
@@ -85,12 +89,10 @@ def listed_answers(problem: Regulator, listed: Listed) -> Answers:
 @lemma("riccati_equations")
 def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati, Listed]]:
     """Write the equation entry by entry, list all symmetric solutions, choose the stabilizing one."""
-    n, names = problem.A.rows, problem.names
+    n = problem.A.rows
     P = unknown_matrix(n)
-    left = entries_of_equation(problem, P)
-    stated = difference(problem.linear_part(P), problem.quadratic_part(P))
-    claim = Claim(stated, left, "the Riccati equation entry by entry")
-    yield Step("unknown", claims={"entries": claim}, P=P, steps=products_of_the_equation(problem, P), **names)
+    step, left = unknown_step(problem, P)
+    yield Step("unknown", claims=step.claims, steps=step.steps, **step.values)
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
     rows = [(i + 1, j + 1, left[i, j]) for i, j in pairs]
     equations = [each for *_, each in rows]
@@ -102,10 +104,10 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
         return equation, Listed(P, equations, None, None)
     always = [each for each in equation.solutions if each.radicand is None]
     conditional = [each for each in equation.solutions if each.radicand is not None]
-    solved = yield from cases_of(P, rows, [*always, *conditional])
+    solved = n <= LARGEST_BY_CASES[problem.discrete] and (yield from cases_of(P, rows, [*always, *conditional]))
     yield from _splitting(problem, equation, solved=solved)
     for number, each in enumerate(always, 1):
-        yield _solution(problem, each, number, len(always), solved=solved)
+        yield _solution(problem, equation, each, number, len(always), solved=solved)
     if conditional:
         yield _conditional(problem, conditional)
     words = [definiteness_of(equation, each) for each in always]
@@ -114,15 +116,10 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
     return equation, Listed(P, equations, [each.P for each in always], words)
 
 
-def entries_of_equation(problem: Regulator, P: ImmutableMatrix) -> ImmutableMatrix:
-    """AᵀP + PA − P B R⁻¹ Bᵀ P + Q multiplied out."""
-    return exact.riccati_entries(problem.A, exact.weighted_input(problem.B, problem.R), problem.Q, P)
-
-
 @lemma("riccati_equations")
 def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> Derivation[None]:
     """Where the solutions come from: the factors of degree n of det(sI − H)."""
-    step = hamiltonian_step(problem, equation)
+    step = spectrum_step(problem, equation)
     yield Step(
         "splitting",
         claims=step.claims,
@@ -134,16 +131,24 @@ def _splitting(problem: Regulator, equation: exact.Riccati, *, solved: bool) -> 
     )
 
 
-def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, count: int, *, solved: bool) -> Step:
+def _solution(
+    problem: Regulator,
+    equation: exact.Riccati,
+    solution: exact.RiccatiSolution,
+    number: int,
+    count: int,
+    *,
+    solved: bool,
+) -> Step:
     """Return the test of a solution; one that was `solved` for, case by case, has been shown there."""
     claims = {"residual": residual_claim(problem, solution.P), "polynomial": loop_polynomial_claim(problem, solution)}
-    worked, lines = _loop_worked_out(problem, solution)
+    worked, lines = _loop_worked_out(problem, equation, solution)
     return Step(
         "solution",
         claims=claims | worked,
         steps=lines,
         P=solution.P,
-        p=polynomial_of(solution),
+        p=polynomial_of(problem, solution),
         number=number,
         count=count,
         exact=solution.exact,
@@ -152,15 +157,21 @@ def _solution(problem: Regulator, solution: exact.RiccatiSolution, number: int, 
     )
 
 
-def _loop_worked_out(problem: Regulator, solution: exact.RiccatiSolution) -> tuple[dict[str, Claim], tuple[Step, ...]]:
+def _loop_worked_out(
+    problem: Regulator, equation: exact.Riccati, solution: exact.RiccatiSolution
+) -> tuple[dict[str, Claim], tuple[Step, ...]]:
     """The matrix of the loop and the first line of its determinant, where P is of rational numbers."""
     numbers = (entry for M in (solution.P, problem.A, problem.B, problem.R) for entry in M.flat())
     if not all(entry.is_Rational for entry in numbers):
         return {}, ()
-    G = exact.weighted_input(problem.B, problem.R)
-    loop = sp.ImmutableMatrix(problem.A - exact.multiply(G, solution.P))
-    claims, lines = expansion_of(loop, sp.Symbol("s"), polynomial_of(solution))
-    stated = difference(problem.A, product(sp.ImmutableMatrix(G), solution.P))
+    if isinstance(equation, exact.DiscreteRiccati):
+        loop = sp.ImmutableMatrix(problem.A - problem.B * equation.loop_gain(solution))
+        stated = difference(problem.A, product(problem.B, problem.gain_of(solution.P)))
+    else:
+        G = exact.weighted_input(problem.B, problem.R)
+        loop = sp.ImmutableMatrix(problem.A - exact.multiply(G, solution.P))
+        stated = difference(problem.A, product(sp.ImmutableMatrix(G), solution.P))
+    claims, lines = expansion_of(loop, variable_of(problem), polynomial_of(problem, solution))
     return {"loop": Claim(stated, loop, "matrix of the loop"), **claims}, lines
 
 
@@ -230,8 +241,8 @@ def _choice(problem: Regulator, solutions: Sequence[exact.RiccatiSolution], word
         "choice",
         claims=claims,
         P=first.P,
-        p=polynomial_of(first),
-        others=[polynomial_of(each) for each in solutions[1:]],
+        p=polynomial_of(problem, first),
+        others=[polynomial_of(problem, each) for each in solutions[1:]],
         cheaper=[number for number, word in enumerate(words[1:], 2) if word.startswith("positive")],
         **problem.names,
     )
@@ -241,7 +252,9 @@ def _many(problem: Regulator, equation: exact.Riccati) -> Step:
     """More solutions than anyone would read: the stabilizing one alone."""
     first = equation.stabilizing
     claims = {"residual": residual_claim(problem, first.P), "polynomial": loop_polynomial_claim(problem, first)}
-    return Step("many", claims=claims, P=first.P, p=polynomial_of(first), count=equation.count, **problem.names)
+    return Step(
+        "many", claims=claims, P=first.P, p=polynomial_of(problem, first), count=equation.count, **problem.names
+    )
 
 
 def _endless(problem: Regulator, equation: exact.Riccati) -> Step:
@@ -255,7 +268,7 @@ def _endless(problem: Regulator, equation: exact.Riccati) -> Step:
         "endless",
         claims=claims,
         P=first.P,
-        p=polynomial_of(first),
+        p=polynomial_of(problem, first),
         family=family[0] if family else None,
         eigenvalue=family[1] if family else None,
         **problem.names,

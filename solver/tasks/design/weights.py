@@ -138,6 +138,7 @@ def weights_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[Immut
         chosen_R=given.options.R is None,
         tolerances=given.options.tolerances.flat() if given.options.tolerances is not None else [],
         factor=cost_factor(given.options),
+        discrete=given.system.discrete,
     )
     return Q, R
 
@@ -146,7 +147,7 @@ def weights_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[Immut
 def regulator_of(given: Given[WithInput, WeightOptions]) -> Derivation[tuple[Regulator, Regulator]]:
     """Show the weights; return the problem asked about, and the one without products of x and u in its cost."""
     Q, R = yield from weights_of(given)
-    asked = Regulator.of(given.system.A, given.system.B, Q, R, N=given.options.N)
+    asked = Regulator.of(given.system.A, given.system.B, Q, R, N=given.options.N, discrete=given.system.discrete)
     plain = asked.without_products()
     if asked.N is not None:
         A, B, cross = asked.A, asked.B, product(inverse(asked.R), sp.ImmutableMatrix(asked.N.T))

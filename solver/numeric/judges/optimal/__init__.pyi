@@ -1,10 +1,12 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
 from solver.numeric.judges.optimal.regulator import (
+    DiscreteWeights,
     Weights,
     control_residual,
     cost_residual,
     costs,
+    current_gain_residual,
     gain_residual,
     loop_residual,
 )
@@ -24,11 +26,13 @@ from solver.numeric.judges.optimal.riccati_solutions import (
 )
 
 __all__ = [
+    "DiscreteWeights",
     "Weights",
     "all_distinct",
     "control_residual",
     "cost_residual",
     "costs",
+    "current_gain_residual",
     "definiteness_holds",
     "equations_residual",
     "gain_residual",

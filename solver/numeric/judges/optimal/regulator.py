@@ -1,7 +1,8 @@
 """The linear quadratic regulator judged by its defining properties, with scipy's own Riccati and Lyapunov solvers.
 
 Everything is about (A, B, Q, R, N) at random admissible values of the parameters: R > 0, Q − N R⁻¹ Nᵀ ≥ 0, a
-stabilizing solution exists. An observer's problem is judged as the regulator's of (Aᵀ, Cᵀ).
+stabilizing solution exists. An observer's problem is judged as the regulator's of (Aᵀ, Cᵀ). In discrete time R + BᵀPB
+takes the place of R, which may be singular, and costs are sums over the steps.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from solver.numeric.evaluation.compare import worst_of
 from solver.numeric.evaluation.environment import Point
 from solver.numeric.evaluation.expressions import evaluate
 from solver.numeric.evaluation.inside import admits
+from solver.numeric.evaluation.multiple_precision import solution
 from solver.numeric.evaluation.points import PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, ShapeMismatch, Undefined
 from solver.numeric.judges.optimal.refined import MANY, Refined, many_at, sharpened
@@ -38,11 +40,21 @@ class Weights(_Weights):
     """The plant and the weights of xᵀQx + 2xᵀNu + uᵀRu: A n×n, B n×m, Q n×n, R m×m, N n×m (zero if not given)."""
 
     __slots__ = ()
+    discrete = False
 
     def __new__(cls, A: Any, B: Any, Q: Any, R: Any, N: Any = None) -> Self:
         """Return them, with N in any case."""
         return super().__new__(cls, A, B, Q, R, sp.ImmutableMatrix(sp.zeros(*B.shape)) if N is None else N)
 
+
+class DiscreteWeights(Weights):
+    """The same in discrete time, for the cost Σ xᵀQx + 2xᵀNu + uᵀRu."""
+
+    __slots__ = ()
+    discrete = True
+
+
+DOUBLINGS, ENOUGH_DOUBLED = 48, 1e-18
 
 CANCELLED = 1e-6
 """The part of the products in a gain that is left where it is said to be other than zero."""
@@ -59,11 +71,35 @@ class Optimum(NamedTuple):
     N: Array
     P: Array
     K: Array
+    discrete: bool = False
 
     @property
     def smallest_gain(self) -> Array:
         """What a gain is compared with where its products BᵀP cancel: they may to a zero."""
-        return np.asarray(CANCELLED * np.abs(np.linalg.inv(self.R)) @ np.abs(self.B).T @ np.abs(self.P))
+        products = np.abs(self.B).T @ np.abs(self.P) @ (np.abs(self.A) if self.discrete else np.eye(len(self.A)))
+        return np.asarray(CANCELLED * np.abs(np.linalg.inv(self.weight(self.P))) @ products)
+
+    def weight(self, P: Array) -> Array:
+        """R, or R + BᵀPB in discrete time."""
+        return self.R + self.B.T @ P @ self.B if self.discrete else self.R
+
+    def gain_of(self, P: Array) -> Array:
+        """R⁻¹ (BᵀP + Nᵀ), or (R + BᵀPB)⁻¹ (BᵀPA + Nᵀ) in discrete time."""
+        seen = self.B.T @ P @ self.A if self.discrete else self.B.T @ P
+        return np.asarray(np.linalg.solve(self.weight(P), seen + self.N.T))
+
+    def without_products(self) -> tuple[Array, Array]:
+        """A − BR⁻¹Nᵀ and Q − NR⁻¹Nᵀ."""
+        if not np.any(self.N):
+            return self.A, self.Q
+        cross = np.linalg.solve(self.R, self.N.T)
+        return self.A - self.B @ cross, self.Q - self.N @ cross
+
+    @property
+    def smallest_loop(self) -> Array:
+        """What the matrix of the loop is compared with where all of it cancels, as where a step is enough."""
+        sizes = np.abs(self.A) + np.abs(self.B) @ np.abs(self.K)
+        return np.asarray(CANCELLED * sizes if self.discrete else 0 * sizes)
 
     @property
     def closed_loop(self) -> Array:
@@ -96,20 +132,24 @@ def optima(weights: Weights, others: Iterable[Any] = ()) -> list[Optimum]:
 
 def _optimum(weights: Weights, point: Mapping[Any, Any]) -> Optimum | None:
     """Return scipy's solution at a point; None if the point is not admissible."""
-    from scipy.linalg import solve_continuous_are  # noqa: PLC0415
+    from scipy.linalg import solve_continuous_are, solve_discrete_are  # noqa: PLC0415
 
+    discrete = weights.discrete
     try:
         parametric = any(map(free_symbols, (weights.Q, weights.R, weights.N)))
         A, B, Q, R, N = (_real(evaluate(M, point)) for M in weights)
-        if np.linalg.eigvalsh(R)[0] <= 0:
+        if np.linalg.eigvalsh(R)[0] <= (-1e-12 if discrete else 0):
             return None
-        if parametric and np.linalg.eigvalsh(Q - N @ np.linalg.solve(R, N.T))[0] < -1e-9 * (1 + np.abs(Q).max()):
+        P = (solve_discrete_are if discrete else solve_continuous_are)(A, B, Q, R, s=N)
+        found = Optimum(dict(point), A, B, Q, R, N, P, P, discrete)
+        if parametric and np.linalg.eigvalsh(found.without_products()[1])[0] < -1e-9 * (1 + np.abs(Q).max()):
             return None
-        P = solve_continuous_are(A, B, Q, R, s=N)
-        K = np.linalg.solve(R, B.T @ P + N.T)
+        if np.linalg.eigvalsh(found.weight(P))[0] <= 0:
+            return None
+        found = found._replace(K=found.gain_of(P))
     except (LinAlgError, ValueError, Undefined):
         return None
-    return Optimum(dict(point), A, B, Q, R, N, P, K) if hurwitz(A - B @ K) else None
+    return found if stable(found.closed_loop, discrete=discrete) else None
 
 
 def _real(matrix: Any) -> Array:
@@ -118,9 +158,11 @@ def _real(matrix: Any) -> Array:
     return np.real(matrix)
 
 
-def hurwitz(matrix: Array) -> bool:
-    """Whether all eigenvalues lie in the open left half plane."""
+def stable(matrix: Array, *, discrete: bool = False) -> bool:
+    """Whether all eigenvalues lie in the open left half plane, or inside of the unit circle."""
     eigenvalues = np.linalg.eigvals(matrix)
+    if discrete:
+        return bool(np.all(np.abs(eigenvalues) < 1 - 1e-12))
     return bool(np.all(eigenvalues.real < -1e-12 * (1 + np.abs(eigenvalues).max(initial=0.0))))
 
 
@@ -154,15 +196,15 @@ def worst(weights: Weights, judge: Callable[[Optimum], float], *others: Any) -> 
 def gain_residual(weights: Weights, K: Any) -> float:
     """Return how far K (m×n) is from R⁻¹(BᵀP + Nᵀ) with the P of its own cost; infinite if not stable.
 
-    A stabilizing K with that property is optimal (Kleinman): P then solves the Riccati equation.
+    A stabilizing K with that property is optimal (Kleinman; in discrete time Hewer): P solves the Riccati equation.
     """
 
     def judge(optimum: Optimum) -> float:
         value = matrix_at(K, optimum.point, (optimum.B.shape[1], optimum.A.shape[0]))
         P = cost_matrix(optimum, value)
-        best = np.linalg.solve(optimum.R, optimum.B.T @ P + optimum.N.T) if P is not None else None
-        if best is None:
+        if P is None:
             return float("inf")
+        best = optimum.gain_of(P)
         found = relative(value - best, value, best, optimum.K, optimum.smallest_gain)
 
         def gap(many: Refined) -> tuple[Array, ...]:
@@ -176,16 +218,32 @@ def gain_residual(weights: Weights, K: Any) -> float:
 def cost_matrix(optimum: Optimum, K: Array) -> Array | None:
     """Return X with x₀ᵀXx₀ = ∫ xᵀ(Q − NK − KᵀNᵀ + KᵀRK)x dt under u = −Kx, by scipy; None if A − BK is not stable.
 
-    The states are first scaled so that rows and columns of A − BK are of about the same size.
+    The states are first scaled so that rows and columns of A − BK are of about the same size. In discrete time the
+    costs of 1, 2, 4, … steps are summed up.
     """
     from scipy.linalg import matrix_balance, solve_continuous_lyapunov  # noqa: PLC0415
 
     loop = optimum.A - optimum.B @ K
-    if not hurwitz(loop):
+    if not stable(loop, discrete=optimum.discrete):
         return None
+    weight = optimum.Q - optimum.N @ K - K.T @ optimum.N.T + K.T @ optimum.R @ K
+    if optimum.discrete:
+        return summed(loop, weight)
     balanced, (scale, _) = matrix_balance(loop, permute=False, separate=True)
-    weight = (optimum.Q - optimum.N @ K - K.T @ optimum.N.T + K.T @ optimum.R @ K) * np.outer(scale, scale)
+    weight = weight * np.outer(scale, scale)
     return np.asarray(solve_continuous_lyapunov(balanced.T, -weight) / np.outer(scale, scale))
+
+
+def summed(loop: Array, weight: Array) -> Array:
+    """Σ (Fᵀ)ᵏ W Fᵏ over all k for F with eigenvalues inside of the unit circle, by doubling the number of steps."""
+    total, power = weight, loop
+    for _ in range(DOUBLINGS):
+        added = power.T @ total @ power
+        total = total + added
+        if float(np.abs(added).max()) <= ENOUGH_DOUBLED * float(np.abs(total).max()):
+            break
+        power = power @ power
+    return np.asarray(total)
 
 
 def costs(weights: Weights, K: Any) -> tuple[Array, Array] | None:
@@ -197,16 +255,32 @@ def costs(weights: Weights, K: Any) -> tuple[Array, Array] | None:
     return None if own is None else (own, optimum.P)
 
 
+def current_gain_residual(weights: Weights, K: Any) -> float:
+    """Return the relative difference of K (m×n) and (R + BᵀPB)⁻¹ BᵀP with scipy's P."""
+
+    def judge(optimum: Optimum) -> float:
+        value = matrix_at(K, optimum.point, (optimum.B.shape[1], optimum.A.shape[0]))
+        best = np.linalg.solve(optimum.weight(optimum.P), optimum.B.T @ optimum.P)
+
+        def gap(many: Refined) -> tuple[Array, ...]:
+            own = solution(many.R + many.B.T @ many.P @ many.B, many.B.T @ many.P)
+            return many_at(K, optimum.point) - own, own
+
+        return sharpened(relative(value - best, value, best), weights, optimum, K, gap)
+
+    return worst(weights, judge, K)
+
+
 def loop_residual(weights: Weights, loop: Any) -> float:
     """Return the relative difference of a matrix and A − BK with scipy's K."""
 
     def judge(optimum: Optimum) -> float:
         value = matrix_at(loop, optimum.point, optimum.A.shape)
-        found = relative(value - optimum.closed_loop, value, optimum.closed_loop)
+        found = relative(value - optimum.closed_loop, value, optimum.closed_loop, optimum.smallest_loop)
 
         def gap(many: Refined) -> tuple[Array, ...]:
             own = many.A - many.B @ many.K
-            return many_at(loop, optimum.point) - own, own
+            return many_at(loop, optimum.point) - own, own, optimum.smallest_loop
 
         return sharpened(found, weights, optimum, loop, gap)
 

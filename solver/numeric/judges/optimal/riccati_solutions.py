@@ -39,13 +39,17 @@ def number_of_solutions(weights: Weights) -> int:
 
     With A₊ = A − BK they correspond to the left-invariant subspaces of A₊ without an uncontrollable left eigenvector:
     Π (m + 1) over its real eigenvalues and conjugate pairs that are controllable, m the multiplicity (Willems 1971).
+    In discrete time an eigenvalue zero can't be flipped, as its mirror image is at infinity.
     Raises NotEvaluable where eigenvalues are too close to each other, or solutions form a continuum.
     """
     optimum = optima(weights)[0]
     values, vectors = np.linalg.eig(optimum.closed_loop.T)
     scale = float(1 + np.abs(values).max())
     count = 1
-    for cluster in _clusters([value for value in values if value.imag > -ON_THE_AXIS * scale], 1e-4 * scale):
+    kept = [value for value in values if value.imag > -ON_THE_AXIS * scale]
+    for cluster in _clusters(kept, 1e-4 * scale):
+        if optimum.discrete and _is_at_zero(cluster, scale):
+            continue
         if len(cluster) == 1:
             count *= 2 if _is_reached(optimum, vectors[:, list(values).index(cluster[0])]) else 1
             continue
@@ -59,6 +63,11 @@ def number_of_solutions(weights: Weights) -> int:
         if reached:
             count *= len(cluster) + 1
     return count
+
+
+def _is_at_zero(cluster: list[Any], scale: float) -> bool:
+    """Whether eigenvalues near to each other are what rounding leaves of zero: the product of several of them is."""
+    return bool(abs(np.prod(cluster)) < 1e-9 * scale)
 
 
 def _clusters(values: list[Any], distance: float) -> list[list[Any]]:
@@ -92,8 +101,7 @@ def is_minimal(weights: Weights, P: Any) -> bool:
     """
 
     def holds(optimum: Optimum) -> bool:
-        cross = np.linalg.solve(optimum.R, optimum.N.T)
-        A, Q = optimum.A - optimum.B @ cross, optimum.Q - optimum.N @ cross
+        A, Q = optimum.without_products()
         A = A / max(1.0, float(np.abs(A).max()))
         rows = np.vstack([Q @ np.linalg.matrix_power(A, i) for i in range(len(A))])
         _, sizes, directions = np.linalg.svd(rows)
@@ -167,8 +175,10 @@ def definiteness_holds(weights: Weights, words: Sequence[Any], solutions: Sequen
 def solutions_in_floats(weights: Weights) -> list[Array]:
     """Return all real symmetric solutions where the eigenvalues of H are distinct: P = Y X⁻¹ by its eigenvectors.
 
-    Raises NotEvaluable where eigenvalues coincide.
+    Raises NotEvaluable where eigenvalues coincide, or in discrete time.
     """
+    if weights.discrete:
+        raise NotEvaluable("definiteness alone, without the solutions, is not judged in discrete time")
     H = hamiltonian(optima(weights)[0])
     n = len(H) // 2
     values, vectors = np.linalg.eig(H)
