@@ -14,26 +14,20 @@ from solver.derivation import (
     Answers,
     Attempt,
     Check,
-    Claim,
     Derivation,
     Given,
     Refusal,
-    Step,
     Task,
-    lemma,
     option,
 )
-from solver.derivation.figures import Diagram
-from solver.lazy import exact, numeric
+from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import optimal as judges
 from solver.options.matrix import MatrixOf
-from solver.stated.algebra import difference, product
-from solver.stated.matrices import inverse
-from solver.tasks import consequences, figures, meanings, mistakes
-from solver.tasks.design.regulator import REGULATING, Regulator, faulty_weights, given_or_identity
+from solver.tasks import consequences, meanings, mistakes
+from solver.tasks.design.kalman_gain import duality, filter_of, intensities
+from solver.tasks.design.regulator import REGULATING, faulty_weights
 from solver.tasks.design.regulator_formulas import gain_of
-from solver.tasks.design.regulator_products import products_of_the_gain
 from solver.tasks.design.riccati import solution_by_hamiltonian
 from solver.tasks.design.riccati_checks import (
     FLOATS,
@@ -52,7 +46,7 @@ from solver.tasks.design.riccati_solutions import (
     solutions_by_equations,
 )
 from solver.tasks.plant_options import PlantOptions
-from solver.words import Reason, formula
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
@@ -113,45 +107,15 @@ def wrong_intensities(system: Any, options: KalmanFilterOptions) -> Iterable[Ref
     yield from faulty_weights(options.Q, options.R, discrete=system.discrete)
 
 
-def _intensities(given: Given[WithOutput, KalmanFilterOptions]) -> tuple[ImmutableMatrix, ImmutableMatrix]:
-    """Q and R, identity matrices where they are not given."""
-    return given_or_identity(given.options.Q, given.system.order), given_or_identity(
-        given.options.R, given.system.C.rows
-    )
-
-
-LARGEST = 3
-"""Matrices with more rows are not written into boxes."""
-
-
-@lemma("kalman_gain")
-def _duality(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Regulator]:
-    """Show the intensities, and the regulator problem that is solved in place of the filter's."""
-    Q, R = _intensities(given)
-    A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
-    yield Step(
-        "intensities",
-        unclaimed="the intensities are given, and transposing is no calculation",
-        Q=Q,
-        R=R,
-        At=A,
-        Ct=C,
-        chosen=given.options.Q is None or given.options.R is None,
-        rounded=exact.negative_by_rounding(Q),
-        discrete=given.system.discrete,
-    )
-    return Regulator.of(A, C, Q, R, dual=True, discrete=given.system.discrete)
-
-
 @kalman_filter.method("riccati", title="Riccati equation", source="Lecture note, sections 4.3 and 5.5")
 def by_the_riccati_equation(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Answers]:
     """Solve AP + PAᵀ − P Cᵀ R⁻¹ C P + Q = 0 entry by entry and choose the stabilizing solution.
 
     In discrete time the equation is P = Q + APAᵀ − APCᵀ (R + CPCᵀ)⁻¹ CPAᵀ.
     """
-    problem = yield from _duality(given)
+    problem = yield from duality(given)
     equation, listed = yield from solutions_by_equations(problem)
-    answers = yield from _filter(given.system, problem, equation)
+    answers = yield from filter_of(given.system, problem, equation)
     answers |= listed_answers(problem, listed)
     return answers
 
@@ -163,83 +127,16 @@ def by_the_riccati_equation(given: Given[WithOutput, KalmanFilterOptions]) -> De
 )
 def by_the_hamiltonian_matrix(given: Given[WithOutput, KalmanFilterOptions]) -> Derivation[Answers]:
     """Take the stable half of the spectrum of the Hamiltonian matrix or pencil of (Aᵀ, Cᵀ); its subspace gives P."""
-    problem = yield from _duality(given)
+    problem = yield from duality(given)
     equation = yield from solution_by_hamiltonian(problem)
-    return (yield from _filter(given.system, problem, equation))
-
-
-@lemma("kalman_gain")
-def _filter(plant: WithOutput, problem: Regulator, equation: exact.Riccati) -> Derivation[Answers]:
-    """Find L = P Cᵀ R⁻¹, or the two gains of discrete time, and the matrix of the error."""
-    P, C, discrete = equation.stabilizing.P, problem.Bt, problem.discrete
-    L = sp.ImmutableMatrix(equation.gain(problem.B, problem.R).T)
-    current = (yield from _current_gain(problem, equation)) if isinstance(equation, exact.DiscreteRiccati) else None
-    if current is None:
-        claims = {"L": Claim(product(P, problem.B, inverse(problem.R)), L, "the gain of the filter")}
-        yield Step("gain", claims=claims, L=L, steps=products_of_the_gain(problem, P))
-    else:
-        claims = {"L": Claim(product(sp.ImmutableMatrix(problem.A.T), current), L, "the gain of the filter")}
-        yield Step("prediction", claims=claims, L=L)
-    A = sp.ImmutableMatrix(problem.A.T)
-    expand = exact.expanded_around_roots if discrete else sp.expand
-    error = sp.ImmutableMatrix((A - L * C).applyfunc(expand))
-    yield Step(
-        "error",
-        claims={"error": Claim(difference(A, product(L, C)), error, "matrix of the error $A - LC$")},
-        eigenvalues=equation.eigenvalues,
-        discrete=discrete,
-        figures=(
-            *_loop(plant, problem.restored(L)),
-            *figures.plane(
-                "Poles of the error, without correction and with it",
-                figures.eigenvalues_of("without correction", A),
-                figures.roots("with correction", equation.eigenvalues, "square"),
-                discrete=discrete,
-            ),
-            *figures.error_of_estimate(error, r"\tilde{x}" if discrete else "e", discrete=discrete),
-        ),
-    )
-    answers = Answers(P=P, L=L, error_A=error, eigenvalues=equation.eigenvalues)
-    if current is not None:
-        answers["L_current"] = current
-    return Answers(**{name: problem.restored(value) for name, value in answers.items()})
-
-
-@lemma("kalman_gain")
-def _current_gain(problem: Regulator, equation: exact.DiscreteRiccati) -> Derivation[ImmutableMatrix]:
-    """Find P Cᵀ (R + C P Cᵀ)⁻¹, and the covariance that a measurement leaves."""
-    P, C = equation.stabilizing.P, problem.Bt
-    L = sp.ImmutableMatrix(equation.current_gain(equation.stabilizing).T)
-    weight = exact.riccati_weight(problem.B, problem.R, P)
-    left = sp.ImmutableMatrix((P - L * C * P).applyfunc(exact.expanded_around_roots))
-    yield Step(
-        "current",
-        claims={
-            "weight": Claim(problem.weight_of(P), weight, "the covariance of what is measured"),
-            "L": Claim(product(P, problem.B, inverse(weight)), L, "the current gain"),
-            "left": Claim(difference(P, product(L, C, P)), left, "the covariance after the measurement"),
-        },
-        L=L,
-        steps=products_of_the_gain(problem, P),
-    )
-    return L
-
-
-def _loop(plant: WithOutput, L: ImmutableMatrix) -> tuple[Diagram, ...]:
-    """The filter beside its plant, with its numbers; none for a plant too large to be written into boxes."""
-    if max(plant.A.rows, plant.C.rows) > LARGEST:
-        return ()
-    matrices = {"A": plant.A, "C": plant.C, "L": L} | ({} if plant.B is None else {"B": plant.B})
-    labels = {name: formula(M[0, 0] if M.shape == (1, 1) else M) for name, M in matrices.items()}
-    caption = "The Kalman filter beside its plant, which the noises $w$ and $v$ disturb"
-    return (Diagram(caption, "kalman_filter" if plant.B is None else "driven_kalman_filter", labels),)
+    return (yield from filter_of(given.system, problem, equation))
 
 
 def _problem(given: Given[WithOutput, KalmanFilterOptions]) -> Weights:
     """The dual regulator problem, for the judges."""
     A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
     kind = judges.DiscreteWeights if given.system.discrete else judges.Weights
-    return kind(A, C, *_intensities(given))
+    return kind(A, C, *intensities(given))
 
 
 def _transposed(M: Any) -> Any:
@@ -308,7 +205,7 @@ kalman_filter.consequence("definiteness", of=("solutions",), symbolic=False)(con
 def gain_of_the_covariance(given: Given[WithOutput, KalmanFilterOptions], found: Mapping[str, Any]) -> Any:
     """L = P Cᵀ R⁻¹, in discrete time A P Cᵀ (R + C P Cᵀ)⁻¹."""
     A, C = (sp.ImmutableMatrix(M.T) for M in (given.system.A, given.system.C))
-    R = _intensities(given)[1]
+    R = intensities(given)[1]
     return sp.ImmutableMatrix(gain_of(A, C, R, found["P"], discrete=given.system.discrete).T)
 
 

@@ -1,13 +1,11 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
+from solver.numeric.judges.optimal.costs import cost_residual, costs, gain_residual
 from solver.numeric.judges.optimal.regulator import (
     DiscreteWeights,
     Weights,
     control_residual,
-    cost_residual,
-    costs,
     current_gain_residual,
-    gain_residual,
     loop_residual,
 )
 from solver.numeric.judges.optimal.riccati import (
