@@ -22,6 +22,8 @@ from solver.numeric.judges.representation.minimal import (
 NEAR = "1e-22"
 LARGE = 1e12
 """Larger than this near the origin, and as much larger as the point is nearer, is infinite."""
+BESIDE_ONE, LARGE_BESIDE_ONE = "1e-11", 1e5
+"""The same beside one, where what is left of (z − 1)³ must be more than is rounded away."""
 WRONG = float("inf")
 
 
@@ -34,11 +36,14 @@ def dc_gain_residual(G: Any, answer: Any, x: Any = None, where: int = 0) -> floa
         return WRONG
     for point in points_of(value_at_one(G, x), sp.Integer(0) if infinite else answer):
         try:
-            near, nearer = (_value(G, x, point, where, by) for by in (1, MANY.context.mpf("1e-3")))
+            beside, large = (BESIDE_ONE, LARGE_BESIDE_ONE) if infinite and where else (NEAR, LARGE)
+            near, nearer = (
+                _value(G, x, point, where + MANY.context.mpf(beside) * by) for by in (1, MANY.context.mpf("1e-3"))
+            )
         except Undefined:
             return WRONG
         if infinite:
-            right = near.real * (1 if answer == sp.oo else -1) > LARGE and abs(nearer) > 100 * abs(near)
+            right = near.real * (1 if answer == sp.oo else -1) > large and abs(nearer) > 100 * abs(near)
             worst = worst_of((worst, 0.0 if right else WRONG))
         else:
             value = numbers_at([answer], point)[0]
@@ -46,9 +51,8 @@ def dc_gain_residual(G: Any, answer: Any, x: Any = None, where: int = 0) -> floa
     return with_many_digits(worst, G, answer)
 
 
-def _value(G: Any, x: Any, point: Any, where: int, by: Any) -> Any:
+def _value(G: Any, x: Any, point: Any, at: Any) -> Any:
     """G at a point of the real axis, just right of the one asked for."""
-    at = where + MANY.context.mpf(NEAR) * by
     found = value_of(G, Environment.at([{**dict(point), x: MANY.context.mpc(at)}], MANY)).value
     return found.reshape(-1)[0]
 

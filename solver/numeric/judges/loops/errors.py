@@ -28,6 +28,8 @@ POINTS = 2
 TRIED = 400
 BESIDE = (1e-13, 5e-14)
 """So far from the origin s E(s) is taken, in units of the slowest root."""
+BESIDE_ZERO, BESIDE_ONE = ("1e-18", "1e-20"), ("1e-9", "1e-11")
+"""Where the order of a pole is seen: beside one what is left of (z − 1)⁴ must be more than is rounded away."""
 WRONG = float("inf")
 SETTLED = 40.0
 """The time of a simulation in units of the slowest time constant."""
@@ -216,10 +218,11 @@ def order_at_origin(numerator: Any, denominator: Any, s: Any, where: Any = 0) ->
     """Return the orders of the pole of a quotient at the origin, or at 1, that are found by how fast it grows."""
     found = set()
     F = numerator / denominator
+    distances = BESIDE_ONE if int(where) else BESIDE_ZERO
     for point in admissible(free_symbols([numerator, denominator]) - {s}, POINTS):
         near, nearer = (
             abs(np.ravel(value_of(F, Environment.at([{**point, s: int(where) + MANY.context.mpf(at)}], MANY)).value)[0])
-            for at in ("1e-18", "1e-20")
+            for at in distances
         )
         found.add(round(float(MANY.context.log10(nearer / near)) / 2) if nearer and near else 0)
     return found
@@ -228,7 +231,10 @@ def order_at_origin(numerator: Any, denominator: Any, s: Any, where: Any = 0) ->
 def sign_residual(loops: Sequence[tuple[Point, LoopInNumbers]], s: Any, sign: int) -> float:
     """Return 0 where C G H has a sign just to the right of the origin, of z = 1, else infinity."""
     for point, loop in loops:
-        here = Environment.at([{**point, s: int(loop.discrete) + MANY.context.mpf(10) ** -18}], MANY)
+        here = Environment.at(
+            [{**point, s: MANY.context.mpf(BESIDE_ONE[0]) + 1 if loop.discrete else MANY.context.mpf(BESIDE_ZERO[0])}],
+            MANY,
+        )
         value = reduce(mul, (np.ravel(value_of(each, here).value)[0] for each in loop.factors))
         if not value.real * sign > 0:
             return WRONG
