@@ -118,9 +118,13 @@ def in_rad_per_sample(wrong: Wrong) -> Iterable[Any]:
 def with_jw_for_z(wrong: Wrong) -> Iterable[Any]:
     """The margins of L(jω), as if the loop were continuous."""
     loop = wrong.given.system
-    if loop.discrete:
+    if not loop.discrete:
+        return
+    try:
         found = exact.margins_of(exact.on_axis(loop.numerator, loop.denominator, loop.variable))
-        yield getattr(found, wrong.name)
+    except exact.NotExact:  # such a loop has no margins
+        return
+    yield getattr(found, wrong.name)
 
 
 def at_the_frequency_without_period(wrong: Wrong) -> Iterable[Any]:
@@ -129,7 +133,7 @@ def at_the_frequency_without_period(wrong: Wrong) -> Iterable[Any]:
     omega = wrong.answers["gain_crossover" if kind else "phase_crossover"]
     if loop.discrete and loop.sample_time != 1 and omega.is_finite and omega != 0:
         L = exact.on_circle(loop.numerator, loop.denominator, loop.variable, sp.S.One)
-        omega = sp.Float(omega, 30)
+        omega = sp.N(omega, 30)
         yield exact.phase_margin_of(L.phase(omega)) if kind else 1 / L.magnitude(omega)
 
 
