@@ -1,6 +1,7 @@
 """Where the public names of this topic are; `solver.exact` reads it."""
 
 from solver.exact.optimal.discrete_riccati import DiscreteRiccati, Undetermined, discrete_riccati
+from solver.exact.optimal.long_horizons import limit_of_the_recursion
 from solver.exact.optimal.minimal import MinimalSolution, minimal_solution
 from solver.exact.optimal.pencils import annihilator, pencil_polynomial, reciprocal_factor, symplectic_pencil
 from solver.exact.optimal.riccati import NotStabilizable, Riccati, RiccatiSolution, riccati
@@ -29,6 +30,7 @@ __all__ = [
     "discrete_riccati",
     "discrete_riccati_entries",
     "expanded_around_roots",
+    "limit_of_the_recursion",
     "minimal_solution",
     "pencil_polynomial",
     "reciprocal_factor",

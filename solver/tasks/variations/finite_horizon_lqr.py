@@ -181,13 +181,9 @@ def is_the_least_cost(given: Given[WithInput, HorizonOptions], answers: Answers)
 @finite_horizon_lqr.verification("P_infinite")
 def is_the_limit(given: Given[WithInput, HorizonOptions], answers: Answers) -> Iterable[Check]:
     """P(0) of longer and longer horizons."""
-    horizon = HorizonQuestion.of(given).judged
-    yield numeric.check_residual(
-        "$P$ integrated over longer and longer horizons",
-        IVP,
-        lambda: judges.long_horizon_residual(horizon, answers["P_infinite"]),
-        FLOATS,
-    )
+    discrete = given.options.steps is not None
+    label = "$P_{0}$ of ever more steps" if discrete else "$P$ integrated over longer and longer horizons"
+    yield _judged(given, answers["P_infinite"], label, judges.long_horizon_residual, judges.long_steps_residual)
 
 
 @finite_horizon_lqr.verification("riccati_equations")

@@ -59,7 +59,7 @@ def reversed_sign(wrong: Attempt[WithInput, HorizonOptions]) -> Iterable[Any]:
 def of_a_long_horizon(wrong: Attempt[WithInput, HorizonOptions]) -> Iterable[Any]:
     """P∞, and the gain that it gives."""
     limit = wrong.answers.get("P_infinite")
-    if limit is None:
+    if limit is None or wrong.given.options.steps is not None:
         return
     asked = HorizonQuestion.of(wrong.given)
     if wrong.name == "P":

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from solver.derivation import Answers, Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
@@ -10,6 +12,9 @@ from solver.stated.matrices import inverse
 from solver.tasks.variations.energy_question import scalar_or_column
 from solver.tasks.variations.horizon_question import HorizonQuestion
 from solver.words import Phrase
+
+if TYPE_CHECKING:
+    from sympy import ImmutableMatrix
 
 WORKED_OUT = 6
 """More steps than these are not worked out one by one, except for the first of the recursion and the last."""
@@ -37,9 +42,30 @@ def recursion_of(asked: HorizonQuestion, steps: int) -> Derivation[Answers]:
         N=steps,
     )
     answers = Answers(P=list(found.P), K=list(found.K))
+    limit = yield from _limit_of(asked)
+    if limit is not None:
+        answers["P_infinite"] = limit
     if asked.x0 is not None:
         answers |= yield from _motion_of(asked, found)
     return answers
+
+
+@lemma("horizon_recursion")
+def _limit_of(asked: HorizonQuestion) -> Derivation[ImmutableMatrix | None]:
+    """P₀ as the number of steps grows: the stabilizing solution of the algebraic equation, or the minimal one."""
+    try:
+        found = exact.limit_of_the_recursion(asked.A, asked.B, asked.Q, asked.R, asked.S)
+    except exact.NotExact:
+        return None
+    if found is None:
+        return None
+    P, stabilizing = found
+    gain = product(inverse(total(asked.R, product(asked.Bt, P, asked.B))), asked.Bt, P, asked.A)
+    At = sp.ImmutableMatrix(asked.A.T)
+    stated = difference(total(asked.Q, product(At, P, asked.A)), product(At, P, asked.B, gain))
+    claims = {"equation": Claim(stated, P, "the algebraic equation")}
+    yield Step("limit", claims=claims, P=P, stabilizing=stabilizing, free=not any(asked.S.flat()))
+    return P
 
 
 def _step(asked: HorizonQuestion, found: exact.Recursion, k: int) -> Step:

@@ -155,6 +155,29 @@ def cost_matrices_residual(steps: Steps, P: Sequence[Any]) -> float:
     return worst_of(judge(batch) for batch in batches(steps, list(P)))
 
 
+LONGEST, SETTLED_STEPS = 20_000, 1e-13
+
+
+def long_steps_residual(steps: Steps, P: Any) -> float:
+    """Return how far a matrix (n×n) is from P₀ of ever more steps, relatively; infinite where that does not settle."""
+
+    def judge(batch: Batch) -> float:
+        A, B, Q, R, found = batch.A, batch.B, batch.Q, batch.R, batch.S
+        wanted = real(evaluate(P, batch.point))
+        if wanted.shape != A.shape:
+            raise ShapeMismatch("it must be a matrix like A")
+        for _ in range(LONGEST):
+            K = np.linalg.solve(R + B.T @ found @ B, B.T @ found @ A)
+            loop = A - B @ K
+            earlier = Q + K.T @ R @ K + loop.T @ found @ loop
+            change, found = relative(earlier - found, earlier, Q), earlier
+            if change < SETTLED_STEPS:
+                return relative(found - wanted, found, wanted, batch.S)
+        return float("inf")
+
+    return worst_of(judge(batch) for batch in batches(steps, P))
+
+
 def step_gains_residual(steps: Steps, K: Sequence[Any]) -> float:
     """Return how far K₀ … K_{N−1} are from the gains of the first input of the steps that are left, relatively."""
 
