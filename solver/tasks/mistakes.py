@@ -33,9 +33,21 @@ OTHER_SOLUTION = Slip("other_solution", "it solves the Riccati equation, but it 
 OF_ANOTHER_SOLUTION = Slip(
     "other_solution", "it comes from a solution of the Riccati equation that is not the stabilising one"
 )
+CONTINUOUS_RICCATI = Slip(
+    "continuous_riccati", "it solves the Riccati equation of continuous time; the plant is one of discrete time"
+)
+WEIGHT_ALONE = Slip("input_weight", r"$R$ is inverted where $R + B^{T}PB$ belongs")
+WITHOUT_A = Slip("without_A", r"$A$ is missing: it is $(R + B^{T}PB)^{-1}B^{T}P$")
+PREDICTION_FOR_CURRENT = Slip("prediction_gain", "it is the gain of the prediction, not that of the current estimate")
+CURRENT_FOR_PREDICTION = Slip("current_gain", "it is the gain of the current estimate, not that of the prediction")
 STACKED = Slip(
     "stacked", "$B$, $AB$, … stand beside each other, $C$, $CA$, … one below the other; here it is the reverse"
 )
+
+
+def in_continuous_time(system: Any, options: O) -> tuple[Any, O] | None:
+    """The question about the same matrices in continuous time."""
+    return (replace(system, discrete=False, sample_time=None), options) if system.discrete else None
 
 
 def inputs_for_outputs(system: Any, options: O) -> tuple[StateSpace, O] | None:

@@ -221,6 +221,36 @@ def gain_of_another_solution(wrong: Attempt[WithOutput, KalmanFilterOptions]) ->
 
 
 kalman_filter.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)
+kalman_filter.mistaken_question(mistakes.CONTINUOUS_RICCATI)(mistakes.in_continuous_time)
+
+
+@kalman_filter.mistake(mistakes.CURRENT_FOR_PREDICTION, "L")
+def current_gain(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Iterable[Any]:
+    """The gain of the current estimate."""
+    if (L := wrong.answers.get("L_current")) is not None:
+        yield L
+
+
+@kalman_filter.mistake(mistakes.PREDICTION_FOR_CURRENT, "L_current")
+def prediction_gain(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Iterable[Any]:
+    """The gain of the prediction."""
+    if (L := wrong.answers.get("L")) is not None:
+        yield L
+
+
+@kalman_filter.consequence("L_current", of=("P",))
+def current_gain_of_the_covariance(given: Given[WithOutput, KalmanFilterOptions], found: Mapping[str, Any]) -> Any:
+    """L_c = P Cᵀ (R + C P Cᵀ)⁻¹, in discrete time."""
+    if not given.system.discrete:
+        return None
+    C, one = sp.ImmutableMatrix(given.system.C.T), sp.ImmutableMatrix(sp.eye(given.system.order))
+    return sp.ImmutableMatrix(gain_of(one, C, intensities(given)[1], found["P"], discrete=True).T)
+
+
+@kalman_filter.consequence("L", of=("L_current",))
+def gain_of_the_current_one(given: Given[WithOutput, KalmanFilterOptions], found: Mapping[str, Any]) -> Any:
+    """L = A L_c."""
+    return sp.ImmutableMatrix(given.system.A * found["L_current"])
 
 
 @kalman_filter.meaning("L", "error_A")

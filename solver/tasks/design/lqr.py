@@ -243,6 +243,19 @@ def gain_of_another_solution(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[
 
 
 lqr.mistake(mistakes.OTHER_SOLUTION, "P")(other_solutions)
+lqr.mistaken_question(mistakes.CONTINUOUS_RICCATI)(mistakes.in_continuous_time)
+
+
+@lqr.mistake(mistakes.WEIGHT_ALONE, "K")
+def gain_by_the_weight_alone(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
+    """R⁻¹(BᵀPA + Nᵀ) in discrete time."""
+    yield from formulas.gains_by_the_weight_alone(wrong.given, wrong.answers.get("P"))
+
+
+@lqr.mistake(mistakes.WITHOUT_A, "K")
+def gain_without_the_plant(wrong: Attempt[WithInput, LqrOptions]) -> Iterable[Any]:
+    """(R + BᵀPB)⁻¹BᵀP in discrete time."""
+    yield from formulas.gains_without_the_plant(wrong.given, wrong.answers.get("P"))
 
 
 @lqr.mistaken_question(mistakes.WITHOUT_INITIAL_STATE)

@@ -24,7 +24,7 @@ from solver.derivation.figures import Diagram
 from solver.lazy import exact, numeric
 from solver.numeric.judges import design, optimal
 from solver.options.matrix import MatrixOf
-from solver.tasks import consequences, meanings
+from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design.optimal_control import gain_claims
 from solver.tasks.design.regulator import REGULATING, Regulator, faulty_weights, given_or_identity
 from solver.tasks.design.regulator_products import products_of_the_gain
@@ -177,6 +177,9 @@ def belong_to_a_set_point(given: Given[WithBoth, OptimalTrackingOptions], answer
             FLOATS,
             answer="K_o",
         )
+
+
+optimal_tracking.mistaken_question(mistakes.CONTINUOUS_RICCATI)(mistakes.in_continuous_time)
 
 
 optimal_tracking.consequence("F", of=("N",))(consequences.state_of_rest)

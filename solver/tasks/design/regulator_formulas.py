@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Given
@@ -43,6 +43,21 @@ def gain_of(
     cross = N.T if N is not None else sp.zeros(*B.T.shape)
     weight, seen = (R + B.T * P * B, B.T * P * A) if discrete else (R, B.T * P)
     return sp.ImmutableMatrix(sp.Matrix(weight).LUsolve(sp.Matrix(seen + cross)))
+
+
+def gains_by_the_weight_alone(given: Given[WithInput, LqrOptions], P: Any) -> Iterator[Any]:
+    """R⁻¹(BᵀPA + Nᵀ) of discrete time, where P is known and R has an inverse."""
+    N, R, B = given.options.N, weights_as_stated(given)[1], given.system.B
+    if given.system.discrete and P is not None and R.rank() == R.rows:
+        cross = N.T if N is not None else sp.zeros(*B.T.shape)
+        yield sp.ImmutableMatrix(sp.Matrix(R).LUsolve(sp.Matrix(B.T * P * given.system.A + cross)))
+
+
+def gains_without_the_plant(given: Given[WithInput, LqrOptions], P: Any) -> Iterator[Any]:
+    """(R + BᵀPB)⁻¹BᵀP of discrete time, where P is known."""
+    if given.system.discrete and P is not None and given.options.N is None:
+        one = sp.ImmutableMatrix(sp.eye(given.system.order))
+        yield gain_of(one, given.system.B, weights_as_stated(given)[1], P, discrete=True)
 
 
 def law_of_the_gain(given: Given[WithInput, LqrOptions], found: Mapping[str, Any]) -> Any:
