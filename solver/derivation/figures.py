@@ -20,7 +20,8 @@ class Curve:
     """One curve of a plot: `x` and `y` are expressions in the plot's variable; `x` None is the variable itself.
 
     `style` is "line", "dashed", "samples" (values at whole numbers, for discrete time), "arrow" (a trajectory with
-    an arrowhead in its middle) or "guide" (a thin line beside the curves, its label at its end).
+    an arrowhead in its middle), "jumps" (points joined in their order, `x` and `y` are tuples of numbers) or "guide"
+    (a thin line beside the curves, its label at its end).
     """
 
     y: Any

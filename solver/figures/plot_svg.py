@@ -18,7 +18,7 @@ from solver.figures.room import BELOW, give_room
 
 DASHES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)))
 LINES: dict[str, Any] = {"dashed": (0, (4, 3)), "dashed arrow": (0, (4, 3)), "arc": (0, (1, 1.5))}
-ARROWS = {"arrow", "dashed arrow", "arc"}
+ARROWS = {"arrow", "dashed arrow", "arc", "jumps"}
 UNNAMED = {"guide", "area", "span"}
 """What is not in the legend."""
 
@@ -178,8 +178,10 @@ def _draw_curve(axes: Any, each: DrawnCurve, names: list[str], *, first: bool) -
         axes.plot(each.x, each.y, "osD^"[place % 4], color=colour, markersize=4.5, label=label)
     else:
         line = LINES.get(each.style) or (DASHES[place % len(DASHES)] if each.label else "-")
-        width = 1.0 if each.style == "arc" else 1.6
+        width = 0.8 if each.style == "jumps" else 1.0 if each.style == "arc" else 1.6
         axes.plot(each.x, each.y, linestyle=line, color=colour, linewidth=width, label=label)
+        if each.style == "jumps":
+            axes.plot(each.x, each.y, "o", color=colour, markersize=4)
         if each.style in ARROWS and len(each.x) > 1:
             _arrowhead(axes, each, colour)
 

@@ -122,6 +122,8 @@ def _curve(each: DrawnCurve, names: list[str], seen: set[str], plot: DrawnPlot) 
         style = f"{colour}, only marks, mark={ROOTS[each.style]}, {outline}"
     elif each.style == "samples":
         style = f"{colour}, ycomb, mark={MARKS[place % 4]}, mark size=1.6pt"
+    elif each.style == "jumps":
+        style = f"{colour}, very thin, mark=*, mark size=1.3pt"
     else:
         line = LINES.get(each.style) or (DASHES[place % 4] if label else "solid")
         style = f"{colour}, {'thin' if each.style == 'arc' else 'thick'}, {line}"

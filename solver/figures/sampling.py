@@ -60,6 +60,8 @@ def complex_number(value: Any) -> complex:
 
 
 def _curve(curve: Curve, variable: Any, start: float, stop: float) -> DrawnCurve:
+    if curve.style == "jumps":
+        return DrawnCurve(curve.label, curve.style, tuple(map(number, curve.x)), tuple(map(number, curve.y)))
     if curve.style == "samples":
         pieces = [_values(curve, variable, np.arange(np.ceil(start), np.floor(stop) + 1))]
     elif curve.style == "arrow":

@@ -181,7 +181,6 @@ def test_generated_matrices_with_parameters_are_verified(entries):
     ("plant", "words"),
     [
         ("{matrix: [[1]]}", "two states"),
-        ("{time: discrete, matrix: [[0, 1], [-1, 0]]}", "continuous time"),
     ],
 )
 def test_other_systems_are_refused(plant, words):

@@ -15,7 +15,7 @@ from solver.exact.stability.location import (
     stable_where,
 )
 from solver.exact.stability.lyapunov import SingularEquation, Unknowns, lyapunov, lyapunov_equations, lyapunov_residual
-from solver.exact.stability.planar import PlanarSigns, invariants, planar_signs
+from solver.exact.stability.planar import PlanarSigns, invariants, invariants_in_z, planar_signs, planar_signs_in_z
 from solver.exact.stability.root_counts import RootCounts, hurwitz_matrix, root_counts, sign_changes
 from solver.exact.stability.routh import RouthArray, RouthRow, bilinear, routh, routh_parts
 
@@ -35,6 +35,7 @@ __all__ = [
     "edges",
     "hurwitz_matrix",
     "invariants",
+    "invariants_in_z",
     "is_stable_polynomial",
     "location",
     "lyapunov",
@@ -43,6 +44,7 @@ __all__ = [
     "negative_by_rounding",
     "off_the_point_one",
     "planar_signs",
+    "planar_signs_in_z",
     "polynomial_conditions",
     "root_conditions",
     "root_counts",

@@ -1,8 +1,9 @@
-"""What kind of equilibrium the origin of x' = A x is for two states, also where parameters decide it.
+"""What kind of equilibrium the origin of x' = A x, or x(k+1) = A x(k), is for two states, also with parameters.
 
-The kind is told by the signs of trace, determinant and discriminant. Where one of them is open the general kind is
-that at a typical point: a rational one inside what is assumed, positive values before negative ones, at which none of
-the open ones is zero.
+The kind is told by the signs of trace, determinant and discriminant; in discrete time by those of p(1), p(−1), det − 1
+and the discriminant, p the characteristic polynomial. Where one of them is open the general kind is that at a typical
+point: a rational one inside what is assumed, positive values before negative ones, at which none of the open ones is
+zero.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from solver.exact.linear_algebra.signs import is_not_zero, possible_signs, value
 from solver.exact.stability.conditions import all_positive
 from solver.exact.stability.inequalities import Condition, sign_of
 
-Signs = tuple[int, int, int]
-"""Of trace, determinant and discriminant."""
+Signs = tuple[int, ...]
+"""Of trace, determinant and discriminant; in discrete time of p(1), p(−1), det − 1 and the discriminant."""
 
 TRIED = 60
 SIZES = tuple(map(sp.Rational, ("1", "1/2", "2", "3", "1/3", "5", "1/5", "7", "10", "1/10", "20")))
@@ -34,7 +35,7 @@ class PlanarSigns:
     """
 
     signs: Signs
-    open: tuple[bool, bool, bool]
+    open: tuple[bool, ...]
     positive: tuple[sp.Expr, ...]
     exceptions: tuple[Condition, ...]
 
@@ -53,24 +54,77 @@ def invariants(A: sp.ImmutableMatrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return tr, det, sp.expand(tr**2 - 4 * det)
 
 
+def invariants_in_z(A: sp.ImmutableMatrix) -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
+    """p(1), p(−1), det − 1 and the discriminant of A (2×2), p(λ) = λ² − tr λ + det."""
+    tr, det, discriminant = invariants(A)
+    return sp.expand(1 - tr + det), sp.expand(1 + tr + det), sp.expand(det - 1), discriminant
+
+
 def planar_signs(A: sp.ImmutableMatrix) -> PlanarSigns:
     """The signs for general values of the parameters of A (2×2); raises NotExact where no typical values are found."""
     values = invariants(A)
-    known = [_sign(x, form) for x, form in zip(values, _as_they_arise(A), strict=True)]
-    found: Any = known if None not in known else next(_at_typical_points(values, known), None)
-    if found is None:
-        raise NotExact("phase_portrait/no_typical_values")
-    signs: Signs = tuple(found)
-    tr, det, discriminant = (sign is None for sign in known)
-    deciding = [
-        x * sign for x, sign, was, of in zip(values, signs, known, _decisive(signs), strict=True) if was is None and of
-    ]
+    signs, known = _general(values, _as_they_arise(A))
+    deciding = _open_ones(values, signs, known, _decisive(signs))
     exceptions = _negations(deciding)
-    if signs[1] == 0 and tr:
+    if signs[1] == 0 and known[0] is None:
         exceptions.append(sp.Eq(sp.factor(values[0]), 0))
     if signs[2] == 0:
         exceptions += _without_chain(A)
-    return PlanarSigns(signs, (tr, det, discriminant), tuple(deciding), tuple(exceptions))
+    return PlanarSigns(signs, tuple(sign is None for sign in known), tuple(deciding), tuple(exceptions))
+
+
+def planar_signs_in_z(A: sp.ImmutableMatrix) -> PlanarSigns:
+    """The same in discrete time, of p(1), p(−1), det − 1 and the discriminant."""
+    values = invariants_in_z(A)
+    (a, b), (c, d) = A.tolist()
+    forms = (1 - a - d + a * d - b * c, 1 + a + d + a * d - b * c, a * d - b * c - 1, (a - d) ** 2 + 4 * b * c)
+    signs, known = _general(values, forms)
+    deciding, further = _deciding_in_z(values, signs, known)
+    exceptions = [*_negations(deciding), *further]
+    if signs[0] == 0 and known[2] is None:
+        exceptions.append(sp.Eq(sp.factor(values[2]), 0))
+    if signs[3] == 0:
+        exceptions += _without_chain(A)
+    return PlanarSigns(signs, tuple(sign is None for sign in known), tuple(deciding), tuple(exceptions))
+
+
+def _general(values: Sequence[sp.Expr], forms: Sequence[sp.Expr]) -> tuple[Signs, list[int | None]]:
+    """The signs for general values, and those that are the same for all."""
+    known = [_sign(x, form) for x, form in zip(values, forms, strict=True)]
+    found: Any = known if None not in known else next(_at_typical_points(values, known), None)
+    if found is None:
+        raise NotExact("phase_portrait/no_typical_values")
+    return tuple(found), known
+
+
+def _open_ones(
+    values: Sequence[sp.Expr], signs: Signs, known: Sequence[int | None], decisive: Sequence[bool]
+) -> list[sp.Expr]:
+    """What is open and decisive, with the sign that makes it positive for general values."""
+    told = zip(values, signs, known, decisive, strict=True)
+    return [x * sign for x, sign, was, of in told if was is None and of]
+
+
+def _deciding_in_z(
+    values: Sequence[sp.Expr], signs: Signs, known: Sequence[int | None]
+) -> tuple[list[sp.Expr], list[Condition]]:
+    """What must be positive for the kind to stay, and further exceptions.
+
+    A saddle has p(1) p(−1) < 0, whichever of the two is negative; an unstable node has both negative, or both positive
+    and det > 1.
+    """
+    at_one, at_minus_one, size, _ = values
+    both = _open_ones(values, signs, known, (True, True, False, False))
+    if signs[0] == 0:
+        return [], []
+    if signs[0] * signs[1] < 0 or -1 in known[:2]:
+        return ([sp.expand(sp.Mul(*both))] if both else []), []
+    if signs[3] > 0 and signs[2 if signs[0] > 0 else 0] * signs[0] > 0 and len(both) > 1:
+        node = [sp.expand(at_one * at_minus_one), *_open_ones(values, signs, known, (False, False, False, True))]
+        stable = all_positive([at_one, -size])
+        return node, [] if stable is sp.false else [stable]
+    real = signs[3] > 0
+    return _open_ones(values, signs, known, (real, real, True, signs[3] != 0)), []
 
 
 def _as_they_arise(A: sp.ImmutableMatrix) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -87,7 +141,7 @@ def _sign(x: sp.Expr, form: sp.Expr) -> int | None:
     return known
 
 
-def _decisive(signs: Signs) -> tuple[bool, bool, bool]:
+def _decisive(signs: Signs) -> Sequence[bool]:
     """Which of trace, determinant and discriminant must keep their sign for the kind to stay."""
     _, det, discriminant = signs
     return det > 0, det < 0 or discriminant > 0 < det, det > 0 and discriminant != 0
@@ -114,7 +168,7 @@ def _at_typical_points(values: Sequence[sp.Expr], known: Sequence[int | None]) -
     for point in _typical_points(symbols):
         signs = [sign_of(x.xreplace(point)) if sign is None else sign for x, sign in zip(values, known, strict=True)]
         if all(sign not in (0, None) or was == 0 for sign, was in zip(signs, known, strict=True)):
-            yield tuple(signs)  # type: ignore[misc]
+            yield tuple(sign for sign in signs if sign is not None)
 
 
 def _typical_points(symbols: Sequence[Any]) -> Iterator[dict[Any, sp.Expr]]:

@@ -5,7 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Refusal, Step, Task, Unsolved
+from solver.derivation import (
+    AnswerName,
+    Answers,
+    Attempt,
+    Check,
+    Claim,
+    Derivation,
+    Given,
+    Refusal,
+    Step,
+    Task,
+    Unsolved,
+)
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import linear_algebra, stability
@@ -14,7 +26,8 @@ from solver.stated.matrices import determinant, trace
 from solver.tasks import meanings, mistakes
 from solver.tasks.linear_algebra.eigenstructure import eigenvalues_of, right_eigenvectors_of
 from solver.tasks.plant_options import PlantOptions
-from solver.tasks.stability.planar_kinds import kind_by_signs, other_cases
+from solver.tasks.stability.jumping_points import kind_by_moduli
+from solver.tasks.stability.planar_kinds import kind_by_signs, kind_in_z, other_cases
 from solver.tasks.stability.trajectories import portrait_of
 from solver.words import Reason
 
@@ -32,7 +45,7 @@ KINDS = (
 phase_portrait: Task[StateSpace, PlantOptions] = Task(
     "phase_portrait",
     title="Phase portrait",
-    doc="The kind of equilibrium at the origin of x' = A x with two states, and the trajectories around it.",
+    doc="The kind of equilibrium at the origin of x' = A x or x(k+1) = A x(k), two states, and the motions around it.",
     needs=("A",),
     options=PlantOptions,
     answers=[
@@ -42,7 +55,7 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
             "the kind of equilibrium (with parameters: in general)",
             principal=True,
             words=KINDS,
-            earned=("spectrum", "invariants", "kind"),
+            earned=("spectrum", "invariants", "sizes", "conditions", "kind"),
         ),
         AnswerName("eigenvalues", r"\lambda_i", "the eigenvalues, each as often as its multiplicity"),
         AnswerName("exceptions", r"\text{exceptions}", "where the parameters make it another", optional=True),
@@ -52,19 +65,21 @@ phase_portrait: Task[StateSpace, PlantOptions] = Task(
 
 @phase_portrait.refusal
 def has_no_plane(system: System, options: PlantOptions) -> Iterable[Refusal]:  # noqa: ARG001 - no options
-    """There must be two states, in continuous time."""
-    if system.discrete:
-        yield "", Reason("phase_portrait/discrete_time")
-    elif (order := getattr(system, "order", 2)) != 2:
+    """There must be two states."""
+    if (order := getattr(system, "order", 2)) != 2:
         yield "", Reason("phase_portrait/number_of_states", {"n": order})
 
 
 @phase_portrait.method(source="Lecture note, section 1.15.2")
 def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers]:
-    """Trace, determinant and discriminant tell the eigenvalues apart; these tell the kind."""
+    """Trace, determinant and discriminant tell the eigenvalues apart; these tell the kind, in discrete time by |λ|."""
     A = given.system.A
     if A.rows != 2:
         raise Unsolved("phase_portrait/another_order", n=A.rows)
+    if given.system.discrete:
+        kind, found = yield from kind_by_moduli(A)
+        answers = Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
+        return Answers(**answers, exceptions=list(found.exceptions)) if found.exceptions else answers
     yield from eigenvalues_of(A)
     tr, det, discriminant = exact.invariants(A)
     yield Step(
@@ -136,9 +151,9 @@ def _equilibria(A: ImmutableMatrix) -> ImmutableMatrix | None:
 
 @phase_portrait.verification("kind", "exceptions")
 def is_the_kind_of_the_eigenvalues(given: Given[StateSpace, PlantOptions], answers: Answers) -> Iterable[Check]:
-    """Signs and imaginary parts of the eigenvalues, dim ker(A − λI) for a double one, with 100 digits."""
-    exceptions = answers.get("exceptions")
-    general, special = stability.kinds_and_exceptions(given.system.A, exceptions or ())
+    """Signs (discrete: sizes) and imaginary parts of the eigenvalues, dim ker(A − λI) for a double one, 100 digits."""
+    exceptions, discrete = answers.get("exceptions"), given.system.discrete
+    general, special = stability.kinds_and_exceptions(given.system.A, exceptions or (), discrete=discrete)
     kinds = {str(answers["kind"])} if "kind" in answers else general
     if "kind" in answers:
         right = general == kinds if exceptions is not None or not given.system.parameters else kinds <= general
@@ -160,14 +175,16 @@ def are_the_roots(given: Given[StateSpace, PlantOptions], answers: Answers) -> I
 
 
 @phase_portrait.consequence("kind", of=("eigenvalues",), symbolic=False)
-def kind_of(_given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]) -> Any:
+def kind_of(given: Given[StateSpace, PlantOptions], found: Mapping[str, Any]) -> Any:
     """The kind by the eigenvalues; None where they coincide or depend on parameters."""
     values = found["eigenvalues"]
     if len(values) != 2 or values[0] == values[1] or any(value.free_symbols for value in values):
         return None
     tr, det, discriminant = sum(values), values[0] * values[1], (values[0] - values[1]) ** 2
-    signs = [_sign(sp.re(sp.N(x, 30))) for x in (tr, det, discriminant)]
-    return kind_by_signs(sp.ImmutableMatrix(sp.eye(2)), *signs)
+    discrete = given.system.discrete
+    deciding = (1 - tr + det, 1 + tr + det, det - 1) if discrete else (tr, det)
+    signs = [_sign(sp.re(sp.N(x, 30))) for x in (*deciding, discriminant)]
+    return (kind_in_z if discrete else kind_by_signs)(sp.ImmutableMatrix(sp.eye(2)), *signs) or None
 
 
 def _sign(x: Any) -> int:
@@ -179,3 +196,13 @@ phase_portrait.mistake(mistakes.DIAGONAL, "eigenvalues")(mistakes.diagonal_entri
 
 
 phase_portrait.meaning("eigenvalues")(meanings.no_eigenvalue)
+
+
+@phase_portrait.meaning("kind")
+def by_the_half_plane(wrong: Attempt[StateSpace, PlantOptions]) -> Reason | None:
+    """In discrete time: the kind that the same matrix has in continuous time."""
+    A = wrong.given.system.A
+    if not wrong.given.system.discrete or A.free_symbols or A.rows != 2:
+        return None
+    kinds, _ = stability.kinds_and_exceptions(A)
+    return Reason("phase_portrait/half_plane") if str(wrong.value) in kinds else None

@@ -1,4 +1,4 @@
-"""The kinds of equilibrium of two states by the signs of trace, determinant and discriminant."""
+"""The kinds of equilibrium of two states by the signs of what tells where their eigenvalues lie."""
 
 from __future__ import annotations
 
@@ -27,7 +27,28 @@ def kind_by_signs(A: ImmutableMatrix, tr: int, det: int, discriminant: int) -> s
         return f"{speed} focus" if tr else "center"
     if discriminant > 0:
         return f"{speed} node"
-    return f"{speed} star" if A[0, 1] == 0 and A[1, 0] == 0 else f"{speed} degenerate node"
+    return f"{speed} star" if _is_multiple(A) else f"{speed} degenerate node"
+
+
+def kind_in_z(A: ImmutableMatrix, at_one: int, at_minus_one: int, size: int, discriminant: int) -> str:
+    """The kind in discrete time by the signs of p(1), p(−1), det − 1 and the discriminant; "" for the eigenvalue −1."""
+    if at_one == 0:
+        return "line of equilibria" if size else "all points are equilibria" if _is_multiple(A) else "shear"
+    if at_minus_one == 0:
+        return ""
+    if at_one * at_minus_one < 0:
+        return "saddle"
+    speed = "stable" if size < 0 < at_one else "unstable"
+    if discriminant < 0:
+        return f"{speed} focus" if size else "center"
+    if discriminant == 0:
+        return f"{speed} star" if _is_multiple(A) else f"{speed} degenerate node"
+    return f"{speed} node"
+
+
+def _is_multiple(A: ImmutableMatrix) -> bool:
+    """Whether A is a multiple of the identity, given that it has a double eigenvalue."""
+    return bool(A[0, 1] == 0 and A[1, 0] == 0)
 
 
 def other_cases(A: ImmutableMatrix, values: Sequence[Expr], found: exact.PlanarSigns) -> Iterator[Case]:

@@ -26,7 +26,7 @@ ROUND = 5
 def portrait_of(A: ImmutableMatrix, Phi: ImmutableMatrix, t: Symbol, kind: str) -> Plot:
     """The phase portrait of x' = A x (2×2, numbers); each curve runs over u from 0 to 1."""
     u = sp.Symbol("u")
-    curves = [*_lines(A, u), *_trajectories(A, Phi, t, u, kind)]
+    curves = [*eigenvector_lines(A, u), *_trajectories(A, Phi, t, u, kind)]
     return Plot(
         Phrase("Phase portrait: {kind}", kind=kind),
         "x_{1}",
@@ -40,7 +40,7 @@ def portrait_of(A: ImmutableMatrix, Phi: ImmutableMatrix, t: Symbol, kind: str) 
     )
 
 
-def _lines(A: ImmutableMatrix, u: Symbol) -> Iterator[Curve]:
+def eigenvector_lines(A: ImmutableMatrix, u: Symbol) -> Iterator[Curve]:
     """The lines through the origin along real eigenvectors."""
     structure = exact.eigenstructure(A)
     vectors = [(space.root.value, chain[0]) for space in structure.eigenspaces for chain in space.chains]
