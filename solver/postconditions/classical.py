@@ -14,7 +14,7 @@ from solver.lazy import numeric
 from solver.numeric.judges import classical as judges
 from solver.numeric.judges import representation
 from solver.stated.algebra import quotient
-from solver.stated.complex_numbers import real_part
+from solver.stated.complex_numbers import absolute, real_part
 from solver.words import Phrase
 
 ORACLE = "mpmath (50 digits)"
@@ -44,13 +44,16 @@ def of_pole_factors(found: Any, G: Any) -> Iterator[Claim]:
     yield Claim(G.denominators[0][0], found, "the denominator in factors")
 
 
-def of_decay(found: Any, poles: Any) -> Iterator[Claim | Check]:
-    """Every pole is in a mode, with its real part; signs and order are those of numbers."""
+def of_decay(found: Any, poles: Any, period: Any = None) -> Iterator[Claim | Check]:
+    """Every pole is in a mode, with its real part; signs and order are those of numbers; in discrete time with |p|."""
     listed = [pole for mode in found.modes for pole in mode.every]
     yield Check.that("every pole belongs to a mode", "counted", sorted(map(str, listed)) == sorted(map(str, poles)))
     for mode in found.modes:
         for pole in mode.poles:
-            yield Claim(real_part(pole), -mode.rate, "the real part of a pole")
+            if period is None:
+                yield Claim(real_part(pole), -mode.rate, "the real part of a pole")
+            elif pole != 0:
+                yield Claim(absolute(pole), sp.exp(-mode.rate * period), "the size of a pole")
         if mode.sign is not None and not mode.rate.free_symbols:
             yield Check.that("the sign of a rate", ORACLE, bool(sp.N(mode.rate * mode.sign, 30) > 0) or mode.sign == 0)
     if not any(mode.rate.free_symbols for mode in found.modes):
