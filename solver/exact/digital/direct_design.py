@@ -1,4 +1,4 @@
-"""Direct design: the controller D = (1/G) T/(1 − T) that gives a sampled loop the transfer function T, and what it cancels.
+"""Direct design: the controller D = (1/G) T/(1 − T) that gives a sampled loop the transfer function T.
 
 With coprime G = N/M and T = P/R it is D = M P/(N (R − P)). The loop has the characteristic polynomial R times what D
 cancels: the factor of N that P does not have, and the factor of M that R − P does not have.
@@ -15,10 +15,12 @@ import sympy as sp
 
 from solver.exact.design.placement import conjugate_pairs, monic
 from solver.exact.linear_algebra.fields import domain_matrix, expression
-from solver.exact.representation.polynomials import expanded, factored_form, factors_of, signed_fraction
+from solver.exact.representation.polynomials import factored_form, factors_of, signed_fraction
 from solver.exact.stability.location import is_stable_polynomial
 
 Coefficients = tuple[sp.Expr, ...]
+Fraction = tuple[sp.Expr, sp.Expr]
+"""A numerator and a denominator, not cancelled."""
 
 
 @dataclass(frozen=True)
@@ -44,9 +46,12 @@ class DirectDesign:
     target_denominator: Coefficients
 
 
-def direct_design(plant: sp.Expr, target: sp.Expr, z: sp.Symbol) -> DirectDesign:
-    """Return the design; raises ValueError for a plant or a target that is zero, and for T = 1. Raises NotExact."""
-    N, M, P, R = _polynomials((plant, target), z)
+def direct_design(plant: Fraction, target: sp.Expr, z: sp.Symbol) -> DirectDesign:
+    """Return the design for a plant N/M; raises ValueError for a plant or a target that is zero, and for T = 1.
+
+    Raises NotExact for numbers without exact arithmetic.
+    """
+    N, M, P, R = _polynomials((plant, sp.fraction(sp.together(target))), z)
     Q = R - P
     if N.is_zero or P.is_zero or Q.is_zero:
         raise ValueError("there is no such controller")
@@ -55,12 +60,11 @@ def direct_design(plant: sp.Expr, target: sp.Expr, z: sp.Symbol) -> DirectDesign
     common = P.gcd(R).monic()
     P, R, Q = P.quo(common), R.quo(common), Q.quo(common)
     zeros, poles = (each.quo(each.gcd(other)).monic() for each, other in ((N, P), (M, Q)))
-    (above, shared), (below, kept) = _without_common(P, N), _without_common(Q, M)
     return DirectDesign(
         plant=_fraction(N, M),
         target=_fraction(P, R),
         rest=_fraction(Q, R),
-        controller=_fraction(poles * above, zeros * below, _lead(M) * _lead(shared) / (_lead(N) * _lead(kept))),
+        controller=_fraction(M * P, N * Q),
         control=_fraction(P * M, R * N),
         lag=M.degree() - N.degree(),
         target_lag=R.degree() - P.degree(),
@@ -72,9 +76,30 @@ def direct_design(plant: sp.Expr, target: sp.Expr, z: sp.Symbol) -> DirectDesign
     )
 
 
-def _polynomials(functions: Sequence[sp.Expr], z: sp.Symbol) -> list[sp.Poly]:
+def monic_fraction(plant: Fraction, z: sp.Symbol) -> Fraction:
+    """Return numerator and denominator in factors, nothing cancelled, the leading coefficient in the numerator."""
+    N, M = _polynomials((plant,), z)
+    if N.is_zero:
+        return sp.Integer(0), factored_form(factors_of(M.monic()))
+    top, bottom = (factored_form(factors_of(each.monic())) for each in (N, M))
+    number = expression(N.domain, _lead(N) / _lead(M))
+    over, under = sp.fraction(number) if number.free_symbols else (number, sp.Integer(1))
+    return over * top, under * bottom
+
+
+def factors_in(p: Coefficients, z: sp.Symbol) -> sp.Expr:
+    """The monic polynomial with these coefficients, highest power first, in its factors."""
+    (found, _) = _polynomials(((_written(p, z), sp.Integer(1)),), z)
+    return factored_form(factors_of(found.monic()))
+
+
+def _written(p: Coefficients, z: sp.Symbol) -> sp.Expr:
+    return sp.Add(*(c * z ** (len(p) - 1 - i) for i, c in enumerate(p)))
+
+
+def _polynomials(fractions: Sequence[Fraction], z: sp.Symbol) -> list[sp.Poly]:
     """Numerators and denominators over one field."""
-    sides = [side for each in functions for side in sp.fraction(sp.together(each))]
+    sides = [side for each in fractions for side in each]
     listed = [[sp.expand(c) for c in sp.Poly(sp.expand(side), z).all_coeffs()] for side in sides]
     matrix = domain_matrix(sp.Matrix([[c for each in listed for c in each]]))
     K, (flat,), found, start = matrix.domain, matrix.to_list(), [], 0
@@ -84,27 +109,20 @@ def _polynomials(functions: Sequence[sp.Expr], z: sp.Symbol) -> list[sp.Poly]:
     return found
 
 
-def _without_common(p: sp.Poly, other: sp.Poly) -> tuple[sp.Poly, sp.Poly]:
-    """(p without its common factor with another, that factor); the first keeps the leading coefficient."""
-    common = p.gcd(other).monic()
-    return p.quo(common), common
-
-
 def _lead(p: sp.Poly) -> Any:
     return p.rep.to_list()[0]
 
 
-def _fraction(above: sp.Poly, below: sp.Poly, factor: Any = None) -> sp.Expr:
-    """κ above/below in lowest terms, both in factors; κ is 1 where none is given."""
+def _fraction(above: sp.Poly, below: sp.Poly) -> sp.Expr:
+    """above/below in lowest terms, both in factors."""
     K, common = above.domain, above.gcd(below).monic()
     above, below = above.quo(common), below.quo(common)
-    gain = _lead(above) / _lead(below) * (K.one if factor is None else factor)
-    parts = [factored_form(factors_of(each.monic())) for each in (above, below)]
-    number = expression(K, gain)
-    top, bottom = sp.fraction(number)
-    if number.is_Rational or not number.free_symbols:
-        return signed_fraction(number * parts[0], parts[1])
-    return signed_fraction(top * parts[0], bottom * parts[1])
+    top, bottom = (factored_form(factors_of(each.monic())) for each in (above, below))
+    number = expression(K, _lead(above) / _lead(below))
+    if not number.free_symbols:
+        return signed_fraction(number * top, bottom)
+    over, under = sp.fraction(number)
+    return signed_fraction(over * top, under * bottom)
 
 
 def _coefficients(p: sp.Poly) -> Coefficients:
@@ -143,24 +161,47 @@ def _in_factors(roots: Sequence[sp.Expr], z: sp.Symbol) -> sp.Expr:
     return sp.Mul(*quadratic, *(z - root for root in others))
 
 
-def outside_the_circle(p: Coefficients, z: sp.Symbol) -> sp.Expr:
-    """The factors of a polynomial, with numbers, that do not have all roots inside the unit circle; 1 for none."""
-    (found,) = _polynomials_of([p], z)
-    kept = [(f, m) for f, m in factors_of(found.monic()) if is_stable_polynomial(_coefficients(f), discrete=True) is False]
-    return factored_form(kept)
+def admissible_target(plant: Fraction, denominator: Coefficients, z: sp.Symbol) -> sp.Expr | None:
+    """The target with these poles and T(1) = 1 that cancels nothing outside the unit circle; None where there is none.
 
-
-def _polynomials_of(listed: Sequence[Coefficients], z: sp.Symbol) -> list[sp.Poly]:
-    return _polynomials([sp.Add(*(c * z ** (len(p) - 1 - i) for i, c in enumerate(p))) for p in listed], z)[::2]
-
-
-def admissible_target(plant: sp.Expr, denominator: Coefficients, z: sp.Symbol) -> sp.Expr | None:
-    """The target with these poles and T(1) = 1 that cancels nothing outside, of the lowest degree; None: there is none.
-
-    Its numerator is B times the factor of N with roots outside, B = R/that modulo the factor of M with roots outside
-    and z − 1; missing poles are at 0.
+    Its numerator is B N⁻, N⁻ the factor of N with the roots that are not inside, of the lowest degree with
+    B N⁻ = R modulo the same factor of M and z − 1. Poles are put at 0 until it is as late as the plant.
     """
-    N, M, R, one = _polynomials((plant, 1 / sp.Add(*(c * z ** (len(denominator) - 1 - i) for i, c in
-                                                     enumerate(denominator)))), z)[0:4]  # fmt: skip
-    del R, one
-    return None if N.is_zero or M.is_zero else None
+    N, M, _, R = _polynomials((plant, (sp.Integer(1), _written(denominator, z))), z)
+    common = N.gcd(M)
+    N, M = N.quo(common), M.quo(common)
+    zeros, poles = _outside(N), _outside(M)
+    if zeros is None or poles is None:
+        return None
+    K = N.domain
+    m = poles.lcm(sp.Poly([K.one, -K.one], z, domain=K))
+    if zeros.gcd(m).degree() > 0:
+        return None
+    lag = M.degree() - N.degree()
+    while True:
+        top = zeros * (R * zeros.invert(m)).rem(m)
+        if R.degree() - top.degree() >= lag:
+            return _fraction(top, R)
+        R = R * sp.Poly(z, z, domain=K)
+
+
+def _outside(p: sp.Poly) -> sp.Poly | None:
+    """The monic factor with the roots that are not inside; None where parameters decide."""
+    found = sp.Poly(1, p.gen, domain=p.domain)
+    for factor, m in factors_of(p.monic()):
+        stable = is_stable_polynomial(_coefficients(factor), discrete=True)
+        if stable is None:
+            return None
+        found = found if stable else found * factor**m
+    return found
+
+
+def not_inside(p: Coefficients, z: sp.Symbol) -> sp.Expr:
+    """The factors of a polynomial, highest power first, of which it is known that not all roots are inside; 1: none."""
+    (found, _) = _polynomials(((_written(p, z), sp.Integer(1)),), z)
+    kept = [
+        (factor, m)
+        for factor, m in factors_of(found.monic())
+        if is_stable_polynomial(_coefficients(factor), discrete=True) is False
+    ]
+    return factored_form(kept)
