@@ -37,7 +37,8 @@ def _of_image(image: Any, s: Any) -> Iterator[Claim | Check]:
     for each in image.exceptions:
         together = sp.numer(sp.together(sp.discriminant(image.denominator, s)))
         factor = sp.numer(sp.together(each.lhs))
-        meets = each.rhs == 0 and sp.rem(together, factor, *sorted(each.free_symbols, key=str)) == 0
+        symbols = [] if factor.has(sp.exp) else sorted(each.free_symbols, key=str)
+        meets = each.rhs == 0 and sp.rem(together, factor, *symbols) == 0
         yield Check.that("where poles meet", "discriminant", bool(meets))
 
 
