@@ -20,6 +20,7 @@ def of_direct_design(found: Any, plant: tuple[Any, Any], target: Any, z: Any) ->
     yield Claim(G, found.plant)
     yield Claim(target, found.target)
     yield Claim(1 - target, found.rest)
+    yield Claim(target / (1 - target), found.forward)
     yield Claim(found.controller * G * (1 - target), target)
     yield Claim(found.control * G, target)
     parts = [sp.Poly(sp.expand(side), z) for each in (found.plant, found.target, found.controller)

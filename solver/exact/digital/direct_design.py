@@ -29,12 +29,13 @@ class DirectDesign:
 
     `hidden` is what numerator and denominator of the plant had in common. `lag` and `target_lag` are by how many steps
     plant and target are late, `lateness` by how many the controller would be: below zero it is not causal. `rest` is
-    1 − T, `control` is T/G, `controller` is D.
+    1 − T, `forward` is T/(1 − T) = D G, `control` is T/G, `controller` is D.
     """
 
     plant: sp.Expr
     target: sp.Expr
     rest: sp.Expr
+    forward: sp.Expr
     controller: sp.Expr
     control: sp.Expr
     lag: int
@@ -64,6 +65,7 @@ def direct_design(plant: Fraction, target: sp.Expr, z: sp.Symbol) -> DirectDesig
         plant=_fraction(N, M),
         target=_fraction(P, R),
         rest=_fraction(Q, R),
+        forward=_fraction(P, Q),
         controller=_fraction(M * P, N * Q),
         control=_fraction(P * M, R * N),
         lag=M.degree() - N.degree(),

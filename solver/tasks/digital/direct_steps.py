@@ -93,7 +93,8 @@ def _controller(plant: Fraction, found: exact.DirectDesign, z: Symbol) -> Step:
     inverse = quotient(plant[1], plant[0])
     claims = {
         "rest": Claim(difference(sp.Integer(1), found.target), found.rest, "what T leaves"),
-        "D": Claim(product(inverse, quotient(found.target, found.rest)), found.controller, "the controller"),
+        "forward": Claim(quotient(found.target, found.rest), found.forward, "what D and G are together"),
+        "D": Claim(product(inverse, found.forward), found.controller, "the controller"),
     }
     return Step("controller", claims=claims, z=z)
 
@@ -136,10 +137,10 @@ def _cancellations(found: exact.DirectDesign, z: Symbol) -> Step:
 
 def _loop(plant: Fraction, found: exact.DirectDesign, z: Symbol) -> Step:
     """D G/(1 + D G) = T; the control signal, and the recursion of the controller."""
-    G = quotient(*plant)
-    loop = product(found.controller, G)
+    L = found.forward
     claims = {
-        "loop": Claim(quotient(loop, total(sp.Integer(1), loop)), found.target, "the closed loop"),
+        "forward": Claim(product(found.controller, quotient(*plant)), L, "controller and plant in series"),
+        "loop": Claim(quotient(L, total(sp.Integer(1), L)), found.target, "the closed loop"),
         "control": Claim(product(quotient(plant[1], plant[0]), found.target), found.control, "from r to u"),
     }
     above, below = (sp.Poly(sp.expand(side), z).all_coeffs() for side in sp.fraction(sp.together(found.controller)))

@@ -67,17 +67,21 @@ def loop_fault(question: DirectQuestion, controller: Any, z: Any) -> str:
 
     The loop is followed from sample to sample after a step of the reference.
     """
-    D = tuple(_numbers(part, z) for part in sp.fraction(sp.cancel(controller)))
-    G = _held(question) if question.sampled else tuple(_numbers(part, z) for part in question.plant)
+    D = _fraction(sp.fraction(sp.cancel(controller)), z)
+    G = _held(question) if question.sampled else _fraction(question.plant, z)
     if len(D[0]) > len(D[1]):
         return "the controller is not causal"
     characteristic = np.polyadd(np.polymul(D[0], G[0]), np.polymul(D[1], G[1]))
     if np.any(np.abs(np.roots(characteristic)) > 1 - EDGE):
         return "a mode of the loop does not decay"
-    top, bottom = (_numbers(part, z) for part in sp.fraction(sp.cancel(wanted_loop(question, z))))
-    wanted = _follow([(top, bottom)], closed=False)
+    wanted = _follow([_fraction(sp.fraction(sp.cancel(wanted_loop(question, z))), z)], closed=False)
     found = _follow([D, G], closed=True)
     return "" if np.allclose(found, wanted, rtol=NEAR, atol=NEAR) else "the output is not that of the target"
+
+
+def _fraction(sides: tuple[Any, ...], z: Any) -> tuple[Array, Array]:
+    above, below = (_numbers(side, z) for side in sides)
+    return above, below
 
 
 def _numbers(polynomial: Any, z: Any) -> Array:
