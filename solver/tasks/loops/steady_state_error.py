@@ -66,7 +66,7 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
             r"e(\infty)",
             "the limit of the error r − y",
             principal=True,
-            earned=("stable", "unity", "reference", "disturbance", "final_value", "by_constants"),
+            earned=("at_both_ends", "stable", "unity", "reference", "disturbance", "final_value", "by_constants"),
         ),
         AnswerName("system_type", r"\text{type}", "the number of integrators of L", count=True, earned=("constants",)),
         AnswerName(
