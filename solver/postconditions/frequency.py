@@ -113,14 +113,16 @@ def of_phase_margin_of(found: Any, phase: Any) -> Iterator[Claim | Check]:
     yield Check.that("180° more, up to full turns", "compared", bool(abs(sp.N(turns - round(turns), 30)) < 1e-20))
 
 
-def of_encirclements(found: Any, numerator: Any, denominator: Any, s: Any, delay: Any = sp.S.Zero) -> Iterator[Check]:
+def of_encirclements(
+    found: Any, numerator: Any, denominator: Any, s: Any, delay: Any = sp.S.Zero, *, sample_time: Any = None
+) -> Iterator[Check]:
     """Poles of L and of the loop by their roots, with a dead time by the argument principle; N is their difference."""
-    outside, on = judges.closed_loop_poles(numerator, denominator, s, delay)
-    P, _ = judges.roots_outside(sp.Poly(denominator, s).all_coeffs())
-    yield Check.that("poles of L in the right half plane", "mpmath.polyroots", found.open_loop == P)
+    outside, on = judges.closed_loop_poles(numerator, denominator, s, delay, sample_time)
+    P, _ = judges.roots_outside(sp.Poly(denominator, s).all_coeffs(), discrete=sample_time is not None)
+    yield Check.that("poles of L outside of the region of stability", "mpmath.polyroots", found.open_loop == P)
     if not found.through:
         yield Check.that(
-            "poles of the loop in the right half plane",
+            "poles of the loop outside of the region of stability",
             "mpmath or the argument",
             found.closed_loop == outside,
         )
@@ -128,12 +130,13 @@ def of_encirclements(found: Any, numerator: Any, denominator: Any, s: Any, delay
     yield Check.that("L is −1 somewhere, or a pole on the axis cancels", "mpmath.polyroots",
                      (found.through or found.on_axis > 0) == bool(on))  # fmt: skip
     if delay == 0:
-        yield Check.that("poles of the loop on the axis", "mpmath.polyroots", found.on_axis == on)
-    turns = sum(each.clockwise * (1 if each.omega == 0 else 2) for each in found.beyond)
+        yield Check.that("poles of the loop on its boundary", "mpmath.polyroots", found.on_axis == on)
+    turns = sum(each.clockwise * (1 if each.end else 2) for each in found.beyond)
     counted = turns + sum(each.passes for each in found.arcs) + found.closing
     yield Check.that("the crossings add up", "counted", found.real or found.through or counted == found.clockwise)
     yield Check.that("half turns at infinity", "numpy.roots", judges.are_half_turns(
-        numerator, denominator, s, [(each.omega, each.half_turns) for each in found.arcs]) or found.real)  # fmt: skip
+        numerator, denominator, s, [(each.omega, each.half_turns) for each in found.arcs], sample_time)
+        or found.real)  # fmt: skip
 
 
 def of_phase_crossings(found: Any, L: Any, degrees: Any) -> Iterator[Check]:

@@ -100,6 +100,10 @@ class OnAxis:
         """The sign of a polynomial in ω² that is not zero, at low frequencies."""
         return int(mpmath.sign(decimal(next(c for c in reversed(p.all_coeffs()) if c != 0))))
 
+    def distance(self, r: Any) -> Any:
+        """Up to about which frequency a pole or zero does not bend the curve much: |r|."""
+        return abs(r)
+
     @property
     def samples(self) -> list[sp.Expr]:
         """Some values of what the parts are polynomials in, over all frequencies."""

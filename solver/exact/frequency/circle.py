@@ -77,6 +77,10 @@ class OnCircle(OnAxis):
         below = p.compose(sp.Poly(1 - p.gen, p.gen, domain=p.domain))
         return super().first_sign(below)
 
+    def distance(self, r: Any) -> Any:
+        """|r − 1|/T."""
+        return abs(r - 1) / decimal(self.period)
+
     @property
     def samples(self) -> list[sp.Expr]:
         """Some cosines."""

@@ -9,11 +9,15 @@ from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, G
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.numeric.judges import frequency as judges
+from solver.tasks.frequency.boundary import needs_a_sampling_period, numbers_of, on_boundary, poles_in_numbers
 from solver.tasks.frequency.crossovers import formula_of, on_axis_of, real_axis_of
 from solver.tasks.frequency.figures import nyquist_figures
 from solver.tasks.plant_options import LoopOptions
+from solver.words import Phrase
 
 if TYPE_CHECKING:
+    from sympy import Expr
+
     from solver.systems import OpenLoop
 
 nyquist: Task[OpenLoop, LoopOptions] = Task(
@@ -26,15 +30,17 @@ nyquist: Task[OpenLoop, LoopOptions] = Task(
     example={"transfer_function": "10/(s(s + 1)(s + 5))"},
     answers=[
         AnswerName("encirclements", "N", "the turns about −1, clockwise positive", count=True, earned=("turns",)),
-        AnswerName("open_loop_unstable_poles", "P", "the poles of L in the right half plane", count=True,
-                   earned=("path",)),
-        AnswerName("closed_loop_unstable_poles", "Z", "the poles of the closed loop in the right half plane",
-                   count=True, earned=("count",)),
+        AnswerName("open_loop_unstable_poles", "P", "the poles of L in the right half plane (discrete: outside the "
+                   "unit circle)", count=True, earned=("path",)),
+        AnswerName("closed_loop_unstable_poles", "Z", "the poles of the closed loop in the right half plane (discrete: "
+                   "outside the unit circle)", count=True, earned=("count",)),
         AnswerName("stable", r"\text{stable}", "whether the closed loop is stable", earned=("count",)),
-        AnswerName("real_axis_crossings", r"L(j\omega_{i})", "the values of L where it is real, 0 < ω < ∞; with a dead "
-                   "time the first ones, all others are smaller", earned=("real_axis",)),
+        AnswerName("real_axis_crossings", r"L(j\omega_{i})", "the values of L where it is real, 0 < ω < ∞ (discrete: to "
+                   "π/T); with a dead time the first ones, all others are smaller", earned=("real_axis",)),
     ],
 )  # fmt: skip
+
+nyquist.refusal(needs_a_sampling_period)
 
 REVERSED = Slip("direction", "the direction is reversed: clockwise turns are positive")
 HALF = Slip("half_of_the_curve", "only the half of the curve for ω > 0 is counted")
@@ -42,15 +48,15 @@ SUBTRACTED = Slip("subtracted", "it is Z = N + P, not N − P or P − N")
 OPEN_LOOP = Slip("open_loop", "that is said of L; the closed loop is asked for")
 
 
-@nyquist.method(source="Ogata, Modern Control Engineering, §§7–5, 7–6", time="continuous")
+@nyquist.method(source="Ogata, Modern Control Engineering, §§7–5, 7–6", time="both")
 def by_turns(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
     """The turns are counted where the curve crosses the real axis left of −1, with the half turns at infinity."""
     loop = given.system
     N, D, s = loop.numerator, loop.denominator, loop.variable
-    L = exact.on_axis(N, D, s, loop.delay)
+    L = on_boundary(loop)
     if not L.late and sp.degree(sp.expand(N + D), s) < sp.degree(D, s):
         raise Unsolved("conversions/ill_posed_direct_path")
-    found = exact.encirclements(N, D, s, loop.delay)
+    found = exact.encirclements(N, D, s, loop.delay, sample_time=L.sample_time)
     yield _path(L, loop, found)
     yield from on_axis_of(L)
     phases = yield from real_axis_of(L)
@@ -58,10 +64,11 @@ def by_turns(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
     crossings = [value for _, value in phases.real_axis]
     figures = nyquist_figures("Nyquist diagram of $L$", "The same near $-1$", L, crossings)
     if found.through:
-        yield Step("through", unclaimed="a root of D + N on the axis", figures=figures)
-        raise Unsolved("frequency/through_minus_one")
+        yield Step("through", unclaimed="a root of D + N on the boundary of stability", figures=figures)
+        raise Unsolved("frequency/through_minus_one", discrete=L.discrete)
     yield _turns(L, found, figures)
-    yield Step("count", unclaimed="counted; the answers have checks of their own", found=found, stable=found.stable)
+    yield Step("count", unclaimed="counted; the answers have checks of their own", found=found, stable=found.stable,
+               discrete=L.discrete)  # fmt: skip
     return Answers(
         encirclements=sp.Integer(found.clockwise),
         open_loop_unstable_poles=sp.Integer(found.open_loop),
@@ -72,29 +79,47 @@ def by_turns(given: Given[OpenLoop, LoopOptions]) -> Derivation[Answers]:
 
 
 def _path(L: exact.OnAxis, loop: OpenLoop, found: exact.Encirclements) -> Step:
-    """Round the right half plane, poles on the axis passed on the right."""
+    """Round the right half plane, poles on the axis passed on the right; round the unit circle, passed outside."""
     return Step("path", unclaimed="counted by a Routh array; the answer has a check of its own", L=formula_of(L),
                 s=L.variable, D=loop.denominator, P=found.open_loop,
-                poles=[(each.omega, each.half_turns) for each in found.arcs])  # fmt: skip
+                poles=[(each.omega, each.half_turns) for each in found.arcs], discrete=L.discrete,
+                places=[(_place(L, each), each.half_turns) for each in found.arcs])  # fmt: skip
+
+
+def _place(L: exact.OnAxis, arc: exact.Arc) -> Expr | None:
+    """Where a pole on the unit circle is, the upper one of a pair: cos ωT + j sin ωT."""
+    return L.place(arc.omega) + sp.I * L.unit(arc.omega) if L.discrete else None
 
 
 def _ends(L: exact.OnAxis) -> Step:
     """Where the curve begins and ends."""
     c, power = L.start
+    if L.end is not None:
+        return _ends_on_circle(L, L.end.omega)
     angle = (90 * power - (180 if c < 0 else 0) + 180) % 360 - 180
     final = L.N.LC() / L.D.LC() if L.excess == 0 else sp.S.Zero
     lead = (-90 * L.excess + (180 if L.N.LC() / L.D.LC() < 0 else 0) + 180) % 360 - 180
     return Step("ends", unclaimed="limits, seen from the lowest and highest powers", start=c if power == 0 else None,
                 power=power, angle=angle if angle != -180 else 180, final=final, excess=L.excess,
-                lead=lead if lead != -180 else 180, late=L.late)  # fmt: skip
+                lead=lead if lead != -180 else 180, late=L.late, discrete=False)  # fmt: skip
+
+
+def _ends_on_circle(L: exact.OnAxis, last: Expr) -> Step:
+    """Where the curve begins, z = 1, and where it ends, z = −1."""
+    c, power = L.start
+    angle = (90 * power - (180 if c < 0 else 0) + 180) % 360 - 180
+    infinite = L.parts.below(L.place(last)) == 0
+    return Step("ends", unclaimed="values of $L$ at both ends", start=c if power == 0 else None, power=power,
+                angle=angle if angle != -180 else 180, final=None if infinite else L.value(last)[0], discrete=True,
+                excess=0, lead=None, late=False)  # fmt: skip
 
 
 def _turns(L: exact.OnAxis, found: exact.Encirclements, figures: Any) -> Step:
     """The crossings left of −1 with their directions, what the half turns and the way through infinity add."""
-    rows = [(each.omega, -each.magnitude, each.clockwise, 1 if each.omega == 0 else 2) for each in found.beyond]
+    rows = [(each.omega, -each.magnitude, each.clockwise, 1 if each.end else 2) for each in found.beyond]
     return Step("turns", unclaimed="counted; the answer has a check of its own", rows=rows, arcs=list(found.arcs),
                 closing=found.closing, clockwise=found.clockwise, real=found.real, late=L.late,
-                figures=figures)  # fmt: skip
+                discrete=L.discrete, places=[_place(L, each) for each in found.arcs], figures=figures)  # fmt: skip
 
 
 ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
@@ -105,29 +130,28 @@ ORACLE = "numpy.roots, refined; with a dead time samples and bisection"
 )
 def are_counted_by_numbers(given: Given[OpenLoop, LoopOptions], answers: Answers) -> Iterable[Check]:
     """Poles by numpy and mpmath, turns by the change of the argument of 1 + L, crossings by samples."""
-    loop = given.system
-    N, D, s, T = loop.numerator, loop.denominator, loop.variable, loop.delay
+    loop, where = given.system, "outside the unit circle" if given.system.discrete else "in the right half plane"
     if "open_loop_unstable_poles" in answers:
-        P, _ = judges.roots_outside(sp.Poly(D, s).all_coeffs())
-        yield Check.that("poles of $L$ in the right half plane", "mpmath.polyroots",
+        P, _ = judges.roots_outside(sp.Poly(loop.denominator, loop.variable).all_coeffs(), discrete=loop.discrete)
+        yield Check.that(Phrase("poles of $L$ {where}", where=where), "mpmath.polyroots",
                          bool(answers["open_loop_unstable_poles"] == P), answer="open_loop_unstable_poles")  # fmt: skip
     if "closed_loop_unstable_poles" in answers or "stable" in answers:
-        Z, on = judges.closed_loop_poles(N, D, s, T)
-        oracle = "mpmath.polyroots" if T == 0 else "numpy, the argument principle on a contour"
+        Z, on = poles_in_numbers(loop)
+        oracle = "mpmath.polyroots" if loop.delay == 0 else "numpy, the argument principle on a contour"
         if "closed_loop_unstable_poles" in answers:
             holds = bool(answers["closed_loop_unstable_poles"] == Z)
-            yield Check.that("poles of the loop in the right half plane", oracle, holds,
+            yield Check.that(Phrase("poles of the loop {where}", where=where), oracle, holds,
                              answer="closed_loop_unstable_poles")  # fmt: skip
         if "stable" in answers:
-            yield Check.that("no pole in the right half plane or on the axis", oracle,
+            yield Check.that(Phrase("no pole {where} or on its edge", where=where), oracle,
                              bool(answers["stable"]) == (not Z and not on), answer="stable")  # fmt: skip
     if "encirclements" in answers:
-        turns = judges.turns_about(judges.numeric_loop(N, D, s, T))
+        turns = judges.turns_about(numbers_of(loop))
         yield Check.that("the change of the argument of $1 + L$ along the path", "numpy, samples of the contour",
                          bool(answers["encirclements"] == turns), answer="encirclements")  # fmt: skip
     if "real_axis_crossings" in answers:
-        residual = judges.crossing_residual(judges.numeric_loop(N, D, s, T), answers["real_axis_crossings"])
-        yield Check.within("all real values of $L(j\\omega)$", ORACLE, residual, 1e-12, answer="real_axis_crossings")
+        residual = judges.crossing_residual(numbers_of(loop), answers["real_axis_crossings"])
+        yield Check.within("all real values of $L$ on the path", ORACLE, residual, 1e-12, answer="real_axis_crossings")
 
 
 @nyquist.consequence("closed_loop_unstable_poles", of=("encirclements", "open_loop_unstable_poles"), symbolic=False)
@@ -165,6 +189,6 @@ def subtracted(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
 def of_the_open_loop(wrong: Attempt[OpenLoop, LoopOptions]) -> Iterable[Any]:
     """Whether L has no pole to the right or on the axis."""
     loop = wrong.given.system
-    counts = exact.root_counts(sp.Poly(loop.denominator, loop.variable).all_coeffs())
+    counts = exact.root_counts(sp.Poly(loop.denominator, loop.variable).all_coeffs(), discrete=loop.discrete)
     if counts is not None and (stable := not counts.outside and not counts.on) != wrong.ours:
         yield stable

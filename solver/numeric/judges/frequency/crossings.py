@@ -106,8 +106,12 @@ def direction(loop: NumericLoop, omega: Any) -> int:
         return int(mpmath.sign(after - before)) if before * after < 0 else 0
 
 
-def are_half_turns(numerator: Any, denominator: Any, s: Any, found: Sequence[tuple[Any, int]]) -> bool:
-    """Whether there is an arc for each pole on the axis, with as many half turns as its multiplicity."""
+def are_half_turns(
+    numerator: Any, denominator: Any, s: Any, found: Sequence[tuple[Any, int]], sample_time: Any = None
+) -> bool:
+    """Whether there is an arc for each pole on the axis (circle), with as many half turns as its multiplicity."""
+    if sample_time is not None:
+        return _are_half_turns_on_circle(numerator, denominator, s, found, float(sample_time))
     _, below = sp.fraction(sp.cancel(numerator / denominator))
     listed = [complex(c) for c in sp.Poly(below, s).all_coeffs()]
     roots = np.roots(listed)
@@ -115,6 +119,24 @@ def are_half_turns(numerator: Any, denominator: Any, s: Any, found: Sequence[tup
     if sum(count for _, count in found) != len([z for z in on if _vanishes(below, s, z)]):
         return False
     return all(any(abs(z.imag - float(omega)) < 1e-3 * (1 + abs(z)) for z in on) for omega, _ in found)
+
+
+def _are_half_turns_on_circle(N: Any, D: Any, z: Any, found: Sequence[tuple[Any, int]], period: float) -> bool:
+    """The poles on the circle are those whose reciprocals are poles too, and of size one."""
+    _, below = sp.fraction(sp.cancel(N / D))
+    p = sp.Poly(below, z)
+    shared = p.gcd(sp.Poly(list(reversed(p.all_coeffs())), z)) if p.degree() else p
+    on = [
+        (abs(np.angle(root)), times)
+        for part, times in (shared.sqf_list()[1] if shared.degree() else ())
+        for root in np.roots([complex(c) for c in part.all_coeffs()])
+        if abs(abs(root) - 1) < 1e-7 and np.angle(root) > -1e-9
+    ]
+    ours = sorted((float(omega) * period, count) for omega, count in found)
+    wanted = sorted(on)
+    return len(ours) == len(wanted) and all(
+        abs(a - b) < 1e-6 and m == n for (a, m), (b, n) in zip(ours, wanted, strict=True)
+    )
 
 
 def peak_of(loop: NumericLoop) -> Any:

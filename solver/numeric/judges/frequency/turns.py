@@ -9,10 +9,17 @@ import mpmath
 import numpy as np
 
 from solver.numeric.judges.frequency.crossings import decimal, is_real
-from solver.numeric.judges.frequency.loops import NumericLoop
+from solver.numeric.judges.frequency.loops import NumericLoop, plus
 
 INSET = 1e-7
 """The path runs so far right of the axis, in parts of the largest root: that passes poles on it on their right."""
+
+OUTSIDE = 0.02
+"""The path of a discrete loop runs outside of the circle by half of this at most."""
+
+MANY = 120
+ON_CIRCLE = mpmath.mpf(10) ** -12
+"""Multiple roots keep a part of many digits; those so near to the circle are on it."""
 
 COUNT = 20_000
 STEP = 1.2
@@ -23,6 +30,8 @@ WRONG = float("inf")
 
 def turns_about(loop: NumericLoop) -> int | None:
     """Return the clockwise turns; None where samples cannot follow the curve."""
+    if loop.last is not None:
+        return _turns_on_circle(loop)
     N, D = (np.array([float(c) for c in p]) for p in (loop.N, loop.D))
     T, scale = float(loop.T), loop.scale
     roots = [z for p in (N, D) for z in np.roots(p)]
@@ -46,8 +55,30 @@ def turns_about(loop: NumericLoop) -> int | None:
     return -round(float(np.sum(steps)) / (2 * np.pi))
 
 
+def _turns_on_circle(loop: NumericLoop) -> int | None:
+    """The same while z runs round the unit circle, outside of it by half the distance of the nearest root there."""
+    N, D = (np.array([float(c) for c in p]) for p in (loop.N, loop.D))
+    with mpmath.workdps(MANY):
+        listed = [_roots(p) for p in (list(loop.D), plus(list(loop.N), list(loop.D)))]
+        away = [float(abs(z) - 1) for z in (*listed[0], *listed[1]) if abs(z) - 1 > ON_CIRCLE]
+    inset = min([OUTSIDE, *away]) / 2
+    around = np.geomspace(inset / 10, 2 * np.pi, 3000)
+    close = [float(mpmath.arg(z)) + np.concatenate([-around, around]) for z in (*listed[0], *listed[1])]
+    theta = np.unique(np.concatenate([np.linspace(-np.pi, np.pi, COUNT), *close]))
+    z = (1 + inset) * np.exp(1j * theta[(theta >= -np.pi) & (theta <= np.pi)])
+    values = 1 + np.polyval(N, z) / np.polyval(D, z)
+    steps = np.angle(np.roll(values, -1) / values)
+    if not np.all(np.isfinite(steps)) or np.max(np.abs(steps)) > STEP:
+        return None
+    return -round(float(np.sum(steps)) / (2 * np.pi))
+
+
+def _roots(p: list[Any]) -> list[Any]:
+    return mpmath.polyroots(p, maxsteps=2000, extraprec=4 * MANY, error=False) if len(p) > 1 else []
+
+
 def crossing_residual(loop: NumericLoop, found: Sequence[Any]) -> float:
-    """How far values are from the real values of L(jω), ω > 0, in any order; with a dead time from the largest."""
+    """How far values are from the real values of L, ω > 0, in any order; with a dead time from the largest."""
     if is_real(loop):
         return 0.0 if not found else WRONG
     wanted = sorted((value for _, value in loop.real_crossings()), key=abs, reverse=True)
