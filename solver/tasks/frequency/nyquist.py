@@ -35,8 +35,8 @@ nyquist: Task[OpenLoop, LoopOptions] = Task(
         AnswerName("closed_loop_unstable_poles", "Z", "the poles of the closed loop in the right half plane (discrete: "
                    "outside the unit circle)", count=True, earned=("count",)),
         AnswerName("stable", r"\text{stable}", "whether the closed loop is stable", earned=("count",)),
-        AnswerName("real_axis_crossings", r"L(j\omega_{i})", "the values of L where it is real, 0 < ω < ∞ (discrete: to "
-                   "π/T); with a dead time the first ones, all others are smaller", earned=("real_axis",)),
+        AnswerName("real_axis_crossings", r"L(j\omega_{i})", "the values of L where it is real, 0 < ω < ∞ (discrete: "
+                   "to π/T); with a dead time the first ones, all others are smaller", earned=("real_axis",)),
     ],
 )  # fmt: skip
 
