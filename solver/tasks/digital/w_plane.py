@@ -11,7 +11,7 @@ from solver.lazy import sympy as sp
 from solver.stated.algebra import power, product, total
 from solver.stated.calculus import value_at
 from solver.tasks.stability.criterion import polynomial_of, symmetric_roots
-from solver.tasks.stability.routh_array import rows_of
+from solver.tasks.stability.routh_array import by_falling_powers, rows_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -58,7 +58,7 @@ def by_the_image_in_w(coefficients: Sequence[Expr], z: Symbol) -> Derivation[InW
 
 def _image(rest: Sequence[Expr], image: Sequence[Expr], left: Expr, z: Symbol, w: Symbol) -> Step:
     """(1 − w)ⁿ p((1 + w)/(1 − w)), each coefficient with its powers, multiplied out."""
-    n, found = len(rest) - 1, polynomial_of(image, w)
+    n, found = len(rest) - 1, by_falling_powers(image, w)
     stated = product(power(1 - w, n), value_at(left, z, (1 + w) / (1 - w)))
     terms = total(*(product(c, (1 + w) ** (n - i), (1 - w) ** i) for i, c in enumerate(rest) if c != 0))
     claims = {

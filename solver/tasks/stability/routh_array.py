@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.stated.algebra import difference, power, product, quotient
+from solver.stated.algebra import difference, power, product, quotient, total
 from solver.stated.calculus import derivative, value_at
 from solver.stated.matrices import partitioned
 from solver.tasks.linear_algebra.characteristic_polynomial import determinant_of
@@ -72,7 +72,7 @@ def bilinear_image_of(listed: Sequence[Expr], w: Symbol) -> Derivation[tuple[tup
         yield Step("point_one", claims={"split": split}, ones=ones, rest=rest)
     n, image = len(left) - 1, exact.bilinear(left)
     stated = product((w - 1) ** n, value_at(rest, z, (w + 1) / (w - 1)))
-    p = _polynomial(image, w)
+    p = by_falling_powers(image, w)
     yield Step("bilinear", claims={"image": Claim(stated, p, "the bilinear image")}, n=n, p=p, chi=rest)
     return image, ones
 
@@ -80,6 +80,17 @@ def bilinear_image_of(listed: Sequence[Expr], w: Symbol) -> Derivation[tuple[tup
 def _written_power(x: Symbol, exponent: int) -> Expr:
     """xᵏ as rows are labelled, x¹ and x⁰ too."""
     return sp.Pow(x, exponent, evaluate=False)
+
+
+def by_falling_powers(listed: Sequence[Expr], x: Symbol) -> Any:
+    """The polynomial as it is written by the powers of x, where parameters in its coefficients would mix them up."""
+    if not any(c.free_symbols for c in listed):
+        return _polynomial(listed, x)
+    n = len(listed) - 1
+    terms = [
+        c if i == n else x ** (n - i) if c == 1 else product(c, x ** (n - i)) for i, c in enumerate(listed) if c != 0
+    ]
+    return total(*terms)
 
 
 def _polynomial(listed: Sequence[Expr], x: Symbol) -> Expr:
@@ -92,8 +103,8 @@ def _rows(array: exact.RouthArray, x: Symbol) -> Derivation[None]:
     """The rows from the third on by their determinants; the special cases where they occur."""
     rows = array.rows
     first = [list(row.computed) for row in rows[:2]]
-    yield Step("first_rows", unclaimed="the coefficients, written alternately", p=_polynomial(array.coefficients, x),
-               x=x, first=[(_written_power(x, rows[i].power), row) for i, row in enumerate(first)])  # fmt: skip
+    p = by_falling_powers(array.coefficients, x)
+    yield Step("first_rows", unclaimed="the coefficients, written alternately", p=p, x=x, first=[(_written_power(x, rows[i].power), row) for i, row in enumerate(first)])  # fmt: skip
     for i, row in enumerate(rows):
         if i > 1:
             claims = _entries(rows[i - 2].entries, rows[i - 1].entries, row.computed)
