@@ -102,9 +102,8 @@ def _polynomial(listed: Sequence[Expr], x: Symbol) -> Expr:
 def _rows(array: exact.RouthArray, x: Symbol) -> Derivation[None]:
     """The rows from the third on by their determinants; the special cases where they occur."""
     rows = array.rows
-    first = [list(row.computed) for row in rows[:2]]
-    p = by_falling_powers(array.coefficients, x)
-    yield Step("first_rows", unclaimed="the coefficients, written alternately", p=p, x=x, first=[(_written_power(x, rows[i].power), row) for i, row in enumerate(first)])  # fmt: skip
+    p, first = by_falling_powers(array.coefficients, x), [(_written_power(x, r.power), [*r.computed]) for r in rows[:2]]
+    yield Step("first_rows", unclaimed="the coefficients, written alternately", p=p, x=x, first=first)
     for i, row in enumerate(rows):
         if i > 1:
             claims = _entries(rows[i - 2].entries, rows[i - 1].entries, row.computed)
