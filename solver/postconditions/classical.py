@@ -146,19 +146,20 @@ def of_sampled_events(found: Any, response: Any, band: Any, *, whole: bool, show
                      judges.is_bounded(plant, found.bound, int(found.within), band))  # fmt: skip
 
 
-def of_reduction(found: Any, form: Any, order: int) -> Iterator[Claim | Check]:
-    """The slowest poles are kept and no pair is split; the function has them, and the value at zero."""
+def of_reduction(found: Any, form: Any, order: int, *, discrete: bool = False) -> Iterator[Claim | Check]:
+    """The slowest poles are kept and no pair is split; the function has them, and the value at zero (at one)."""
     fraction = form.function
     top, bottom = (sp.expand(each) for each in sp.fraction(sp.together(fraction)))
     plant = representation.realized(((top,),), ((bottom,),), form.variable)
     for name, poles in (("kept", found.poles_kept), ("dropped", found.poles_dropped)):
-        check = partial(judges.dominant_residual, plant, order, name, poles)
+        check = partial(judges.dominant_residual, plant, order, name, poles, discrete=discrete)
         yield numeric.check_residual(Phrase("the poles that are {name}", name=name), ORACLE, check)
-    check = partial(judges.reduced_residual, plant, order, found.function)
+    check = partial(judges.reduced_residual, plant, order, found.function, discrete=discrete)
     yield numeric.check_residual("the reduced function", ORACLE, check)
-    above, below = (sp.Mul(*(-root for root in roots)) for roots in (found.zeros_dropped, found.poles_dropped))
-    yield Claim(above / below, found.constant, "the fast factors at zero")
-    if found.ratio is not None:
+    rest = sp.Integer(1 if discrete else 0)
+    above, below = (sp.Mul(*(rest - root for root in roots)) for roots in (found.zeros_dropped, found.poles_dropped))
+    yield Claim(above / below, found.constant, "the fast factors for slow signals")
+    if found.ratio is not None and not discrete:
         first, last = (real_part(mode.poles[0]) for mode in (found.dropped[0], found.kept[-1]))
         yield Claim(quotient(first, last), found.ratio, "the ratio of real parts")
     zeros = sorted(map(str, (*found.zeros_kept, *found.zeros_dropped)))
@@ -171,6 +172,14 @@ def of_largest_error(found: Any, response: Any) -> Iterator[Check]:
     plant = (system.A, system.B, system.C, system.D if system.D is not None else sp.zeros(1, 1))
     check = partial(judges.largest_size_residual, plant, found.time, found.value)
     yield numeric.check_residual("the largest size of the difference", "scipy.linalg.expm", check)
+
+
+def of_largest_sampled_error(found: Any, response: Any) -> Iterator[Check]:
+    """No sample of the response is larger, and it has this value at its time."""
+    system = response.system
+    plant = (system.A, system.B, system.C, system.D if system.D is not None else sp.zeros(1, 1))
+    fault = judges.largest_sample_fault(plant, found.time, found.value)
+    yield Check.within("the largest size of the difference", "the recursion (50 digits)", fault, 1e-8)
 
 
 def of_largest_difference(found: Any, whole: Any, modes: Any) -> Iterator[Check]:

@@ -27,6 +27,7 @@ from solver.exact.classical.reduction_errors import (
     reduced_modes,
     reduced_response,
 )
+from solver.exact.classical.sampled_errors import largest_sampled_error
 from solver.exact.classical.sampled_events import SampledEvents, sampled_events
 from solver.exact.classical.step_events import Extreme, Rise, StepEvents, step_events
 
@@ -52,6 +53,7 @@ __all__ = [
     "decay",
     "largest_difference",
     "largest_error",
+    "largest_sampled_error",
     "pole_factors",
     "pole_zero_factors",
     "poles_of_damping",

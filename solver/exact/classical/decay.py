@@ -99,7 +99,9 @@ def _same(a: sp.Expr, b: sp.Expr) -> bool:
 def _compared(mode: DecayMode, other: DecayMode) -> int | None:
     """The sign of the difference of both rates."""
     if mode.square is not None and other.square is not None:
-        return sign_of(sp.expand(other.square - mode.square))
+        sign = sign_of(sp.expand(other.square - mode.square))
+        apart = [complex_parts(each.poles[0])[0] for each in (other, mode)]
+        return sign if sign != 0 else sign_of(sp.expand(apart[0] - apart[1]))  # of one size that nearer to one first
     return sign_of(sp.expand(mode.rate - other.rate))
 
 

@@ -1,6 +1,7 @@
 """A transfer function reduced to its dominant poles: fast factors are replaced by their values at zero.
 
-So the DC gain is kept, of an integrator the velocity constant. Source: Ogata, Modern Control Engineering, section 5-4.
+So the DC gain is kept, of an integrator the velocity constant. In discrete time the slowest poles are those of largest
+size, and fast factors are replaced by their values at one. Source: Ogata, Modern Control Engineering, section 5-4.
 """
 
 from __future__ import annotations
@@ -21,9 +22,9 @@ from solver.exact.stability.inequalities import sign_of
 class Reduction:
     """The modes that are kept and dropped, the zeros too; `ratio` of the first rate dropped to the last one kept.
 
-    `constant` is what the dropped factors are at zero, zeros over poles; with the `gain`, which it is part of, times
-    `top` over `bottom` the function is made. `lasting` tells how many poles are kept because their modes do not decay,
-    `split` a pair that did not fit any more; `crowded` that a slow zero is dropped as there is no pole for it.
+    `constant` is what the dropped factors are at zero (at one), zeros over poles; with the `gain`, which it is part of,
+    times `top` over `bottom` the function is made. `lasting` tells how many poles are kept because their modes do not
+    decay, `split` a pair that did not fit any more; `crowded` that a slow zero is dropped as there is no pole for it.
     """
 
     kept: tuple[DecayMode, ...]
@@ -63,23 +64,26 @@ class NotReduced(Exception):  # noqa: N818 - it is a finding
         self.why, self.count = why, count
 
 
-def reduction(form: PoleZeroForm, order: int) -> Reduction:
+def reduction(form: PoleZeroForm, order: int, *, discrete: bool = False) -> Reduction:
     """The reduction to so many poles, one less rather than half a pair; raises NotReduced."""
-    found = decay(form.poles)
+    found = decay(form.poles, sp.Integer(1) if discrete else None)
     kept, dropped, split = _chosen(found, order, len(form.poles))
     room = sum(mode.count for mode in kept) - (1 if len(form.zeros) < len(form.poles) else 0)
-    slow, fast, crowded = _zeros(form.zeros, dropped, room)
+    at = sp.Integer(1 if discrete else 0)
+    slow, fast, crowded = _zeros(form.zeros, dropped, room, at)
     x = form.variable
     constant = sp.Integer(1)
     for root in fast:
-        constant *= -root
+        constant *= at - root
     for mode in dropped:
         for pole in mode.every:
-            constant /= -pole
+            constant /= at - pole
     constant = _tidied(constant)
     top, bottom = _product(x, slow), _product(x, [pole for mode in kept for pole in mode.every])
     last = kept[-1].rate
     ratio = _tidied(dropped[0].rate / last) if kept[-1].sign == 1 else None
+    if ratio is not None and ratio.has(sp.log) and not ratio.free_symbols:
+        ratio = sp.N(ratio, DIGITS)
     lasting = sum(mode.count for mode in kept if mode.sign != 1)
     return Reduction(
         kept,
@@ -122,18 +126,18 @@ def _chosen(
 
 
 def _zeros(
-    every: Sequence[sp.Expr], dropped: Sequence[DecayMode], most: int
+    every: Sequence[sp.Expr], dropped: Sequence[DecayMode], most: int, at: sp.Expr
 ) -> tuple[list[sp.Expr], list[sp.Expr], bool]:
-    """The zeros nearer to the origin than all dropped poles, as far as there is room; the others; if there was none."""
-    near = [_square(pole) for mode in dropped for pole in mode.poles]
+    """The zeros nearer to 0 (1) than all dropped poles, as far as there is room; the others; if there was none."""
+    near = [_square(pole - at) for mode in dropped for pole in mode.poles]
     slow: list[sp.Expr] = []
     for zero in every:
-        signs = [sign_of(sp.expand(square - _square(zero))) for square in near]
+        signs = [sign_of(sp.expand(square - _square(zero - at))) for square in near]
         if None in signs:
             raise NotReduced("open")
         if all(sign == 1 for sign in signs):
             slow.append(zero)
-    slow.sort(key=lambda zero: float(sp.N(_square(zero))) if not zero.free_symbols else 0.0)
+    slow.sort(key=lambda zero: float(sp.N(_square(zero - at))) if not zero.free_symbols else 0.0)
     crowded = len(slow) > most
     while len(slow) > most:
         last = slow.pop()

@@ -28,7 +28,7 @@ from solver.numeric.judges import classical as judges
 from solver.options.integer import Integer
 from solver.stated.algebra import product, quotient
 from solver.stated.calculus import value_at
-from solver.stated.transforms import inverse_laplace
+from solver.stated.transforms import inverse_laplace, inverse_z
 from solver.tasks.classical.paths import Path, numbers_of, path_of, poles_of, quietly
 from solver.tasks.classical.step_measures import question_of
 from solver.tasks.plant_options import LoopOptions
@@ -62,68 +62,65 @@ dominant_pole_reduction: Task[Plant, ReductionOptions] = Task(
 )
 
 
-@dominant_pole_reduction.method(source="Ogata, Modern Control Engineering, section 5-4", time="continuous")
+@dominant_pole_reduction.method(source="Ogata, Modern Control Engineering, section 5-4")
 def by_dominant_poles(given: Given[Plant, ReductionOptions]) -> Derivation[Answers]:
-    """Keep the poles nearest to the imaginary axis; what is fast is replaced by its value at zero."""
+    """Keep the poles nearest to the imaginary axis, in z those of largest size; what is fast is its value at rest."""
     path = yield from path_of(given)
     yield from poles_of(path)
     form = exact.pole_zero_factors(path.fraction)
-    found = _reduced(form, given.options.order)
-    x = path.variable
+    found = _reduced(form, given.options.order, discrete=path.discrete)
     yield Step("chosen", unclaimed="a choice, which has a check of its own", found=found, order=given.options.order,
-               count=len(form.poles))  # fmt: skip
+               count=len(form.poles), discrete=path.discrete)  # fmt: skip
     if form.zeros:
-        yield Step("zeros", unclaimed="a choice, which has a check of its own", found=found,
-                   farthest=min((sp.Abs(p) for p in found.poles_dropped), key=sp.N))  # fmt: skip
-    yield _constant(found, x)
+        yield Step("zeros", unclaimed="a choice, which has a check of its own", found=found, discrete=path.discrete,
+                   farthest=min((sp.Abs(p - path.rest) for p in found.poles_dropped), key=sp.N))  # fmt: skip
+    yield _constant(found, path)
     yield _whole(path, form, found)
     yield from _compared(path, found)
-    G = found.function * sp.exp(-path.delay * x) if path.delay != 0 else found.function
+    G = found.function * sp.exp(-path.delay * path.variable) if path.delay != 0 else found.function
     return Answers(G=G, kept=found.poles_kept, dropped=found.poles_dropped)
 
 
-def _reduced(form: exact.PoleZeroForm, order: int) -> exact.Reduction:
+def _reduced(form: exact.PoleZeroForm, order: int, *, discrete: bool) -> exact.Reduction:
     """The reduction; raises Unsolved where it says nothing new, or is not told by the parameters."""
     try:
-        return exact.reduction(form, order)
+        return exact.reduction(form, order, discrete=discrete)
     except exact.NotReduced as finding:
         if finding.why == "open":
             raise Unsolved("dominant_pole_reduction/open") from None
         if finding.why == "lasting":
-            raise Unsolved("dominant_pole_reduction/lasting", count=finding.count) from None
+            raise Unsolved("dominant_pole_reduction/lasting", count=finding.count, discrete=discrete) from None
         raise Unsolved("dominant_pole_reduction/nothing", count=finding.count, order=order) from None
 
 
-def _constant(found: exact.Reduction, x: Any) -> Step:
-    """What the fast factors are at zero."""
-    zero = sp.Integer(0)
-    above, below = ([x - root for root in roots] for roots in (found.zeros_dropped, found.poles_dropped))
-    top, bottom = (sp.Mul(*(sp.expand(each.subs(x, zero)) for each in factors)) for factors in (above, below))
-    claim = Claim(quotient(from_at_zero(found.zeros_dropped), from_at_zero(found.poles_dropped)), found.constant,
-                  "the fast factors at zero")  # fmt: skip
-    return Step("constant", claims={"constant": claim}, x=x, found=found, top=top, bottom=bottom)
+def _constant(found: exact.Reduction, path: Path) -> Step:
+    """What the fast factors are at zero, at one."""
+    stated = (_at_rest(roots, path.rest) for roots in (found.zeros_dropped, found.poles_dropped))
+    claim = Claim(quotient(*stated), found.constant, "the fast factors for slow signals")
+    return Step("constant", claims={"constant": claim}, x=path.variable, found=found, discrete=path.discrete)
 
 
-def from_at_zero(roots: Iterable[Expr]) -> Any:
-    """Π(0 − r) as it is written."""
-    factors = [-root for root in roots]
+def _at_rest(roots: Iterable[Expr], at: Expr) -> Any:
+    """Π(0 − r), Π(1 − r) as it is written."""
+    factors = [at - root for root in roots]
     return product(*factors) if len(factors) > 1 else factors[0] if factors else sp.Integer(1)
 
 
 def _whole(path: Path, form: exact.PoleZeroForm, found: exact.Reduction) -> Step:
     """The reduced function; its DC gain, or velocity constant, is that of the whole one."""
-    x = path.variable
+    x, at = path.variable, path.rest
     stated = product(form.gain, found.constant, quotient(found.top, found.bottom))
     late = sp.exp(-path.delay * x) if path.delay != 0 else sp.Integer(1)
-    N = sum(1 for pole in found.poles_kept if pole == 0) - sum(1 for zero in found.zeros_kept if zero == 0)
-    whole, reduced = (sp.cancel(each * x**N) for each in (path.top / path.bottom, found.function))
-    same = reduced.subs(x, 0)
+    N = sum(1 for pole in found.poles_kept if pole == at) - sum(1 for zero in found.zeros_kept if zero == at)
+    whole, reduced = (sp.cancel(each * (x - at) ** N) for each in (path.top / path.bottom, found.function))
+    same = reduced.subs(x, at)
     claims = {
         "reduced": Claim(stated, found.function, "the reduced function"),
-        "same": Claim(whole.subs(x, sp.Integer(0)), same, "the value kept"),
+        "same": Claim(whole.subs(x, at), same, "the value kept"),
     }
     return Step("reduced", claims=claims, x=x, integrators=N, value=same, late=path.delay, stated=product(late, stated),
-                G=found.function * late)  # fmt: skip
+                G=found.function * late, discrete=path.discrete, after=len(form.poles) - len(form.zeros),
+                sooner=len(found.poles_kept) - len(found.zeros_kept))  # fmt: skip
 
 
 def _compared(path: Path, found: exact.Reduction) -> Derivation[None]:
@@ -134,17 +131,20 @@ def _compared(path: Path, found: exact.Reduction) -> Derivation[None]:
     if both is None:
         return
     y, y_r, error = both
-    final = None if any(not _settles(pole) for pole in found.poles_kept) else found.function.subs(path.variable, 0)
-    s, t = path.variable, sp.Symbol("t")
+    lasting = any(not _settles(pole, discrete=path.discrete) for pole in found.poles_kept)
+    final = None if lasting else found.function.subs(path.variable, path.rest)
+    s, t = path.variable, sp.Symbol("k" if path.discrete else "t")
+    back, step = (inverse_z, s / (s - 1)) if path.discrete else (inverse_laplace, 1 / s)
     claims = {
-        "whole": Claim(inverse_laplace(path.top / path.bottom / s, s, t), y, "the step response"),
-        "slow": Claim(inverse_laplace(found.function / s, s, t), y_r, "that of the reduced system"),
+        "whole": Claim(back(path.top / path.bottom * step, s, t), y, "the step response"),
+        "slow": Claim(back(found.function * step, s, t), y_r, "that of the reduced system"),
     }
     if error is not None and error.time is not sp.oo:
         claims["error"] = Claim(value_at(y - y_r, t, error.time), error.value, "the largest difference")
     share = None if error is None or not final else sp.N(abs(error.value / final), 30)
-    yield Step("compared", detail="full", claims=claims, error=error, share=share, late=path.delay,
-               figures=(_figure(found, (y, y_r), error),))  # fmt: skip
+    figure = _sampled_figure if path.discrete else _figure
+    yield Step("compared", detail="full", claims=claims, error=error, share=share, late=path.delay, t=t,
+               discrete=path.discrete, figures=figure(found, (y, y_r), error))  # fmt: skip
 
 
 def _responses(path: Path, found: exact.Reduction) -> tuple[Expr, Expr, exact.LargestError | None] | None:
@@ -152,6 +152,8 @@ def _responses(path: Path, found: exact.Reduction) -> tuple[Expr, Expr, exact.La
     whole, t = question_of(path).answer, sp.Symbol("t")
     y: Expr = whole.y[0]  # type: ignore[index]  # it has an output
     growing = any(exact.sign_of(sp.re(pole)) == 1 for pole in found.poles_kept)
+    if found.function.has(sp.Float) and path.discrete:
+        return None
     if found.function.has(sp.Float):
         modes = exact.reduced_modes(found)
         if modes is None:
@@ -164,8 +166,10 @@ def _responses(path: Path, found: exact.Reduction) -> tuple[Expr, Expr, exact.La
     return y, y_r, _error(path, found)
 
 
-def _settles(pole: Expr) -> bool:
-    return exact.sign_of(sp.re(pole)) == -1
+def _settles(pole: Expr, *, discrete: bool) -> bool:
+    """Whether the mode of a pole dies out."""
+    real, imaginary = pole.as_real_imag()
+    return bool(exact.sign_of(sp.expand(real**2 + imaginary**2) - 1 if discrete else real) == -1)
 
 
 def _error(path: Path, found: exact.Reduction) -> exact.LargestError | None:
@@ -177,13 +181,27 @@ def _error(path: Path, found: exact.Reduction) -> exact.LargestError | None:
         return exact.LargestError(sp.Integer(0), sp.Integer(0))
     given = replace(path.given, numerators=((top.as_expr(),),), denominators=((bottom.as_expr(),),))
     G = exact.transfer_matrix_of_fractions(given.numerators, given.denominators, x)
-    if any(not _settles(pole) for pole in G.poles or []):
+    if any(not _settles(pole, discrete=path.discrete) for pole in G.poles or []):
         return None
-    difference = replace(path, given=given, cancels=False)
-    return exact.largest_error(question_of(difference).answer)
+    difference = question_of(replace(path, given=given, cancels=False)).answer
+    return exact.largest_sampled_error(difference) if path.discrete else exact.largest_error(difference)
 
 
-def _figure(found: exact.Reduction, both: tuple[Any, Any], error: exact.LargestError | None) -> Plot:
+def _sampled_figure(
+    found: exact.Reduction, both: tuple[Any, Any], error: exact.LargestError | None
+) -> tuple[Plot, ...]:
+    """The samples of both responses until the slower modes have died out."""
+    k = sp.Symbol("k")
+    slowest = min((mode.rate for mode in (*found.kept, *found.dropped) if mode.sign == 1), key=sp.N)
+    stop = sp.Integer(min(60, int(5 / sp.N(slowest)) + 3)) if slowest is not sp.oo else sp.Integer(6)
+    curves = (Curve(both[0], "y", style="samples"), Curve(both[1], "y_r", style="samples"))
+    seen = error is not None and error.time is not sp.oo and bool(error.time < stop)
+    marks = (Mark(error.time, sp.N(both[0].subs(k, error.time), 15), r"e_{\max}"),) if seen and error else ()
+    caption = "The samples of the step responses of the whole system and of the reduced one"
+    return (Plot(caption, "k", "y", k, sp.Integer(0), stop, curves, marks),)
+
+
+def _figure(found: exact.Reduction, both: tuple[Any, Any], error: exact.LargestError | None) -> tuple[Plot, ...]:
     """Both responses until the slower modes have died out."""
     t = sp.Symbol("t")
     slowest = min((mode.rate for mode in (*found.kept, *found.dropped) if mode.sign == 1), key=sp.N)
@@ -192,21 +210,22 @@ def _figure(found: exact.Reduction, both: tuple[Any, Any], error: exact.LargestE
     seen = error is not None and error.time is not sp.oo and bool(error.time < stop)
     marks = (Mark(error.time, sp.N(both[0].subs(t, error.time), 15), r"e_{\max}"),) if seen and error else ()
     caption = "The step responses of the whole system and, dashed, of the reduced one"
-    return Plot(caption, "t", "y", t, sp.Integer(0), stop, curves, marks)
+    return (Plot(caption, "t", "y", t, sp.Integer(0), stop, curves, marks),)
 
 
 @dominant_pole_reduction.verification("G", "kept", "dropped")
 def has_the_slowest_poles_and_the_gain(given: Given[Plant, ReductionOptions], answers: Answers) -> Iterable[Check]:
-    """The poles by eigenvalues, sorted by their real parts; the function has those kept, and the gain at zero."""
-    plant, order = numbers_of(given.system), given.options.order
+    """The poles by eigenvalues, sorted by how slow they are; the function has those kept, and the DC gain."""
+    plant, order, discrete = numbers_of(given.system), given.options.order, given.system.discrete
     for name, label in (("kept", "the slowest poles, no pair split"), ("dropped", "the other poles")):
         if name in answers:
-            check = partial(judges.dominant_residual, plant, order, name, list(answers[name]))
+            check = partial(judges.dominant_residual, plant, order, name, list(answers[name]), discrete=discrete)
             yield numeric.check_residual(label, "mpmath.eig (50 digits)", check, answer=name)
     if "G" in answers:
         G = answers["G"] * sp.exp(getattr(given.system, "delay", sp.Integer(0)) * sp.Symbol("s"))
-        check = partial(judges.reduced_residual, plant, order, sp.expand(G, power_exp=True) if G.has(sp.exp) else G)
-        label = Phrase("poles, gain at zero and slow zeros of the reduced function")
+        written = sp.expand(G, power_exp=True) if G.has(sp.exp) else G
+        check = partial(judges.reduced_residual, plant, order, written, discrete=discrete)
+        label = Phrase("poles, DC gain and slow zeros of the reduced function")
         yield numeric.check_residual(label, "mpmath.polyroots (50 digits)", check, answer="G")
 
 
@@ -227,16 +246,21 @@ def what_is_left(given: Given[Plant, ReductionOptions], found: Mapping[str, Any]
 
 
 GAIN = Slip(
-    "gain_at_zero", "the DC gain is not kept: a factor $s - p$ that is dropped leaves its value $-p$ at zero behind"
+    "gain_at_zero",
+    "the DC gain is not kept: a factor that is dropped leaves its value for slow signals behind, $-p$ of "
+    "$s - p$ and $1 - p$ of $z - p$",
 )
-FASTEST = Slip("fastest", "these are the fastest poles; the dominant ones are those nearest to the imaginary axis")
+FASTEST = Slip(
+    "fastest",
+    "these are the fastest poles; the dominant ones are those nearest to the imaginary axis, in $z$ of largest size",
+)
 
 
 @dominant_pole_reduction.mistake(GAIN, "G")
 def without_the_constant(wrong: Attempt[Plant, ReductionOptions]) -> Iterable[Expr]:
     """The factors left out without their value at zero."""
     form = exact.pole_zero_factors(quietly(path_of(wrong.given)).fraction)
-    found = _reduced(form, wrong.given.options.order)
+    found = _reduced(form, wrong.given.options.order, discrete=wrong.given.system.discrete)
     yield found.function / found.constant
 
 
@@ -244,6 +268,6 @@ def without_the_constant(wrong: Attempt[Plant, ReductionOptions]) -> Iterable[Ex
 def the_other_end(wrong: Attempt[Plant, ReductionOptions]) -> Iterable[list[Expr]]:
     """The poles farthest from the axis."""
     poles = quietly(poles_of(quietly(path_of(wrong.given))))
-    modes = exact.decay(poles).modes
+    modes = exact.decay(poles, sp.Integer(1) if wrong.given.system.discrete else None).modes
     every = [pole for mode in reversed(modes) for pole in mode.every]
     yield every[: wrong.given.options.order]

@@ -9,7 +9,12 @@ from solver.numeric.judges.classical.damping import (
 )
 from solver.numeric.judges.classical.poles import shown_poles, time_constants_residual
 from solver.numeric.judges.classical.reductions import dominant_residual, reduced_residual
-from solver.numeric.judges.classical.sampled_responses import is_bounded, overshoots, samples_fault
+from solver.numeric.judges.classical.sampled_responses import (
+    is_bounded,
+    largest_sample_fault,
+    overshoots,
+    samples_fault,
+)
 from solver.numeric.judges.classical.step_responses import (
     Specification,
     largest_sampled_difference,
@@ -28,6 +33,7 @@ __all__ = [
     "dc_gain_residual",
     "dominant_residual",
     "is_bounded",
+    "largest_sample_fault",
     "largest_sampled_difference",
     "largest_size_residual",
     "leading_gain_residual",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -25,28 +26,39 @@ FAR = "1e-25"
 CIRCLE = 7200
 
 
-def dominant_residual(plant: Any, order: int, name: str, answer: Sequence[Any]) -> float:
+def dominant_residual(plant: Any, order: int, name: str, answer: Sequence[Any], *, discrete: bool = False) -> float:
     """Return the largest distance of the poles listed and those that are kept, or dropped, relative to their size."""
     worst = 0.0
     for point in points_of(plant, answer):
-        kept, dropped = _divided(shown_poles(plant, point), order)
+        kept, dropped = _divided(shown_poles(plant, point), order, discrete=discrete)
         worst = worst_of((worst, _distance(numbers_at(answer, point), kept if name == "kept" else dropped)))
     return with_many_digits(worst, *plant, answer)
 
 
-def _divided(poles: list[Any], order: int) -> tuple[list[Any], list[Any]]:
+def _slowness(p: Any, *, discrete: bool) -> tuple[float, float]:
+    """By what poles are sorted, the slowest first."""
+    if discrete:
+        return -round(float(abs(p)), 12), -float(p.real)
+    return -float(p.real), abs(float(p.imag))
+
+
+def _divided(poles: list[Any], order: int, *, discrete: bool) -> tuple[list[Any], list[Any]]:
     """The slowest poles and the others: pairs and multiple poles together, those that do not decay always kept."""
     groups: list[list[Any]] = []
-    for p in sorted(poles, key=lambda p: (-float(p.real), abs(float(p.imag)))):
+    for p in sorted(poles, key=partial(_slowness, discrete=discrete)):
         mate = next((g for g in groups if any(_near(p, q) or _near(p, q.conjugate()) for q in g)), None)
         if mate is not None:
             mate.append(p)
         else:
             groups.append([p])
     kept: list[Any] = []
-    while groups and (groups[0][0].real >= -ALIKE or len(kept) + len(groups[0]) <= order or not kept):
+    while groups and (_lasts(groups[0][0], discrete=discrete) or len(kept) + len(groups[0]) <= order or not kept):
         kept += groups.pop(0)
     return kept, [p for group in groups for p in group]
+
+
+def _lasts(p: Any, *, discrete: bool) -> bool:
+    return bool(abs(p) >= 1 - ALIKE if discrete else p.real >= -ALIKE)
 
 
 def _near(p: Any, q: Any) -> bool:
@@ -65,13 +77,13 @@ def _distance(found: Sequence[Any], right: Sequence[Any]) -> float:
     return worst
 
 
-def reduced_residual(plant: Any, order: int, G: Any) -> float:
+def reduced_residual(plant: Any, order: int, G: Any, *, discrete: bool = False) -> float:
     """Return how far a rational function in s is from one with the poles kept, the value near zero and slow zeros.
 
     A zero nearer to the origin than all dropped poles must be there, as far as there are poles for it; no zero may be
-    there that the system has not.
+    there that the system has not. In discrete time it is a function in z, and one stands for the origin.
     """
-    s = sp.Symbol("s")
+    s, rest = sp.Symbol("z" if discrete else "s"), int(discrete)
     worst = 0.0
     for point in points_of(plant, G.subs(s, 2)):
         rational = {x: sp.Rational(complex(value).real) for x, value in dict(point).items()}
@@ -83,13 +95,13 @@ def reduced_residual(plant: Any, order: int, G: Any) -> float:
         A, B, C, D = quadruple_at(at, {})
         A, B, C = minimal_part(A, B, C)
         poles = shown_poles(at, {})
-        kept, dropped = _divided(poles, order)
+        kept, dropped = _divided(poles, order, discrete=discrete)
         worst = worst_of((worst, _distance(_roots(bottom), kept)))
         if worst > ALIKE * 1e3 or top.degree() > bottom.degree():
             return max(worst, 1.0)
         room = len(kept) - (1 if abs(D.reshape(-1)[0]) < NOTHING else 0)
-        worst = worst_of((worst, _zeros_off((A, B, C, D), poles, dropped, _roots(top), room)))
-        near = MANY.context.mpc(FAR, FAR)
+        worst = worst_of((worst, _zeros_off((A, B, C, D), (poles, dropped), _roots(top), room, rest)))
+        near = rest + MANY.context.mpc(FAR, FAR)
         ours, whole = (_value(each, near) for each in ((top, bottom), (A, B, C, D)))
         worst = worst_of((worst, float(abs(ours / whole - 1)) if whole else WRONG))
     return with_many_digits(worst, *plant, G)
@@ -114,24 +126,26 @@ def _value(function: Any, x: Any) -> Any:
     return (m.matrix(C.tolist()) * m.lu_solve(pencil, m.matrix(B.tolist())))[0] + D.reshape(-1)[0]
 
 
-def _zeros_off(system: Any, poles: Sequence[Any], dropped: Sequence[Any], found: Sequence[Any], most: int) -> float:
+def _zeros_off(
+    system: Any, sets: tuple[Sequence[Any], Sequence[Any]], found: Sequence[Any], most: int, rest: int
+) -> float:
     """How far zeros of the reduced function are from zeros of the whole; ∞ where a slow one is missing."""
-    m = MANY.context
+    m, (poles, dropped) = MANY.context, sets
     size = max([m.mpf(1), *(abs(p) for p in poles)])
     worst = 0.0
     for zero in found:
         beside, at = (_value(system, zero + d) for d in (size / 10, m.mpf("1e-25")))
         worst = max(worst, float(abs(at) / abs(beside)) if beside else WRONG)
-    near = min(abs(p) for p in dropped)
-    inside = _zeros_inside(system, poles, near * (1 - m.mpf("1e-6")))
+    near = min(abs(p - rest) for p in dropped)
+    inside = _zeros_inside(system, poles, near * (1 - m.mpf("1e-6")), rest)
     return worst if worst > ALIKE * 1e3 or len(found) >= min(inside, most) else WRONG
 
 
-def _zeros_inside(system: Any, poles: Sequence[Any], radius: Any) -> int:
-    """How many zeros lie in a circle: the poles in it and how often the function turns round zero along it."""
+def _zeros_inside(system: Any, poles: Sequence[Any], radius: Any, rest: int) -> int:
+    """How many zeros lie in a circle about a point: the poles in it and how often the function turns round zero."""
     A, B, C, D = (np.array(M.tolist(), dtype=complex).reshape(M.shape) for M in system)
-    points = float(radius) * np.exp(2j * np.pi * np.arange(CIRCLE + 1) / CIRCLE)
+    points = rest + float(radius) * np.exp(2j * np.pi * np.arange(CIRCLE + 1) / CIRCLE)
     pencils = points[:, None, None] * np.eye(len(A)) - A
     values = (C @ np.linalg.solve(pencils, np.broadcast_to(B, (len(points), *B.shape)))).reshape(-1) + D.reshape(-1)[0]
     turns = float(np.sum(np.angle(values[1:] / values[:-1]))) / (2 * np.pi)
-    return round(turns) + sum(1 for p in poles if abs(p) < radius)
+    return round(turns) + sum(1 for p in poles if abs(p - rest) < radius)

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
+import sympy as sp
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.values import NotEvaluable
@@ -90,6 +91,21 @@ def is_bounded(plant: Any, bound: Sequence[tuple[Any, Any, int]], within: int, b
     return falls and bool(later[0] <= m.re(numbers_at([band], {})[0]) * slack) and all(
         abs(each) <= at(k) * slack + m.mpf("1e-25") for k, each in enumerate(seen[1][: 4 * within + 40])
     )  # fmt: skip
+
+
+def largest_sample_fault(plant: Any, time: Any, value: Any) -> float:
+    """Return how far a value is from that of a unit step's response at a sample, and from its largest size."""
+    m = MANY.context
+    A, B, C, D = quadruple_at(plant, {})
+    z, y = np.zeros((len(A), 1), dtype=object), []
+    slowest = max((abs(p) for p in np.linalg.eigvals(np.array(A.tolist(), dtype=complex))), default=0.0)
+    for _ in range(min(MOST, int(DIED_OUT / -np.log(min(max(slowest, 1e-8), 1 - 1e-12))) + 4 * len(A) + 4)):
+        y.append(m.re((C @ z).reshape(-1)[0] + D.reshape(-1)[0]))
+        z = A @ z + B
+    claimed = m.re(numbers_at([value], {})[0])
+    at = y[-1] if time in (sp.oo, -sp.oo) else y[int(time)]
+    size = max(abs(claimed), m.mpf("1e-30"))
+    return max(float(abs(at - claimed) / size), 0.0, float(max(map(abs, y)) / size) - 1)
 
 
 def sampled_specification(plant: Any, name: str, band: Any, *, whole: bool) -> Any:
