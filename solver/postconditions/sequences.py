@@ -205,7 +205,10 @@ def of_run_through(
     """Each value is the sum of its products, with the values before it."""
     count = (span[1] - span[0]) * len(latest)
     yield Check.that("as many samples as asked for", "counted", len(found.steps) == max(count, 0))
-    for jet, _, value in found.steps:
+    told = {*start, *(jet for jet, _, _ in found.steps)}
+    yield Check.that("the samples known", "compared", set(found.values) == told)
+    for jet, products, value in found.steps:
+        yield Claim(sp.Add(*(c * x for c, x in products)), value)
         each = next(one for one in latest if one.jet[0] == jet[0])
         k = jet[1] - each.jet[1]
         terms = [c * found.values.get((x, k + q), sp.S.Zero) for (x, q), c in each.samples.items()]

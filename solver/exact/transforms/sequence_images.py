@@ -34,9 +34,11 @@ class SequenceImage:
         return bool(self.divided.direct)
 
     def function(self, k: sp.Symbol) -> sp.Expr:
-        """The sequence with this image, unit pulses before k = 0 included."""
+        """The sequence with this image for k ≥ 0; where there are unit pulses before, for all k."""
+        if not self.advanced:
+            return self.rest(k)
         pulses = [c * sp.KroneckerDelta(k, -i - 1) for i, c in enumerate(self.divided.direct) if c != 0]
-        return sp.Add(self.rest(k), *pulses)
+        return sp.Add(self.rest(k) * sp.Heaviside(k, 1), *pulses)
 
     def rest(self, k: sp.Symbol) -> sp.Expr:
         """The sequence of z times the strictly proper rest of F/z."""

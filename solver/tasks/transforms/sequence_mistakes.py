@@ -33,7 +33,8 @@ Z_FOR_S = Slip(
 )
 NOT_DIVIDED = Slip(
     "not_divided",
-    r"$F$ is expanded and not $F/z$: $\frac{1}{z - a}$ is not the transform of $a^{k}$, $\frac{z}{z - a}$ is",
+    r"$F$ is expanded and not $F/z$: $\frac{1}{z - a}$ is not the transform of $a^{k}$, $\frac{z}{z - a}$ is; "
+    "the sequence is one sample early",
 )
 LATE = Slip("one_sample_late", "the sequence is one sample late: this is $f(k-1)$")
 EARLY = Slip("one_sample_early", "the sequence is one sample early: this is $f(k+1)$")
