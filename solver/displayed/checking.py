@@ -73,6 +73,8 @@ def displayed_checks(
         if answer in result.answers and symbol:
             _fix(names, symbol, result.answers[answer])
     answered = _symbols(result.answers.values())
+    weights = _taken_as_positive(result.steps, given)
+    given, of_system = given | weights, of_system | weights
     own = {symbol.name for symbol in of_system}  # C may be a capacitance beside the matrix
     matrices = {
         name: frozen(found[0])
@@ -129,6 +131,14 @@ def _displayed_last(worded: Sequence[WordedStep]) -> dict[str | None, Any]:
         for name, value in [displayed.sides]
         if isinstance(name, Written) and not isinstance(value, Written)
     }
+
+
+def _taken_as_positive(steps: Iterable[Step], given: AbstractSet[Any]) -> frozenset[Any]:
+    """The symbols that stand in the steps for those given, as positive ones (weights)."""
+    claims = (claim for first in steps for step in first.walk() for claim in step.claims.values())
+    met = _symbols(side for claim in claims for side in (claim.left, claim.right))
+    names = {symbol.name for symbol in given}
+    return frozenset(symbol for symbol in met if symbol.is_positive and symbol.name in names)
 
 
 def _is_empty(value: Any) -> bool:

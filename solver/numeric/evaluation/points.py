@@ -143,6 +143,16 @@ def nodes(formula: Any) -> Iterable[Any]:
         yield from nodes(part)
 
 
+def taken_as_positive(symbols: Collection[Any]) -> dict[Any, Any]:
+    """The symbols of undecided sign of which there is a positive one by the same name (a weight): they are the same."""
+    positive = {symbol.name: symbol for symbol in symbols if symbol.is_positive and symbol.is_Symbol}
+    return {
+        symbol: positive[symbol.name]
+        for symbol in symbols
+        if symbol.is_positive is None and symbol.name in positive and not symbol.is_Dummy
+    }
+
+
 class PointSource:
     """Draws points: a value for every symbol, respecting what is assumed of it. The same sequence in every run."""
 
@@ -152,13 +162,14 @@ class PointSource:
         self.random = Random(SEED)  # noqa: S311 - nothing secret
         self.drawn = 0
         self.inside = Inside(self.symbols, self.random) if conditions_of(self.symbols) else None
+        self.taken = taken_as_positive(self.symbols)
 
     def draw(self) -> dict[Any, complex]:
         """Return the next point; raises NotEvaluable where no values are found that satisfy the conditions."""
         values = self.inside.point(self._value) if self.inside else {}
         point = {symbol: values[symbol] if symbol in values else self._value(symbol) for symbol in self.symbols}
         self.drawn += 1
-        return point
+        return point | {plain: point[positive] for plain, positive in self.taken.items()}
 
     def several(self, count: int) -> list[dict[Any, complex]]:
         """Return the next points."""

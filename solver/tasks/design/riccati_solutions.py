@@ -165,8 +165,9 @@ def _loop_worked_out(
     if not all(entry.is_Rational for entry in numbers):
         return {}, ()
     if isinstance(equation, exact.DiscreteRiccati):
-        loop = sp.ImmutableMatrix(problem.A - problem.B * equation.loop_gain(solution))
-        stated = difference(problem.A, product(problem.B, problem.gain_of(solution.P)))
+        gain = equation.loop_gain(solution)
+        loop = sp.ImmutableMatrix(problem.A - problem.B * gain)
+        stated = difference(problem.A, product(problem.B, gain))
     else:
         G = exact.weighted_input(problem.B, problem.R)
         loop = sp.ImmutableMatrix(problem.A - exact.multiply(G, solution.P))

@@ -90,7 +90,7 @@ def solution_by_pencil(problem: Regulator) -> Derivation[exact.DiscreteRiccati]:
             "decimal_solution",
             claims={"residual": residual_claim(problem, solution.P)},
             P=solution.P,
-            exact=solution.exact,
+            singular=step.values["singular"],
             **problem.names,
         )
         return equation
