@@ -141,6 +141,11 @@ class _Seen:
         """The first deviations in double precision, and how near to a level they are to be compared exactly."""
         return self.away.rough(count), AMBIGUOUS * (1 + self.away.bounds(np.arange(count)))
 
+    def stays_below(self, k: int) -> bool:
+        """Whether no sample from k on is above the final value."""
+        never = self.away.negative_from()
+        return never is not None and k >= never
+
     def first_at(self, level: sp.Expr, within: int) -> int:
         """The first sample that is at a level below the final value, or beyond."""
         e, doubt = self.doubles(within + 1)
@@ -159,13 +164,12 @@ def _last_outside(seen: _Seen, within: int, band: sp.Expr) -> int | None:
 def _first_above(seen: _Seen, within: int) -> int | None:
     """The first sample at the final value or beyond it; None where there is none, however late."""
     start, stop = 0, max(within, 16)
-    never = seen.away.negative_from()
     while start < MOST:
         e = seen.away.rough(stop)
         size = seen.away.bounds(np.arange(start, stop))
         near = start + np.nonzero(e[start:] >= -AMBIGUOUS * size)[0]
         found = next((int(k) for k in near if seen.compare(int(k), sp.Integer(1)) >= 0), None)
-        if found is not None or (never is not None and stop >= never):
+        if found is not None or seen.stays_below(stop):
             return found
         start, stop = stop, 2 * stop
     raise NotExact("step_specifications/slow")
@@ -174,7 +178,6 @@ def _first_above(seen: _Seen, within: int) -> int | None:
 def _largest(seen: _Seen) -> Extreme | None:
     """The largest sample above the final value, the first one where several are equal."""
     start, stop = 0, 64
-    never = seen.away.negative_from()
     while start < MOST:
         e = seen.away.rough(stop)
         best = float(e.max())
@@ -186,7 +189,7 @@ def _largest(seen: _Seen) -> Extreme | None:
         if seen.compare(first, sp.Integer(1)) > 0:
             if stop > seen.away.within(max(best * (1 - AMBIGUOUS), 1e-280)):
                 return seen.extreme(first)
-        elif never is not None and stop >= never:
+        elif seen.stays_below(stop):
             return None
         start, stop = stop, 2 * stop
     raise NotExact("step_specifications/slow")
