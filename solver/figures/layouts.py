@@ -72,7 +72,7 @@ def servo(labels: Labels) -> Layout:
     layout.sign(-3.4, 0.1, "+")
     layout.wire((-3.0, 0), (-2.2, 0))
     layout.add(Label(-2.6, 0, labels.get("xidot", r"\dot{\xi}"), "above"))
-    layout.add(Block(-1.75, 0, labels.get("integrator", r"\int"), 0.9))
+    layout.add(Block(-1.75, 0, labels.get("error_integrator", r"\int"), 0.9))
     layout.wire((-1.3, 0), (-0.6, 0))
     layout.add(Label(-0.95, 0, labels.get("xi", r"\xi"), "above"), Block(0.0, 0, labels.get("k_I", "k_I"), 1.2))
     layout.wire((0.6, 0), (1.1, 0))

@@ -19,7 +19,7 @@ from solver.formula.building import (
 from solver.formula.building import (
     power as raised,
 )
-from solver.formula.nodes import Fenced, Row, Table
+from solver.formula.nodes import Fenced, Row, Scripts, Table
 from solver.lazy import sympy as sp
 from solver.stated.declaration import Show, Stated, operation
 
@@ -117,4 +117,8 @@ def _exponential(show: Show, exponent: Any) -> Row:
     shown = show(exponent)
     if any(isinstance(node, Table) for node in walk(shown)):
         return row(r"\exp", parenthesized(shown))
-    return show(sp.exp(exponent, evaluate=False)) if isinstance(exponent, sp.Expr) else raised(row("e"), shown)
+    if not isinstance(exponent, sp.Expr):
+        return raised(row("e"), shown)
+    whole = show(sp.exp(exponent, evaluate=False))
+    in_decimals = exponent.is_number and not any(isinstance(node, Scripts) for node in walk(whole))
+    return raised(row("e"), shown) if in_decimals else whole

@@ -16,7 +16,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.assembly import linear_combination
-from solver.exact.linear_algebra.generators import generators_in, half_angles
+from solver.exact.linear_algebra.generators import dependent_exponentials, generators_in, half_angles
 from solver.exact.linear_algebra.signs import is_not_zero
 from solver.words import Told
 
@@ -40,6 +40,8 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
         written = half_angles(M)
     except ValueError as failure:
         raise NotExact("linear_algebra/not_numbers") from failure
+    if dependent_exponentials(written):
+        return _over_surds_and_parameters(written)
     matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
     if matrix.domain.is_EXRAW or matrix.domain.is_EX:
         matrix = _over_surds_and_parameters(written)

@@ -12,7 +12,7 @@ def generators_in(M: sp.MatrixBase) -> tuple[sp.MatrixBase, dict[sp.Symbol, sp.E
     """M with symbols in place of functions of parameters, and what they stand for; raises ValueError.
 
     Generators must be independent: √a stands for itself, and a for its square; exponentials are those of products of
-    parameters, one for all its rational multiples.
+    parameters, of 1 and of roots of integers, one for all rational multiples (Lindemann and Weierstrass).
     """
     put: dict[Any, Any] = {}
     stand: dict[sp.Symbol, sp.Expr] = {}
@@ -20,13 +20,14 @@ def generators_in(M: sp.MatrixBase) -> tuple[sp.MatrixBase, dict[sp.Symbol, sp.E
         put[tangent] = sp.Dummy("t")
         stand[put[tangent]] = tangent
     M = M.xreplace(put)
-    M = M.applyfunc(lambda e: e.expand(deep=False, basic=False, power_exp=True)) if M.has(sp.exp) else M
-    shares: dict[sp.Expr, list[tuple[sp.Expr, sp.Rational]]] = {}
-    for each in sorted(M.atoms(sp.exp), key=str):
-        number, product = each.args[0].as_coeff_Mul()
+    if M.has(sp.exp, sp.E):
+        M = M.applyfunc(lambda e: e.expand(deep=False, basic=False, power_exp=True))
+    shares: dict[Any, list[tuple[Any, Any]]] = {}
+    for each, exponent in sorted(exponentials_in(M).items(), key=str):
+        number, product = exponent.as_coeff_Mul()
         powers = product.as_powers_dict()
         known = number.is_Rational and all(x.is_Symbol and k.is_Integer for x, k in powers.items())
-        if not product.free_symbols or not known:
+        if not known and not _is_a_root(product):
             raise ValueError("a function of parameters that is no generator")
         shares.setdefault(product, []).append((each, number))
     put = {}
@@ -44,6 +45,22 @@ def generators_in(M: sp.MatrixBase) -> tuple[sp.MatrixBase, dict[sp.Symbol, sp.E
         put[base] = symbol**2
     inside = {p: put[p.base] ** p.exp for p in M.atoms(sp.Pow) if p.base in put}
     return M.xreplace(inside).xreplace(put) if put else M, stand
+
+
+def exponentials_in(M: sp.MatrixBase) -> dict[sp.Expr, sp.Expr]:
+    """The powers of e in M, e itself among them, with their exponents."""
+    found: dict[sp.Expr, sp.Expr] = {each: each.args[0] for each in M.atoms(sp.exp)}
+    return found | ({sp.E: sp.Integer(1)} if M.has(sp.E) else {})
+
+
+def dependent_exponentials(M: sp.MatrixBase) -> bool:
+    """Whether several powers of e with numbers above are in M, which sympy takes for independent of each other."""
+    return sum(not exponent.free_symbols for exponent in exponentials_in(M).values()) > 1
+
+
+def _is_a_root(product: Any) -> bool:
+    """Whether a number without its rational factor is 1 or √q for a square-free q."""
+    return product == 1 or bool(product.is_Pow and product.base.is_Integer and product.exp == sp.Rational(1, 2))
 
 
 def half_angles(M: sp.MatrixBase) -> sp.MatrixBase:

@@ -21,10 +21,17 @@ if TYPE_CHECKING:
     from solver.systems import StateSpace
 
 
+IN_STEPS = {
+    "xdot": "x(k+1)", "integrator": "z^{-1}", "xidot": "r-y", "error_integrator": r"\frac{1}{z-1}", "x": "x(k)",
+}  # fmt: skip
+"""What is written into a diagram of a discrete loop."""
+
+
 @lemma("loop_figures")
-def block_diagram(name: str, caption: str, **labels: str) -> Derivation[None]:
-    """One of the block diagrams of the course, with what is written into its blocks."""
-    yield Step("scheme", unclaimed="a drawing", figures=(Diagram(caption, name, labels),), detail="full", name=name)
+def block_diagram(name: str, caption: str, *, discrete: bool = False, **labels: str) -> Derivation[None]:
+    """One of the block diagrams of the course, with what is written into its blocks; delays where time is discrete."""
+    figures_ = (Diagram(caption, name, {**(IN_STEPS if discrete else {}), **labels}),)
+    yield Step("scheme", unclaimed="a drawing", figures=figures_, detail="full", name=name, discrete=discrete)
 
 
 @lemma("loop_figures")

@@ -81,6 +81,14 @@ def poles_in_z(given: Given[Any, SampledPoles]) -> Derivation[list[Expr]]:
     return (yield from mapped_poles(options.s_poles, sample_time_of(given)))
 
 
+def exact_poles_in_z(given: Given[Any, SampledPoles]) -> list[Expr]:
+    """Return the same without a step."""
+    options = given.options
+    if options.s_poles is None:
+        return list(options.poles or ())
+    return [exact.pole_in_z(s, sample_time_of(given)) for s in options.s_poles]
+
+
 def numeric_poles_in_z(given: Given[Any, SampledPoles]) -> list[Any]:
     """Return the same without the exact kernels, e^{sT} as it stands."""
     options = given.options

@@ -26,6 +26,15 @@ from solver.options.poles import Poles
 from solver.tasks import consequences, meanings, mistakes
 from solver.tasks.design import observer_feedback_checks as checks
 from solver.tasks.design.full_order import observer_gain_of, observer_pole_faults
+from solver.tasks.design.mapped_poles import (
+    SampledPoles,
+    listed,
+    mapped_poles,
+    mapping_faults,
+    numeric_poles_in_z,
+    poles_in_z,
+    with_mapping_mistakes,
+)
 from solver.tasks.design.output_feedback import (
     Design,
     compensator_of,
@@ -47,7 +56,7 @@ from solver.tasks.design.reduced_order import (
     reduced_gain_of,
 )
 from solver.tasks.freedom import one_of_the_gains_is_free
-from solver.tasks.plant_options import PlantOptions
+from solver.tasks.sample_times import sample_time_of
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -58,7 +67,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ObserverFeedbackOptions(PlantOptions):
+class ObserverFeedbackOptions(SampledPoles):
     """The gains, given or by their poles."""
 
     poles: tuple[Expr, ...] | None = option(Poles(), "the poles of A − BK, where K is to be found")
@@ -66,6 +75,9 @@ class ObserverFeedbackOptions(PlantOptions):
         MatrixOf("m", "n", flat="row"), "the state feedback K, where it is given", answer="K"
     )
     observer_poles: tuple[Expr, ...] | None = option(Poles(), "the poles of the observer, where L is to be found")
+    observer_s_poles: tuple[Expr, ...] | None = option(
+        Poles(), "of a discrete plant, in place of observer_poles: the poles in s", answer="poles"
+    )
     observer_gain: ImmutableMatrix | None = option(
         MatrixOf(None, "p", flat="column"), "the observer gain L, where it is given", answer="L"
     )
@@ -114,49 +126,66 @@ observer_feedback: Task[WithBoth, ObserverFeedbackOptions] = Task(
 @observer_feedback.refusal
 def what_the_file_shows(system: System, options: ObserverFeedbackOptions) -> Iterator[Refusal]:
     """Both or neither of poles and gain, for the feedback and for the observer; wrong numbers or shapes."""
-    for poles, gain in (("poles", "gain"), ("observer_poles", "observer_gain")):
-        if options.has(poles) and options.has(gain):
+    for poles, in_s, gain in (("poles", "s_poles", "gain"), ("observer_poles", "observer_s_poles", "observer_gain")):
+        placed = options.has(poles) or options.has(in_s)
+        if placed and options.has(gain):
             yield gain, Reason("observers/poles_and_gain", {"poles": poles, "gain": gain})
-        elif not options.has(poles) and not options.has(gain):
+        elif not placed and not options.has(gain):
             yield "", Reason("observers/poles_or_gain", {"poles": poles, "gain": gain})
+    if options.has("observer_s_poles"):
+        if not system.discrete:
+            yield "observer_s_poles", Reason("mapped_poles/continuous")
+        elif options.has("observer_poles"):
+            yield "observer_s_poles", Reason("mapped_poles/both")
+    unmapped = [*mapping_faults(system, options, others=options.has("observer_s_poles"))]
+    yield from unmapped
+    if unmapped:
+        return
     if isinstance(system, systems.StateSpace) and system.B is not None and system.C is not None:
         yield from _faults_of_numbers(system, options)
 
 
 def _faults_of_numbers(system: Any, options: ObserverFeedbackOptions) -> Iterator[Refusal]:
     plant, n = measuring(system), system.order
-    poles, L = options.observer_poles, options.observer_gain
-    if options.poles is not None:
+    L = options.observer_gain
+    name, own = listed(options)
+    in_s = options.observer_poles is None
+    where, poles = (
+        ("observer_s_poles", options.observer_s_poles) if in_s else ("observer_poles", options.observer_poles)
+    )
+    if own is not None:
         reached = exact.reachable_order(plant.A, plant.B)
-        if len(options.poles) not in (n, reached):
-            numbers = {"given": len(options.poles), "n": n, "reached": reached}
-            yield "poles", Reason("observers/poles_of_the_feedback", numbers)
+        if len(own) not in (n, reached):
+            numbers = {"given": len(own), "n": n, "reached": reached}
+            yield name, Reason("observers/poles_of_the_feedback", numbers)
     reduced = options.reduced
     rows = n - plant.p if reduced else n
     if L is not None and L.shape != (rows, plant.p):
         yield "observer_gain", Reason("observers/size_of_the_gain", {"wanted": (rows, plant.p), "given": L.shape})
     if not reduced:
         if poles is not None:
-            yield from observer_pole_faults(system, poles, "observer_poles")
+            yield from observer_pole_faults(system, poles, where)
         return
     wrong = measurement_fault(plant)
     if wrong is not None:
         yield "reduced", wrong
     elif poles is not None:
-        yield from (("observer_poles", fault) for _, fault in pole_faults(plant, poles))
+        yield from pole_faults(plant, poles, where)
 
 
 @observer_feedback.method(source="Lecture note, sections 4.4 and 4.5")
 def by_separation(given: Given[WithBoth, ObserverFeedbackOptions]) -> Derivation[Answers]:
     """K for A − BK and L for A − LC are found apart; the poles of the whole are those of both."""
-    plant, poles = measuring(given.system), given.options.observer_poles or ()
+    plant = measuring(given.system)
     for _, fault in what_the_file_shows(given.system, given.options):
         raise Unsolved("engine/refused", message=fault)
     yield Step("plan", unclaimed="what is going to be done", reduced=given.options.reduced)
-    control = yield from feedback_of(plant, given.options.poles, given.options.gain)
+    own = yield from poles_in_z(given)
+    control = yield from feedback_of(plant, own, given.options.gain)
     if given.options.reduced:
         return (yield from _with_reduced_observer(given, plant, control))
     if given.options.observer_gain is None:
+        poles = yield from _observer_poles(given)
         placed = yield from observer_gain_of(given.system, poles)
         listed = [*poles, *(placed.fixed if len(poles) < plant.n else ())]
         observer = Design(placed.K, placed.polynomial, listed)
@@ -171,14 +200,22 @@ def by_separation(given: Given[WithBoth, ObserverFeedbackOptions]) -> Derivation
     return _answers(whole, control, observer, G)
 
 
+def _observer_poles(given: Given[WithBoth, ObserverFeedbackOptions]) -> Derivation[list[Expr]]:
+    """The poles of the observer, those in s mapped to z by a step."""
+    if given.options.observer_s_poles is None:
+        return list(given.options.observer_poles or ())
+    return (yield from mapped_poles(given.options.observer_s_poles, sample_time_of(given)))
+
+
 def _with_reduced_observer(
     given: Given[WithBoth, ObserverFeedbackOptions], plant: Plant, control: Design
 ) -> Derivation[Answers]:
     """The same with the measured states in place of their estimates."""
     parts = yield from partition_of(plant)
     yield from error_equation_of(discrete=plant.discrete)
-    blocks, poles = parts.blocks, given.options.observer_poles or ()
+    blocks = parts.blocks
     if given.options.observer_gain is None:
+        poles = yield from _observer_poles(given)
         design = yield from reduced_gain_of(parts, poles, discrete=plant.discrete)
         fixed = design.fixed if len(poles) < blocks["A22"].rows else ()
         observer = Design(design.L, design.polynomial, [*poles, *fixed])
@@ -217,10 +254,11 @@ observer_feedback.consequence("eigenvalues", of=("closed_loop_A",), symbolic=Fal
 @observer_feedback.meaning("closed_loop_A")
 def poles_of_the_whole(wrong: Attempt[WithBoth, ObserverFeedbackOptions]) -> Reason | None:
     """The poles that the whole has, where those of both are asked for."""
-    options = wrong.given.options
-    if options.poles is None or options.observer_poles is None:
+    asked, of_observer = numeric_poles_in_z(wrong.given), checks.observer_poles(wrong.given)
+    if not asked or not of_observer:
         return None
-    return meanings.poles_given(wrong.value, [*options.poles, *options.observer_poles])
+    return meanings.poles_given(wrong.value, [*asked, *of_observer])
 
 
 observer_feedback.mistake(mistakes.ADDED, "closed_loop_A")(mistakes.plus_for_minus)
+with_mapping_mistakes(observer_feedback)

@@ -10,14 +10,24 @@ from solver.lazy import numeric
 from solver.lazy import sympy as sp
 from solver.numeric.judges import design as judges
 from solver.stated.algebra import product
+from solver.tasks.design.mapped_poles import numeric_poles_in_z
 from solver.tasks.design.plants import Plant, measuring
 from solver.tasks.design.reduced_observer_checks import order_of_states
+from solver.tasks.sample_times import sample_time_of
 
 if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
     from solver.tasks.design.observer_feedback import ObserverFeedbackOptions
     from solver.tasks.needed import WithBoth
+
+
+def observer_poles(given: Given[WithBoth, ObserverFeedbackOptions]) -> list[Any]:
+    """The poles of the observer without the exact kernels, e^{sT} as it stands."""
+    in_s = given.options.observer_s_poles
+    if in_s is None:
+        return list(given.options.observer_poles or ())
+    return judges.sampled_poles(in_s, sample_time_of(given))
 
 
 def _coordinates(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers, plant: Plant) -> Any:
@@ -77,7 +87,7 @@ def _is_feedback(
     yield numeric.check_residual(
         "the state feedback has the poles asked for",
         "characteristic polynomial",
-        lambda: judges.placed_matrix_residual(A, B, loop, given.options.poles or ()),
+        lambda: judges.placed_matrix_residual(A, B, loop, numeric_poles_in_z(given)),
     )
     yield numeric.check_residual(
         "it is $A - B K$ for some $K$",
@@ -95,7 +105,7 @@ def _is_observer(given: Given[WithBoth, ObserverFeedbackOptions], A22: Any, A12:
     yield numeric.check_residual(
         "the error has the poles asked for",
         "characteristic polynomial",
-        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), given.options.observer_poles or ()),
+        lambda: judges.placed_matrix_residual(At, Ct, sp.ImmutableMatrix(error.T), observer_poles(given)),
     )
     yield numeric.check_residual(
         "it is $A - L C$ for some $L$",
@@ -112,9 +122,9 @@ def _groups(given: Given[WithBoth, ObserverFeedbackOptions], answers: Answers) -
         T = _some_coordinates(plant)
     A22, A12 = _observed(given, plant, T)
     K, L = given.options.gain, given.options.observer_gain
-    control = (plant.A, plant.B, given.options.poles) if K is None else sp.ImmutableMatrix(plant.A - plant.B * K)
+    control = (plant.A, plant.B, numeric_poles_in_z(given)) if K is None else sp.ImmutableMatrix(plant.A - plant.B * K)
     if L is None:
-        error: Any = (sp.ImmutableMatrix(A22.T), sp.ImmutableMatrix(A12.T), given.options.observer_poles)
+        error: Any = (sp.ImmutableMatrix(A22.T), sp.ImmutableMatrix(A12.T), observer_poles(given))
     elif given.options.reduced and order_of_states(plant) is None and "S2" not in answers:
         return None  # what a gain does depends on the coordinates
     else:

@@ -143,7 +143,7 @@ def options_fit_the_plant(system: Any, options: PolePlacementOptions) -> Iterabl
 def _placed(given: Given[WithInput, PolePlacementOptions], method: str) -> Derivation[Answers]:
     """Find K by one of the methods, and show what the loop does."""
     plant, x = given.system, variable(given.system)
-    yield from block_diagram("state_feedback", r"State feedback $u = -\sym{K} x$")
+    yield from block_diagram("state_feedback", r"State feedback $u = -\sym{K} x$", discrete=plant.discrete)
     if given.options.eigenvectors is not None:
         return (yield from _with_eigenvectors(given, given.options.eigenvectors))
     poles = yield from asked_poles(given)

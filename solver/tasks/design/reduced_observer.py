@@ -31,6 +31,14 @@ from solver.stated.matrices import partitioned
 from solver.tasks import meanings
 from solver.tasks.design import reduced_observer_checks as checks
 from solver.tasks.design import reduced_observer_formulas as formulas
+from solver.tasks.design.mapped_poles import (
+    SampledPoles,
+    asked_faults,
+    listed,
+    numeric_poles_in_z,
+    poles_in_z,
+    with_mapping_mistakes,
+)
 from solver.tasks.design.plants import measuring
 from solver.tasks.design.reduced_order import (
     error_equation_of,
@@ -42,7 +50,6 @@ from solver.tasks.design.reduced_order import (
     reduced_gain_of,
 )
 from solver.tasks.freedom import measured_by_combinations, reduced_gain_is_free
-from solver.tasks.plant_options import PlantOptions
 from solver.words import Reason
 
 if TYPE_CHECKING:
@@ -53,12 +60,10 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReducedObserverOptions(PlantOptions):
+class ReducedObserverOptions(SampledPoles):
     """Where the estimation error has its poles, and what is measured."""
 
-    poles: tuple[Expr, ...] = option(
-        Poles(), "the n − p eigenvalues of J (or those of the observable part)", required=True
-    )
+    poles: tuple[Expr, ...] | None = option(Poles(), "the n − p eigenvalues of J (or those of the observable part)")
     measured: tuple[str, ...] | None = option(Names(), "the measured states (names or numbers), where C does not say")
 
 
@@ -145,20 +150,25 @@ def what_the_file_shows(system: System, options: ReducedObserverOptions) -> Iter
     wrong = measurement_fault(plant)
     if wrong is not None:
         yield "measured" if measured else "", wrong
-    elif options.poles is not None:
-        yield from pole_faults(plant, options.poles)
+        return
+    unmapped = [*asked_faults(system, options)]
+    yield from unmapped
+    name, poles = listed(options)
+    if not unmapped and poles is not None:
+        yield from pole_faults(plant, poles, name)
 
 
 @reduced_observer.method(source="Lecture note, section 4.2")
 def by_partition(given: Given[WithInput, ReducedObserverOptions]) -> Derivation[Answers]:
     """Split off what is measured; A22 − L A12 gets the poles; J, N, M follow from the error equation."""
     plant = measuring(given.system, given.options.measured)
-    faults = [measurement_fault(plant), *(fault for _, fault in pole_faults(plant, given.options.poles))]
+    poles = yield from poles_in_z(given)
+    faults = [measurement_fault(plant), *(fault for _, fault in pole_faults(plant, poles))]
     for fault in filter(None, faults):
         raise Unsolved("engine/refused", fault=fault)
     parts = yield from partition_of(plant)
     yield from error_equation_of(discrete=plant.discrete)
-    design = yield from reduced_gain_of(parts, given.options.poles, discrete=plant.discrete)
+    design = yield from reduced_gain_of(parts, poles, discrete=plant.discrete)
     J, N, M = yield from observer_matrices_of(parts, design.L, plant, chosen=design.chosen)
     n, q, C = plant.n, J.rows, plant.C
     yield from estimate_of(parts, design, J, plant)
@@ -197,12 +207,15 @@ for each in checks.BLOCKS:
     reduced_observer.consequence(each, of=("T",))(partial(formulas.block, each))
 
 
+with_mapping_mistakes(reduced_observer)
+
+
 @reduced_observer.meaning("L", "J")
 def poles_of_the_error(wrong: Attempt[WithInput, ReducedObserverOptions]) -> Reason | None:
     """The poles of the error; those of a gain where the coordinates are those of the plant."""
     if wrong.name == "J":
-        return meanings.poles_given(wrong.value, wrong.given.options.poles)
+        return meanings.poles_given(wrong.value, numeric_poles_in_z(wrong.given))
     if measured_by_combinations(wrong.given):
         return None
     A22, A12 = wrong.answers["A22"], wrong.answers["A12"]
-    return meanings.poles_given(A22 - wrong.value * A12, wrong.given.options.poles)
+    return meanings.poles_given(A22 - wrong.value * A12, numeric_poles_in_z(wrong.given))

@@ -14,6 +14,7 @@ from solver.numeric.judges import design as judges
 from solver.stated import Stated
 from solver.stated.algebra import difference, product, total
 from solver.stated.matrices import inverse
+from solver.tasks.design.mapped_poles import numeric_poles_in_z
 from solver.tasks.design.plants import Plant, measuring
 from solver.words import Phrase
 
@@ -115,8 +116,9 @@ def estimates_what_is_not_measured(
                 Phrase(BLOCK, letter=name[0], index=name[1:]),
                 answer=name,
             )
-    yield from _spectra(blocks, given.options.poles, answers)
-    gain = blocks.only_gain(given.options.poles)
+    poles = numeric_poles_in_z(given)
+    yield from _spectra(blocks, poles, answers)
+    gain = blocks.only_gain(poles)
     yield from _drives(blocks, gain if gain is not None else answers.get("L"), answers)
     yield from _combined_states(blocks, answers)
 

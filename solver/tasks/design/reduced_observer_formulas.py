@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.lazy import exact
 from solver.lazy import sympy as sp
+from solver.tasks.design.mapped_poles import exact_poles_in_z
 from solver.tasks.design.plants import measuring
 
 if TYPE_CHECKING:
@@ -31,9 +32,10 @@ def block(name: str, given: Asked, found: Found) -> Any:
 def gain_for_the_pair(given: Asked, found: Found) -> Any:
     """L for the poles of A22 − L A12, where there is one measured output and so only one gain."""
     A22, A12 = found["A22"], found["A12"]
-    if A12.rows != 1 or len(given.options.poles) != A22.rows:
+    poles = exact_poles_in_z(given)
+    if A12.rows != 1 or len(poles) != A22.rows:
         return None
-    K = exact.ackermann(A22.T, A12.T, exact.monic(given.options.poles))
+    K = exact.ackermann(A22.T, A12.T, exact.monic(poles))
     return sp.ImmutableMatrix(K.T)
 
 

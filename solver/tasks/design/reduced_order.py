@@ -33,12 +33,12 @@ def measurement_fault(plant: Plant) -> Reason | None:
     return None
 
 
-def pole_faults(plant: Plant, poles: Sequence[Expr]) -> Iterator[Refusal]:
+def pole_faults(plant: Plant, poles: Sequence[Expr], option: str = "poles") -> Iterator[Refusal]:
     """A number of poles that fits neither the unmeasured states nor those of them that the output shows."""
     n, p = plant.n, plant.p
     seen = exact.reachable_order(plant.A.T, plant.C.T)
     if fault := number_fault(poles, n - p, seen - p, p):
-        yield "poles", fault
+        yield option, fault
 
 
 def _column(names: Iterable[str]) -> ImmutableMatrix:

@@ -97,7 +97,9 @@ def by_the_steady_state(given: Given[WithBoth, ReferenceTrackingOptions]) -> Der
     """In the steady state A F + B N = 0 and C F + D N = I; u = u_d − K (x − x_d) gives K_o = N + K F."""
     plant, discrete = given.system, given.system.discrete
     A, B, C, D = plant.A, plant.B, plant.C, feedthrough(plant)
-    yield from block_diagram("state_feedback_reference", r"State feedback with a reference, $u = -\sym{K} x + K_o r$")
+    yield from block_diagram(
+        "state_feedback_reference", r"State feedback with a reference, $u = -\sym{K} x + K_o r$", discrete=discrete
+    )
     F, N = yield from steady_state_of(A, B, C, D, discrete=discrete)
     K, placed = given.options.gain, given.options.gain is None
     if K is None:
@@ -139,6 +141,7 @@ def steady_state_of(
         F=steady.F,
         N=steady.N,
         unique=steady.unique,
+        discrete=discrete,
         steps=rest_by_elimination(steady) if steady.unique else (),
     )
     return steady.F, steady.N

@@ -91,7 +91,9 @@ def _designed(given: Given[WithBoth, PoleOptions], method: str) -> Derivation[An
     """Augment the plant by integrators, look whether the inputs move them, and place all poles."""
     plant, x = given.system, variable(given.system)
     n, p, D = plant.order, plant.C.rows, feedthrough(plant)
-    yield from block_diagram("servo", r"Servo with integral action, $u = -\sym{K} x + k_I \sym{integrator}$")
+    yield from block_diagram(
+        "servo", r"Servo with integral action, $u = -\sym{K} x + k_I \sym{integrator}$", discrete=plant.discrete
+    )
     A, B = augmented(plant)
     yield Step(
         "augmented",

@@ -60,7 +60,7 @@ deadbeat.together(control_law(("-K", "x")))
 @deadbeat.method(source="Åström and Wittenmark, Computer-Controlled Systems, section 4.3", time="discrete")
 def by_nilpotency(given: Given[WithInput, PlantOptions]) -> Derivation[Answers]:
     """All poles at z = 0: Ackermann's formula with p̂(z) = zⁿ; several inputs by their chains."""
-    yield from block_diagram("state_feedback", r"State feedback $u = -\sym{K} x$")
+    yield from block_diagram("state_feedback", r"State feedback $u = -\sym{K} x$", discrete=True)
     K, steps = yield from deadbeat_gain_of(given.system)
     loop = yield from dead_after(given.system, K, steps)
     return Answers(K=K, closed_loop_A=loop, steps=sp.Integer(steps))
