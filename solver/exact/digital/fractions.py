@@ -10,6 +10,9 @@ import sympy as sp
 
 from solver.exact.transforms.sampled import Base, Coefficients, in_z, multiplied, powered, trimmed
 
+FEW = 5
+"""Greatest common divisors in more symbols take too long."""
+
 
 @dataclass(frozen=True)
 class FractionInZ:
@@ -65,11 +68,23 @@ def content_of(p: Coefficients) -> tuple[sp.Expr, Coefficients]:
     x = sp.Dummy("x")
     above, below = sp.fraction(sp.together(in_z([c.xreplace(marks) for c in p], x)))
     coefficients = sp.Poly(above, x).all_coeffs()
-    common = reduce(sp.gcd, coefficients)
+    common = _common(coefficients)
     if _is_negative(sp.cancel(coefficients[0] / common).xreplace(back)):
         common = -common
     left = [sp.expand(sp.cancel(c / common)).xreplace(back) for c in coefficients]
     return (sp.factor(common) / sp.factor(below)).xreplace(back), left
+
+
+def _common(coefficients: Coefficients) -> sp.Expr:
+    """A factor that all have: the greatest one of few symbols, of many only powers of symbols and a number."""
+    symbols = sorted(set().union(*(c.free_symbols for c in coefficients)), key=str)
+    if len(symbols) <= FEW:
+        return reduce(sp.gcd, coefficients)
+    polynomials = [sp.Poly(c, *symbols) for c in coefficients if c != 0]
+    powers = [min(p.monoms(), key=lambda monom, i=i: monom[i])[i] for i in range(len(symbols)) for p in polynomials]
+    least = [min(powers[i * len(polynomials) : (i + 1) * len(polynomials)]) for i in range(len(symbols))]
+    number = reduce(sp.gcd, [c for p in polynomials for c in p.coeffs()])
+    return sp.Mul(number, *(x**k for x, k in zip(symbols, least, strict=True)))
 
 
 def _is_negative(c: sp.Expr) -> bool:

@@ -12,9 +12,10 @@ from functools import reduce
 import sympy as sp
 
 from solver.exact.functions.fractions import keeps_quadratic
+from solver.exact.linear_algebra.fields import NotExact
 from solver.exact.linear_algebra.spectrum import Factor, Root, is_lower, spectrum_of_polynomial
 from solver.exact.transforms.images import rational_image
-from solver.exact.transforms.sampled import Base, base_of, multiplied, powered
+from solver.exact.transforms.sampled import Base, base_of, in_z, multiplied, powered
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,11 @@ class MappedRoot:
     pair: bool
     multiplicity: int
     base: Base
+
+    def polynomial(self, z: sp.Symbol) -> sp.Expr:
+        """What the root gives once, with its conjugate: z − a, or the quadratic of the pair."""
+        p = self.base.polynomial(z)
+        return p**2 if self.pair and self.base.angle == 0 else p
 
 
 @dataclass(frozen=True)
@@ -118,3 +124,29 @@ def _value_at_one(roots: Sequence[MappedRoot], at_minus_one: int) -> sp.Expr:
     """The product of the polynomials at z = 1, those of z − 1 left out."""
     others = [sp.Add(*each.base.coefficients) ** each.multiplicity for each in roots if each.root != 0]
     return sp.Mul(2**at_minus_one, *others)
+
+
+def factors_in_z(poles: Sequence[sp.Expr], T: sp.Expr) -> list[MappedRoot]:
+    """The poles (closed under conjugation) with the bases of e^{sT}, pairs together, in the order of their first."""
+    found: list[MappedRoot] = []
+    rest = list(poles)
+    while rest:
+        s = rest.pop(0)
+        sigma, omega = (sp.expand(part) for part in s.as_real_imag())
+        if omega == 0:
+            base, _ = base_of(s, sp.S.Zero, T)
+            found.append(MappedRoot(s, False, 1, base))
+            continue
+        mirror = next((each for each in rest if sp.expand(each - sigma + sp.I * omega) == 0), None)
+        if mirror is None:
+            raise NotExact("pole_mapping/not_conjugate", pole=s)
+        rest.remove(mirror)
+        base, _ = base_of(sigma, omega, T, sp.cos)
+        found.append(MappedRoot(s, True, 2 if base.angle == 0 else 1, base))
+    return found
+
+
+def product_in_z(factors: Sequence[MappedRoot], z: sp.Symbol) -> sp.Expr:
+    """The product of the polynomials of the bases, multiplied out by powers of z."""
+    rows = [powered(each.base.coefficients, each.multiplicity) for each in factors]
+    return in_z(reduce(multiplied, rows, [sp.S.One]), z)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import reduce
 
 import sympy as sp
+from sympy import prime
 
 from solver.exact.digital.fractions import FractionInZ, content_of, marks_of
 from solver.exact.transforms.sampled import Coefficients, added, in_z, multiplied, powered, trimmed
@@ -71,12 +72,22 @@ def _lowest(above: Coefficients, below: Coefficients, z: sp.Symbol) -> sp.Expr:
         marks = marks_of([*above, *below])
         back = {dummy: each for each, dummy in marks.items()}
         p, q = (sp.Poly(in_z([c.xreplace(marks) for c in side], z), z) for side in (above, below))
-        shared = p.gcd(q)
+        shared = p.gcd(q) if _may_share(p, q) else sp.Poly(1, z)
         above, below = ([c.xreplace(back) for c in _quotient(side, shared)] for side in (p, q))
     (common, above), (scale, below) = content_of(above), content_of(below)
     lead = below[0] if below[0].is_number else sp.S.One
     below = [sp.expand(c / lead, power_exp=False) for c in below]
     return sp.Mul(common / scale / lead, in_z(above, z), 1 / in_z(below, z))
+
+
+def _may_share(p: sp.Poly, q: sp.Poly) -> bool:
+    """Whether two polynomials may have a common root: not where they have none for some values of the symbols."""
+    symbols = sorted(p.free_symbols_in_domain | q.free_symbols_in_domain, key=str)
+    values = {x: sp.Rational(prime(i + 5), prime(i + 12)) for i, x in enumerate(symbols)}
+    one, other = (sp.Poly(side.as_expr().xreplace(values), *side.gens, extension=True) for side in (p, q))
+    if one.degree() < p.degree() or other.degree() < q.degree():
+        return True
+    return bool(one.gcd(other).degree() > 0)
 
 
 def _quotient(p: sp.Poly, shared: sp.Poly) -> Sequence[sp.Expr]:

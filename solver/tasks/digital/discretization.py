@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeGuard
 
-from solver.derivation import AnswerName, Answers, Derivation, Given, Refusal, Task, Unsolved, option
+from solver.derivation import AnswerName, Answers, Attempt, Derivation, Given, Refusal, Task, Unsolved, option
 from solver.derivation.answer_equations import state_equations
+from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
-from solver.lazy import systems
 from solver.options.number import Number
-from solver.tasks.digital import discretization_checks
+from solver.tasks import meanings
+from solver.tasks.digital import digital_mistakes, discretization_checks
 from solver.tasks.digital.by_rule import mapped_plant_of, mapped_transfer_of
 from solver.tasks.digital.held_states import held_states_of
 from solver.tasks.digital.matching import matched_of
@@ -145,3 +146,26 @@ def by_matching(given: Given[Plant, DiscretizationOptions]) -> Derivation[Answer
 
 def _states(*matrices: Any) -> Answers:
     return Answers(**{name: M for name, M in zip("ABCD", matrices, strict=True) if M is not None})
+
+
+def answers_by(given: Given[Plant, DiscretizationOptions], method: str) -> Mapping[str, Any]:
+    """The answers by another method, none where it has none."""
+    other = replace(given, method=method, options=replace(given.options, prewarp=None))
+    derivation = discretization.methods[method].derive(other)
+    try:
+        while True:
+            next(derivation)
+    except StopIteration as end:
+        found: Mapping[str, Any] = end.value
+        return found
+    except (Unsolved, exact.NotExact):
+        return {}
+
+
+digital_mistakes.name_mistakes_of_discretization(discretization, answers_by)
+
+
+@discretization.meaning("G")
+def value_at_a_point(wrong: Attempt[Plant, DiscretizationOptions]) -> Reason | None:
+    """Its value, and that of the discrete plant, at a point."""
+    return meanings.at_a_point(wrong.value, wrong.ours)

@@ -50,9 +50,8 @@ def _exponential_of(A: ImmutableMatrix) -> Derivation[ImmutableMatrix]:
     e = exact.exponential(A, t).matrix
     index = _nilpotent(A)
     if index:
-        powers = exact.powers(A, index)
         yield Step("series", claims={"e": Claim(exponential(product(A, t)), e, "the series ends")}, index=index,
-                   A=A, powers=powers)  # fmt: skip
+                   factorials=[sp.factorial(k) for k in range(index)])  # fmt: skip
         return e
     yield from inverse_of_pencil(A, s)
     expansion = yield from partial_fractions_of(A, s)
@@ -68,16 +67,19 @@ def _nilpotent(A: ImmutableMatrix) -> int:
 
 
 @lemma("held_states")
-def _input_of(A: ImmutableMatrix, B: ImmutableMatrix, e: ImmutableMatrix, held: exact.Held, T: Expr) -> Derivation[None]:
+def _input_of(
+    A: ImmutableMatrix, B: ImmutableMatrix, e: ImmutableMatrix, held: exact.Held, T: Expr
+) -> Derivation[None]:
     """What a held input adds in a period."""
-    t = sp.Symbol("t")
+    t, Gamma = sp.Symbol("t"), held.Gamma
+    assert Gamma is not None  # noqa: S101 - there is a B
     weighed = sp.ImmutableMatrix((e * B).applyfunc(sp.expand))
     stated = product(e, B)
     claims = {
         "weighed": Claim(stated, weighed, "the input matrix weighed"),
         "Gamma": Claim(integral(stated, t, sp.S.Zero, T), held.Gamma, "the integral"),
     }
-    worked_out = integrated(weighed, t, sp.S.Zero, T, held.Gamma)
+    worked_out = integrated(weighed, t, sp.S.Zero, T, Gamma)
     yield Step("held_input", claims=claims, steps=worked_out, T=T, B_d=held.Gamma, weighed=entry_alone(weighed))
     identity = sp.ImmutableMatrix(sp.eye(A.rows))
     if not A.free_symbols and exact.determinant(A) != 0:
@@ -104,7 +106,7 @@ def _model(plant: StateSpace, held: exact.Held, T: Expr) -> Step:
         D=D,
         direct=D is not None and not D.is_zero_matrix,
         T=T,
-        frequency=known[0] if len(known) == 1 else None,
+        limit=sp.pi / known[0] if len(known) == 1 else None,
         figures=_figure(plant.A, T),
     )
 

@@ -55,7 +55,7 @@ def _mapped(kind: str, found: Sequence[exact.MappedRoot], T: Expr, **facts: Any)
     claims = {}
     for i, each in enumerate(found, 1):
         says = Phrase("pole {i}", i=i) if kind == "poles" else Phrase("zero {i}", i=i)
-        image, p = exponential(product(each.root, T)), each.base.polynomial(z)
+        image, p = exponential(product(each.root, T)), each.polynomial(z)
         if each.pair:
             mirror = exponential(product(exact.conjugated(each.root), T))
             claims[f"root{i}"] = Claim(product(difference(z, image), difference(z, mirror)), p, says)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Check,
     Claim,
     Derivation,
@@ -28,6 +29,8 @@ from solver.options.choice import Choice
 from solver.options.number import Number
 from solver.options.sampled_element import SampledElement
 from solver.stated.algebra import product, quotient, total
+from solver.tasks import meanings
+from solver.tasks.digital import digital_mistakes
 from solver.tasks.digital.discretization_checks import sampling_of
 from solver.tasks.digital.pulse_steps import factors_sampled_apart, pulse_of, pulse_of_entry
 from solver.tasks.plant_options import PlantOptions
@@ -126,8 +129,10 @@ def _loop_of(given: Given[Plant, PulseOptions], G: Expr, found: exact.Pulse, del
     analog = H.has(sp.Symbol("s"))
     back: Any = H
     if analog:
-        yield Step("between_samplers", unclaimed="what stands between two samplers", H=H, detail="brief")
-        around = yield from pulse_of_entry(sp.cancel(G * H), T, held=held, delay=delay, name="\\overline{GH}", of="GH")
+        W = sp.cancel(G * H)
+        claim = Claim(product(G, H), W, "plant and feedback in series")
+        yield Step("between_samplers", claims={"W": claim}, H=H, G=G)
+        around = yield from pulse_of_entry(W, T, held=held, delay=delay, name="W", of="W")
         back = around.result
     loop = exact.closed_in_z(C, Gp, back, z)
     if loop.below == 0:
@@ -154,7 +159,7 @@ def _causal(C: Expr, G: Expr, z: Any) -> None:
 
 @pulse_transfer_function.verification("G")
 def has_the_samples_of_the_loop(given: Given[Plant, PulseOptions], answers: Answers) -> Iterable[Check]:
-    """Its values at random z by matrix exponentials; its samples as those of the plant followed from one to the next."""
+    """Its values at random z by matrix exponentials; its samples, those of the plant followed from one to the next."""
     z, G = sp.Symbol("z"), answers["G"]
     options, plant, T = given.options, given.system, sample_time_of(given)
     held, delay = options.hold == "zero_order", options.delay if options.delay is not None else sp.S.Zero
@@ -184,3 +189,12 @@ def _with(plant: Any, H: Expr) -> Any:
     p, q = (sp.expand(side) for side in sp.fraction(sp.together(H)))
     above, below = ((sp.expand(row[0][0] * side),) for row, side in ((plant.numerators, p), (plant.denominators, q)))
     return systems.TransferFunction(sp.ImmutableMatrix([[above[0] / below[0]]]), (above,), (below,), plant.variable)
+
+
+digital_mistakes.name_mistakes_of_pulses(pulse_transfer_function)
+
+
+@pulse_transfer_function.meaning("G")
+def value_at_a_point(wrong: Attempt[Plant, PulseOptions]) -> Reason | None:
+    """Its value, and that of the loop, at a point."""
+    return meanings.at_a_point(wrong.value, wrong.ours)

@@ -51,3 +51,19 @@ def _roots(p: list[Any]) -> tuple[list[Any], Any]:
     kept = p[: low + 1]
     found = MANY.context.polyroots(kept, maxsteps=500, extraprec=400) if low else []
     return [*found, *[MANY.context.mpf(0)] * (len(p) - 1 - low)], p[low]
+
+
+def mapped_residual(poles: Any, T: Any, answer: Any) -> float:
+    """Return the largest relative difference of an answer's poles, in any order, and e^{sT} of some poles."""
+    if len(poles) != len(answer):
+        return float("inf")
+    worst = 0.0
+    symbols = {x for each in (*poles, T, *answer) for x in free_symbols(each)}
+    for point in admissible(symbols, 2):
+        values = numbers_of([[T, *poles]], point)[0]
+        wanted = [MANY.context.exp(s * values[0]) for s in values[1:]]
+        for z in numbers_of([list(answer)], point)[0]:
+            nearest = min(wanted, key=lambda each, z=z: float(abs(each - z)))
+            wanted.remove(nearest)
+            worst = worst_of((worst, float(abs(nearest - z) / max(abs(nearest), MANY.context.mpf("1e-30")))))
+    return with_many_digits(worst, *poles, T, answer)

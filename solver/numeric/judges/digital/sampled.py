@@ -76,6 +76,8 @@ def loop_residual(answer: Any, forward: Sampling, back: Sampling | None, C: Any,
     of it; None: the loop is open. The plants are followed from sample to sample.
     """
     worst = 0.0
+    if not all(side.is_polynomial(z) for side in sp.fraction(sp.together(answer))):
+        return WRONG
     plants = [each for each in (forward, back) if each is not None]
     stated = [answer, C, H, *(part for each in plants for part in (*each.plant, each.T, each.ahead))]
     symbols = {x for each in stated for x in free_symbols(sp.sympify(each))} - {z}
