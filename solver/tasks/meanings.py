@@ -184,3 +184,11 @@ def begins(Phi: ImmutableMatrix, A: ImmutableMatrix, *, discrete: bool) -> Reaso
     if not _all_alike(second, A):
         return Reason("meanings/second", {"discrete": discrete, "value": shortened(second)})
     return None
+
+
+def half_plane(wrong: Attempt[Any, Any], modes: Sequence[Expr] | None, *, stable: bool) -> Reason | None:
+    """Return that the half-plane was taken for the unit disc, where it gives that modes in discrete time are stable."""
+    if not wrong.given.system.discrete or not modes or any(mode.free_symbols for mode in modes):
+        return None
+    left = all(complex(sp.N(mode, 30)).real < 0 for mode in modes)
+    return Reason("meanings/half_plane") if left == stable else None

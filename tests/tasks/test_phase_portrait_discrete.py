@@ -114,3 +114,8 @@ def test_the_half_plane_taken_for_the_disc_is_named():
     assert found.verdict == "wrong"
     assert "not where" in str(found.reason)
     assert verdict(PROBLEM, "a", "kind", "stable node").verdict == "correct"
+
+
+def test_a_verdict_by_the_half_plane_is_named():
+    problem = "system: {time: discrete, A: [[1/2, 0], [0, 1/4]]}\nfind: {a: stability}\n"
+    assert "time is discrete here" in str(verdict(problem, "a", "verdict", "unstable").reason)

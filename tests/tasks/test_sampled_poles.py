@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.derivation import Status
+from solver.exact.linear_algebra.fields import domain_matrix
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.tasks import catalogue
@@ -131,3 +132,29 @@ def test_a_missing_period_and_poles_that_are_not_mapped_are_named(value, said):
     found = verdict(SAMPLED, "a", "K", value)
     assert found.verdict == ("wrong" if said else "correct")
     assert said in str(found.reason or "")
+
+
+def test_observers_of_both_orders_and_their_feedback():
+    result = ask("reduced_observer", PLANT, s_poles=(sp.Integer(-5),), sample_time=T)
+    assert result.status is Status.VERIFIED
+    assert np.isclose(float(result.answers["J"][0]), np.exp(-0.5))
+    assert rejected(
+        "reduced_observer", PLANT, {"J": sp.ImmutableMatrix([[-5]])}, s_poles=(sp.Integer(-5),), sample_time=T
+    )
+    for more, count in (({"observer_s_poles": (sp.Integer(-6), sp.Integer(-7))}, 2), ({"reduced": True}, 1)):
+        asked = {"s_poles": PAIR, "sample_time": T, "observer_s_poles": (sp.Integer(-6),), **more}
+        result = ask("observer_feedback", PLANT, **asked)
+        assert result.status is Status.VERIFIED, result.reason
+        wanted = mapped([*PAIR, -6, -7][: 2 + count], T)
+        assert np.allclose(poles_of(result.answers["closed_loop_A"]), wanted)
+
+
+def test_powers_of_e_in_one_matrix_depend_on_each_other():
+    """sympy takes e and e² for independent; the rank of this matrix is one."""
+    M = sp.Matrix([[sp.exp(-1), sp.exp(-2)], [1, sp.exp(-1)]])
+    assert domain_matrix(M).rank() == 1
+    assert domain_matrix(sp.Matrix([[sp.E, sp.exp(R(1, 3))], [sp.sqrt(2), sp.exp(sp.sqrt(2))]])).rank() == 2
+    plant = system([[sp.exp(-1), 0], [0, sp.exp(-2)]], discrete=True, B=[1, sp.exp(-1)], C=[[1, 1]])
+    result = ask("pole_placement", plant, poles=(R(0), R(1, 2)))
+    assert result.status is Status.VERIFIED
+    assert np.allclose(poles_of(result.answers["closed_loop_A"]), [0, 0.5])

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
+    Attempt,
     Claim,
     Derivation,
     Given,
@@ -287,3 +288,11 @@ def weight_reversed(system: System, options: StabilityOptions) -> tuple[System, 
 
 stability.meaning("eigenvalues")(meanings.no_eigenvalue)
 stability.meaning("array")(first_routh_entry)
+
+
+@stability.meaning("verdict")
+def by_the_half_plane(wrong: Attempt[System, StabilityOptions]) -> Reason | None:
+    """Re λ < 0 taken for |λ| < 1."""
+    if str(wrong.value) not in ("asymptotically stable", "unstable"):
+        return None
+    return meanings.half_plane(wrong, wrong.answers.get("eigenvalues"), stable=str(wrong.value) != "unstable")
