@@ -23,6 +23,7 @@ from benchmarks import (
     finite_horizons,
     frequency,
     growth,
+    holds,
     linearization,
     matrix_exponential,
     mechanics,
@@ -42,6 +43,7 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
     """The rows of the chosen group, or of all."""
     if chosen in (None, "exponential"):
         yield from matrix_exponential.rows(quick=quick)
+        yield from holds.rows()
     if chosen in (None, "placement"):
         yield from pole_placement.rows()
     if chosen in (None, "mechanics"):

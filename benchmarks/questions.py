@@ -80,6 +80,8 @@ def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
         return sums_of_squares(n)
     if "polynomial_matrix" in needs:
         return {"polynomial_matrix": str((sp.Symbol("s") * sp.eye(n) - plant(n, kind)[0]).tolist())}
+    if task == "difference_equation":
+        return equations(n, kind, discrete=True)
     return equations(n, kind) if "equations" in needs else matrices(task, method, n, kind)
 
 
@@ -138,12 +140,13 @@ def matrices(task: str, method: str, n: int, kind: str) -> dict[str, str]:
     return {name: str(M.tolist()) for name, M in {"A": A, "B": B, "C": C}.items()}
 
 
-def equations(n: int, kind: str) -> dict[str, str]:
+def equations(n: int, kind: str, *, discrete: bool = False) -> dict[str, str]:
     """The plant by the equations of its states."""
     A, B, C = plant(n, kind)
-    x = sp.Matrix(sp.symbols(f"x1:{n + 1}"))
-    right = A * x + B * sp.Symbol("u")
-    rows = ", ".join(f'"x{i + 1}\' = {right[i]}"' for i in range(n))
+    now, rate = ("(k)", "(k+1)") if discrete else ("", "'")
+    x = sp.Matrix([sp.Symbol(f"x{i}{now}") for i in range(1, n + 1)])
+    right = A * x + B * sp.Symbol(f"u{now}")
+    rows = ", ".join(f'"x{i + 1}{rate} = {right[i]}"' for i in range(n))
     return {"equations": f"[{rows}]", "inputs": "[u]", "outputs": f"[{(C * x)[0]}]"}
 
 
@@ -175,6 +178,11 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "finite_horizon_lqr": lambda n: _weights(n) | {"final_time": "1"},
     "laplace_transform": lambda n: {"f": f"t^{n} exp(-t) sin(2t)"},
     "inverse_laplace_transform": lambda n: {"F": f"1/({' '.join(f'(s + {i})' for i in range(1, n + 1))})"},
+    **dict.fromkeys(("discretization", "pulse_transfer_function"), lambda _: {"sample_time": "1/10"}),
+    "pole_mapping": lambda n: {"poles": poles(n), "sample_time": "1/10"},
+    "z_transform": lambda n: {"f": f'"k^{n}*2^k*cos(k)"'},
+    "inverse_z_transform": lambda n: {"F": f"z/({' '.join(f'(z - 1/{i})' for i in range(2, n + 2))})"},
+    "difference_equation": lambda _: {"input": "{u: 1}", "initial": '{"x1(0)": 1}'},
     "differential_equation": lambda _: {"input": '{u: "exp(-t)"}', "initial": "{x1: 1}"},
     "minimum_energy_control": lambda n: {"initial_state": str([1] * n), "final_time": "1"},
 }

@@ -40,7 +40,7 @@ def samples(image, count=10):
     rest, found = [sp.S.Zero] * (len(below) - len(above)) + above, []
     for _ in range(count):
         found.append(rest[0])
-        rest = [a - found[-1] * b for a, b in zip(rest, below, strict=True)][1:] + [sp.S.Zero]
+        rest = [*[a - found[-1] * b for a, b in zip(rest, below, strict=True)][1:], sp.S.Zero]
     return found
 
 

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
     from solver.systems import StateSpace, TransferFunction
 
+NEARLY_ROUND = 6.283
+"""A curve that ends where it begins would be a point to whoever draws it."""
 FORWARD, BACKWARD, TUSTIN = "forward_euler", "backward_euler", "tustin"
 
 
@@ -111,9 +113,9 @@ def stability_by(
     for i, (root, limit) in enumerate(limits, 1):
         if root.value.has(sp.I):
             square = total(power(root.sigma, 2), power(root.shift, 2))
-            claims[f"limit{i}"] = Claim(quotient(product(-2, root.sigma), square), limit, "the longest period")
+            claims[f"limit{i}"] = Claim(quotient(product(2, -root.sigma), square), limit, "the longest period")
         else:
-            claims[f"limit{i}"] = Claim(quotient(sp.Integer(-2), root.value), limit, "the longest period")
+            claims[f"limit{i}"] = Claim(quotient(sp.Integer(2), -root.value), limit, "the longest period")
     undecided = [root.value for root in roots if _is_left(root) is None]
     least = _least([limit for _, limit in limits])
     yield Step(
@@ -177,5 +179,5 @@ def _figure(rule: exact.Rule, name: str, roots: Sequence[exact.Root], T: Expr) -
         TUSTIN: "The left half plane goes into the unit circle, and fills it",
     }
     window = (sp.Rational(-3, 2), sp.Rational(3, 2), sp.Rational(-3, 2), sp.Rational(3, 2))
-    return Plot(captions[name], r"\operatorname{Re} z", r"\operatorname{Im} z", angle, sp.S.Zero, 2 * sp.pi,
+    return Plot(captions[name], r"\operatorname{Re} z", r"\operatorname{Im} z", angle, sp.S.Zero, NEARLY_ROUND,
                 tuple(curves), tuple(marks), True, window)  # fmt: skip

@@ -121,7 +121,7 @@ def has_these_poles(given: Given[StateSpace, PoleMappingOptions], found: Mapping
     return sp.expand(sp.Mul(*(z - each for each in found["poles"])), power_exp=False)
 
 
-NOT_MAPPED = Slip("not_mapped", "these are the poles in $s$: in the $z$-plane the left half-plane is no region of "
+NOT_MAPPED = Slip("not_mapped", "these are the poles in $s$: in the $z$-plane the left half plane is no region of "
                                 "stability, the unit disc is")  # fmt: skip
 
 
