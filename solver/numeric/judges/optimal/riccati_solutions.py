@@ -172,23 +172,46 @@ def definiteness_holds(weights: Weights, words: Sequence[Any], solutions: Sequen
     return sorted(found) == sorted(map(_plain, words))
 
 
+def _pencil_eigenvectors(optimum: Optimum) -> tuple[Array, Array]:
+    """The finite eigenvalues of the symplectic pencil and its eigenvectors; raises NotEvaluable for a singular R."""
+    from scipy.linalg import eig  # noqa: PLC0415
+
+    n = len(optimum.A)
+    if np.linalg.matrix_rank(optimum.R) < len(optimum.R):
+        raise NotEvaluable("a singular weight of the input has no symplectic pencil")
+    A, Q = optimum.without_products()
+    G = optimum.B @ np.linalg.solve(optimum.R, optimum.B.T)
+    left = np.block([[A, np.zeros((n, n))], [-Q, np.eye(n)]])
+    values, vectors = eig(left, np.block([[np.eye(n), G], [np.zeros((n, n)), A.T]]))
+    finite = np.isfinite(values) & (np.abs(values) < 1e9)
+    return values[finite], vectors[:, finite]
+
+
+def _taken(value: complex, sign: int, optimum: Optimum) -> complex:
+    """An eigenvalue, or its mirror image."""
+    return value if sign > 0 else 1 / value if optimum.discrete else -value
+
+
 def solutions_in_floats(weights: Weights) -> list[Array]:
     """Return all real symmetric solutions where the eigenvalues of H are distinct: P = Y X⁻¹ by its eigenvectors.
 
-    Raises NotEvaluable where eigenvalues coincide, or in discrete time.
+    In discrete time those of the pencil. Raises NotEvaluable where eigenvalues coincide.
     """
-    if weights.discrete:
-        raise NotEvaluable("definiteness alone, without the solutions, is not judged in discrete time")
-    H = hamiltonian(optima(weights)[0])
-    n = len(H) // 2
-    values, vectors = np.linalg.eig(H)
+    optimum = optima(weights)[0]
+    n = len(optimum.A)
+    values, vectors = _pencil_eigenvectors(optimum) if optimum.discrete else np.linalg.eig(hamiltonian(optimum))
     scale = float(np.abs(values).max())
-    if min(abs(a - b) for i, a in enumerate(values) for b in values[:i]) < 1e-5 * scale:
+    if min(abs(a - b) for i, a in enumerate(values) for b in values[:i]) < 1e-5 * (
+        min(scale, 1.0) if optimum.discrete else scale
+    ):
         raise NotEvaluable("eigenvalues of the Hamiltonian matrix coincide")
-    upper = [i for i in range(2 * n) if values[i].real < 0 and values[i].imag > -ON_THE_AXIS * scale]
+    stable = np.abs(values) < 1 if optimum.discrete else values.real < 0
+    upper = [i for i, value in enumerate(values) if stable[i] and value.imag > -ON_THE_AXIS * scale]
     found = []
     for signs in product((1, -1), repeat=len(upper)):
-        wanted = [sign * values[i] for sign, i in zip(signs, upper, strict=True)]
+        if optimum.discrete and any(s < 0 and abs(values[i]) < 1e-9 for s, i in zip(signs, upper, strict=True)):
+            continue
+        wanted = [_taken(values[i], sign, optimum) for sign, i in zip(signs, upper, strict=True)]
         wanted += [np.conj(value) for value in wanted if abs(value.imag) > ON_THE_AXIS * scale]
         chosen = [int(np.argmin(np.abs(values - value))) for value in wanted]
         X, Y = vectors[:n, chosen], vectors[n:, chosen]
