@@ -12,7 +12,7 @@ from sympy.polys.matrices import DomainMatrix
 from solver.exact.functions.rational import RationalMatrix
 from solver.exact.linear_algebra.fields import NotExact, domain_matrix, in_powers
 from solver.exact.linear_algebra.signs import possible_signs
-from solver.exact.linear_algebra.spectrum import spectrum_of_polynomial
+from solver.exact.linear_algebra.spectrum import Spectrum, spectrum_of_polynomial
 from solver.exact.time_response.signals import in_order
 
 
@@ -62,6 +62,12 @@ class DelayedImage:
 
 def rational_image(F: sp.Expr, s: sp.Symbol) -> RationalImage:
     """F = N/D over the smallest field of its coefficients; raises NotExact where it is no quotient of polynomials."""
+    N, D, cancels = lowest_terms(F, s)
+    return split_image(F, N, D, s, cancels=cancels)
+
+
+def lowest_terms(F: sp.Expr, s: sp.Symbol) -> tuple[sp.Poly, sp.Poly, bool]:
+    """N and a monic D over the smallest field, and whether factors cancelled; raises NotExact as `rational_image`."""
     above, below = sp.fraction(sp.together(F))
     if not (above.is_polynomial(s) and below.is_polynomial(s)):
         raise NotExact("transforms/not_rational", part=F)
@@ -73,17 +79,20 @@ def rational_image(F: sp.Expr, s: sp.Symbol) -> RationalImage:
     N, D = N.quo(shared), D.quo(shared)
     lead = D.LC()
     N, D = (sp.Poly([c / _element(K, lead) for c in each.rep.to_list()], s, domain=K) for each in (N, D))
-    return _split(F, N, D, s, cancels=shared.degree() > 0)
+    return N, D, shared.degree() > 0
 
 
 def _element(K: Any, c: sp.Expr) -> Any:
     return K.from_sympy(c)
 
 
-def _split(F: sp.Expr, N: sp.Poly, D: sp.Poly, s: sp.Symbol, *, cancels: bool) -> RationalImage:
+def split_image(
+    F: sp.Expr, N: sp.Poly, D: sp.Poly, s: sp.Symbol, *, cancels: bool = False, roots: Spectrum | None = None
+) -> RationalImage:
+    """F = N/D in lowest terms as a polynomial and a strictly proper rest; `roots` are those of D, where known."""
     K = D.domain
     direct, rest = N.div(D)
-    found = spectrum_of_polynomial(D)
+    found = roots or spectrum_of_polynomial(D)
     proper = None
     if not rest.is_zero:
         chi = tuple(reversed(D.rep.to_list()))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import NotExact
-from solver.exact.transforms.images import RationalImage, rational_image
+from solver.exact.linear_algebra.spectrum import spectrum_of_polynomial
+from solver.exact.transforms.images import RationalImage, lowest_terms, split_image
 
 FEW, LONG, LONGEST = 2, 4, 60
 """So many powers of 1/z are delays by themselves; of more, only where the longest is at least `LONG`; the longest."""
@@ -54,15 +54,18 @@ class DelayedSequenceImage:
     image: SequenceImage
 
 
-@lru_cache(maxsize=64)
 def sequence_image(F: sp.Expr, z: sp.Symbol) -> SequenceImage:
     """F and F/z; raises NotExact where F is no quotient of polynomials in z."""
     try:
-        whole = rational_image(F, z)
-        divided = rational_image(whole.numerator / (z * whole.denominator), z)
+        N, D, cancels = lowest_terms(F, z)
     except NotExact as failure:
         raise NotExact("transforms/not_rational_in_z", part=F) from failure
-    return SequenceImage(whole, divided)
+    roots = spectrum_of_polynomial(D)
+    whole = split_image(F, N, D, z, cancels=cancels, roots=roots)
+    x = sp.Poly(z, z, domain=D.domain)
+    if N.rem(x).is_zero:
+        return SequenceImage(whole, split_image(whole.whole / z, N.quo(x), D, z, roots=roots))
+    return SequenceImage(whole, split_image(whole.whole / z, N, D * x, z))
 
 
 def is_in_inverse_powers(F: sp.Expr, z: sp.Symbol) -> bool:
@@ -82,15 +85,14 @@ def read_sequence_image(F: sp.Expr, z: sp.Symbol) -> tuple[DelayedSequenceImage,
 
     Single powers of 1/z become delays where that leaves a simpler image. Raises NotExact for an F that is not rational.
     """
-    _ = sequence_image(F, z)
-    apart = _by_delays(F, z)
-    if apart is not None:
-        return apart
-    return (_shifted(F, z),)
+    whole = sequence_image(F, z)
+    return _by_delays(F, z) or (_shifted(whole, z),)
 
 
 def _by_delays(F: sp.Expr, z: sp.Symbol) -> tuple[DelayedSequenceImage, ...] | None:
     """The terms of a sum or product in which powers of 1/z stand as factors; None where that is of no use."""
+    if not any(_inverse_power(each, z) for each in F.atoms(sp.Pow)):
+        return None
     terms: dict[int, sp.Expr] = {}
     for term in sp.Add.make_args(F):
         for n, part in _terms_of(term, z):
@@ -129,9 +131,8 @@ def _terms_of(term: sp.Expr, z: sp.Symbol) -> Iterator[tuple[int, sp.Expr]]:
         yield n, c * rest
 
 
-def _shifted(F: sp.Expr, z: sp.Symbol) -> DelayedSequenceImage:
+def _shifted(image: SequenceImage, z: sp.Symbol) -> DelayedSequenceImage:
     """F = z⁻ⁿ F₁ where a pole at zero of order two and more goes away; else F itself."""
-    image = sequence_image(F, z)
     below = sp.Poly(image.fraction.denominator, z)
     order = min(n for (n,) in below.monoms())
     relative = below.degree() - int(sp.degree(image.fraction.numerator, z))
