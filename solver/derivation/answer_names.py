@@ -25,7 +25,7 @@ class AnswerName:
     form of their own, such as equations under each other, the best first: a page points there where the answer is not
     asked for. The items of a list are expressions that are `zero`, so that an equation may be written for one, or they
     are `intervals` of real numbers. A `discrete` one is of a system in discrete time, also where that of the question
-    is not; its sampling period is the option `sample_time`.
+    is not; its sampling period is the option `sample_time`. Of a matrix of `any_size` right ones may differ in size.
     """
 
     name: str
@@ -46,6 +46,7 @@ class AnswerName:
     zero: bool = False
     intervals: bool = False
     discrete: bool = False
+    any_size: bool = False
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

@@ -14,6 +14,7 @@ from solver.derivation import Status
 from solver.numeric.judges.digital import jury_fault
 from solver.systems import Polynomial, StateSpace, TransferFunction
 from tests.helpers.asking import ask, rejected
+from tests.helpers.marked import verdict
 
 z, K, a, b = sp.Symbol("z"), *sp.symbols("K a b", real=True)
 METHODS = ("jury", "bilinear")
@@ -196,3 +197,34 @@ def test_corrupted_answers_are_rejected():
     for condition in (low, high, low & (sp.Rational(51, 100) > K), (low & high) | (K > 4), sp.true, sp.false):
         assert rejected("jury", q, {"condition": condition}), condition
     assert not rejected("jury", q, {"condition": low & high})
+
+
+MARKED = """
+find:
+  a: {task: jury, system: {time: discrete, polynomial: z^3 - z^2 + z/4 + K}}
+  b: {task: jury, system: {time: discrete, polynomial: z^3 - 2z^2 + z/3 - 1/5}}
+  c: {task: jury, method: bilinear, system: {time: discrete, polynomial: z^2 - z/2 + 1/4}}
+  e: {task: jury, system: {time: discrete, polynomial: z^3 + 3z^2/2 + z + K}}
+  d: {task: jury, method: jury, system: {time: discrete, polynomial: z^3 - 2z^2 + z/3 - 1/5}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("part", "name", "value", "found"),
+    [
+        ("a", "condition", "-0.25 < K < 0.5", ("correct", None)),
+        ("a", "condition", "K > 0 and K < 1", ("wrong", None)),
+        ("a", "condition", "-0.25 < K < 1", ("wrong", "necessary_only")),
+        ("a", "condition", "never", ("wrong", None)),
+        ("e", "condition", "0 < K < 1.5", ("wrong", "half_plane")),
+        ("b", "stable", "no", ("correct", None)),
+        ("b", "unstable_poles", "1", ("correct", None)),
+        ("b", "array", '"[1, -2, 1/3, -1/5; -1/5, 1/3, -2, 1; 24/25, -29/15, -1/15, 0]"', ("correct", None)),
+        ("c", "array", '"[7, 3; 6, 0; 3, 0]"', ("correct", None)),  # z = (1 + w)/(1 − w)
+        ("c", "array", '"[3, 7; 6, 0; 7, 0]"', ("correct", None)),  # z = (w + 1)/(w − 1)
+        ("d", "array", '"[3, 7; 6, 0; 7, 0]"', ("wrong", None)),
+    ],
+)
+def test_marking(part, name, value, found):
+    told = verdict(MARKED, part, name, value)
+    assert (told.verdict, told.mistake or None) == found

@@ -10,8 +10,13 @@ from hypothesis import strategies as st
 from scipy.signal import cont2discrete, lfilter
 
 from solver.derivation import Status
+from solver.engine import solve_problem
 from solver.exact import Gains, discrete_pid
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
+from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
+from tests.helpers.marked import verdict
 
 z, T, K_p, K_i, K_d = sp.Symbol("z"), sp.Symbol("T", positive=True), *sp.symbols("K_p K_i K_d", real=True)
 NOTHING = system(sp.zeros(0, 0))
@@ -83,3 +88,42 @@ def test_corrupted_answers_are_rejected():
     for rule in ("forward", "tustin"):
         other = discrete_pid(Gains(R(2), R(1), R(1, 2)), R(1, 10), rule, z)
         assert rejected("pid_discretization", NOTHING, {"controller": other.controller}, **options)
+
+
+MARKED = "find: {a: {task: pid_discretization, method: backward, K_p: 2, K_i: 3, K_d: 1/2, sample_time: 1/10}}"
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "found"),
+    [
+        ("controller", "2 + 0.3z/(z - 1) + 5(z - 1)/z", ("correct", None)),
+        ("controller", "(7.3 - 12z^-1 + 5z^-2)/(1 - z^-1)", ("correct", None)),
+        ("coefficients", "[7.3, -12, 5]", ("correct", None)),
+        ("coefficients", "[10, -12, 5]", ("wrong", "without_T")),
+        ("coefficients", "[7, -11.7, 5]", ("wrong", "other_rule")),
+        ("coefficients", "[7.3, -5, 0]", ("wrong", "position_for_velocity")),
+        ("controller", "2 + 0.3z/(z - 1) + 0.05(z - 1)/z", ("wrong", "derivative_times_T")),
+    ],
+)
+def test_marking(name, value, found):
+    told = verdict(MARKED, "a", name, value)
+    assert (told.verdict, told.mistake or None) == found
+
+
+def refused(text):
+    with pytest.raises(InputError) as found:
+        solve_problem(read_problem(Source("problem.yaml", text), catalogue()))
+    return str(found.value)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ("K_p: 2", "sampling period is not given"),
+        ("K_p: 2, sample_time: -1", "sample_time must be positive"),
+        ("K_p: 0, K_i: 0, sample_time: T", "all gains are zero"),
+        ("K_p: 2, sample_time: T, method: euler", "euler"),
+    ],
+)
+def test_bad_questions_are_told(options, words):
+    assert words in refused(f"find: {{a: {{task: pid_discretization, {options}}}}}")

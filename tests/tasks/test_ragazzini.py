@@ -11,9 +11,14 @@ from scipy.integrate import solve_ivp
 from scipy.signal import dlti, dstep
 
 from solver.derivation import Status
+from solver.engine import solve_problem
 from solver.exact import admissible_target, direct_design
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
 from solver.systems import StateSpace, TransferFunction
+from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected
+from tests.helpers.marked import verdict
 
 s, z, a, p = sp.symbols("s z a p")
 R = sp.Rational
@@ -167,3 +172,55 @@ def test_a_controller_that_hides_a_growing_mode_is_rejected():
     system = plant(1, z - 2)
     D = sp.cancel(HALF / (1 - HALF) * (z - 2))
     assert rejected("ragazzini", system, {"controller": D}, target=HALF)
+
+
+MARKED = """
+system: {time: discrete, transfer_function: 0.2/(z - 0.8)}
+find:
+  a: {task: ragazzini, poles: [0.5]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "found"),
+    [
+        ("controller", "(2.5z - 2)/(z - 1)", ("correct", None)),
+        ("controller", "(2.5 - 2z^-1)/(1 - z^-1)", ("correct", None)),
+        ("controller", "2.5(z - 0.8)/(z - 0.5)", ("wrong", "without_rest")),
+        ("controller", "2.5(z - 0.8)/z", ("wrong", "plus_for_minus")),
+        ("controller", "0.5/(z - 1)", ("wrong", "without_plant")),
+        ("T", "0.5/(z - 0.5)", ("correct", None)),
+        ("T", "1/(z - 0.5)", ("wrong", "gain_of_target")),
+        ("T", "0.5/(z (z - 0.5))", ("wrong", "delays_of_target")),
+    ],
+)
+def test_marking(name, value, found):
+    told = verdict(MARKED, "a", name, value)
+    assert (told.verdict, told.mistake or None) == found
+
+
+HELD = "system: {transfer_function: 1/(s + 1)}"
+PLANT = "system: {time: discrete, transfer_function: 1/(z - 0.8)}"
+
+
+def refused(text):
+    with pytest.raises(InputError) as found:
+        solve_problem(read_problem(Source("problem.yaml", text), catalogue()))
+    return str(found.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (PLANT + "\nfind: {a: {task: ragazzini}}", "the closed loop is not described"),
+        (PLANT + "\nfind: {a: {task: ragazzini, poles: [0.5], target: 0.5/(z - 0.5)}}", "say the same"),
+        (PLANT + "\nfind: {a: {task: ragazzini, poles: [j]}}", "conjugate"),
+        (HELD + "\nfind: {a: {task: ragazzini, poles: [0.5]}}", "sampling period"),
+        (
+            "system: {transfer_function: 1/(s + 1)}\nfind: {a: {task: ragazzini, sample_time: 1, target: 1/(s + 1)}}",
+            "z",
+        ),
+    ],
+)
+def test_bad_questions_are_told(text, words):
+    assert words in refused(text)

@@ -64,7 +64,7 @@ def _misfit(name: str, each: Submitted, question: Question) -> AnswerVerdict | N
     both = isinstance(ours, sp.MatrixBase) and isinstance(each.value, sp.MatrixBase)
     if _infinite(each.value) and not _infinite(ours):
         reason = Reason("marking/not_finite")
-    elif both and each.value.shape != ours.shape and 0 not in ours.shape:
+    elif both and each.value.shape != ours.shape and 0 not in ours.shape and not question.task.answers[name].any_size:
         reason = Reason("marking/size", {"wanted": ours.shape, "given": each.value.shape})
     elif varying := _varying(name, each, question):
         reason = Reason("marking/not_constant", {"names": varying})

@@ -11,6 +11,7 @@ from functools import partial
 from typing import Any
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 from solver.classroom.judging.entries import is_scalar, same
 from solver.classroom.judging.question import STRANGE, Question
@@ -45,6 +46,8 @@ def what_went_wrong(
 def _found(case: Case, submitted: Submitted) -> Iterator[Slip]:
     """Yield the mistakes that lead to the value: the task's own values, what can be undone, then those of any task."""
     yield from _leading_to(case, submitted, _values_of(case))
+    if isinstance(submitted.value, Boolean):
+        return
     for slip, each in undone(case.question, case.name, submitted):
         if _is_right(case.question, case.name, submitted):
             return  # it is wrong beside the other values only, as the order of vectors is
@@ -80,6 +83,8 @@ def _telling(value: Any) -> bool:
     """Whether a mistake would hardly give the value by chance, as it would yes, no, or a rank."""
     if isinstance(value, list | Mapping):
         return bool(value)
+    if isinstance(value, Boolean):
+        return bool(value.free_symbols)
     return isinstance(value, sp.MatrixBase) or (is_scalar(value) and not value.is_Integer)
 
 
@@ -94,7 +99,14 @@ def _reproduces(submitted: Submitted, value: Any) -> bool:
     """Whether the submitted value is this one, entry by entry, to the digits written."""
     if isinstance(value, list) and len(value) != len(submitted.value):
         return False
+    if isinstance(value, Boolean):
+        return _relations(submitted.value) == _relations(value)
     return same(submitted, value)
+
+
+def _relations(condition: Any) -> frozenset[Any]:
+    """The relations of a conjunction, each written in one way."""
+    return frozenset(each.canonical if isinstance(each, sp.Rel) else each for each in sp.And.make_args(condition))
 
 
 def _careful(values: Callable[[], Iterable[Any]]) -> Iterator[Any]:

@@ -40,6 +40,7 @@ jury: Task[Polynomial, CriterionOptions] = Task(
             r"\text{array}",
             "the table (by the bilinear map: the Routh array), shorter rows filled up with zeros",
             earned=("table", "array"),
+            any_size=True,
         ),
         AnswerName("stable", r"\text{stable}", "whether all roots lie inside the unit circle", optional=True),
         AnswerName("condition", r"\text{condition}", "where they do", optional=True, earned=("condition",)),

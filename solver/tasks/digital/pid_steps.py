@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Claim, Derivation, Step, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.stated.algebra import product, quotient, total
+from solver.stated.algebra import difference, power, product, quotient, total
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -22,10 +22,11 @@ def sampled_pid(gains: exact.Gains, T: Expr, rule: str, z: Symbol) -> Derivation
     yield Step("law", unclaimed="as given", **facts)
     new, old = found.weights
     if gains.K_i != 0:
-        stated = quotient(total(*(each for each in (new, old / z) if each != 0)), 1 - 1 / z)
+        late = [product(old, power(z, -1))] if old != 0 else []
+        stated = quotient(total(*([new] if new != 0 else []), *late), difference(sp.Integer(1), power(z, -1)))
         yield Step("integral", claims={"I": Claim(stated, found.integral, "the integral in z")}, **facts)
     if gains.K_d != 0:
-        stated = quotient(1 - 1 / z, T)
+        stated = quotient(difference(sp.Integer(1), power(z, -1)), T)
         yield Step("derivative", claims={"d": Claim(stated, found.derivative, "the derivative in z")}, **facts)
     yield _position(gains, found, facts)
     yield _velocity(gains, found, facts)

@@ -202,10 +202,3 @@ def controller_of_another_target(given: Given[InputOutput, RagazziniOptions], fo
     """(1/G) T/(1 − T)."""
     G, T = _held_or_given(given), found["T"]
     return None if G is None or T == 1 else sp.cancel(T / ((1 - T) * G))
-
-
-@ragazzini.consequence("T", of=("controller",))
-def loop_of_another_controller(given: Given[InputOutput, RagazziniOptions], found: Mapping[str, Any]) -> Any:
-    """D G/(1 + D G)."""
-    G, D = _held_or_given(given), found["controller"]
-    return None if G is None else sp.cancel(D * G / (1 + D * G))
