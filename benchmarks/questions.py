@@ -13,7 +13,7 @@ from solver.tasks import catalogue
 LARGEST = {
     "phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3, "smith_form": 4,
     "smith_mcmillan_form": 5, "relative_gain_array": 5, "root_locus": 4, "pid_tuning": 2, "second_order_parameters": 2,
-    "step_specifications": 2,
+    "step_specifications": 2, "z_transform": 4, "difference_equation": 4,
 }  # fmt: skip
 """Tasks about one order only, and those whose answers or steps fill the page from the next order on."""
 

@@ -95,8 +95,7 @@ def sample_operators_of(
     found = SampleOperators(tuple(rows), tuple(unknowns), tuple(inputs), k)
     if any(not any(x == name for row in rows for x, _ in row.unknowns) for name in unknowns):
         raise NotExact("difference_equation/singular")
-    z = sp.Dummy("z")
-    if cleared_adjugate(found, z)[1] == 0:
+    if sp.expand(found.leading.det()) == 0 and cleared_adjugate(found, sp.Dummy("z"))[1] == 0:
         raise NotExact("difference_equation/singular")
     return found
 

@@ -80,7 +80,7 @@ def with_the_z_transform(given: Given[Equations, DifferenceOptions]) -> Derivati
 
 def _refuse_ahead(asked: Question) -> None:
     """Raise Unsolved where from rest an unknown would begin before its input."""
-    for name, image in asked.images.items():
+    for name, image in asked.images.items() if asked.at_rest else ():
         if image != 0 and exact.sequence_image(sp.together(image), asked.z).advanced:
             raise Unsolved("difference_equation/ahead", name=sp.Symbol(name))
 

@@ -62,34 +62,51 @@ def _number(value: Any, point: Mapping[Any, Any]) -> Any:
     return mpmath.mpmathify(complex(number)) if number.has(sp.I) else mpmath.mpf(str(number))
 
 
+@dataclass(frozen=True)
+class _Row:
+    """The weights of the latest samples and of the others in an equation at a point, and the rest in k."""
+
+    latest: Mapping[str, Any]
+    others: Sequence[tuple[Jet, Any]]
+    rest: Any
+
+
+def _rows(problem: Recursion, point: Mapping[Any, Any], tops: Mapping[str, int]) -> list[_Row]:
+    rows = []
+    for equation in problem.equations:
+        latest, others = dict.fromkeys(tops, mpmath.mpf(0)), []
+        for symbol, (x, q) in problem.jets.items():
+            if not equation.has(symbol):
+                continue
+            weight = _number(sp.diff(equation, symbol), point)
+            if tops.get(x) == q:
+                latest[x] += weight
+            else:
+                others.append(((x, q), weight))
+        rows.append(_Row(latest, others, equation.xreplace(dict.fromkeys(problem.jets, sp.S.Zero))))
+    return rows
+
+
 def _run(problem: Recursion, point: Mapping[Any, Any], k: Any, count: int) -> dict[Jet, Any]:
     """The values by name and sample."""
     with mpmath.workdps(DIGITS):
         unknowns = sorted({x for x, _ in problem.jets.values() if x not in problem.inputs})
         tops = {x: max(q for y, q in problem.jets.values() if y == x) for x in unknowns}
         values = {jet: _number(value, point) for jet, value in problem.initial.items()}
+        rows = _rows(problem, point, tops)
+        matrix = mpmath.matrix([[row.latest[x] for x in unknowns] for row in rows])
         for step in range(problem.first, count - min(tops.values())):
-            rows, right = [], []
-            for equation in problem.equations:
-                whole, coefficients = mpmath.mpf(0), dict.fromkeys(unknowns, mpmath.mpf(0))
-                rest = equation
-                for symbol, (x, q) in problem.jets.items():
-                    c = sp.diff(equation, symbol)
-                    rest = rest.xreplace({symbol: sp.S.Zero})
-                    if c == 0:
-                        continue
-                    weight = _number(c, point)
-                    if x not in problem.inputs and q == tops[x]:
-                        coefficients[x] += weight
-                    else:
-                        whole += weight * _known(problem, (x, step + q), values, point, k)
-                here = rest.xreplace({each: sp.Integer(step) for each in rest.free_symbols if str(each) == str(k)})
+            right = []
+            for row in rows:
+                whole = sum(
+                    (w * _known(problem, (x, step + q), values, point, k) for (x, q), w in row.others), mpmath.mpf(0)
+                )
                 if not (problem.at_rest and step < 0):
-                    whole += _number(here, point)
-                rows.append([coefficients[x] for x in unknowns])
+                    here = {each: sp.Integer(step) for each in row.rest.free_symbols if str(each) == str(k)}
+                    whole += _number(row.rest.xreplace(here), point)
                 right.append(-whole)
             try:
-                found = mpmath.lu_solve(mpmath.matrix(rows), mpmath.matrix(right))
+                found = mpmath.lu_solve(matrix, mpmath.matrix(right))
             except ZeroDivisionError:
                 raise NotEvaluable("the equations do not give the latest samples") from None
             values |= {(x, step + tops[x]): found[j] for j, x in enumerate(unknowns)}
