@@ -29,6 +29,7 @@ from benchmarks import (
     mechanics,
     multivariable,
     pole_placement,
+    regulators,
     root_locus,
     transforms,
     zeros,
@@ -53,6 +54,7 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
         yield from linearization.rows()
     if chosen in (None, "horizons"):
         yield from finite_horizons.rows()
+        yield from regulators.rows()
     if chosen in (None, "multivariable"):
         yield from multivariable.rows()
         yield from zeros.rows()

@@ -39,7 +39,7 @@ from solver.exact.optimal.root_choices import WORKING_DIGITS, Choice, Coefficien
 from solver.exact.optimal.spectral_factor import Group, decimal_polynomial, groups_of
 from solver.exact.optimal.square_roots import Nested, RootTower
 from solver.exact.optimal.tower_matrices import polynomial_at, product_of, quotient_of, shown, solved
-from solver.exact.optimal.weighting import weighted_transpose
+from solver.exact.optimal.weighting import block_matrix, weighted_transpose
 from solver.exact.structure.ranks import hidden_part
 
 
@@ -91,7 +91,7 @@ class DiscreteRiccati(Riccati):
         return K if N is None else sp.ImmutableMatrix((K + weighted_transpose(N, R)).expand())
 
     def _gain_over(self, tower: RootTower, P: list[list[Nested]], plant: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
-        whole = domain_matrix(_stacked(plant, self.B, self.R))
+        whole = domain_matrix(block_matrix([[plant, self.B], [sp.zeros(self.R.rows, plant.cols), self.R]]))
         if not whole.domain.is_QQ and whole.domain.unify(tower.K) != tower.K:
             return self._gain_of(sp.Matrix([[shown(tower, entry) for entry in row] for row in P]), plant)
         lifted = [[tower.constant(c) for c in row] for row in whole.convert_to(tower.K).to_list()]
@@ -178,7 +178,7 @@ def _hamiltonian(
     one, zero = sp.eye(n), sp.zeros(n)
     left = [[one + A, zero, -2 * B], [-Q, one + A.T, sp.zeros(n, m)], [sp.zeros(m, n), B.T, 2 * R]]
     right = [[A - one, zero], [-Q, one - A.T], [sp.zeros(m, n), -B.T]]
-    wide = sp.Matrix.hstack(*(sp.Matrix(sp.BlockMatrix(blocks)) for blocks in (left, right)))
+    wide = block_matrix([[block_matrix(left), block_matrix(right)]])
     both, size = domain_matrix(wide), 2 * n + m
     try:
         return matrix_of(both[:, :size].lu_solve(both[:, size:])[: 2 * n, :])
@@ -195,7 +195,7 @@ def _at(A: Any, B: Any, Q: Any, R: Any, z: sp.Integer) -> Any:
     n, m = B.shape
     one = sp.eye(n)
     blocks = [[z * one - A, sp.zeros(n), -B], [-Q, one - z * A.T, sp.zeros(n, m)], [sp.zeros(m, n), z * B.T, R]]
-    whole = domain_matrix(sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix(blocks))))
+    whole = domain_matrix(block_matrix(blocks))
     return whole.domain.to_sympy(whole.det())
 
 
@@ -218,8 +218,3 @@ def _eigenvalues(group: Group) -> tuple[sp.Expr, ...]:
         return found
     with mpmath.workdps(WORKING_DIGITS):
         return tuple(spelled(replace(choice, roots=tuple(map(in_the_disc, choice.roots)), spelled=())))
-
-
-def _stacked(A: sp.ImmutableMatrix, B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:
-    """[A, B; 0, R]."""
-    return sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix([[A, B], [sp.zeros(R.rows, A.cols), R]])))

@@ -19,7 +19,7 @@ from solver.exact.optimal.riccati import RiccatiSolution
 from solver.exact.optimal.root_choices import Coefficients, coefficients_of
 from solver.exact.optimal.square_roots import RootTower
 from solver.exact.optimal.tower_matrices import polynomial_at, shown
-from solver.exact.optimal.weighting import weighted_input
+from solver.exact.optimal.weighting import block_matrix, weighted_input
 
 Pair = tuple[sp.ImmutableMatrix, sp.ImmutableMatrix]
 
@@ -32,13 +32,9 @@ def symplectic_pencil(equation: DiscreteRiccati) -> Pair:
     A, B, Q, R, n, m = equation.A, equation.B, equation.Q, equation.R, equation.order, equation.B.cols
     one, zero, tall, wide = sp.eye(n), sp.zeros(n), sp.zeros(n, m), sp.zeros(m, n)
     if domain_matrix(R).rank() == m:
-        return _of([[A, zero], [-Q, one]]), _of([[one, weighted_input(B, R)], [zero, A.T]])
+        return block_matrix([[A, zero], [-Q, one]]), block_matrix([[one, weighted_input(B, R)], [zero, A.T]])
     left = [[A, zero, B], [-Q, one, tall], [wide, wide, R]]
-    return _of(left), _of([[one, zero, tall], [zero, A.T, tall], [wide, -B.T, sp.zeros(m)]])
-
-
-def _of(blocks: list[list[sp.MatrixBase]]) -> sp.ImmutableMatrix:
-    return sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix(blocks)))
+    return block_matrix(left), block_matrix([[one, zero, tall], [zero, A.T, tall], [wide, -B.T, sp.zeros(m)]])
 
 
 @lru_cache(maxsize=32)
@@ -67,7 +63,7 @@ def pencil_polynomial(equation: DiscreteRiccati, z: sp.Symbol) -> tuple[sp.Expr,
 
 def reciprocal_factor(equation: DiscreteRiccati, solution: RiccatiSolution) -> sp.Expr:
     """The number c with det(zN − M) = c p(z) zⁿp(1/z) for the polynomial p of a solution: c = φ(1)/p(1)²."""
-    z = sp.Dummy("z")
+    z = sp.Symbol("z")
     value = pencil_polynomial(equation, z)[0].subs(z, 1)
     found = equation.factor_of(solution) if solution.exact else None
     if found is None:

@@ -8,6 +8,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from solver.exact.linear_algebra.fields import domain_matrix
+from solver.exact.optimal.weighting import block_matrix
 
 
 def riccati_entries(
@@ -31,7 +32,7 @@ def discrete_riccati_entries(
     """δ = det(R + BᵀPB), and δ (Q + AᵀPA − P − AᵀPB (R + BᵀPB)⁻¹ BᵀPA) (n×n), polynomials in the entries of P."""
     n, m = B.shape
     blocks = [[A, B, Q], [sp.zeros(m, n), R, sp.zeros(m, n)]]
-    numbers = domain_matrix(sp.ImmutableMatrix(sp.Matrix(sp.BlockMatrix(blocks))))
+    numbers = domain_matrix(block_matrix(blocks))
     ring = numbers.domain[tuple(sorted(P.free_symbols, key=str))]
     rows = [[ring.ring.ground_new(c) for c in row] for row in numbers.to_list()]
     known = DomainMatrix(rows, numbers.shape, ring)

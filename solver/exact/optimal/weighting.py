@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from solver.exact.linear_algebra.fields import domain_matrix, matrix_of, side_by_side
+
+
+def block_matrix(blocks: Sequence[Sequence[sp.MatrixBase]]) -> sp.ImmutableMatrix:
+    """The matrix of these blocks, row by row."""
+    rows = [[entry for M in line for entry in M.row(i)] for line in blocks for i in range(line[0].rows)]
+    return sp.ImmutableMatrix(rows)
 
 
 def weighted_input(B: sp.ImmutableMatrix, R: sp.ImmutableMatrix) -> sp.ImmutableMatrix:

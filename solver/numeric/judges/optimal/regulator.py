@@ -8,6 +8,7 @@ takes the place of R, which may be singular, and costs are sums over the steps.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple, Self
 
 import numpy as np
@@ -130,16 +131,22 @@ def optima(weights: Weights, others: Iterable[Any] = ()) -> list[Optimum]:
 
 def _optimum(weights: Weights, point: Mapping[Any, Any]) -> Optimum | None:
     """Return scipy's solution at a point; None if the point is not admissible."""
+    return _known_optimum(weights, weights.discrete, tuple(point.items()))
+
+
+@lru_cache(maxsize=64)
+def _known_optimum(weights: Weights, discrete: bool, items: tuple[Any, ...]) -> Optimum | None:
+    """Return it; the checks of one part ask for the same one."""
     from scipy.linalg import solve_continuous_are, solve_discrete_are  # noqa: PLC0415
 
-    discrete = weights.discrete
+    point = dict(items)
     try:
         parametric = any(map(free_symbols, (weights.Q, weights.R, weights.N)))
         A, B, Q, R, N = (_real(evaluate(M, point)) for M in weights)
         if np.linalg.eigvalsh(R)[0] <= (-1e-12 if discrete else 0):
             return None
         P = (solve_discrete_are if discrete else solve_continuous_are)(A, B, Q, R, s=N)
-        found = Optimum(dict(point), A, B, Q, R, N, P, P, discrete)
+        found = Optimum(point, A, B, Q, R, N, P, P, discrete)
         if parametric and np.linalg.eigvalsh(found.without_products()[1])[0] < -1e-9 * (1 + np.abs(Q).max()):
             return None
         if np.linalg.eigvalsh(found.weight(P))[0] <= 0:
