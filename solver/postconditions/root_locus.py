@@ -211,6 +211,7 @@ def _directions(found: Sequence[Any], equation: Any, *, poles: bool) -> Iterator
     locus = _locus(equation)
     angles = [angle for each in found for angle in each.angles]
     yield _close("directions", judges.directions_residual(locus, angles, poles=poles))
+    yield Check.that("directions within half a turn", "compared", all(-180 < each <= 180 for each in angles))
     corners = [(root, True, m) for root, m in locus.poles] + [(root, False, m) for root, m in locus.zeros]
     for each in found:
         point = judges.number(each.point.value)

@@ -185,6 +185,14 @@ def of_boundary_roots(found: Sequence[Any], coefficients: Sequence[Any], *, disc
             yield Check.that("roots on the boundary", "numpy.roots", holds)
 
 
+def of_off_the_point_one(found: Any, listed: Sequence[Any]) -> Iterator[Claim | Check]:
+    """The quotient times the factors z − 1 is the polynomial, and 1 is no root of it any more."""
+    z, (rest, count) = sp.Symbol("z"), found
+    p, q = (sum((c * z ** (len(each) - 1 - i) for i, c in enumerate(each)), sp.S.Zero) for each in (listed, rest))
+    yield Claim(p, product(q, (z - 1) ** count))
+    yield Check.that("no root at one is left", "sympy", len(rest) == 1 or sp.expand(sum(rest)) != 0)
+
+
 def _near(z: complex) -> float:
     """How far off a root of this size may be."""
     return NEAR * max(1.0, abs(z))

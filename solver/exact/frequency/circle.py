@@ -148,7 +148,7 @@ def _without_ones(p: sp.Poly) -> tuple[sp.Expr, int]:
     while True:
         rest, left = p.div(one)
         if not left.is_zero:
-            return p.eval(1), count
+            return p(1), count
         p, count = rest, count + 1
 
 

@@ -105,15 +105,11 @@ def _is_inside(place: sp.Expr, *, discrete: bool) -> bool:
 def _on_the_real_axis(equation: LocusEquation, x: int) -> Crossing | None:
     """Where a branch passes the real point of the boundary: the origin, on the circle 1 or −1."""
     at = sp.Integer(x)
-    N, D = (_value(p, at) for p in (equation.numerator, equation.denominator))
+    N, D = (sp.expand(p(at)) for p in (equation.numerator, equation.denominator))
     if N == 0 or D == 0:
         return None
     gain = sp.radsimp(-D / N)
     return Crossing(at, at, gain) if sp.N(gain, WORKING_DIGITS) > 0 else None
-
-
-def _value(p: sp.Poly, x: sp.Expr) -> sp.Expr:
-    return expression(p.domain, p.domain.convert(p.rep.eval(p.domain.convert(x))))
 
 
 def _gain(parts: BoundaryParts, at: PlacedRoot) -> sp.Expr | None:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 BY_VALUES = "mpmath, values of C G/(1 + C G H)"
 TOLERANCE = 1e-19
+ON_AXIS = ("$|T(j\\omega)|$", "$\\angle T(j\\omega)$")
+ON_CIRCLE = ("$|T(e^{j\\omega T})|$", "$\\angle T(e^{j\\omega T})$")
 
 
 def register(task: Task[OpenLoop, ResponseOptions]) -> None:
@@ -35,13 +37,13 @@ def _numbers(given: Given[OpenLoop, ResponseOptions]) -> judges.ClosedResponse:
 def is_the_value(given: Given[OpenLoop, ResponseOptions], answers: Answers) -> Iterable[Check]:
     """T(jω), or T(e^{jωT}), by numbers; phases are judged up to full turns."""
     found, options = _numbers(given), given.options
-    point = "e^{j\\omega T}" if given.system.discrete else "j\\omega"
+    size, angle = ON_CIRCLE if given.system.discrete else ON_AXIS
     at = found.frequency_asked(options.input, options.frequency)
     if "magnitude" in answers:
-        yield Check.within(f"$|T({point})|$", BY_VALUES, found.magnitude_residual(answers["magnitude"], at), TOLERANCE,
+        yield Check.within(size, BY_VALUES, found.magnitude_residual(answers["magnitude"], at), TOLERANCE,
                            answer="magnitude")  # fmt: skip
     if "phase" in answers:
-        yield Check.within(f"$\\angle T({point})$", BY_VALUES, found.phase_residual(answers["phase"], at), TOLERANCE,
+        yield Check.within(angle, BY_VALUES, found.phase_residual(answers["phase"], at), TOLERANCE,
                            answer="phase")  # fmt: skip
     if "y_steady_state" in answers:
         residual = found.steady_residual(answers["y_steady_state"], options.input)
