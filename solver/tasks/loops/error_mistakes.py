@@ -60,6 +60,13 @@ def register(task: Task[Any, Any]) -> None:
         found = _of_closed_loop(wrong.given.system)
         yield from (K for K in found.constants if K is not None) if found else ()
 
+    _of_samples(task)
+    _told_by_others(task)
+
+
+def _of_samples(task: Task[Any, Any]) -> None:
+    """What goes wrong with discrete loops."""
+
     @task.mistake(AT_ZERO, "error", "position_constant", "velocity_constant", "acceleration_constant")
     def at_zero(wrong: Attempt[Any, Any]) -> Iterable[Any]:
         yield from _at_zero(wrong)
@@ -70,6 +77,10 @@ def register(task: Task[Any, Any]) -> None:
         if T is not None and wrong.ours.is_finite and wrong.ours != 0:
             powers = {"velocity_constant": (1,), "acceleration_constant": (2,)}.get(wrong.name, (-1, -2))
             yield from (wrong.ours * T**n for n in powers)
+
+
+def _told_by_others(task: Task[Any, Any]) -> None:
+    """What a type counted elsewhere means, and the error that a constant tells."""
 
     @task.meaning("system_type")
     def counted_elsewhere(wrong: Attempt[Any, Any]) -> Reason | None:
