@@ -40,10 +40,8 @@ def domain_matrix(M: sp.MatrixBase, *, real: bool = True) -> DomainMatrix:
         written = half_angles(M)
     except ValueError as failure:
         raise NotExact("linear_algebra/not_numbers") from failure
-    if dependent_exponentials(written):
-        return _over_surds_and_parameters(written)
     matrix = DomainMatrix.from_Matrix(written, extension=True).to_field().to_dense()
-    if matrix.domain.is_EXRAW or matrix.domain.is_EX:
+    if matrix.domain.is_EXRAW or matrix.domain.is_EX or dependent_exponentials(written):
         matrix = _over_surds_and_parameters(written)
     if not matrix.domain.is_Exact:
         raise NotExact("linear_algebra/not_numbers")

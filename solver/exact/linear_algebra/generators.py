@@ -54,8 +54,9 @@ def exponentials_in(M: sp.MatrixBase) -> dict[sp.Expr, sp.Expr]:
 
 
 def dependent_exponentials(M: sp.MatrixBase) -> bool:
-    """Whether several powers of e with numbers above are in M, which sympy takes for independent of each other."""
-    return sum(not exponent.free_symbols for exponent in exponentials_in(M).values()) > 1
+    """Whether several powers of e with numbers above are in M (no decimals), which sympy takes for independent."""
+    several = sum(not exponent.free_symbols for exponent in exponentials_in(M).values()) > 1
+    return several and not M.has(sp.Float)
 
 
 def _is_a_root(product: Any) -> bool:

@@ -76,10 +76,13 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
     A = given.system.A
     if A.rows != 2:
         raise Unsolved("phase_portrait/another_order", n=A.rows)
-    if given.system.discrete:
-        kind, found = yield from kind_by_moduli(A)
-        answers = Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
-        return Answers(**answers, exceptions=list(found.exceptions)) if found.exceptions else answers
+    kind, found = yield from (kind_by_moduli if given.system.discrete else _kind_by_signs)(A)
+    answers = Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
+    return Answers(**answers, exceptions=list(found.exceptions)) if found.exceptions else answers
+
+
+def _kind_by_signs(A: ImmutableMatrix) -> Derivation[tuple[str, exact.PlanarSigns]]:
+    """The kind of the origin of x' = A x (2×2), and the portrait."""
     yield from eigenvalues_of(A)
     tr, det, discriminant = exact.invariants(A)
     yield Step(
@@ -121,8 +124,7 @@ def by_eigenvalues(given: Given[StateSpace, PlantOptions]) -> Derivation[Answers
             kind=kind,
             lines=signs[2] >= 0,
         )
-    answers = Answers(kind=kind, eigenvalues=exact.spectrum(A).eigenvalues)
-    return Answers(**answers, exceptions=list(found.exceptions)) if found.exceptions else answers
+    return kind, found
 
 
 def _directions(A: ImmutableMatrix, kind: str, found: exact.PlanarSigns) -> Derivation[None]:
