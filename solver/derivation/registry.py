@@ -93,9 +93,8 @@ class Task(Generic[S, O]):
     S is the system that its methods get, O the dataclass of its options. `needs` lists the matrices of the system the
     question is about, e.g. ("A",) or ("A", "B"); what is needed with some options only is for a refusal. `example` are
     matrices and options that the file of `solve new` gives, as they are typed, where the needed and the required ones
-    as usual would not do. The entries of the system are real, but where `complex_entries` says that they need not.
-    Where it is `sampled`, its functions of time are sequences, whatever the time of the problem's system.
-    A task with one way of solving it has a method of the task's own name, which is not spelled in problem files.
+    as usual would not do. The entries of the system are real, but where `complex_entries` says that they need not; the
+    functions of time of a `sampled` task are sequences. A task with one way of solving it has a method of its own name.
     """
 
     def __init__(
@@ -116,8 +115,7 @@ class Task(Generic[S, O]):
         self.doc = doc
         self.needs = needs
         self.example = example
-        self.complex_entries = complex_entries
-        self.sampled = sampled
+        self.complex_entries, self.sampled = complex_entries, sampled
         self.equations: list[AnswerEquations] = []
         self.answers = {answer.name: answer for answer in answers}
         self.options_class = options

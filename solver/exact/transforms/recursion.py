@@ -43,9 +43,12 @@ def latest_samples(operators: SampleOperators) -> tuple[LatestSample, ...]:
             for jet, c in row.inputs.items():
                 inputs[jet] = inputs.get(jet, sp.S.Zero) + weight * c
             rest += weight * row.rest
-        tidied = [{jet: tidy(c) for jet, c in each.items() if tidy(c) != 0} for each in (samples, inputs)]
-        found.append(LatestSample(top, *tidied, sp.expand(rest)))
+        found.append(LatestSample(top, _tidied(samples), _tidied(inputs), sp.expand(rest)))
     return tuple(found)
+
+
+def _tidied(coefficients: Mapping[Jet, sp.Expr]) -> dict[Jet, sp.Expr]:
+    return {jet: tidy(c) for jet, c in coefficients.items() if tidy(c) != 0}
 
 
 @dataclass(frozen=True)

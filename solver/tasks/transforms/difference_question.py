@@ -158,15 +158,14 @@ class Question:
     def images(self) -> dict[str, Expr]:
         """The transform of each unknown, a term for each sample at which something begins."""
         adjugate, whole, powers = self.cleared
-        found = dict.fromkeys(self.model.unknowns, sp.S.Zero)
+        found: dict[str, Expr] = dict.fromkeys(self.model.unknowns, sp.S.Zero)
         for delay, side in self.terms_by_delay.items():
-            right = sp.Matrix([self.z**p * r for p, r in zip(powers, side, strict=True)])
+            right = [self.z**p * r for p, r in zip(powers, side, strict=True)]
             for j, name in enumerate(self.model.unknowns):
-                above = sum((a * r for a, r in zip(adjugate.row(j), right, strict=True)), sp.S.Zero)
+                above = sp.Add(*(a * r for a, r in zip(adjugate.row(j), right, strict=True)))
                 if sp.cancel(above) != 0:
-                    found[name] += exact.moved_image(
-                        sp.Integer(delay), exact.sequence_image(above / whole, self.z).whole, self.z
-                    )
+                    image = exact.sequence_image(above / whole, self.z)
+                    found[name] += exact.moved_image(sp.Integer(delay), image.whole, self.z)
         return found
 
     def names(self, name: str) -> Names:

@@ -95,7 +95,9 @@ def _table(asked: Question, run: exact.Run) -> Step:
     """The values in a table, with the inputs."""
     first = min([0, *(m for _, m in asked.start)]) if not asked.at_rest else 0
     columns = list(range(first, asked.terms))
-    rows = [(sp.Symbol(name), [_input(asked, name, k) for k in columns]) for name in asked.model.inputs]
+    rows: list[tuple[Any, list[Any]]] = [
+        (sp.Symbol(name), [_input(asked, name, k) for k in columns]) for name in asked.model.inputs
+    ]
     rows += [(sp.Symbol(name), [run.values.get((name, k)) for k in columns]) for name in asked.model.unknowns]
     return Step("table", unclaimed="worked out before", columns=columns, rows=rows)
 

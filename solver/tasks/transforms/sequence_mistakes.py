@@ -92,6 +92,12 @@ def name_mistakes_of_z_images(task: Task[Any, Any]) -> None:
             whole += z**-each.delay * (exact.sequence_transform(inner, k, z) + each.impulse)
         yield whole
 
+    _name_mistakes_of_samples(task)
+
+
+def _name_mistakes_of_samples(task: Task[Any, Any]) -> None:
+    """Those of products, and of a function that is sampled."""
+
     @task.mistake(PRODUCT, "F")
     def product_of_images(attempt: Attempt[Any, Any]) -> Iterable[Any]:
         """𝒵{g} 𝒵{h} for 𝒵{g h}; of a sampled function with the image F₁ F₂ likewise."""

@@ -34,7 +34,7 @@ def by_z_transform(asked: Question) -> Derivation[dict[str, Expr]]:
             yield from _image(asked.operators.rows[i].rest, pieces, _rest_names(asked, i), rest=True)
     yield _equations(asked)
     yield _solved(asked)
-    found = {}
+    found: dict[str, Expr] = {}
     for name in asked.model.unknowns:
         names, image = asked.names(name), asked.images[name]
         if image == 0:

@@ -63,7 +63,7 @@ def no_such_sequence(system: Any, options: ZTransformOptions) -> Iterable[Refusa
         yield "", Reason("transforms/sequence_or_image", {"both": options.f is not None})
         return
     try:
-        if options.f is not None:
+        if options.F is None:
             exact.sequence_pieces(options.f, sp.Symbol("k"))
             return
         missing = list(sample_time_refusals(system, options))
@@ -88,10 +88,11 @@ def _of_a_sequence(reason: Reason) -> Reason:
 def by_rules(given: Given[StateSpace, ZTransformOptions]) -> Derivation[Answers]:
     """Each term by the table, −z d/dz for powers of k, scaling for aᵏ, z⁻ⁿ for what begins later."""
     names = Names("F", "f", sp.Symbol("z"), sp.Symbol("k"))
-    if given.options.f is None:
-        F, used = yield from samples_transformed(given.options.F, sample_time_of(given), names)
+    image, f = given.options.F, given.options.f
+    if image is not None:
+        F, used = yield from samples_transformed(image, sample_time_of(given), names)
     else:
-        F, used = yield from _of_sequence(given.options.f, names)
+        F, used = yield from _of_sequence(f if f is not None else sp.S.Zero, names)
     yield Step("rules", unclaimed="general rules", detail="full", used=[each for each in RULES if each in used])
     return Answers(F=F)
 

@@ -56,7 +56,7 @@ def recursion_residual(problem: Recursion, sequences: Mapping[str, Any], k: Any,
 
 
 def _number(value: Any, point: Mapping[Any, Any]) -> Any:
-    number = sp.N(sp.sympify(value).xreplace(point), DIGITS)
+    number = sp.N(value.xreplace(point) if isinstance(value, sp.Basic) else value, DIGITS)
     if number.free_symbols or number.has(sp.nan, sp.zoo, sp.oo):
         raise NotEvaluable("a value of the sequence is no number")
     return mpmath.mpmathify(complex(number)) if number.has(sp.I) else mpmath.mpf(str(number))
