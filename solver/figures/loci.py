@@ -32,6 +32,9 @@ SHIFTS = (0.0, -0.09, 0.06, -0.15, 0.12, -0.21, 0.18)
 WIDE, HIGH = 0.25, 0.058
 """How wide and how high a name is, in the same parts."""
 
+CLOSE = 1e-9
+"""Points that differ by less are one."""
+
 SHORT = 0.1
 """A piece shorter than this part of the window has no arrow."""
 
@@ -168,6 +171,8 @@ def _dots(
     for point, gain in meetings:
         yield Mark(point.real, point.imag, "" if point.imag < 0 else _named(locus.gain, gain))
     for point, gain in crossings:
+        if any(abs(point - other) < CLOSE * (1 + abs(point)) for other, _ in meetings):
+            continue  # branches meet there: it has its name
         yield Mark(point.real, point.imag, _named(locus.gain, gain))
         if point.imag:
             yield Mark(point.real, -point.imag)
