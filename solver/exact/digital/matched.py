@@ -20,12 +20,17 @@ from solver.exact.transforms.sampled import Base, base_of, in_z, multiplied, pow
 
 @dataclass(frozen=True)
 class MappedRoot:
-    """A root of G, as often as `multiplicity` says, the upper one of a pair, and the base of its image."""
+    """A root of G, as often as `multiplicity` says, the other one of its `pair`, and the base of their images."""
 
     root: sp.Expr
-    pair: bool
+    mirror: sp.Expr | None
     multiplicity: int
     base: Base
+
+    @property
+    def pair(self) -> bool:
+        """Whether it stands for two roots."""
+        return self.mirror is not None
 
     def polynomial(self, z: sp.Symbol) -> sp.Expr:
         """What the root gives once, with its conjugate: z − a, or the quadratic of the pair."""
@@ -106,9 +111,10 @@ def mapped_roots(factors: Sequence[Factor], T: sp.Expr) -> tuple[MappedRoot, ...
 
 def _mapped(root: Root, multiplicity: int, T: sp.Expr, *, pair: bool) -> MappedRoot:
     if not pair:
-        return MappedRoot(root.value, False, multiplicity, base_of(root.value, sp.S.Zero, T)[0])
+        return MappedRoot(root.value, None, multiplicity, base_of(root.value, sp.S.Zero, T)[0])
     base, _ = base_of(root.sigma, root.shift, T, sp.cosh if root.kind == "symbolic" else sp.cos)
-    return MappedRoot(root.value, True, multiplicity * (2 if base.angle == 0 else 1), base)
+    mirror = sp.expand(2 * root.sigma - root.value)
+    return MappedRoot(root.value, mirror, multiplicity * (2 if base.angle == 0 else 1), base)
 
 
 def _factors(p: sp.Poly) -> Sequence[Factor]:
@@ -135,14 +141,14 @@ def factors_in_z(poles: Sequence[sp.Expr], T: sp.Expr) -> list[MappedRoot]:
         sigma, omega = (sp.expand(part) for part in s.as_real_imag())
         if omega == 0:
             base, _ = base_of(s, sp.S.Zero, T)
-            found.append(MappedRoot(s, False, 1, base))
+            found.append(MappedRoot(s, None, 1, base))
             continue
         mirror = next((each for each in rest if sp.expand(each - sigma + sp.I * omega) == 0), None)
         if mirror is None:
             raise NotExact("pole_mapping/not_conjugate", pole=s)
         rest.remove(mirror)
         base, _ = base_of(sigma, omega, T, sp.cos)
-        found.append(MappedRoot(s, True, 2 if base.angle == 0 else 1, base))
+        found.append(MappedRoot(s, mirror, 2 if base.angle == 0 else 1, base))
     return found
 
 

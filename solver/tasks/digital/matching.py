@@ -57,7 +57,7 @@ def _mapped(kind: str, found: Sequence[exact.MappedRoot], T: Expr, **facts: Any)
         says = Phrase("pole {i}", i=i) if kind == "poles" else Phrase("zero {i}", i=i)
         image, p = exponential(product(each.root, T)), each.polynomial(z)
         if each.pair:
-            mirror = exponential(product(exact.conjugated(each.root), T))
+            mirror = exponential(product(each.mirror, T))
             claims[f"root{i}"] = Claim(product(difference(z, image), difference(z, mirror)), p, says)
         else:
             claims[f"root{i}"] = Claim(image, each.base.radius, says)
@@ -92,4 +92,4 @@ def _figure(found: exact.Matched, T: Expr) -> Any:
 
 
 def _both(each: exact.MappedRoot) -> list[Expr]:
-    return [each.root, exact.conjugated(each.root)] if each.pair else [each.root]
+    return [each.root] if each.mirror is None else [each.root, each.mirror]

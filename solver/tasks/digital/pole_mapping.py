@@ -92,7 +92,7 @@ def _factors(poles: Sequence[Expr], found: Sequence[Expr], factors: Sequence[exa
     z = sp.Symbol("z")
     claims = {}
     for i, each in enumerate((each for each in factors if each.pair), 1):
-        ends = (exponential(product(root, T)) for root in (each.root, exact.conjugated(each.root)))
+        ends = (exponential(product(root, T)) for root in (each.root, each.mirror))
         stated = product(*(difference(z, end) for end in ends))
         claims[f"pair{i}"] = Claim(stated, each.polynomial(z), Phrase("pair {i}", i=i))
     stable = [each.root.as_real_imag()[0].is_negative for each in factors]
