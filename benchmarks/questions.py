@@ -136,7 +136,8 @@ def matrices(task: str, method: str, n: int, kind: str) -> dict[str, str]:
     if PARAMETER.get(task) == "B":
         B = B + k * first
     if method == "unity_rank":
-        B, C = (B, C.col_join(sp.eye(n)[n - 1, :])) if task == "observer" else (B.row_join(first), C)
+        observes = task in ("observer", "current_observer")
+        B, C = (B, C.col_join(sp.eye(n)[n - 1, :])) if observes else (B.row_join(first), C)
     return {name: str(M.tolist()) for name, M in {"A": A, "B": B, "C": C}.items()}
 
 
@@ -172,6 +173,7 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "solve_equations": lambda _: {"equations": '["x^2 + y = 3", "x - y = 1"]', "unknowns": "[x, y]"},
     "model_matching": lambda n: {"target": f"1/(s + 20)^{n}"},
     "observer": lambda n: {"poles": poles(n)},
+    "current_observer": lambda n: {"poles": poles(n)},
     "reduced_observer": lambda n: {"poles": poles(n - 1)},
     "observer_feedback": lambda n: {"poles": poles(n), "observer_poles": poles(n)},
     **dict.fromkeys(REGULATORS, _weights),
