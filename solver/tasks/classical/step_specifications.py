@@ -57,7 +57,9 @@ step_specifications: Task[Plant, StepOptions] = Task(
     needs=("path",),
     options=StepOptions,
     answers=[
-        AnswerName("rise_time", r"\sym{rise_time}", "the rise time", unit="s", principal=True, earned=("rise",)),
+        AnswerName(
+            "rise_time", r"\sym{rise_time}", "the rise time", unit="s", principal=True, earned=("samples", "rise")
+        ),
         AnswerName(
             "peak_time", r"\sym{peak_time}", "the peak time", optional=True, unit="s", principal=True, earned=("peak",)
         ),
@@ -66,7 +68,8 @@ step_specifications: Task[Plant, StepOptions] = Task(
             earned=("overshoot", "peak"),
         ),
         AnswerName(
-            "settling_time", r"\sym{settling_time}", "the settling time", unit="s", principal=True, earned=("settling",)
+            "settling_time", r"\sym{settling_time}", "the settling time", unit="s", principal=True,
+            earned=("samples", "settling"),
         ),
         AnswerName("final_value", r"y_{\infty}", "the final value", earned=("standard", "final")),
     ],
