@@ -5,11 +5,10 @@ Source: K. J. Åström and B. Wittenmark, Computer-Controlled Systems, §8.5.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-
-from solver.exact.compensators.pid import Gains
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,7 @@ def integral_weights(rule: str, T: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return {"backward": (T, zero), "forward": (zero, T), "tustin": (T / 2, T / 2)}[rule]
 
 
-def discrete_pid(gains: Gains, T: sp.Expr, rule: str, z: sp.Symbol) -> DiscretePid:
+def discrete_pid(gains: Sequence[sp.Expr], T: sp.Expr, rule: str, z: sp.Symbol) -> DiscretePid:
     """Return the sampled controller of K_p + K_i/s + K_d s for the sampling period T."""
     K_p, K_i, K_d = gains
     new, old = weights = integral_weights(rule, T)

@@ -122,8 +122,8 @@ def gives_the_target(given: Given[InputOutput, RagazziniOptions], answers: Answe
     D, G, wanted = answers["controller"], judges.direct_plant(question, z), judges.wanted_loop(question, z)
     balance = Claim(product(D * (1 - wanted), G), sp.ImmutableMatrix([[wanted]]))
     yield numeric.check_claim(balance, "$D(1 - T)G = T$", answer="controller")
-    stated = [D, wanted, question.T if question.sampled else 0, *question.plant]
-    if not set().union(*(sp.sympify(each).free_symbols for each in stated)) - {z}:
+    stated = [D, wanted, *([question.T] if question.sampled else []), *question.plant]
+    if not set().union(*(each.free_symbols for each in stated)) - {z}:
         fault = judges.loop_fault(question, D, z)
         label = "the loop followed after a step, and its characteristic polynomial"
         yield replace(Check.that(label, "scipy.signal, numpy.roots", not fault, answer="controller"), reason=fault)
