@@ -204,7 +204,7 @@ def _late_crossovers(L: exact.OnAxis, found: exact.PhaseCrossovers, *, every: bo
         claims[f"value{i}"] = Claim(at, value, "the value of $L$ on the real axis")
     crossing = [_row(omega, value) for omega, value in pairs]
     kind = "late_axis" if every else "late_crossovers"
-    return Step(kind, claims=claims, crossing=crossing, delay=L.delay, steady=not L.roots)
+    return Step(kind, claims=claims, crossing=crossing, delay=L.delay, steady=not L.roots, discrete=False)
 
 
 def _row(at: Expr, value: Expr) -> dict[str, Any]:
