@@ -118,8 +118,7 @@ class Task(Generic[S, O]):
         self.complex_entries, self.sampled = complex_entries, sampled
         self.equations: list[AnswerEquations] = []
         self.answers = {answer.name: answer for answer in answers}
-        self.options_class = options
-        self.options = options.declared()
+        self.options_class, self.options = options, options.declared()
         self.methods: dict[str, Method] = {}
         self.verifications: list[Verification] = []
         self.refusals: list[Callable[[System, O], Iterable[Refusal]]] = []

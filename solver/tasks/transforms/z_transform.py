@@ -62,15 +62,16 @@ def no_such_sequence(system: Any, options: ZTransformOptions) -> Iterable[Refusa
     if (options.f is None) == (options.F is None):
         yield "", Reason("transforms/sequence_or_image", {"both": options.f is not None})
         return
+    image: Any = options.F
     try:
-        if options.F is None:
+        if options.f is not None:
             exact.sequence_pieces(options.f, sp.Symbol("k"))
             return
         missing = list(sample_time_refusals(system, options))
         yield from missing
         if not missing:
             T = options.sample_time if options.sample_time is not None else system.sample_time
-            terms_to_sample(options.F, T)
+            terms_to_sample(image, T)
     except exact.NotExact as failure:
         yield "F" if options.f is None else "f", _of_a_sequence(failure.reason)
 
