@@ -88,7 +88,9 @@ def is_dead_in_the_fewest_steps(given: Given[WithInput, PlantOptions], answers: 
         if fits:
             yield _is_dead(sp.ImmutableMatrix(A - B * K), fewest, "K")
     if loop is not None:
-        yield Check.that("the closed loop has the size of $A$", "inspection", loop.shape == A.shape, answer="closed_loop_A")
+        yield Check.that(
+            "the closed loop has the size of $A$", "inspection", loop.shape == A.shape, answer="closed_loop_A"
+        )
         if loop.shape == A.shape:
             yield _is_dead(loop, fewest, "closed_loop_A")
             yield numeric.check_residual(
