@@ -113,20 +113,44 @@ def _rational(plant: Plant) -> Any:
     return plant
 
 
-def _by_rule(given: Given[Plant, DiscretizationOptions]) -> Derivation[Answers]:
+def _by_rule(given: Given[Plant, DiscretizationOptions], name: str) -> Derivation[Answers]:
     plant, T = _rational(given.system), sample_time_of(given)
     if in_state_space(plant):
-        return _states(*(yield from mapped_plant_of(plant, given.method, T, given.options.prewarp)))
-    return Answers(G=(yield from mapped_transfer_of(plant, given.method, T, given.options.prewarp)))
+        return _states(*(yield from mapped_plant_of(plant, name, T, given.options.prewarp)))
+    return Answers(G=(yield from mapped_transfer_of(plant, name, T, given.options.prewarp)))
 
 
-RULES = (
-    ("forward_euler", "Euler's forward method", "Åström and Wittenmark, Computer-Controlled Systems, §8.2"),
-    ("backward_euler", "Euler's backward method", "Åström and Wittenmark, Computer-Controlled Systems, §8.2"),
-    ("tustin", "Tustin's method", "Franklin, Powell, Workman, Digital Control of Dynamic Systems, §6.1"),
+@discretization.method(
+    "forward_euler",
+    title="Euler's forward method",
+    source="Åström and Wittenmark, Computer-Controlled Systems, §8.2",
+    time="continuous",
 )
-for _name, _title, _source in RULES:
-    discretization.method(_name, title=_title, source=_source, time="continuous")(_by_rule)
+def by_eulers_forward_method(given: Given[Plant, DiscretizationOptions]) -> Derivation[Answers]:
+    """(z − 1)/T in place of s."""
+    return (yield from _by_rule(given, "forward_euler"))
+
+
+@discretization.method(
+    "backward_euler",
+    title="Euler's backward method",
+    source="Åström and Wittenmark, Computer-Controlled Systems, §8.2",
+    time="continuous",
+)
+def by_eulers_backward_method(given: Given[Plant, DiscretizationOptions]) -> Derivation[Answers]:
+    """(z − 1)/(T z) in place of s."""
+    return (yield from _by_rule(given, "backward_euler"))
+
+
+@discretization.method(
+    "tustin",
+    title="Tustin's method",
+    source="Franklin, Powell, Workman, Digital Control of Dynamic Systems, §6.1",
+    time="continuous",
+)
+def by_tustins_method(given: Given[Plant, DiscretizationOptions]) -> Derivation[Answers]:
+    """(2/T) (z − 1)/(z + 1) in place of s; prewarped with another factor."""
+    return (yield from _by_rule(given, "tustin"))
 
 
 @discretization.method(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Derivation, Step, Unsolved, lemma
@@ -43,9 +44,20 @@ def periods_of(delay: Expr, T: Expr) -> tuple[int, Expr]:
 
 @lemma("pulse_steps")
 def pulse_of_entry(
-    G: Expr, T: Expr, *, held: bool, delay: Any = 0, place: str = "", name: str = "G", of: str = "G"
+    G: Expr,
+    T: Expr,
+    *,
+    held: bool,
+    delay: Any = 0,
+    place: str = "",
+    name: str = "G",
+    of: str = "G",
+    known: Collection[Expr] = (),
 ) -> Derivation[exact.Pulse]:
-    """(1 − z⁻¹) 𝒵{G(s)/s}, or 𝒵{G(s)} without a hold; returns what was found on the way too."""
+    """(1 − z⁻¹) 𝒵{G(s)/s}, or 𝒵{G(s)} without a hold; returns what was found on the way too.
+
+    `known` are the transforms that were told before.
+    """
     s, z, t = sp.symbols("s z t")
     late, ahead = periods_of(delay, T)
     if G == 0:
@@ -65,7 +77,7 @@ def pulse_of_entry(
     assert proper is not None  # noqa: S101 - it is not zero, and strictly proper
     yield from partial_fractions_of(proper, found.image.whole, names)
     yield from completed_squares_of(proper, s)
-    yield _sampled(found, T, shown, ahead)
+    yield _sampled(found, T, {**shown, "known": known}, ahead)
     yield _result(found, shown, late)
     return found
 
@@ -80,7 +92,7 @@ def _sampled(found: exact.Pulse, T: Expr, shown: dict[str, Any], ahead: Expr) ->
         claims[f"function{i}"] = Claim(inverse_laplace(each.fraction, s, t), each.function, says)
         image = each.image(z)
         claims[f"image{i}"] = Claim(z_transform(each.function.xreplace({t: at}), k, z), image, says)
-        rows.append((each.fraction, each.function, image))
+        rows.append((each.fraction, each.function, image, image in shown["known"]))
     return Step("sampled", claims=claims, rows=rows, at=sp.expand((k + ahead) * T), ahead=ahead, **shown)
 
 

@@ -132,7 +132,8 @@ def _loop_of(given: Given[Plant, PulseOptions], G: Expr, found: exact.Pulse, del
         W = sp.cancel(G * H)
         claim = Claim(product(G, H), W, "plant and feedback in series")
         yield Step("between_samplers", claims={"W": claim}, H=H, G=G)
-        around = yield from pulse_of_entry(W, T, held=held, delay=delay, name="W", of="W")
+        known = [each.image(z) for each in found.terms]
+        around = yield from pulse_of_entry(W, T, held=held, delay=delay, name="W", of="W", known=known)
         back = around.result
     loop = exact.closed_in_z(C, Gp, back, z)
     if loop.below == 0:
