@@ -140,6 +140,8 @@ def of_sampled_events(found: Any, response: Any, band: Any, *, whole: bool, show
         yield numeric.check_residual(label, "the recursion (50 digits)", check)
     yield Check.that("it is told whether it overshoots", "the recursion (50 digits)",
                      judges.overshoots(plant) == (found.peak is not None))  # fmt: skip
+    counted = [found.within, found.settling, found.rise.begins, found.rise.ends]
+    yield Check.that("samples are counted", "compared", all(each.is_Integer for each in counted))
     fault = judges.samples_fault(plant, found.samples, [each for each in (found.under, found.outside) if each])
     yield Check.within("the samples of the response", "the recursion (50 digits)", fault, 1e-12)
     yield Check.that("no sample exceeds the bound", "the recursion (50 digits)",
@@ -159,6 +161,10 @@ def of_reduction(found: Any, form: Any, order: int, *, discrete: bool = False) -
     rest = sp.Integer(1 if discrete else 0)
     above, below = (sp.Mul(*(rest - root for root in roots)) for roots in (found.zeros_dropped, found.poles_dropped))
     yield Claim(above / below, found.constant, "the fast factors for slow signals")
+    for mode in (*found.kept, *found.dropped) if discrete else ():
+        yield Claim(absolute(mode.poles[0]), sp.exp(-mode.rate), "the rate of a mode")
+    if found.ratio is not None and discrete and not found.ratio.is_infinite:
+        yield Claim(found.ratio * found.kept[-1].rate, found.dropped[0].rate, "the ratio of rates")
     if found.ratio is not None and not discrete:
         first, last = (real_part(mode.poles[0]) for mode in (found.dropped[0], found.kept[-1]))
         yield Claim(quotient(first, last), found.ratio, "the ratio of real parts")
