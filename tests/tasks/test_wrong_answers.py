@@ -17,6 +17,7 @@ PLANTS = {
 }
 WEIGHED = {"R": sp.ImmutableMatrix(sp.eye(2))}
 ELSEWHERE = {
+    "jury",
     "routh_hurwitz",
     "equilibrium_points",
     "root_locus",

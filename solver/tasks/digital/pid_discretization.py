@@ -84,17 +84,38 @@ def gains_of(options: PidDiscretizationOptions) -> exact.Gains:
     return exact.Gains(*(sp.Integer(0) if value is None else value for value in values))
 
 
-def _by_rule(given: Given[Any, PidDiscretizationOptions]) -> Derivation[Answers]:
+def _by_rule(given: Given[Any, PidDiscretizationOptions], rule: str) -> Derivation[Answers]:
     """Replace integral and derivative, then take the difference of two values of u."""
     z, T, gains = sp.Symbol("z"), sample_time_of(given), gains_of(given.options)
-    found = yield from sampled_pid(gains, T, given.method or "backward", z)
+    found = yield from sampled_pid(gains, T, rule, z)
     return Answers(controller=found.controller, coefficients=list(found.coefficients))
 
 
-SOURCE = "Åström and Wittenmark, Computer-Controlled Systems, §8.5"
-TITLES = {"backward": "Integral backward", "forward": "Integral forward", "tustin": "Integral by trapezoids"}
-for _name, _title in TITLES.items():
-    pid_discretization.method(_name, title=_title, source=SOURCE)(_by_rule)
+@pid_discretization.method(
+    "backward", title="Integral backward", source="Åström and Wittenmark, Computer-Controlled Systems, §8.5"
+)
+def with_areas_by_their_end(given: Given[Any, PidDiscretizationOptions]) -> Derivation[Answers]:
+    """I(k) = I(k − 1) + T e(k)."""
+    return (yield from _by_rule(given, "backward"))
+
+
+@pid_discretization.method(
+    "forward", title="Integral forward", source="Åström and Wittenmark, Computer-Controlled Systems, §8.5"
+)
+def with_areas_by_their_beginning(given: Given[Any, PidDiscretizationOptions]) -> Derivation[Answers]:
+    """I(k) = I(k − 1) + T e(k − 1)."""
+    return (yield from _by_rule(given, "forward"))
+
+
+@pid_discretization.method(
+    "tustin", title="Integral by trapezoids", source="Åström and Wittenmark, Computer-Controlled Systems, §8.5"
+)
+def with_trapezoids(given: Given[Any, PidDiscretizationOptions]) -> Derivation[Answers]:
+    """I(k) = I(k − 1) + T (e(k) + e(k − 1))/2."""
+    return (yield from _by_rule(given, "tustin"))
+
+
+RULES = ("backward", "forward", "tustin")
 
 
 @pid_discretization.verification("controller", "coefficients")
@@ -144,7 +165,7 @@ def derivative_with_T(wrong: Wrong) -> Iterable[Any]:
 def by_another_rule(wrong: Wrong) -> Iterable[Any]:
     """What the other rules give."""
     z, T, gains = sp.Symbol("z"), sample_time_of(wrong.given), gains_of(wrong.given.options)
-    for rule in TITLES:
+    for rule in RULES:
         if rule != (wrong.given.method or "backward") and gains.K_i != 0:
             yield _as_asked(wrong, exact.discrete_pid(gains, T, rule, z))
 
