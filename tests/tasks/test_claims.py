@@ -32,7 +32,7 @@ PROGRAMS = ("numpy", "scipy", "mpmath", "sympy", "random points", "ranks of", "c
 WAYS = {
     "inspection", "counted", "compared", "positive", "decimals", "residual", "recursion", "coefficients",
     "greatest common divisors", "characteristic polynomial", "characteristic polynomial of its companion matrix",
-    "Gauss–Legendre quadrature", "Cauchy's integral formula", "invariant subspaces in floats",
+    "Gauss–Legendre quadrature", "series", "Cauchy's integral formula", "invariant subspaces in floats",
     "orthogonal bases (50 digits)", "return difference at random points", "sequence of points",
 }  # fmt: skip
 """How checks are made: by a program or with points, or in one of these ways."""
