@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 IN_STEPS = {
-    "xdot": "x(k+1)", "integrator": "z^{-1}", "xidot": "r-y", "error_integrator": r"\frac{1}{z-1}", "x": "x(k)",
+    "xdot": "", "integrator": "z^{-1}", "xidot": "r-y", "error_integrator": r"\frac{1}{z-1}", "x": "x(k)",
 }  # fmt: skip
 """What is written into a diagram of a discrete loop."""
 
