@@ -19,6 +19,10 @@ TRANSFER = ("G", "controller", "compensator")
 """Answers that are taken as a transfer function where a part answers no A, the first that it has."""
 
 
+PATHS = frozenset({"transfer_function", "path", "open_loop", "characteristic_equation"})
+"""What a transfer function, found or to be found, can be asked for."""
+
+
 @dataclass(frozen=True)
 class EarlierPart:
     """What the part `part` answers, a system whose matrices are not known yet; `gain` closes the loop around it.
@@ -46,9 +50,9 @@ class EarlierPart:
     def provides(self) -> frozenset[str]:
         """The matrices that the part answers; a transfer function can be realized."""
         if "A" not in self.answers:
-            return frozenset({"A", "B", "C", "D", "transfer_function"})
+            return frozenset({"A", "B", "C", "D"}) | PATHS
         names = {name for name in ("A", "B", "C", "D") if name in self.answers}
-        return frozenset(names | {"matrix"} | ({"transfer_function"} if {"B", "C"} <= names else set()))
+        return frozenset(names | {"matrix"} | (PATHS if {"B", "C"} <= names else set()))
 
     @property
     def described(self) -> str:

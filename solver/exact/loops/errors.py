@@ -147,8 +147,7 @@ def _lowest(F: sp.Expr, s: sp.Symbol) -> tuple[sp.Poly, sp.Poly]:
 def _quotient(above: sp.Expr, below: sp.Expr) -> sp.Expr:
     """The quotient in the form a person would write, e^{−aT} treated as a letter."""
     found = above / below
-    powers = any(each.free_symbols for each in found.atoms(sp.exp))
-    return tidy(found) if not powers else sp.factor(sp.cancel(found))
+    return sp.factor(sp.cancel(found)) if found.has(sp.exp) else tidy(found)
 
 
 def _at_origin(p: sp.Poly) -> int:
