@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import sympy as sp
 
@@ -29,7 +30,7 @@ def rows() -> Iterator[Row]:
     """The lines of the table."""
     last = sp.ImmutableMatrix(sp.eye(ORDER)[:, ORDER - 1])
     for name, A in (("companion", companion_of_integers(ORDER)), ("dense", dense(ORDER))):
-        mine = milliseconds(lambda A=A: ours(sp.ImmutableMatrix(A), last))
-        peer = once(lambda A=A: sympys(A, last)) if name == "companion" else None
+        mine = milliseconds(partial(ours, sp.ImmutableMatrix(A), last))
+        peer = once(partial(sympys, A, last)) if name == "companion" else None
         yield Row(f"hold, symbolic T, {name}, n = {ORDER}", mine, "sympy exp and integrate" if peer else "", peer,
                   FASTER if peer else None, AT_MOST)  # fmt: skip

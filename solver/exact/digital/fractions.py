@@ -81,8 +81,7 @@ def _common(coefficients: Coefficients) -> sp.Expr:
     if len(symbols) <= FEW:
         return reduce(sp.gcd, coefficients)
     polynomials = [sp.Poly(c, *symbols) for c in coefficients if c != 0]
-    powers = [min(p.monoms(), key=lambda monom, i=i: monom[i])[i] for i in range(len(symbols)) for p in polynomials]
-    least = [min(powers[i * len(polynomials) : (i + 1) * len(polynomials)]) for i in range(len(symbols))]
+    least = [min(monom[i] for p in polynomials for monom in p.monoms()) for i in range(len(symbols))]
     number = reduce(sp.gcd, [c for p in polynomials for c in p.coeffs()])
     return sp.Mul(number, *(x**k for x, k in zip(symbols, least, strict=True)))
 

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import prime
 
 from solver.exact.digital.fractions import FractionInZ, content_of, marks_of
-from solver.exact.transforms.sampled import Coefficients, added, in_z, multiplied, powered, trimmed
+from solver.exact.transforms.sampled import Base, Coefficients, added, in_z, multiplied, powered, trimmed
 
 Pair = tuple[Coefficients, Coefficients]
 """Numerator and denominator, the highest power first."""
@@ -41,12 +41,18 @@ def closed_in_z(C: sp.Expr, G: FractionInZ, H: sp.Expr | FractionInZ, z: sp.Symb
         return _loop(above, added(reduce(multiplied, (d, q, k)), reduce(multiplied, (c, p, h))), z)
     r, shared = _above(H), dict(G.poles)
     rest = [(base, m - shared.get(base, 0)) for base, m in H.poles]
-    extra = reduce(multiplied, [powered(base.coefficients, m) for base, m in rest if m > 0], [sp.S.One])
+    extra = _product([(base, m) for base, m in rest if m > 0])
     missing = {base: -m for base, m in rest if m < 0} | {b: m for b, m in G.poles if b not in dict(H.poles)}
-    lacking = reduce(multiplied, [powered(base.coefficients, m) for base, m in missing.items()], [sp.S.One])
+    lacking = _product([*missing.items()])
     above = reduce(multiplied, (c, p, extra))
     inner = added(multiplied(d, H.denominator), multiplied(c, r))
     return _loop(above, multiplied(inner, lacking), z)
+
+
+def _product(powers: Sequence[tuple[Base, int]]) -> Coefficients:
+    """The product of powers of the polynomials of some bases."""
+    one: Coefficients = [sp.S.One]
+    return reduce(multiplied, [powered(base.coefficients, m) for base, m in powers], one)
 
 
 def _above(G: FractionInZ) -> Coefficients:

@@ -63,7 +63,7 @@ def mapped_residual(poles: Any, T: Any, answer: Any) -> float:
         values = numbers_of([[T, *poles]], point)[0]
         wanted = [MANY.context.exp(s * values[0]) for s in values[1:]]
         for z in numbers_of([list(answer)], point)[0]:
-            nearest = min(wanted, key=lambda each, z=z: float(abs(each - z)))
-            wanted.remove(nearest)
+            distances = [float(abs(each - z)) for each in wanted]
+            nearest = wanted.pop(distances.index(min(distances)))
             worst = worst_of((worst, float(abs(nearest - z) / max(abs(nearest), MANY.context.mpf("1e-30")))))
     return with_many_digits(worst, *poles, T, answer)
