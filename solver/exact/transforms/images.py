@@ -150,7 +150,7 @@ def ratio_of_images(image: RationalImage, other: RationalImage) -> sp.Expr | Non
     if image.denominator != other.denominator:
         return None
     ratio: sp.Expr = sp.cancel(image.numerator / other.numerator)
-    symbols = (image.denominator.free_symbols | image.numerator.free_symbols) & {sp.Symbol("s")}
+    symbols = (image.denominator.free_symbols | image.numerator.free_symbols) & set(sp.symbols("s z"))
     return None if ratio.has(*symbols) and symbols else ratio
 
 

@@ -103,7 +103,9 @@ class SampledImage:
 def sampled_image(f: sp.Expr, t: sp.Symbol, T: sp.Expr, ahead: sp.Expr = sp.S.Zero) -> SampledImage:
     """The transform of f((k + μ)T), k = 0, 1, …, with μ = `ahead`; raises NotExact where f is no sum of such terms."""
     merged: dict[tuple[Base, int, str], sp.Expr] = {}
-    for term in sp.Add.make_args(sp.expand(f, power_exp=False)):
+    marks = {each: sp.Dummy() for each in f.atoms(sp.exp) if each.has(t)}  # e^{-at}/c is not to become 1/(c e^{at})
+    back = {mark: each for each, mark in marks.items()}
+    for term in sp.Add.make_args(sp.expand(f.xreplace(marks), power_exp=False).xreplace(back)):
         for each in _sampled(term, t, T, ahead):
             key = (each.base, each.power, each.wave)
             merged[key] = merged.get(key, sp.S.Zero) + each.factor

@@ -60,6 +60,8 @@ def sequence_image(F: sp.Expr, z: sp.Symbol) -> SequenceImage:
         N, D, cancels = lowest_terms(F, z)
     except NotExact as failure:
         raise NotExact("transforms/not_rational_in_z", part=F) from failure
+    if N.is_zero:
+        raise NotExact("transforms/zero_image")
     roots = spectrum_of_polynomial(D)
     whole = split_image(F, N, D, z, cancels=cancels, roots=roots)
     x = sp.Poly(z, z, domain=D.domain)

@@ -57,6 +57,7 @@ def _taken_apart(f: Expr, pieces: Sequence[exact.TransformPiece], names: Names) 
     """The function as a sum of what the table has, where it is not given so; what begins later by itself."""
     t = names.t
     smooth = next((each for each in pieces if each.delay == 0 and each.terms), None)
+    f = _steps_up(f, names)
     started = f.xreplace({each: sp.S.One for each in f.atoms(sp.Heaviside) if each.args[0] == t})
     given = sp.Add(*(term for term in sp.Add.make_args(started) if not term.has(sp.Heaviside, sp.DiracDelta)))
     late = any(each.delay != 0 for each in pieces)
@@ -67,6 +68,17 @@ def _taken_apart(f: Expr, pieces: Sequence[exact.TransformPiece], names: Names) 
     if len(pieces) > 1:
         parts = [(each.delay, each.function, each.impulse) for each in pieces]
         yield Step("pieces", unclaimed="what begins at each time", parts=parts, **names.told)
+
+
+def _steps_up(f: Expr, names: Names) -> Expr:
+    """The function with 1 − step(t − T) for a step down, step(T − t); samples at T still see it."""
+    t, after = names.t, int(names.discrete)
+    down = [each for each in f.atoms(sp.Heaviside) if sp.expand(each.args[0]).coeff(t, 1).is_negative]
+    if not down:
+        return f
+    lines = {each: sp.expand(each.args[0]) for each in down}
+    begins = {each: -line.coeff(t, 0) / line.coeff(t, 1) + after for each, line in lines.items()}
+    return sp.expand(f.xreplace({each: 1 - sp.Heaviside(t - at) for each, at in begins.items()}))
 
 
 def _moved(piece: exact.TransformPiece, part: str, names: Names) -> Step:

@@ -115,5 +115,5 @@ def _together(image: exact.SampledImage, z: Any) -> Expr:
     above, common = sp.fraction(sp.together(whole.xreplace(marks)))
     above = sp.factor_terms(sp.collect(sp.expand(above), z)).xreplace(back)
     below = sp.Mul(*(base.polynomial(z) ** -m for base, m in image.factors))
-    found: Expr = z * above * below / common
+    found: Expr = z * above * below / common.xreplace(back)
     return found
