@@ -73,6 +73,7 @@ TEXTBOOK = {
     "(1 - z^-4)/(1 - z^-1)": 1 - step(K - 4),
     "z/(z^2 - z - 1)": None,
     "z/(z^2 - 2z + 4)^2": None,
+    "(1 - z^-3)*4/(z^2 - 3z + 1)": None,
 }
 
 
@@ -186,7 +187,9 @@ def test_corrupted_values_and_fractions_are_rejected():
     assert rejected(F, partial_fractions=1 / (Z - 2) - 1 / (Z - 1))
 
 
-@pytest.mark.parametrize(("F", "says"), [("log(z)", "no quotient"), ("sqrt(z)/(z - 1)", "no quotient")])
+@pytest.mark.parametrize(
+    ("F", "says"), [("log(z)", "no quotient"), ("sqrt(z)/(z - 1)", "no quotient"), ("0", "is zero")]
+)
 def test_other_images_are_refused_at_their_place(F, says):
     with pytest.raises(InputError) as raised:
         asked(F)

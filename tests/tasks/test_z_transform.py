@@ -66,6 +66,7 @@ TEXTBOOK = {
     "(k + 1) a^k": Z**2 / (Z - a) ** 2,
     "(1 + (-1)^k)/2": Z**2 / (Z**2 - 1),
     "exp(-2k)": Z / (Z - sp.exp(-2)),
+    "(-1/2)^k*step(2 - k) + 1": 1 - 1 / (2 * Z) + 1 / (4 * Z**2) + Z / (Z - 1),
 }
 
 
@@ -109,6 +110,13 @@ SAMPLED = {
 def test_sampled_functions_of_the_textbooks(F):
     more = ", assume: {T: positive}" if "T" in F else ""
     assert same(image(F=F, sample_time="T", more=more), SAMPLED[F])
+
+
+def test_exponentials_over_parameters_are_sampled():
+    found = image(F="1/((s + 2)^2 (s + a))", sample_time="1/10", more=", assume: {a: positive}")
+    f = sp.inverse_laplace_transform(1 / ((S + 2) ** 2 * (S + 3)), S, sp.Symbol("t", positive=True))
+    series = sum(sp.N(f.subs(sp.Symbol("t", positive=True), sp.Rational(i, 10))) * 2.0**-i for i in range(90))
+    assert abs(sp.N(found.subs({sp.Symbol("a", positive=True): 3, Z: 2})) - series) < 1e-9
 
 
 def test_the_partial_fractions_are_shown():

@@ -120,7 +120,7 @@ def _by_rules(term: exact.TransformedTerm, pairs: Sequence[Any], names: Names) -
         claims[name] = Claim(names.transform(pair.function), pair.image, told)
         slope = _slope(pairs[i - 1].image, term.power, names) if pair.rule == "derivative" else None
         if slope is not None:
-            claims[f"slope{i}"] = Claim(slope, pair.image, "derivative of the image")
+            claims[f"slope{i}" if names.discrete else "slope"] = Claim(slope, pair.image, "derivative of the image")
         lines.append((pair.rule, name, slope))
     return Step("by_rules", claims=claims, term=term.function(names.t), power=term.power, growth=term.growth,
                 lines=lines, again=sum(each.rule == "derivative" for each in pairs), **names.told)  # fmt: skip
