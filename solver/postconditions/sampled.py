@@ -47,6 +47,8 @@ def of_factors_in_z(found: Any, poles: Any, T: Any) -> Iterator[Claim | Check]:
     z = sp.Symbol("z")
     below = [each.base.polynomial(z) for each in found for _ in range(each.multiplicity)]
     yield Claim(product(*below), product(*(difference(z, exponential(product(s, T))) for s in poles)))
+    pairs = [each.pair for each in found]
+    yield Check.that("pairs", "counted", pairs == [each.root.as_real_imag()[1] != 0 for each in found])
 
 
 def of_longest_period(found: Any, roots: Any) -> Iterator[Claim | Check]:
@@ -82,3 +84,11 @@ def _both(root: Any) -> list[Any]:
 
 def _times(root: Any) -> int:
     return int(root.multiplicity // (2 if root.pair and root.base.angle == 0 else 1))
+
+
+def of_spectrum_of_polynomial(found: Any, p: Any) -> Iterator[Claim | Check]:
+    """The product of x − λ over all roots is the polynomial, made monic."""
+    x = p.gens[0]
+    factors = [difference(x, root.value) for root in found.roots for _ in range(root.multiplicity)]
+    if factors:
+        yield Claim(product(*factors), p.monic().as_expr())
