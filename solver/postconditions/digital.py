@@ -36,10 +36,23 @@ def of_jury_conditions(found: Any, coefficients: Sequence[Any]) -> Iterator[Clai
     n = len(coefficients) - 1
     yield Claim(sp.Add(*coefficients), found.at_one)
     yield Claim(sp.Add(*((-1) ** i * c for i, c in enumerate(coefficients))), found.at_minus_one)
+    yield from _first_ends(found.ends, list(coefficients)[::-1])
     sizes = _sizes(coefficients)
     if sizes is not None and n and np.all(np.abs(sizes - 1) > _near(n)):
         positive = all(bool(sp.N(each, 30) > 0) for each in found.positive)
         yield Check.that("conditions for roots inside", "numpy.roots", positive == bool(np.all(sizes < 1)))
+
+
+def _first_ends(ends: Any, a: list[Any]) -> Iterator[Claim]:
+    """aₙ ∓ a₀, −b₀ ± bₘ, c₀ ∓ cₘ: of the rows that are divided by nothing."""
+    rows = [a]
+    while len(rows[-1]) > 1 and len(rows) < FURTHER:
+        r, m = rows[-1], len(rows[-1]) - 1
+        rows.append([r[0] * r[k] - r[m] * r[m - k] for k in range(m)])
+    for i, (pair, row) in enumerate(zip(ends, rows, strict=False)):
+        first, last = row[0], row[-1]
+        wanted = [(last - first, last + first), (last - first, -first - last), (first - last, first + last)][i]
+        yield Claim(sp.ImmutableMatrix([list(pair)]), sp.ImmutableMatrix([list(wanted[: len(pair)])]))
 
 
 def of_inside_by_jury(found: int | None, table: Any) -> Iterator[Check]:

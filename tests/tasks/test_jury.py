@@ -163,7 +163,8 @@ def test_raibles_and_other_tables_are_right(p):
     n = sp.degree(p, z)
     ours = ask("jury", polynomial(p), "jury").answers["array"]
     decisive = ours[: 2 * n - 3, :]
-    scaled = sp.diag(*[(-1) ** i * (i + 2) for i in range(decisive.rows)]) * decisive
+    signs = [1, 1, *[(-1) ** i for i in range(decisive.rows)]]
+    scaled = sp.diag(*[signs[i] * (i + 2) for i in range(decisive.rows)]) * decisive
     plain = sp.ImmutableMatrix(table[0 : 2 * n - 3 : 2, :])
     for right in (table, table[: 2 * n - 3, :], ours, scaled, plain, table[::2, :]):
         assert jury_fault(companion(p), sp.ImmutableMatrix(right).applyfunc(sp.cancel)) == ""
@@ -179,6 +180,7 @@ def test_corrupted_tables_are_rejected():
                 wrong[i, j] += sp.Rational(1, 7)
                 assert rejected("jury", p, {"array": sp.ImmutableMatrix(wrong)}), (i, j)
         assert rejected("jury", p, {"array": sp.ImmutableMatrix(array[:-1, :])})
+        assert method == "bilinear" or rejected("jury", p, {"array": -array})
         assert not rejected("jury", p, {"array": array})
     unstable = polynomial(z**3 + 2 * z**2 + 3 * z + 5)
     table = ask("jury", unstable, "jury").answers["array"].as_mutable()

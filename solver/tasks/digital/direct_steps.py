@@ -9,6 +9,7 @@ from solver.derivation.figures import Motion, Signals
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.algebra import difference, power, product, quotient, total
+from solver.stated.calculus import value_at
 from solver.tasks import figures
 
 if TYPE_CHECKING:
@@ -121,9 +122,16 @@ def _cancellations(found: exact.DirectDesign, z: Symbol) -> Step:
         for each in exact.jury_conditions(p).positive
     ]
     condition = exact.all_positive(conditions) if conditions else sp.true
+    listed = ((found.cancelled_zeros, zeros), (found.cancelled_poles, poles))
+    claims = {
+        f"root{i}{j}": Claim(value_at(exact.polynomial_in(z, p), z, root), sp.Integer(0), "a root that is cancelled")
+        for i, (p, values) in enumerate(listed)
+        for j, root in enumerate(values)
+    }
     return Step(
         "cancellations",
-        unclaimed="they are seen; the controller has a check of its own",
+        claims=claims,
+        unclaimed="" if claims else "nothing is cancelled, or its roots depend on parameters",
         zeros=exact.factors_in(found.cancelled_zeros, z),
         poles=exact.factors_in(found.cancelled_poles, z),
         zero_list=zeros,

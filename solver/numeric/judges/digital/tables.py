@@ -45,7 +45,7 @@ def jury_fault(A: Any, array: Any) -> str:
         wanted = _rows(characteristic_coefficients(A, point, arithmetic)[::-1], mp)
         near = mp.mpf(10) ** (-9 if holds_decimals([A, array]) else -30)
         own = value_of(array, Environment.at([dict(point)], arithmetic)).value[0].tolist()
-        faults = [_fault(own, each, least, mp, near) for each, least in _layouts(wanted)]
+        faults = [_fault(own, each, least, mp, near, numbers=not point) for each, least in _layouts(wanted)]
         if None not in faults:
             return Phrase("row {row} does not follow from the rows above it", row=max(each for each in faults if each))
     return ""
@@ -82,25 +82,28 @@ def _layouts(rows: list[Row]) -> list[tuple[list[Row], int]]:
     ]
 
 
-def _fault(own: list[Row], wanted: list[Row], least: int, mp: Any, near: Any) -> int | None:
-    """The number of the first row that is wrong, or missing; None where there is none."""
+def _fault(own: list[Row], wanted: list[Row], least: int, mp: Any, near: Any, *, numbers: bool) -> int | None:
+    """The number of the first row that is wrong, or missing; None where there is none.
+
+    Of `numbers` the coefficients keep their signs, as what rows must fulfil is said for a positive leading one.
+    """
     for i, row in enumerate(own):
-        if i >= len(wanted) or not _proportional(row, wanted[i], mp, near):
+        if i >= len(wanted) or not _proportional(row, wanted[i], mp, near, positive=numbers and not i):
             return i + 1
         if len(wanted[i]) == 1 and not _single(row[0], own[:i], mp, near):
             return i + 1
     return len(own) + 1 if len(own) < least else None
 
 
-def _proportional(row: Row, wanted: Row, mp: Any, near: Any) -> bool:
-    """Whether row = c · wanted with zeros behind it, c real and not zero."""
+def _proportional(row: Row, wanted: Row, mp: Any, near: Any, *, positive: bool) -> bool:
+    """Whether row = c · wanted with zeros behind it, c real and not zero, or positive."""
     if not any(wanted):
         return not any(row)
     if any(row[len(wanted) :]):
         return False
     at = max(range(len(wanted)), key=lambda k: abs(wanted[k]))
     c = row[at] / wanted[at]
-    if not c or mp.im(c):
+    if not c or mp.im(c) or (positive and mp.re(c) < 0):
         return False
     return all(abs(x - c * y) <= near * abs(c) * max(abs(y), near) for x, y in zip(row, wanted, strict=False))
 
