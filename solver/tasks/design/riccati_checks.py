@@ -29,8 +29,10 @@ def cost_oracle(discrete: bool) -> str:
 
 def gain_formula(*, discrete: bool, cross: bool) -> str:
     """The gain by P, as LaTeX."""
+    if discrete and cross:
+        return "(R + B^{T}PB)^{-1}(B^{T}PA + N^{T})"
     if discrete:
-        return "(R + B^{T}PB)^{-1}" + ("(B^{T}PA + N^{T})" if cross else "B^{T}PA")
+        return "(R + B^{T}PB)^{-1}B^{T}PA"
     return "R^{-1}(B^{T}P + N^{T})" if cross else "R^{-1}B^{T}P"
 
 

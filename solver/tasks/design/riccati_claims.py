@@ -43,8 +43,10 @@ def _solved(problem: Regulator, solve: Callable[..., T]) -> T:
     except exact.Undetermined as finding:
         raise Unsolved("regulators/undetermined", dual=dual) from finding
     except exact.OnTheAxis as finding:
-        where = "regulators/on_the_circle" if problem.discrete else "regulators/on_the_axis"
-        raise Unsolved(where, dual=dual, factor=finding.factor.as_expr(variable_of(problem))) from finding
+        factor = finding.factor.as_expr(variable_of(problem))
+        if problem.discrete:
+            raise Unsolved("regulators/on_the_circle", dual=dual, factor=factor) from finding
+        raise Unsolved("regulators/on_the_axis", dual=dual, factor=factor) from finding
 
 
 def polynomial_of(problem: Regulator, solution: exact.RiccatiSolution) -> Expr:

@@ -1,6 +1,6 @@
 """Where the public names of this package are; `__init__.py` reads it."""
 
-from solver.numeric.judges.optimal.costs import cost_residual, costs, gain_residual
+from solver.numeric.judges.optimal.gain_costs import cost_residual, costs, gain_residual
 from solver.numeric.judges.optimal.regulator import (
     DiscreteWeights,
     Weights,
