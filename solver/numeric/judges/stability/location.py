@@ -174,7 +174,7 @@ def routh_fault(A: Any, array: Any, *, discrete: bool, at_minus_one: bool = Fals
 
     Each row must follow from the two above it, up to a positive factor, which for a row of one entry is the number
     that it is divided by. A symbol that is no parameter is a small ε. The transformation sends z = 1 to infinity, or
-    z = −1 (`at_minus_one`); of its image any multiple will do then.
+    z = −1 (`at_minus_one`).
     """
     for point in spread_points([A], 3):
         mp = multiple(60).context
@@ -186,9 +186,7 @@ def routh_fault(A: Any, array: Any, *, discrete: bool, at_minus_one: bool = Fals
         near = mp.mpf(10) ** (-6 if small else -9 if holds_decimals([A, array]) else -20)
         rows = value_of(array, Environment.at([{**point, **small}], multiple(60))).value[0].tolist()
         multiplied = rows[0][0] / coefficients[0]
-        if (mp.re(multiplied) > 0 or at_minus_one) and not mp.im(
-            multiplied
-        ):  # of a positive multiple of the polynomial
+        if mp.re(multiplied) > 0 and not mp.im(multiplied):  # the array of a positive multiple of the polynomial
             coefficients = [multiplied * c for c in coefficients]
         for i, row in enumerate(rows):
             wanted = _expected(rows, i, coefficients, mp)
