@@ -20,6 +20,9 @@ from solver.words import Reason
 if TYPE_CHECKING:
     from solver.systems import Equations
 
+TOLERANCE = 1e-11
+"""Of the recursion, which is run through with many digits."""
+
 difference_equation: Task[Equations, DifferenceOptions] = Task(
     "difference_equation",
     title="Difference equation",
@@ -115,7 +118,7 @@ def goes_through_the_recursion(given: Given[Equations, DifferenceOptions], answe
     own = {name: functions[name] for name in asked.model.unknowns}
     yield numeric.check_residual(
         "the equations run through sample by sample", "mpmath.lu_solve",
-        lambda: judges.recursion_residual(_problem(asked), own, asked.k, count),
+        lambda: judges.recursion_residual(_problem(asked), own, asked.k, count), TOLERANCE,
     )  # fmt: skip
 
 
@@ -123,10 +126,11 @@ def goes_through_the_recursion(given: Given[Equations, DifferenceOptions], answe
 def are_those_of_the_recursion(given: Given[Equations, DifferenceOptions], answers: Answers) -> Iterable[Check]:
     """The equations run through numerically give them."""
     asked, values = Question.of(given), list(answers["values"])
+    own = {asked.model.unknowns[0]: values}
     yield Check.that("as many values as asked for", "counted", len(values) == asked.terms)
     yield numeric.check_residual(
         "the equations run through sample by sample", "mpmath.lu_solve",
-        lambda: judges.recursion_residual(_problem(asked), {asked.model.unknowns[0]: values}, asked.k, len(values)),
+        lambda: judges.recursion_residual(_problem(asked), own, asked.k, len(values)), TOLERANCE,
     )  # fmt: skip
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Options, Task, option
+from solver.derivation import AnswerName, Answers, Check, CheckStatus, Claim, Derivation, Given, Options, Task, option
 from solver.derivation.registry import Refusal
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
@@ -102,14 +102,15 @@ def _transformed_back(given: Given[StateSpace, InverseZOptions], way: Way) -> De
 
 @inverse_z_transform.verification("f")
 def has_the_image(given: Given[StateSpace, InverseZOptions], answers: Answers) -> Iterable[Check]:
-    """Σ f(k) z⁻ᵏ is F at large |z|; single values are contour integrals of F."""
+    """Σ f(k) z⁻ᵏ is F at large |z|; where that cannot be judged, single values are contour integrals of F."""
     F, f, z, k = given.options.F, answers["f"], sp.Symbol("z"), sp.Symbol("k")
     count, first = judges.telling_samples(F, z)
-    series = None
     if first == 0:
         label = r"$\sum_{k=0}^{\infty} f(k)\,z^{-k} = F(z)$"
         series = numeric.check_claim(Claim(judges.series_of(f, k, z), F), label)
         yield series
+        if series.status is not CheckStatus.SKIPPED:
+            return
     for value, wanted, step in judges.samples_of_image(F, z, f, k, first, count - first):
         label = Phrase("$f({k})$ as a contour integral of $F(z)\\,z^{{k-1}}$", k=step)
         yield numeric.check_claim(Claim(value, wanted), label)
