@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.exactness import where_exact
@@ -87,6 +88,7 @@ def _products(M: ImmutableMatrix, x: Symbol | None = None) -> list[tuple[Any, ..
     return [factors for factors in found if 0 not in factors]
 
 
+@lru_cache(maxsize=1024)
 def _value(M: ImmutableMatrix, x: Symbol | None) -> Expr:
     return exact.multiplied_out(exact.determinant(M), x)
 
@@ -175,6 +177,7 @@ def _written(M: ImmutableMatrix) -> Stated:
     return total(*(product(a, first_line(minor)) for a, minor in along_row(M) if _products(minor)))
 
 
+@lru_cache(maxsize=1024)
 def _count(M: ImmutableMatrix) -> int:
     """How many minors of order three and above the expansion goes through."""
     if is_simple(M) or M.rows == 3:
@@ -182,6 +185,7 @@ def _count(M: ImmutableMatrix) -> int:
     return sum(1 + _count(minor) for _, minor in along_row(M) if _is_work(minor))
 
 
+@lru_cache(maxsize=1024)
 def _is_work(M: ImmutableMatrix) -> bool:
     """Whether det M is more than one product that a look tells."""
     minors = [] if is_simple(M) else [minor for _, minor in along_row(M)]

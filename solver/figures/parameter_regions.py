@@ -39,28 +39,31 @@ class _Column:
     def __init__(self, region: ParameterRegion) -> None:
         self.x, self.y = region.x, region.y
         self.polynomials = [sp.Poly(each, region.y) for each in region.conditions]
+        self._coefficients = [each.all_coeffs() for each in self.polynomials]
+        self._known: dict[tuple[int, float], tuple[list[float], list[float]]] = {}
 
-    def roots(self, at: float) -> list[list[float]]:
-        """The real roots in y of each polynomial, rising."""
-        return [self._real_roots(p, at) for p in self.polynomials]
+    def roots(self, i: int, at: float) -> list[float]:
+        """The real roots in y of one polynomial, rising."""
+        return self._at(i, at)[1]
 
-    def _real_roots(self, p: Any, at: float) -> list[float]:
-        listed = np.array([self._value(c, at) for c in p.all_coeffs()])
-        size = np.max(np.abs(listed), initial=0.0)
-        kept = np.trim_zeros(np.where(np.abs(listed) < 1e-14 * size, 0.0, listed), "f")
-        found = np.roots(kept) if len(kept) > 1 else np.array([])
-        return sorted(float(z.real) for z in found if abs(z.imag) < 1e-7 * (1 + abs(z)))
+    def _at(self, i: int, at: float) -> tuple[list[float], list[float]]:
+        """The coefficients of one polynomial in a column, and its real roots."""
+        if (i, at) not in self._known:
+            listed = [self._value(c, at) for c in self._coefficients[i]]
+            self._known[i, at] = listed, _real_roots(np.array(listed))
+        return self._known[i, at]
 
     def _value(self, c: Any, at: float) -> float:
         return float(numeric.evaluate(c, {self.x: complex(at)}).real)
 
     def holds(self, at: float, y: float) -> bool:
         """Whether all conditions hold at a point."""
-        return all(np.polyval([self._value(c, at) for c in p.all_coeffs()], y) > 0 for p in self.polynomials)
+        return all(np.polyval(self._at(i, at)[0], y) > 0 for i in range(len(self.polynomials)))
 
     def stretches(self, at: float, low: float, high: float) -> list[Stretch]:
         """Where in a column all conditions hold, from below."""
-        cuts = sorted({low, high, *(y for listed in self.roots(at) for y in listed if low < y < high)})
+        every = (y for i in range(len(self.polynomials)) for y in self.roots(i, at))
+        cuts = sorted({low, high, *(y for y in every if low < y < high)})
         found: list[Stretch] = []
         for a, b in pairwise(cuts):
             if b - a > NEAR * (high - low) and self.holds(at, (a + b) / 2):
@@ -69,6 +72,14 @@ class _Column:
                 else:
                     found.append((a, b))
         return found
+
+
+def _real_roots(listed: Any) -> list[float]:
+    """The real roots of a polynomial by its coefficients, rising; leading ones that are nothing are left out."""
+    size = np.max(np.abs(listed), initial=0.0)
+    kept = np.trim_zeros(np.where(np.abs(listed) < 1e-14 * size, 0.0, listed), "f")
+    found = np.roots(kept) if len(kept) > 1 else np.array([])
+    return sorted(float(z.real) for z in found if abs(z.imag) < 1e-7 * (1 + abs(z)))
 
 
 def on_parameters(region: ParameterRegion) -> DrawnPlot:
@@ -186,8 +197,8 @@ def _edges(column: _Column, i: int, name: str, window: Window) -> Iterator[Drawn
             if left < x < right:
                 yield DrawnCurve(name, "line", (x, x), (low, high))
         return
-    xs = _columns(window, lambda at: len(column.roots(at)[i]))
-    listed = [column.roots(at)[i] for at in xs]
+    xs = _columns(window, lambda at: len(column.roots(i, at)))
+    listed = [column.roots(i, at) for at in xs]
     start = 0
     for end in range(1, len(xs) + 1):
         if end < len(xs) and len(listed[end]) == len(listed[start]):

@@ -16,7 +16,7 @@ from markupsafe import Markup
 
 from solver import __version__, resources
 from solver.compiled import kept
-from solver.derivation.figures import Drawing
+from solver.derivation.figures import Drawing, DrawnPanels, DrawnPlot
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
 from solver.formula.terminal import flat
@@ -118,11 +118,20 @@ def pointed(says: Callable[..., str]) -> Callable[..., Markup]:
     return html
 
 
-def figure(data: Drawing) -> Markup:
-    """Return a figure with its caption; the drawing is an image, so its names can't meet those of the page."""
+def _svg(data: Drawing) -> str:
     from solver import figures  # noqa: PLC0415 - only a page that has a figure needs matplotlib
 
-    image = base64.b64encode(figures.svg(data).encode("utf-8")).decode("ascii")
+    return figures.svg(data)
+
+
+_plotted = lru_cache(maxsize=64)(_svg)
+"""Plots are dear, and a page at another level of detail has the same ones."""
+
+
+def figure(data: Drawing) -> Markup:
+    """Return a figure with its caption; the drawing is an image, so its names can't meet those of the page."""
+    drawing = _plotted(data) if isinstance(data, DrawnPlot | DrawnPanels) else _svg(data)
+    image = base64.b64encode(drawing.encode("utf-8")).decode("ascii")
     caption = IN_TEXT.sub(lambda found: flat(found[1]), data.caption)
     words = escape(" ".join(f"{caption.rstrip('.')}. {data.alt}".split()))
     picture = f'<img alt="{words}" src="data:image/svg+xml;base64,{image}">'

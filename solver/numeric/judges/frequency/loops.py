@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import mpmath
@@ -197,6 +197,11 @@ def margin_residual(value: Any, known: Sequence[Any], name: str) -> float:
 
 def roots_outside(p: Sequence[Any], *, discrete: bool = False) -> tuple[int, int]:
     """How many roots of a polynomial lie in the right half plane, and on the axis; discrete: beside the unit circle."""
+    return _roots_outside(tuple(p), discrete)
+
+
+@lru_cache(maxsize=64)
+def _roots_outside(p: tuple[Any, ...], discrete: bool) -> tuple[int, int]:
     factors = sp.Poly([sp.Float(str(c), WORKING) if not isinstance(c, sp.Expr) else c for c in p], sp.Dummy("s"))
     with mpmath.workdps(3 * WORKING):
         listed = [mpmath.mpmathify(sp.N(c, 3 * WORKING)) for c in factors.all_coeffs()]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import mpmath
@@ -17,6 +18,7 @@ def numeric_loop(numerator: Any, denominator: Any, s: Any, delay: Any, sample_ti
     return _loop(above, below, s, delay, sample_time)
 
 
+@lru_cache(maxsize=64)
 def closed_loop_poles(numerator: Any, denominator: Any, s: Any, delay: Any, sample_time: Any = None) -> tuple[int, int]:
     """How many poles of a closed loop lie to the right and on the axis (beside the circle), nothing cancelled in L."""
     with mpmath.workdps(WORKING):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import cache, lru_cache, reduce
 from itertools import pairwise
 from operator import mul
 from typing import Any
@@ -151,12 +151,21 @@ def _scaled_transform(loop: LoopInNumbers, signals: Sequence[Any], s: Any, t: An
     total = MANY.context.mpf(0)
     for transfer, signal in zip(loop.error_at(s, value, point), signals, strict=True):
         if signal != 0:
-            total += transfer * _mean(signal, t, point, value)
+            total += transfer * _mean(signal, t, tuple(point.items()), value)
     return total
 
 
-def _mean(signal: Any, t: Any, point: Point, s: Any) -> Any:
-    """∫ f(x/s) e^{−x} dx from 0 to ∞, by Gauss's rule on panels that become shorter towards zero."""
+@lru_cache(maxsize=256)
+def _mean(signal: Any, t: Any, point: tuple[tuple[Any, complex], ...], s: Any) -> Any:
+    """∫ f(x/s) e^{−x} dx from 0 to ∞; whoever marks asks for it with every answer."""
+    u, weights = _decaying()
+    values = np.ravel(value_of(signal, _times_at(dict(point), t, u / s)).value)
+    return np.sum(values * weights)
+
+
+@cache
+def _decaying() -> tuple[Array, Array]:
+    """Nodes of Gauss's rule on panels that become shorter towards zero, and the weights with e^{−x} in them."""
     x, w = legendre(MANY, 40)
     edges = [MANY.context.mpf(0), *(MANY.context.mpf(2) ** i for i in range(-60, 8))]
     nodes, weights = [], []
@@ -165,9 +174,8 @@ def _mean(signal: Any, t: Any, point: Point, s: Any) -> Any:
         nodes += [a + half * (1 + each) for each in x]
         weights += [half * each for each in w]
     u = np.array(nodes, dtype=object)
-    values = np.ravel(value_of(signal, _times_at(point, t, u / s)).value)
     decay = np.array([MANY.context.exp(-each) for each in u], dtype=object)
-    return np.sum(values * decay * np.array(weights, dtype=object))
+    return u, decay * np.array(weights, dtype=object)
 
 
 def _times_at(point: Point, t: Any, times: Array) -> Environment:
