@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,7 @@ from solver.classroom import Verdict, mark, read_submission
 from solver.classroom.reading.answer_file import problem_named_in
 from solver.classroom.report.words import wrong_places
 from solver.classroom.verdicts import AnswerVerdict
-from solver.engine import solve_problem
+from solver.engine import Solution, solve_problem
 from solver.problem.files import load
 from solver.problem.reader import read_problem
 from solver.render.plain import sympy_text
@@ -60,11 +60,20 @@ class Line:
         return f"| {' | '.join(cell.replace('|', '∣') for cell in cells)} |"
 
 
-def marked(path: Path) -> tuple[int, list[Line], list[str]]:
+def problem_of(path: Path) -> Path:
+    """Return the file of the problem that an answer file is about."""
+    return (path.parent / problem_named_in(load(path))).resolve()
+
+
+def solved(path: Path) -> Solution:
+    """Return the solution of the problem in a file."""
+    return solve_problem(read_problem(load(path), catalogue()))
+
+
+def marked(path: Path, solving: Callable[[Path], Solution] = solved) -> tuple[int, list[Line], list[str]]:
     """Return how many values an answer file holds, its wrong ones, and what could not be judged."""
-    source = load(path)
-    name = path.parent / problem_named_in(source)
-    solution = solve_problem(read_problem(load(name), catalogue()))
+    source, name = load(path), problem_of(path)
+    solution = solving(name)
     submission = read_submission(source, solution.problem)
     chapter = name.parent.name
     entry = path.name.removesuffix(".answers.yaml")
