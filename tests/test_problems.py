@@ -109,12 +109,18 @@ def test_no_check_is_left_out_for_want_of_a_rule(path):
     assert not wanting
 
 
-@pytest.mark.parametrize(
-    "detail", ["tutor", pytest.param("full", marks=pytest.mark.slow), pytest.param("brief", marks=pytest.mark.slow)]
-)
 @pytest.mark.parametrize(**by_problem(PROBLEMS, quick=EXAMPLES, of=4))
+def test_every_format_shows_it_with_every_step(path):
+    shown_in_every_format(document_of_problem(path))
+
+
+@pytest.mark.parametrize("detail", ["full", "brief"])
+@pytest.mark.parametrize(**by_problem(PROBLEMS, quick=[], of=4))
 def test_every_format_shows_it_at_every_level_of_detail(path, detail):
-    document = document_of_problem(path).told(detail=detail)
+    shown_in_every_format(document_of_problem(path).told(detail=detail))
+
+
+def shown_in_every_format(document):
     shown = [render_page(document), latex_document(document), markdown_of(document)]
     for part in document.shown:
         assert all(answer.equation in shown[2] or f"= {answer.tex}\n" in shown[2] for answer in part.boxed)
@@ -126,7 +132,6 @@ def test_every_format_shows_it_at_every_level_of_detail(path, detail):
 
 PRESENTATIONS = [Presentation(detail, notation=each) for detail in ("key", *LEVELS) for each in NOTATIONS]
 PRESENTATIONS += [Presentation(language="de", notation=each) for each in NOTATIONS]
-LONG = ("full", "tutor")
 
 
 @cache
@@ -136,32 +141,45 @@ def covered():
 
 
 def presentations_of(path):
-    """All short ones; long ones of what is in its turn each in one notation, which is another in other turns."""
+    """Each in one notation, another one in other turns; in German and for `tutor` what is in its turn.
+
+    What an example displays at `full` and in a key, the quick tests judge.
+    """
     if WHOLE or path in covered():
         return PRESENTATIONS
-    turned = {each: sorted(NOTATIONS)[in_turn(f"{path.stem} {each}", 2)] for each in (*LONG, "de")}
-    long = in_turn(path.stem, 2)
-    return [
-        each
-        for each in PRESENTATIONS
-        if each.detail not in LONG or (long and turned[each.language or each.detail] == each.notation)
-    ]
+    way_of = {each: each.language or each.detail for each in PRESENTATIONS}
+    turned = {way: sorted(NOTATIONS)[in_turn(f"{path.stem} {way}", 2)] for way in way_of.values()}
+    left_out = set() if in_turn(path.stem, 2) else {"de", "tutor"}
+    left_out |= {"full", "key"} if path in EXAMPLES else set()
+    return [each for each in PRESENTATIONS if way_of[each] not in left_out and turned[way_of[each]] == each.notation]
+
+
+def all_holds(solution, document):
+    """Fail where the judge finds something displayed wrong, or a status that is not that of the solution."""
+    general = [part for part in document.parts if not part.case]
+    for part in document.parts:
+        wrong = [check for check in part.checks if check.status is CheckStatus.FAILED]
+        assert not wrong, (document.presentation, part.id, part.method, part.case, wrong)
+        assert "the judge cannot" not in part.unchecked
+    for result, part in zip(solution.parts, general, strict=True):
+        assert part.status is result.status, (document.presentation, part.id, part.method)
+
+
+@pytest.mark.parametrize("detail", ["full", "key"])
+@pytest.mark.parametrize(**by_problem(EXAMPLES))
+def test_what_an_example_displays_holds(path, detail):
+    """Of every task, so that no change of a template stays unseen until all tests are run."""
+    all_holds(solution_of(path), document_of(solution_of(path), Presentation(detail)))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(**by_problem(PROBLEMS))
 def test_what_is_displayed_holds_at_every_level_in_every_notation(path):
-    """And the same is checked in every notation."""
+    """And the same is checked in every notation. The page for a tutor is told of every problem: other tests show it."""
     solution, checked = solution_of(path), {}
-    for presentation in presentations_of(path):
-        document = document_of(solution, presentation)
-        general = [part for part in document.parts if not part.case]
-        for part in document.parts:
-            wrong = [check for check in part.checks if check.status is CheckStatus.FAILED]
-            assert not wrong, (presentation, part.id, part.method, part.case, wrong)
-            assert "the judge cannot" not in part.unchecked
-        for result, part in zip(solution.parts, general, strict=True):
-            assert part.status is result.status, (presentation, part.id, part.method)
+    documents = [(each, document_of(solution, each)) for each in presentations_of(path)]
+    for presentation, document in [(Presentation("tutor"), document_of_problem(path)), *documents]:
+        all_holds(solution, document)
         done = [[(check.step, check.status) for check in part.checks] for part in document.parts]
         way = (presentation.detail, presentation.language)
         assert checked.setdefault(way, done) == done, presentation

@@ -72,7 +72,7 @@ def chance(*of):
     return random.Random(zlib.crc32(repr(of).encode()))  # noqa: S311 - nothing secret
 
 
-@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK, of=2))
 def test_our_own_answers_are_right_alone_together_and_rounded(path):
     for part, question, names in questions(path):
         together = {}
@@ -90,7 +90,7 @@ def _rounded(value):
     return [] if rough is None else [rough]
 
 
-@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK, of=4))
 def test_a_changed_answer_is_wrong_unless_it_is_still_right(path):
     for part, question, _ in questions(path):
         for name, ours in question.ours.items():
@@ -161,7 +161,7 @@ def _close(a, b, seed):
     return bool(abs(difference) <= known * max(1, abs(sp.N(a.xreplace(at), 40))))
 
 
-@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK, of=4))
 def test_among_right_answers_a_changed_one_does_not_pass(path):
     for part, question, _ in questions(path):
         if len(question.ours) < 2 or part.task == "response":
@@ -199,7 +199,7 @@ def odd(value):
     return []
 
 
-@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK))
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK, of=4))
 def test_an_odd_value_gets_a_verdict(path):
     for part, question, _ in questions(path):
         for name, ours in question.ours.items():

@@ -44,23 +44,23 @@ def test_solving_does_not_import_what_only_figures_or_other_tasks_need(process, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("format_", ["html", "latex", "md", "json", "text"])
-def test_the_same_file_gives_the_same_bytes_in_another_process(process, good, format_):
-    first, second = (
-        process("good.yaml", "-f", format_, "-o", "-", "--detail", "tutor", PYTHONHASHSEED=seed) for seed in ("1", "2")
-    )
-    assert first.code == second.code == 0
-    assert len(first.out) > len(GOOD)
-    assert first.out == second.out
+def test_the_same_file_gives_the_same_bytes_in_another_process(process, good):
+    every = ("-f", "html,latex,md,json,text", "--detail", "tutor")
+    codes = [process("good.yaml", *every, "-o", f"{seed}/", PYTHONHASHSEED=seed).code for seed in ("1", "2")]
+    assert codes == [0, 0]
+    for suffix in ("html", "tex", "md", "json", "txt"):
+        first, second = ((good.parent / seed / f"good.{suffix}").read_bytes() for seed in ("1", "2"))
+        assert len(first) > len(GOOD)
+        assert first == second, suffix
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["equations", "stability-by-conditions"])
 def test_points_are_drawn_in_the_same_order_in_another_process(process, name):
     file = str(root("problems") / f"examples/{name}.yaml")
-    first, *others = (process(file, "-f", "json", "-o", "-", PYTHONHASHSEED=seed).out for seed in ("0", "1", "2"))
+    first, second = (process(file, "-f", "json", "-o", "-", PYTHONHASHSEED=seed).out for seed in ("0", "1"))
     assert first.startswith("{")
-    assert others == [first, first]
+    assert first == second
 
 
 def test_python_dash_m_is_the_command(process):

@@ -47,7 +47,7 @@ def observable(plant):
     return rank_modulo_a_prime(krylov(plant.A.T, plant.C.T)) == plant.order
 
 
-@systems_tried(60)
+@systems_tried(30)
 @given(plants(5, discrete=None, inputs=1, hidden=False), st.data())
 def test_all_methods_give_the_only_gain_of_one_input(made, data):
     plant = made.system
@@ -70,7 +70,7 @@ def test_gains_where_eigenvalues_are_of_any_degree(plant, method, data):
     assert characteristic(loop(plant.A, plant.B, K)) == polynomial_of(poles)
 
 
-@systems_tried(40)
+@systems_tried(20)
 @given(plants(5, discrete=None), st.data())
 def test_several_inputs_and_modes_that_stay(made, data):
     """The poles of what is reached are placed, the others stay; the gain may have free symbols."""
@@ -99,7 +99,7 @@ def test_the_spectrum_is_that_of_place_with_several_inputs(plant, data):
     assert close(np.poly(A - B @ K), np.poly(A - B @ theirs), 1e-6)
 
 
-@systems_tried(50)
+@systems_tried(25)
 @given(plants(5, discrete=None), st.data())
 def test_observers_place_the_error_and_leave_what_is_not_seen(made, data):
     plant = made.system
@@ -142,7 +142,7 @@ def test_reduced_observers_follow_any_motion_once_their_error_is_gone(made, data
     assert same(product(E, plant.B), M)
 
 
-@systems_tried(40)
+@systems_tried(20)
 @given(plants(4, discrete=None, inputs=1, outputs=1, hidden=False, smallest=2), st.booleans(), st.data())
 def test_feedback_of_estimates_has_both_spectra_and_the_compensator_of_the_loop(made, reduced, data):
     plant = made.system

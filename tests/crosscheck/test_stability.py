@@ -33,7 +33,7 @@ def true_verdict(made):
     return "marginally stable" if marginal else "asymptotically stable"
 
 
-@systems_tried(60)
+@systems_tried(30)
 @given(plants(discrete=None), st.sampled_from(METHODS))
 def test_verdicts_are_those_of_the_blocks(made, method):
     answers = answers_of("stability", made.system, method)
@@ -44,7 +44,7 @@ def test_verdicts_are_those_of_the_blocks(made, method):
         assert answers["right_half_plane_roots"] == expected
 
 
-@systems_tried(40)
+@systems_tried(16)
 @given(plants(discrete=None))
 def test_bounded_inputs_give_bounded_outputs_if_the_poles_decay(made):
     poles = numbers(answers_of("transfer_function", made.system)["poles"])
@@ -66,7 +66,7 @@ def test_verdicts_where_eigenvalues_are_of_any_degree(plant, method):
         assert close(np.poly(numbers(answers["eigenvalues"])), np.poly(floats(plant.A)), 1e-7)
 
 
-@systems_tried(40)
+@systems_tried(24)
 @given(plants(discrete=None), st.booleans(), st.booleans(), st.data())
 def test_lyapunov_solutions_satisfy_their_equation_exactly_and_agree_with_scipy(made, dual, weighted, data):
     plant = made.system

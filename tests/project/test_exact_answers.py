@@ -13,6 +13,7 @@ from solver.numeric import holds_decimals
 from solver.tasks import catalogue
 from tests.helpers.solved import PROBLEMS, by_problem, solution_of
 
+QUICK = ("lqr", "matrix-function")
 BESIDE = sp.Rational(10**9 + 1, 10**9)
 MOST = 4
 """Changed values of each matrix or list that are tried."""
@@ -109,7 +110,7 @@ def seen(task: Any, given: Any, answers: Answers, name: str, value: Any) -> bool
     return any(check.status is CheckStatus.FAILED for check in checks)
 
 
-@pytest.mark.parametrize(**by_problem(PROBLEMS, [path for path in PROBLEMS if path.stem in ("lqr", "matrix-function")]))
+@pytest.mark.parametrize(**by_problem(PROBLEMS, [path for path in PROBLEMS if path.stem in QUICK], of=4))
 def test_what_is_a_little_wrong_is_seen(path):
     solution = solution_of(path)
     earlier: dict[str, Any] = {}

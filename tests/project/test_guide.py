@@ -12,12 +12,13 @@ from tests.helpers.copies import (
     make_task,
     run,
 )
+from tests.helpers.shares import turn
 
 GUIDE = PROJECT / "docs" / "add-a-task.md"
 FILE = re.compile(r"^`([\w/.-]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^make task NAME=(\w+) TOPIC=(\w+)$", re.MULTILINE)
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("guide")]  # one copy of the project serves all
+pytestmark = [*turn("guide", 2), pytest.mark.xdist_group("guide")]  # one copy of the project serves all
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,9 @@ import json
 import pytest
 
 from tests.helpers.copies import WHOLE, complaints_of_lint, copy_of_the_project, run
+from tests.helpers.shares import turn
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("new_kind")]  # one copy of the project serves all
+pytestmark = [*turn("new kind", 2), pytest.mark.xdist_group("new_kind")]  # one copy of the project serves all
 
 KIND = '''"""A system without coupling, by its modes."""
 

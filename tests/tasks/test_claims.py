@@ -39,7 +39,7 @@ WAYS = {
 
 CASES = [
     pytest.param(
-        task, method, plant, id=(case := f"{task}-{method}-{name}"), marks=() if name in QUICK else turn(case, 2)
+        task, method, plant, id=(case := f"{task}-{method}-{name}"), marks=() if name in QUICK else turn(case, 4)
     )
     for name, plant in PLANTS.items()
     for task, declared in catalogue().items()
