@@ -136,19 +136,22 @@ PRESENTATIONS += [Presentation(language="de", notation=each) for each in NOTATIO
 
 @cache
 def covered():
-    """Problems that together ask every task by every method: they are told in every way."""
+    """Problems that together ask every task by every method: they are told at every level and in German."""
     return frozenset(covering())  # chosen when it is needed: it takes seconds, which collecting need not
 
 
 def presentations_of(path):
     """Each in one notation, another one in other turns; in German and for `tutor` what is in its turn.
 
-    What an example displays at `full` and in a key, the quick tests judge.
+    Problems that cover all tasks are told in all ways, for a tutor in both notations. What an example displays at
+    `full` and in a key, the quick tests judge.
     """
-    if WHOLE or path in covered():
+    if WHOLE:
         return PRESENTATIONS
     way_of = {each: each.language or each.detail for each in PRESENTATIONS}
     turned = {way: sorted(NOTATIONS)[in_turn(f"{path.stem} {way}", 2)] for way in way_of.values()}
+    if path in covered():
+        return [each for each in PRESENTATIONS if each.detail == "tutor" or turned[way_of[each]] == each.notation]
     left_out = set() if in_turn(path.stem, 2) else {"de", "tutor"}
     left_out |= {"full", "key"} if path in EXAMPLES else set()
     return [each for each in PRESENTATIONS if way_of[each] not in left_out and turned[way_of[each]] == each.notation]

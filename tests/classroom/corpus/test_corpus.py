@@ -12,7 +12,7 @@ from tests.helpers.shares import turn
 
 ALL = list(submissions())
 PROBLEMS = {name: list(each) for name, each in groupby(ALL, lambda each: each.problem.name)}
-IN_TURN = [pytest.param(each, id=name, marks=turn(name, 4)) for name, each in PROBLEMS.items()]
+IN_TURN = [pytest.param(each, id=name, marks=turn(name, 8)) for name, each in PROBLEMS.items()]
 REASONS = yaml.safe_load((Path(__file__).parent / "known.yaml").read_text(encoding="utf-8"))
 """Right answers that are not marked correct yet, by the reason."""
 KNOWN = {name for names in REASONS.values() for name in names}
