@@ -31,7 +31,7 @@ test: $(READY)  ## Run the quick tests (TESTS="-k pattern" or paths for some of 
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup -m "not slow" $(TESTS)
 
 test-all: $(READY)  ## Run the slow tests too: cross-checks, more generated examples, sweeps of which a share is in turn.
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile half -m "not whole" $(TESTS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile third -m "not whole" $(TESTS)
 
 test-whole: $(READY)  ## Run all tests whole: sweeps over all problems and views, all generated examples.
 	WHOLE=1 $(BIN)/python -m pytest -n $(WORKERS) --dist loadgroup --hypothesis-profile all $(TESTS)

@@ -1,6 +1,6 @@
 """Shared by all tests: hypothesis keeps no clock, and what TeX reads is skipped where there is none.
 
-Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter of the examples, `half` half of them,
+Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter of the examples, `third` a third,
 `all` tries them all.
 """
 
@@ -22,7 +22,7 @@ IN_CI = os.environ.get("CI") == "true"
 every = settings(deadline=None, derandomize=IN_CI, suppress_health_check=[HealthCheck.too_slow], max_examples=ALL)
 fast = settings(every, max_examples=ALL // 4)
 settings.register_profile("all", every)
-settings.register_profile("half", settings(every, max_examples=ALL // 2))
+settings.register_profile("third", settings(every, max_examples=ALL // 3))
 settings.register_profile("fast", fast)
 settings.register_profile("mutants", fast, derandomize=True, database=None, phases=(Phase.explicit, Phase.generate))
 settings.load_profile("fast")

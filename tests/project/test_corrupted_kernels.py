@@ -43,7 +43,7 @@ def test_a_sample_of_corrupted_kernels_reaches_no_verified_page(name):
     assert any(each.became == "failed" for each in found)
 
 
-@pytest.mark.parametrize("share", [pytest.param(i, marks=turn(f"share {i}", 4)) for i in range(SHARES)])
+@pytest.mark.parametrize("share", [pytest.param(i, marks=turn(f"share {i}", 8)) for i in range(SHARES)])
 def test_no_corrupted_kernel_reaches_a_verified_page(share):
     paths = covering()[share::SHARES]  # chosen here: it takes seconds, which collecting the quick tests need not
     assert paths
