@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Step, Task, Unsolved
+from solver.derivation import AnswerName, Answers, Check, Claim, Derivation, Given, Step, Task, Unsolved
 from solver.derivation.registry import Refusal
 from solver.lazy import exact, numeric
 from solver.lazy import sympy as sp
@@ -15,13 +15,10 @@ from solver.tasks.transforms.recursion import by_recursion, run_of
 from solver.tasks.transforms.sequence_back import first_terms
 from solver.tasks.transforms.sequence_mistakes import name_mistakes_of_differences
 from solver.tasks.transforms.transformed_samples import by_z_transform
-from solver.words import Reason
+from solver.words import Phrase, Reason, formula
 
 if TYPE_CHECKING:
     from solver.systems import Equations
-
-TOLERANCE = 1e-11
-"""Of the recursion, which is run through with many digits."""
 
 difference_equation: Task[Equations, DifferenceOptions] = Task(
     "difference_equation",
@@ -114,24 +111,31 @@ def goes_through_the_recursion(given: Given[Equations, DifferenceOptions], answe
     yield Check.that("a sequence for each unknown", "counted", not missing)
     if missing:
         return
-    count = 12 + 2 * asked.written.order + max(asked.terms_by_delay)
-    own = {name: functions[name] for name in asked.model.unknowns}
-    yield numeric.check_residual(
-        "the equations run through sample by sample", "mpmath.lu_solve",
-        lambda: judges.recursion_residual(_problem(asked), own, asked.k, count), TOLERANCE,
-    )  # fmt: skip
+    count = 8 + 2 * asked.written.order + max(asked.terms_by_delay)
+    try:
+        wanted = judges.values_of_recursion(_problem(asked), asked.k, count)
+    except numeric.NotEvaluable as refusal:
+        yield Check.skipped("the first values", "recursion", refusal.reason)
+        return
+    for name in asked.model.unknowns:
+        claim = Claim(judges.first_values(functions[name], asked.k, count), sp.ImmutableMatrix(wanted[name]))
+        yield numeric.check_claim(
+            claim, Phrase("${name}(0), {name}(1), \\ldots$ by the recursion", name=formula(sp.Symbol(name)))
+        )
 
 
 @difference_equation.verification("values")
 def are_those_of_the_recursion(given: Given[Equations, DifferenceOptions], answers: Answers) -> Iterable[Check]:
     """The equations run through numerically give them."""
     asked, values = Question.of(given), list(answers["values"])
-    own = {asked.model.unknowns[0]: values}
     yield Check.that("as many values as asked for", "counted", len(values) == asked.terms)
-    yield numeric.check_residual(
-        "the equations run through sample by sample", "mpmath.lu_solve",
-        lambda: judges.recursion_residual(_problem(asked), own, asked.k, len(values)), TOLERANCE,
-    )  # fmt: skip
+    try:
+        wanted = judges.values_of_recursion(_problem(asked), asked.k, len(values))[asked.model.unknowns[0]]
+    except numeric.NotEvaluable as refusal:
+        yield Check.skipped("the first values", "recursion", refusal.reason)
+        return
+    for step, (value, right) in enumerate(zip(values, wanted, strict=True)):
+        yield numeric.check_claim(Claim(value, right), Phrase("the value at $k = {k}$ by the recursion", k=step))
 
 
 name_mistakes_of_differences(difference_equation)

@@ -3,7 +3,7 @@
 from solver.numeric.judges.transforms.equations import Problem, sides_in_time, transformed_sides
 from solver.numeric.judges.transforms.inverse import values_in_time
 from solver.numeric.judges.transforms.laplace import transform_of
-from solver.numeric.judges.transforms.recursions import Recursion, recursion_residual
+from solver.numeric.judges.transforms.recursions import Recursion, first_values, values_of_recursion
 from solver.numeric.judges.transforms.sequences import (
     sampled_values,
     samples_of_image,
@@ -15,7 +15,7 @@ from solver.numeric.judges.transforms.sequences import (
 __all__ = [
     "Problem",
     "Recursion",
-    "recursion_residual",
+    "first_values",
     "sampled_values",
     "samples_of_image",
     "series_of",
@@ -25,4 +25,5 @@ __all__ = [
     "transformed_sides",
     "values_in_time",
     "values_of_image",
+    "values_of_recursion",
 ]

@@ -1,4 +1,4 @@
-"""Linear difference equations run through numerically, the equations solved for their latest samples at each step."""
+"""Linear difference equations run through exactly, the equations solved for their latest samples at each step."""
 
 from __future__ import annotations
 
@@ -6,15 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import mpmath
 import sympy as sp
 
-from solver.numeric.evaluation.points import admissible, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.time_response.response import sampled
 
 Jet = tuple[str, int]
-DIGITS = 30
 
 
 @dataclass(frozen=True)
@@ -33,89 +30,60 @@ class Recursion:
     at_rest: bool
 
 
-def recursion_residual(problem: Recursion, sequences: Mapping[str, Any], k: Any, count: int) -> float:
-    """Return the largest relative difference between sequences and the recursion at k = 0 … `count` − 1.
-
-    A sequence is an expression in k or the list of its first values. Raises NotEvaluable where no latest sample comes
-    from the equations.
-    """
-    known = [each for each in sequences.values() for each in (each if isinstance(each, Sequence) else [each])]
-    symbols = free_symbols([*problem.equations, *problem.inputs.values(), *problem.initial.values(), *known])
-    own = {symbol for symbol in symbols if symbol not in problem.jets and str(symbol) != str(k)}
-    worst = 0.0
-    for point in admissible(frozenset(own), 2) if own else [{}]:
-        values = {symbol: sp.Float(complex(value).real, DIGITS) for symbol, value in point.items()}
-        found = _run(problem, values, k, count)
-        for name, sequence in sequences.items():
-            for step in range(min(count, len(sequence)) if isinstance(sequence, Sequence) else count):
-                told = sequence[step] if isinstance(sequence, Sequence) else sampled(sequence, k).subs(k, step)
-                wanted = found.get((name, step), mpmath.mpf(0))
-                difference = abs(_number(told, values) - wanted)
-                worst = max(worst, float(difference / (1 + abs(wanted))))
-    return worst
-
-
-def _number(value: Any, point: Mapping[Any, Any]) -> Any:
-    number = sp.N(value.xreplace(point) if isinstance(value, sp.Basic) else value, DIGITS)
-    if number.free_symbols or number.has(sp.nan, sp.zoo, sp.oo):
-        raise NotEvaluable("a value of the sequence is no number")
-    return mpmath.mpmathify(complex(number)) if number.has(sp.I) else mpmath.mpf(str(number))
-
-
 @dataclass(frozen=True)
 class _Row:
-    """The weights of the latest samples and of the others in an equation at a point, and the rest in k."""
+    """The weights of the latest samples and of the others in an equation, and the rest in k."""
 
     latest: Mapping[str, Any]
     others: Sequence[tuple[Jet, Any]]
     rest: Any
 
 
-def _rows(problem: Recursion, point: Mapping[Any, Any], tops: Mapping[str, int]) -> list[_Row]:
-    rows = []
-    for equation in problem.equations:
-        latest, others = dict.fromkeys(tops, mpmath.mpf(0)), []
-        for symbol, (x, q) in problem.jets.items():
-            if not equation.has(symbol):
-                continue
-            weight = _number(sp.diff(equation, symbol), point)
-            if tops.get(x) == q:
-                latest[x] += weight
-            else:
-                others.append(((x, q), weight))
-        rows.append(_Row(latest, others, equation.xreplace(dict.fromkeys(problem.jets, sp.S.Zero))))
-    return rows
+def values_of_recursion(problem: Recursion, k: Any, count: int) -> dict[str, list[Any]]:
+    """Return the values at k = 0 … `count` − 1 by unknown. Raises NotEvaluable where no latest sample is given."""
+    unknowns = sorted({x for x, _ in problem.jets.values() if x not in problem.inputs})
+    tops = {x: max(q for y, q in problem.jets.values() if y == x) for x in unknowns}
+    values = dict(problem.initial)
+    rows = [_row(equation, problem, tops) for equation in problem.equations]
+    matrix = sp.Matrix([[row.latest[x] for x in unknowns] for row in rows])
+    if sp.expand(matrix.det()) == 0:
+        raise NotEvaluable("the equations do not give the latest samples")
+    inverse = matrix.inv()
+    for step in range(problem.first, count - min(tops.values())):
+        right = sp.Matrix([-_known_part(row, problem, values, k, step) for row in rows])
+        found = (inverse * right).applyfunc(sp.expand)
+        values |= {(x, step + tops[x]): found[j] for j, x in enumerate(unknowns)}
+    return {x: [values.get((x, step), sp.S.Zero) for step in range(count)] for x in unknowns}
 
 
-def _run(problem: Recursion, point: Mapping[Any, Any], k: Any, count: int) -> dict[Jet, Any]:
-    """The values by name and sample."""
-    with mpmath.workdps(DIGITS):
-        unknowns = sorted({x for x, _ in problem.jets.values() if x not in problem.inputs})
-        tops = {x: max(q for y, q in problem.jets.values() if y == x) for x in unknowns}
-        values = {jet: _number(value, point) for jet, value in problem.initial.items()}
-        rows = _rows(problem, point, tops)
-        matrix = mpmath.matrix([[row.latest[x] for x in unknowns] for row in rows])
-        for step in range(problem.first, count - min(tops.values())):
-            right = []
-            for row in rows:
-                whole = sum(
-                    (w * _known(problem, (x, step + q), values, point, k) for (x, q), w in row.others), mpmath.mpf(0)
-                )
-                if not (problem.at_rest and step < 0):
-                    here = {each: sp.Integer(step) for each in row.rest.free_symbols if str(each) == str(k)}
-                    whole += _number(row.rest.xreplace(here), point)
-                right.append(-whole)
-            try:
-                found = mpmath.lu_solve(matrix, mpmath.matrix(right))
-            except ZeroDivisionError:
-                raise NotEvaluable("the equations do not give the latest samples") from None
-            values |= {(x, step + tops[x]): found[j] for j, x in enumerate(unknowns)}
-        return values
+def _row(equation: Any, problem: Recursion, tops: Mapping[str, int]) -> _Row:
+    latest, others = dict.fromkeys(tops, sp.S.Zero), []
+    for symbol, (x, q) in problem.jets.items():
+        weight = sp.diff(equation, symbol)
+        if tops.get(x) == q:
+            latest[x] += weight
+        elif weight != 0:
+            others.append(((x, q), weight))
+    return _Row(latest, others, equation.xreplace(dict.fromkeys(problem.jets, sp.S.Zero)))
 
 
-def _known(problem: Recursion, jet: Jet, values: Mapping[Jet, Any], point: Mapping[Any, Any], k: Any) -> Any:
+def _known_part(row: _Row, problem: Recursion, values: Mapping[Jet, Any], k: Any, step: int) -> Any:
+    """What an equation has beside its latest samples."""
+    whole = sp.Add(*(w * _known(problem, (x, step + q), values, k) for (x, q), w in row.others))
+    if problem.at_rest and step < 0:
+        return whole
+    return whole + row.rest.xreplace({each: sp.Integer(step) for each in row.rest.free_symbols if str(each) == str(k)})
+
+
+def _known(problem: Recursion, jet: Jet, values: Mapping[Jet, Any], k: Any) -> Any:
     """The value of an input or of an earlier sample."""
     name, at = jet
     if name not in problem.inputs:
-        return values.get(jet, mpmath.mpf(0))
-    return mpmath.mpf(0) if at < 0 else _number(sampled(problem.inputs[name], k).subs(k, at), point)
+        return values.get(jet, sp.S.Zero)
+    return sp.S.Zero if at < 0 else sampled(problem.inputs[name], k).subs(k, at)
+
+
+def first_values(f: Any, k: Any, count: int) -> Any:
+    """Return the column of f(0), f(1), …, steps being one at their start."""
+    whole = sampled(f, k)
+    return sp.ImmutableMatrix([whole.subs(k, step) for step in range(count)])
