@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class InitialValues(OptionKind["Mapping[tuple[str, int], Any]"]):
-    """Values by the names of unknowns, a derivative as x' or x_dot, a sample as y(0), y(-1); what is not named is zero."""
+    """Values by the names of unknowns (a derivative x' or x_dot, a sample y(0), y(-1)); what is not named is zero."""
 
     @property
     def words(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.inverses import inverted
 from solver.arithmetic.products import multiplied
@@ -43,7 +43,7 @@ def _by_chains(plant: WithInput) -> Derivation[tuple[ImmutableMatrix, int]]:
     """Several inputs that reach every state: K = (Q B)⁻¹ Q A with the ends qᵢ A^{μᵢ−1} of the chains as rows of Q."""
     A, B, n = plant.A, plant.B, plant.order
     nothing = sp.ImmutableMatrix(sp.zeros(1, n)), sp.ImmutableMatrix(sp.zeros(1, B.cols))
-    coordinates = exact.controllable_coordinates(A, B, *nothing)
+    coordinates: Any = exact.controllable_coordinates(A, B, *nothing)  # every state is reached, so there are some
     indices, P = coordinates.indices, coordinates.P
     yield from chains_of(A, B, P, indices)
     used = [i for i, length in enumerate(indices) if length]

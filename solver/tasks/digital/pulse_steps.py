@@ -36,7 +36,7 @@ def pulse_of(plant: Any, T: Expr, *, held: bool, delay: Any = 0) -> Derivation[A
 
 def periods_of(delay: Expr, T: Expr) -> tuple[int, Expr]:
     """(l, μ) of a dead time (l − μ)T; raises Unsolved where parameters leave open how many periods it takes."""
-    found = exact.dead_time_in_periods(sp.sympify(delay), T)
+    found = exact.dead_time_in_periods(sp.S.Zero + delay, T)
     if found is None:
         raise Unsolved("pulses/delay_not_in_periods", delay=delay, T=T)
     return found

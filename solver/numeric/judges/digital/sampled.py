@@ -37,7 +37,7 @@ class Sampling:
 
 def periods(delay: Any, T: Any) -> tuple[int, Any]:
     """Return (l, μ) of a dead time (l − μ)T, l the least whole number with lT not below it, as the numbers tell."""
-    ratio = sp.sympify(delay) / T
+    ratio = (sp.S.Zero + delay) / T
     (point,) = admissible(free_symbols(ratio), 1)
     late = int(MANY.context.ceil(numbers_of([[ratio]], point)[0][0] - MANY.context.mpf("1e-25")))
     return late, sp.expand(late - ratio)
@@ -80,7 +80,7 @@ def loop_residual(answer: Any, forward: Sampling, back: Sampling | None, C: Any,
         return WRONG
     plants = [each for each in (forward, back) if each is not None]
     stated = [answer, C, H, *(part for each in plants for part in (*each.plant, each.T, each.ahead))]
-    symbols = {x for each in stated for x in free_symbols(sp.sympify(each))} - {z}
+    symbols = {x for each in stated for x in free_symbols(each)} - {z}
     for point in admissible(symbols, 2):
         count = _count(answer, z)
         through = _convolved(_series(C, z, count, point), _impulses(forward, count, point))
