@@ -117,7 +117,7 @@ class ObjectPrinter:
     def _print_KroneckerDelta(self, expr: Any) -> Row:
         shift = expr.args[0] - expr.args[1]
         rising = next((shift.coeff(symbol) > 0 for symbol in shift.free_symbols if symbol.name == "k"), True)
-        return row(r"\delta", Fenced("[", self._print(shift if rising else -shift), "]"))
+        return row(r"\delta", Fenced("(", self._print(shift if rising else -shift), ")"))
 
     def _print_Abs(self, expr: Any) -> Row:
         return row(Fenced("|", self._print(expr.args[0]), "|", tall=True))

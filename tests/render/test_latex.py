@@ -111,8 +111,8 @@ EXACT = [
     (Rational(1, 2) ** k, r"\left(\frac{1}{2}\right)^{k}"),
     ((-2) ** k, r"(-2)^{k}"),
     (2 ** (k - 1) * k, r"k \cdot 2^{k - 1}"),
-    (KroneckerDelta(k, 0), r"\delta[k]"),
-    (KroneckerDelta(k, 2), r"\delta[k - 2]"),
+    (KroneckerDelta(k, 0), r"\delta(k)"),
+    (KroneckerDelta(k, 2), r"\delta(k - 2)"),
     # names and functions
     (sp.Symbol("x10"), r"x_{10}"),
     (sp.Symbol("alpha_0") * sp.Symbol("mu"), r"\alpha_0\mu"),
