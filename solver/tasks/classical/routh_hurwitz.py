@@ -33,6 +33,16 @@ if TYPE_CHECKING:
     from solver.systems import Polynomial
 
 
+def _has_parameters(system: Any) -> bool:
+    """Whether a condition is asked for."""
+    return bool(system.parameters)
+
+
+def _has_numbers(system: Any) -> bool:
+    """Whether roots are counted."""
+    return not system.parameters
+
+
 routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
     "routh_hurwitz",
     title="Routh–Hurwitz criterion",
@@ -45,6 +55,7 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
             r"\text{array}",
             "the Routh array, shorter rows filled up with zeros",
             ("array",),
+            principal=True,
             earned=("array",),
         ),
         AnswerName(
@@ -52,6 +63,7 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
             r"\Delta_k",
             "Hurwitz's determinants",
             ("hurwitz_determinants",),
+            principal=True,
             ordered=True,
             earned=("minors",),
         ),
@@ -60,6 +72,7 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
             r"n_{+}",
             "the number of roots with positive real part",
             optional=True,
+            principal=_has_numbers,
             count=True,
             earned=("array", "sign_changes", "ratios"),
         ),
@@ -67,7 +80,14 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
             "imaginary_axis_roots", r"n_{0}", "the number of roots on the imaginary axis", optional=True, count=True
         ),
         AnswerName("stable", r"\text{stable}", "whether all roots lie in the open left half plane", optional=True),
-        AnswerName("condition", r"\text{condition}", "where they do", optional=True, earned=("condition",)),
+        AnswerName(
+            "condition",
+            r"\text{condition}",
+            "where they do",
+            optional=True,
+            principal=_has_parameters,
+            earned=("condition",),
+        ),
     ],
 )
 

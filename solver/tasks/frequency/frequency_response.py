@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -216,11 +216,21 @@ def _steady(loop: OpenLoop, T: exact.OnAxis, u: Expr) -> Derivation[Answers]:
     magnitude, angle = yield from _value(T, wave.omega, normalized=loop.discrete and loop.sample_time is None)
     radians = _radians(T, wave.omega, angle)
     turned = (per_sample if loop.discrete else wave.omega) * t + radians
-    y = sp.Add(*(sp.expand(size * magnitude) * f(turned, evaluate=False)
-                 for size, f in ((wave.cosine, sp.cos), (wave.sine, sp.sin)) if size != 0))  # fmt: skip
+    y = sp.Add(*(sp.expand(size * magnitude) * f(angle_of(turned), evaluate=False)
+                 for size, f, angle_of in _waves(u, wave)))  # fmt: skip
     yield Step("steady_state", unclaimed="the answer, which has a check of its own", y=y, omega=wave.omega, u=u,
                angle=angle, radians=radians, magnitude=magnitude, discrete=loop.discrete)  # fmt: skip
     return Answers(magnitude=magnitude, phase=angle, y_steady_state=y)
+
+
+def _waves(u: Expr, wave: exact.Sinusoid) -> list[tuple[Expr, Any, Callable[[Any], Any]]]:
+    """The input as size, sin or cos, and how its angle grows by the phase: one wave where it was written as one."""
+    size, alone = u.as_independent(*(x for x in u.free_symbols if str(x) in ("t", "k")), as_Add=False)
+    if isinstance(alone, sp.sin | sp.cos):
+        start = alone.args[0].as_independent(sp.Symbol("t"), sp.Symbol("k"), as_Add=True)[0]
+        if not (alone.args[0] - start).could_extract_minus_sign():
+            return [(size, alone.func, lambda turned: turned + (sp.N(start, 30) if turned.has(sp.Float) else start))]
+    return [(part, f, lambda turned: turned) for part, f in ((wave.cosine, sp.cos), (wave.sine, sp.sin)) if part != 0]
 
 
 def _radians(T: exact.OnAxis, omega: Expr, angle: Expr) -> Expr:
