@@ -121,6 +121,13 @@ def test_sequences_in_the_equation_itself():
     assert answers("y(k+1) = y(k)/2 + 1")["values"][:3] == [0, 1, sp.Rational(3, 2)]
 
 
+def test_roots_without_a_formula_are_decimals():
+    """y(0) and y(1) are zero: only what is left of 30 digits may be there."""
+    initial = '"y(0)": 0, "y(1)": 0, "y(2)": 1'
+    found = answers("2y(k) + y(k-1) - 3y(k-2) + 0.3y(k-3) = -u(k-3)", inputs="u:k", initial=initial)
+    assert np.allclose(numbers(found["solution"][Y], 6), [float(v) for v in found["values"]])
+
+
 def test_parameters():
     found = answers("y(k+1) = (1 + r) y(k) - a", initial='"y(0)": y_0')
     r, a, y_0 = sp.symbols("r a y_0", real=True)

@@ -10,6 +10,9 @@ import sympy as sp
 
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.time_response.response import sampled
+from solver.stated import Stated
+from solver.stated.calculus import value_at
+from solver.stated.matrices import matrix_of
 
 Jet = tuple[str, int]
 
@@ -83,7 +86,7 @@ def _known(problem: Recursion, jet: Jet, values: Mapping[Jet, Any], k: Any) -> A
     return sp.S.Zero if at < 0 else sampled(problem.inputs[name], k).subs(k, at)
 
 
-def first_values(f: Any, k: Any, count: int) -> Any:
-    """Return the column of f(0), f(1), …, steps being one at their start."""
+def first_values(f: Any, k: Any, count: int) -> Stated:
+    """Return the column of f(0), f(1), …, stated, steps being one at their start."""
     whole = sampled(f, k)
-    return sp.ImmutableMatrix([whole.subs(k, step) for step in range(count)])
+    return matrix_of([[value_at(whole, k, sp.Integer(step))] for step in range(count)])
