@@ -13,7 +13,7 @@ from solver.tasks import catalogue
 LARGEST = {
     "phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3, "smith_form": 4,
     "smith_mcmillan_form": 5, "relative_gain_array": 5, "root_locus": 4, "pid_tuning": 2, "second_order_parameters": 2,
-    "step_specifications": 2, "z_transform": 4, "difference_equation": 4,
+    "step_specifications": 2, "z_transform": 4, "difference_equation": 4, "ragazzini": 2,
 }  # fmt: skip
 """Tasks about one order only, and those whose answers or steps fill the page from the next order on."""
 
@@ -70,6 +70,9 @@ def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
         return {"transfer_function": f"1/({' '.join(f'(s + {i})' for i in range(1, lags + 1))})"}
     if task == "dominant_pole_reduction":
         return {"transfer_function": f"1/({' '.join(f'(s + {i})' for i in range(1, n + 2))})"}
+    if task == "ragazzini":
+        zeros, lags = (" ".join(f"(s + {i}{half})" for i in range(1, n + more)) for half, more in ((".5", 0), ("", 1)))
+        return {"transfer_function": f"({zeros})/({lags})" if zeros else f"1/{lags}"}
     if task == "step_specifications":
         return {"transfer_function": "4/(s^2 + 2s + 4)"}
     if "lagrangian" in needs:
@@ -181,6 +184,8 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "laplace_transform": lambda n: {"f": f"t^{n} exp(-t) sin(2t)"},
     "inverse_laplace_transform": lambda n: {"F": f"1/({' '.join(f'(s + {i})' for i in range(1, n + 1))})"},
     **dict.fromkeys(("discretization", "pulse_transfer_function"), lambda _: {"sample_time": "1/10"}),
+    "pid_discretization": lambda _: {"K_p": "2", "K_i": "1", "K_d": "1/2", "sample_time": "1/10"},
+    "ragazzini": lambda _: {"poles": "[1/2]", "sample_time": "1/10"},
     "pole_mapping": lambda n: {"poles": poles(n), "sample_time": "1/10"},
     "z_transform": lambda n: {"f": f'"k^{n}*2^k*cos(k)"'},
     "inverse_z_transform": lambda n: {"F": f"z/({' '.join(f'(z - 1/{i})' for i in range(2, n + 2))})"},

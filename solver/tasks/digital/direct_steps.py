@@ -169,7 +169,9 @@ def _figure(plant: Fraction, found: exact.DirectDesign, z: Symbol) -> tuple[Moti
     below = sp.expand(p * q)
     rows = []
     for function in (found.target, found.control):
-        above = sp.Poly(sp.cancel(function * below), z).as_expr()
+        above = sp.cancel(function * below)
+        if not above.is_polynomial(z):
+            return ()  # powers of e are not cancelled by sympy where there are several of them
         A, B, C, D = exact.descending_form(above, below, z)
         rows.append((C, D))
     if A.rows == 0:

@@ -65,7 +65,7 @@ ragazzini: Task[InputOutput, RagazziniOptions] = Task(
         AnswerName("controller", "D(z)", "the controller", discrete=True, principal=True, earned=EARNED),
         AnswerName("T", "T(z)", "the transfer function of the closed loop", discrete=True, earned=("target", "placed")),
     ],
-    example={"time": "discrete", "transfer_function": "1/(z - 0.8)", "poles": "[0.5]"},
+    example={"transfer_function": "1/(s + 1)", "poles": "[0.5]", "sample_time": "0.1"},
 )
 
 
