@@ -107,7 +107,7 @@ def _shifts(asked: Question) -> Step:
         for name, q in sorted(jets, key=lambda jet: (names.index(jet[0]), -jet[1])):
             is_input = name in asked.model.inputs
             apart = sp.S.Zero if asked.at_rest or (is_input and q < 0) else exact.start_of_sample((name, q), values, z)
-            rows.append((asked.model.symbol((name, q)), name, capital(name), q, apart,
+            rows.append((asked.model.symbol((name, q)), sp.Symbol(name), capital(name), q, apart,
                          asked.at_rest or (is_input and q < 0)))  # fmt: skip
     return Step("shifts", unclaimed="the rule for shifts", rows=rows, at_rest=asked.at_rest, z=z)
 
