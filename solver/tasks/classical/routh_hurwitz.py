@@ -20,6 +20,8 @@ from solver.tasks.stability.criterion import (
     companion,
     condition_of,
     has_no_such_parameter,
+    has_numbers,
+    has_parameters,
     polynomial_of,
     positive_lead,
     symmetric_roots,
@@ -31,16 +33,6 @@ if TYPE_CHECKING:
     from sympy import Expr, Symbol
 
     from solver.systems import Polynomial
-
-
-def _has_parameters(system: Any) -> bool:
-    """Whether a condition is asked for."""
-    return bool(system.parameters)
-
-
-def _has_numbers(system: Any) -> bool:
-    """Whether roots are counted."""
-    return not system.parameters
 
 
 routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
@@ -72,7 +64,7 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
             r"n_{+}",
             "the number of roots with positive real part",
             optional=True,
-            principal=_has_numbers,
+            principal=has_numbers,
             count=True,
             earned=("array", "sign_changes", "ratios"),
         ),
@@ -85,7 +77,7 @@ routh_hurwitz: Task[Polynomial, CriterionOptions] = Task(
             r"\text{condition}",
             "where they do",
             optional=True,
-            principal=_has_parameters,
+            principal=has_parameters,
             earned=("condition",),
         ),
     ],

@@ -19,6 +19,8 @@ from solver.tasks.stability.criterion import (
     companion,
     condition_of,
     has_no_such_parameter,
+    has_numbers,
+    has_parameters,
     positive_lead,
 )
 from solver.words import Phrase
@@ -39,11 +41,25 @@ jury: Task[Polynomial, CriterionOptions] = Task(
             "array",
             r"\text{array}",
             "the table (by the bilinear map: the Routh array), shorter rows filled up with zeros",
+            principal=True,
             earned=("table", "array"),
             any_size=True,
         ),
-        AnswerName("stable", r"\text{stable}", "whether all roots lie inside the unit circle", optional=True),
-        AnswerName("condition", r"\text{condition}", "where they do", optional=True, earned=("condition",)),
+        AnswerName(
+            "stable",
+            r"\text{stable}",
+            "whether all roots lie inside the unit circle",
+            optional=True,
+            principal=has_numbers,
+        ),
+        AnswerName(
+            "condition",
+            r"\text{condition}",
+            "where they do",
+            optional=True,
+            principal=has_parameters,
+            earned=("condition",),
+        ),
         AnswerName(
             "unstable_poles",
             r"n_{\text{out}}",

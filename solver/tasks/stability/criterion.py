@@ -108,3 +108,13 @@ def companion(p: Polynomial) -> ImmutableMatrix:
     n = p.degree
     last = [-c / p.coefficients[0] for c in reversed(p.coefficients[1:])]
     return sp.ImmutableMatrix([[int(j == i + 1) for j in range(n)] for i in range(n - 1)] + [last])
+
+
+def has_parameters(system: Any) -> bool:
+    """Whether a condition is asked for."""
+    return bool(system.parameters)
+
+
+def has_numbers(system: Any) -> bool:
+    """Whether the question is decided, and roots are counted."""
+    return not system.parameters
