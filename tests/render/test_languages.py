@@ -25,6 +25,7 @@ from solver.words import Phrase, languages
 
 PLANT = {"A": [[1, 0, -1], [1, 2, 1], [2, 2, 3]], "B": [1, 0, 1]}
 HIDDEN = {"A": [[1, 0], [0, -2]], "B": [0, 1]}
+SAMPLED = {**HIDDEN, "time": "discrete"}
 METHODS = ["coefficient_matching", "bass_gura", "canonical_form", "ackermann"]
 PAGES = {
     "polynomial": {
@@ -123,6 +124,23 @@ PAGES = {
         "system": {"A": [[0, 1], [-2, -3]], "B": [0, 1], "time": "discrete"},
         "find": {"a": {"task": "pole_placement", "poles": ["1/2", "1/3"]}},
     },
+    "sampled": {
+        "system": {
+            "A": [[1, "1/10"], [0, 1]],
+            "B": ["1/200", "1/10"],
+            "time": "discrete",
+            "sample_time": "1/10",
+        },
+        "find": {
+            letter: {"task": "pole_placement", **given}
+            for letter, given in {
+                "a": {"s_poles": ["-4 ± 3j"]},
+                "b": {"s_poles": [-6, -7]},
+                "c": {"s_poles": ["-1 ± 40j"]},
+                "d": {"overshoot": "10%", "settling_time": 2},
+            }.items()
+        },
+    },
     "realized": {
         "system": {"transfer_function": "(s + 2)/(s^2 + s + 1)"},
         "find": {
@@ -177,14 +195,18 @@ def test_no_english_word_remains_on_a_german_page(name):
     assert english & plain <= NAMES | {"left", "right", "operatorname", "begin", "end", "frac", "bmatrix", "aligned"}
 
 
+def displayed(step):
+    """The formulas that a step displays, words in them left out."""
+    return [re.sub(r"\\text\{.*?\}", "", each) for each in re.findall(r"(?s)\$\$.*?\$\$", step.markdown)]
+
+
 @pytest.mark.parametrize("name", EVERY_PAGE)
 def test_the_formulas_of_a_german_page_are_those_of_the_english_one(name):
     document, german = told(name)
     for ours, theirs in zip(document.parts, german.parts, strict=True):
         assert [each.tex for each in ours.answers] == [each.tex for each in theirs.answers]
         assert [each.kind for each in ours.steps] == [each.kind for each in theirs.steps]
-        displays = [re.findall(r"(?s)\$\$.*?\$\$", step.markdown) for step in ours.steps]
-        assert displays == [re.findall(r"(?s)\$\$.*?\$\$", step.markdown) for step in theirs.steps]
+        assert [displayed(step) for step in ours.steps] == [displayed(step) for step in theirs.steps]
         assert ours.status == theirs.status
         checks = [[(check.residual, check.status) for check in part.checks] for part in (ours, theirs)]
         assert checks[0] == checks[1]
@@ -315,8 +337,16 @@ def test_a_reason_is_told_in_the_language_and_in_english_where_it_has_no_words()
          "zwei Vorgaben legen ein Polpaar fest; gegeben ist nur Überschwingweite"),
         (HIDDEN, {"poles": [-1, -2], "structure": ["p"]}, "the row K has 2 entries", "die Zeile K hat 2 Elemente"),
         (HIDDEN, {"poles": [-1, -2], "structure": [1, 0]}, "holds no symbol", "keinen gesuchten Buchstaben"),
-        ({**HIDDEN, "time": "discrete"}, {"overshoot": "14%", "rise_time": 1}, "for continuous time; give poles",
-         "für zeitkontinuierliche Systeme; geben Sie Pole vor"),
+        (HIDDEN, {"s_poles": [-1, -2]}, "the plant is in continuous time, where poles are in s already",
+         "die Strecke ist zeitkontinuierlich, ihre Pole liegen also schon in der s-Ebene"),
+        (SAMPLED, {"s_poles": [-1, -2], "poles": ["1/2", "1/3"]}, "the poles are given twice",
+         "die Pole sind zweimal angegeben"),
+        (SAMPLED, {"s_poles": [-1, -2]}, "the sampling period is not given: write sample_time: 0.1",
+         "die Abtastzeit ist nicht angegeben: schreiben Sie 'sample_time: 0.1'"),
+        (SAMPLED, {"overshoot": "14%", "rise_time": 1}, "the sampling period is not given",
+         "die Abtastzeit ist nicht angegeben"),
+        ({**SAMPLED, "sample_time": 1}, {"s_poles": [-1, -2], "sample_time": 2}, "leave one of them out",
+         "die Abtastzeit hier ist $2$, die des Systems $1$"),
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("limits", [{}, {"seconds": 60}])
