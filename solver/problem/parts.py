@@ -84,15 +84,12 @@ class PartReader:
         task = self._task(mapping["task"])
         methods = _methods(mapping, task, plant)
         self.earlier[name] = (task, methods[0])
-        if plant.discrete or any(answer.discrete for answer in task.answers.values()):
-            self.times[name] = plant.system.sample_time if plant.system is not None else None
         reader = OptionsReader(task, methods, mapping, context)
         report = Report()
         options, split, asked = dict[str, Any](), dict[str, Any](), tuple[str, ...]()
         with report:
             options = reader.options()
-        if name in self.times and options.get("sample_time") is not None:
-            self.times[name] = options["sample_time"]
+        self._note_time(name, task, plant, options)
         with report:
             _check_needs(task, plant, reader.given, mapping["task"])
         with report:
@@ -123,6 +120,12 @@ class PartReader:
             **_in_the_file(mapping, lexicon),
             **({} if lexicon is self.lexicon else lexicon.declared),
         )
+
+    def _note_time(self, name: str, task: Task[Any, Any], plant: PlantOf, options: Mapping[str, Any]) -> None:
+        """Note the sampling period of a part whose answers are in discrete time."""
+        if plant.discrete or any(answer.discrete for answer in task.answers.values()):
+            given = plant.system.sample_time if plant.system is not None else None
+            self.times[name] = options["sample_time"] if options.get("sample_time") is not None else given
 
     def _partial(
         self, part: MappingNode, task: Task[Any, Any], methods: Sequence[str], report: Report

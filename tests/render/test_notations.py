@@ -10,7 +10,7 @@ from solver.symbols import COURSE, NOTATIONS
 from solver.tasks import catalogue
 from tests.helpers.solved import EXAMPLES, by_problem, document_of_problem
 
-OURS = re.compile(r"K_\{?f|L_\{?c|\\mathcal\{C\}_\{?o|\\mathcal\{O\}_\{?v")
+OURS = re.compile(r"K_\{?f|L_\{?c(?![a-z])|\\mathcal\{C\}_\{?o|\\mathcal\{O\}_\{?v")
 """Symbols that only the course has."""
 
 

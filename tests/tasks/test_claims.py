@@ -34,6 +34,7 @@ WAYS = {
     "greatest common divisors", "characteristic polynomial", "characteristic polynomial of its companion matrix",
     "Gauss–Legendre quadrature", "series", "Cauchy's integral formula", "invariant subspaces in floats",
     "orthogonal bases (50 digits)", "return difference at random points", "sequence of points",
+    "the steps simulated, and their costs summed up",
 }  # fmt: skip
 """How checks are made: by a program or with points, or in one of these ways."""
 

@@ -1,6 +1,6 @@
 """The steady-state Kalman filter: the observer gain that minimizes the variance of the estimation error.
 
-In discrete time x̂(k+1) = A x̂(k) + B u(k) + L (y(k) − C x̂(k)) predicts, and x̂(k) + L_c (y(k) − C x̂(k)) is current.
+In discrete time x̂(k+1) = A x̂(k) + B u(k) + L (y(k) − C x̂(k)) predicts, and x̂(k) + M (y(k) − C x̂(k)) is current.
 """
 
 from __future__ import annotations
@@ -240,7 +240,7 @@ def prediction_gain(wrong: Attempt[WithOutput, KalmanFilterOptions]) -> Iterable
 
 @kalman_filter.consequence("L_current", of=("P",))
 def current_gain_of_the_covariance(given: Given[WithOutput, KalmanFilterOptions], found: Mapping[str, Any]) -> Any:
-    """L_c = P Cᵀ (R + C P Cᵀ)⁻¹, in discrete time."""
+    """M = P Cᵀ (R + C P Cᵀ)⁻¹, in discrete time."""
     if not given.system.discrete:
         return None
     C, one = sp.ImmutableMatrix(given.system.C.T), sp.ImmutableMatrix(sp.eye(given.system.order))
@@ -249,7 +249,7 @@ def current_gain_of_the_covariance(given: Given[WithOutput, KalmanFilterOptions]
 
 @kalman_filter.consequence("L", of=("L_current",))
 def gain_of_the_current_one(given: Given[WithOutput, KalmanFilterOptions], found: Mapping[str, Any]) -> Any:
-    """L = A L_c."""
+    """L = A M."""
     return sp.ImmutableMatrix(given.system.A * found["L_current"])
 
 

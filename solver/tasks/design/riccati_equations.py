@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from solver.derivation import Claim, Step
 from solver.lazy import exact
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from sympy import ImmutableMatrix
 
 
-def unknown_step(problem: Regulator, P: ImmutableMatrix) -> tuple[Step, ImmutableMatrix]:
-    """The equation with the unknown entries put in, and its left side multiplied out.
+def entries_of(problem: Regulator, P: ImmutableMatrix) -> tuple[dict[str, Any], ImmutableMatrix]:
+    """The facts of a step that puts unknown entries into the equation, and its left side multiplied out.
 
     In discrete time it is multiplied by det(R + BᵀPB), so that its entries are polynomials.
     """
@@ -28,7 +28,7 @@ def unknown_step(problem: Regulator, P: ImmutableMatrix) -> tuple[Step, Immutabl
         left = exact.riccati_entries(problem.A, exact.weighted_input(problem.B, problem.R), problem.Q, P)
         claims = {"entries": Claim(stated, left, "the Riccati equation entry by entry")}
         lines = products_of_the_equation(problem, P)
-        return Step("unknown", claims=claims, P=P, steps=lines, **problem.names), left
+        return {"claims": claims, "P": P, "steps": lines, **problem.names}, left
     by, left = exact.discrete_riccati_entries(problem.A, problem.B, problem.Q, problem.R, P)
     weight = exact.riccati_weight(problem.B, problem.R, P)
     seen = sp.ImmutableMatrix((problem.Bt * P * problem.A).expand())
@@ -39,7 +39,8 @@ def unknown_step(problem: Regulator, P: ImmutableMatrix) -> tuple[Step, Immutabl
         "entries": Claim(product(by, difference(stated, P)), left, "the Riccati equation entry by entry"),
     }
     lines = products_of_the_equation(problem, P)
-    return Step("unknown", claims=claims, P=P, by=by, several=weight.rows > 1, steps=lines, **problem.names), left
+    several = weight.rows > 1
+    return {"claims": claims, "P": P, "by": by, "several": several, "steps": lines, **problem.names}, left
 
 
 def spectrum_step(problem: Regulator, equation: exact.Riccati) -> Step:

@@ -22,7 +22,7 @@ from solver.tasks.design.riccati_claims import (
     riccati_of,
     variable_of,
 )
-from solver.tasks.design.riccati_equations import spectrum_step, unknown_step
+from solver.tasks.design.riccati_equations import entries_of, spectrum_step
 from solver.words import Phrase
 
 if TYPE_CHECKING:
@@ -91,8 +91,8 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
     """Write the equation entry by entry, list all symmetric solutions, choose the stabilizing one."""
     n = problem.A.rows
     P = unknown_matrix(n)
-    step, left = unknown_step(problem, P)
-    yield Step("unknown", claims=step.claims, steps=step.steps, **step.values)
+    facts, left = entries_of(problem, P)
+    yield Step("unknown", **facts)
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
     rows = [(i + 1, j + 1, left[i, j]) for i, j in pairs]
     equations = [each for *_, each in rows]

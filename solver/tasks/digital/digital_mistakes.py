@@ -28,11 +28,11 @@ PRODUCT = Slip("product_of_transforms", "the transform of a product is taken as 
 PRODUCT_BACK = Slip("product_of_transforms", "$G(z)H(z)$ stands for $\\overline{GH}(z)$; there is no sampler between "
                                              "plant and feedback")  # fmt: skip
 OTHER_RULES = {
-    "zero_order_hold": "with a zero-order hold",
-    "forward_euler": "by Euler's forward method",
-    "backward_euler": "by Euler's backward method",
-    "tustin": "by Tustin's method",
-    "matched": "by matched poles and zeros",
+    "zero_order_hold": "it is the discrete plant with a zero-order hold",
+    "forward_euler": "it is the discrete plant by Euler's forward method",
+    "backward_euler": "it is the discrete plant by Euler's backward method",
+    "tustin": "it is the discrete plant by Tustin's method",
+    "matched": "it is the discrete plant by matched poles and zeros",
 }
 
 
@@ -120,7 +120,7 @@ def name_mistakes_of_discretization(task: Task[Any, Any], answers_by: Callable[[
         return values
 
     for name, words in OTHER_RULES.items():
-        task.mistake(Slip(name, f"it is the discrete plant {words}"), *"ABCDG")(taken(name))
+        task.mistake(Slip(name, words), *"ABCDG")(taken(name))
     task.mistake(STEP_RESPONSE, "G")(held_alone(step_response))
     task.mistake(HOLD_LEFT_OUT, "G")(held_alone(impulse_response))
     task.mistake(PRODUCT, "G")(held_alone(product_of_factors))

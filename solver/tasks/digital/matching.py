@@ -23,8 +23,9 @@ def matched_of(G: Expr, T: Expr, *, states: bool) -> Derivation[Answers]:
     """Poles, zeros and gain of the discrete plant; of one in state space a realization besides."""
     s, z = sp.Symbol("s"), sp.Symbol("z")
     found = exact.matched(G, s, T)
-    yield _mapped("poles", found.poles, T)
-    yield _mapped("zeros", found.zeros, T, infinite=max(found.excess, 0), at_minus_one=found.at_minus_one)
+    yield Step("poles", **_mapped("pole {i}", found.poles, T))
+    infinite, below = max(found.excess, 0), found.at_minus_one
+    yield Step("zeros", **_mapped("zero {i}", found.zeros, T), infinite=infinite, at_minus_one=below)
     yield _gain(G, found, T)
     whole = found.expression(z)
     yield Step("matched", unclaimed="poles, zeros and gain put together", G_d=whole, z=z, figures=_figure(found, T))
@@ -49,19 +50,20 @@ def _companion(above: Sequence[Expr], below: Sequence[Expr]) -> tuple[ImmutableM
             sp.ImmutableMatrix([[through]]))  # fmt: skip
 
 
-def _mapped(kind: str, found: Sequence[exact.MappedRoot], T: Expr, **facts: Any) -> Step:
-    """Where the poles, or zeros, go."""
+def _mapped(says: str, found: Sequence[exact.MappedRoot], T: Expr) -> dict[str, Any]:
+    """Where the poles, or zeros, go: the facts of a step; each is called as the pattern `says`."""
     z = sp.Symbol("z")
     claims = {}
     for i, each in enumerate(found, 1):
-        says = Phrase("pole {i}", i=i) if kind == "poles" else Phrase("zero {i}", i=i)
+        name = Phrase(says, i=i)
         image, p = exponential(product(each.root, T)), each.polynomial(z)
         if each.pair:
             mirror = exponential(product(each.mirror, T))
-            claims[f"root{i}"] = Claim(product(difference(z, image), difference(z, mirror)), p, says)
+            claims[f"root{i}"] = Claim(product(difference(z, image), difference(z, mirror)), p, name)
         else:
-            claims[f"root{i}"] = Claim(image, each.base.radius, says)
-    return Step(kind, claims=claims, unclaimed="" if claims else "there are none", found=list(found), T=T, z=z, **facts)
+            claims[f"root{i}"] = Claim(image, each.base.radius, name)
+    unclaimed = "" if claims else "there are none"
+    return {"claims": claims, "unclaimed": unclaimed, "found": list(found), "T": T, "z": z}
 
 
 def _gain(G: Expr, found: exact.Matched, T: Expr) -> Step:

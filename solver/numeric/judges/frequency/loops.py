@@ -291,14 +291,5 @@ def _bracketed(f: Callable[[Any], Any], low: float, high: float) -> Any:
         return mpmath.findroot(f, ends, solver="anderson", tol=mpmath.mpf(10) ** (4 - 2 * WORKING), verify=False)
 
 
-__all__ = [
-    "NumericLoop",
-    "NumericMargins",
-    "margin_residual",
-    "number_of",
-    "numeric_margins",
-    "plus",
-    "roots_outside",
-    "times",
-    "unstable_poles",
-]  # fmt: skip
+__all__ = ["NumericLoop", "NumericMargins", "margin_residual", "number_of", "numeric_margins", "plus", "roots_outside",
+           "times", "unstable_poles"]  # fmt: skip
