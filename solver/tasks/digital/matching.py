@@ -71,7 +71,7 @@ def _gain(G: Expr, found: exact.Matched, T: Expr) -> Step:
     s, z, r = sp.Symbol("s"), sp.Symbol("z"), found.order
     cleared = sp.cancel(s**r * G)
     rest = found.cleared(z)
-    scale = power(T, r) if r else None
+    scale = power(T, r) if r and T != 1 else None
     unscaled = value_at(rest, z, sp.S.One)
     claims = {
         "wanted": Claim(value_at(cleared, s, sp.S.Zero), found.wanted, "the continuous plant at low frequencies"),
