@@ -38,7 +38,10 @@ def eigenvalues_of(name: str) -> Callable[[Given[Any, Any], Found], Any]:
     """Return the formula for the eigenvalues of the answer of this name."""
 
     def eigenvalues(_given: Given[Any, Any], found: Found) -> Any:
-        return exact.spectrum(found[name]).eigenvalues
+        try:
+            return exact.spectrum(found[name]).eigenvalues
+        except exact.NotExact:  # roots beside parameters
+            return None
 
     return eigenvalues
 

@@ -154,7 +154,14 @@ def test_every_label_can_be_given_by_the_name_of_what_it_stands_for(name):
         "xhat",
         "yhat",
     }
-    assert {text[1:-1] for text in shown} <= known | {"integrator", "plant", "compensator", "omega", "estimate"}
+    assert {text[1:-1] for text in shown} <= known | {
+        "integrator",
+        "error_integrator",
+        "plant",
+        "compensator",
+        "omega",
+        "estimate",
+    }
 
 
 GROWTH = Plot(

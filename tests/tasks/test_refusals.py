@@ -66,7 +66,7 @@ FROM_THE_FILE = [
     ("controllability", STABLE, {"method": "gramian", "horizon": -1}, "positive"),
     ("state_transition_matrix", STABLE, {"method": "power_series", "terms": 0}, "at least 1"),
     ("parameter_condition", STABLE, {"property": "uncontrollable", "parameter": "q"}, "'q' is no name"),
-    ("lqr", {**INTEGRATORS, "time": "discrete"}, {"Q": [[1, 0], [0, 1]], "R": 1}, "in discrete time"),
+    ("minimum_energy_control", {**INTEGRATORS, "time": "discrete"}, {"final_time": 1}, "in discrete time"),
     ("kalman_filter", INTEGRATORS, {}, "give Q"),
     ("reduced_observer", TWO_OUTPUTS, {"poles": []}, "all states are measured"),
     ("model_matching", TWO_OUTPUTS, {"target": "1/(s + 1)"}, "one input and one output"),

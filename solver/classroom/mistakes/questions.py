@@ -74,6 +74,7 @@ def declared(change: DeclaredChange, task: Task[Any, Any], part: Part) -> Part |
         return None
     system, new = changed
     others = {name: getattr(new, name) for name in task.options if getattr(new, name) is not getattr(options, name)}
-    left_out = {name for name, value in others.items() if value is None}  # a value of None is one not known yet
+    # Where an option may be left out, None is a value not known yet; elsewhere it is a choice, as of no feedback.
+    left_out = {name for name, value in others.items() if value is None and task.options[name].default is None}
     asked = {name: value for name, value in {**part.options, **others}.items() if name not in left_out}
     return replace(part, system=system, options=asked)

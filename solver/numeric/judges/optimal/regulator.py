@@ -74,8 +74,10 @@ class Optimum(NamedTuple):
 
     @property
     def smallest_gain(self) -> Array:
-        """What a gain is compared with where its products BᵀP cancel: they may to a zero."""
-        products = np.abs(self.B).T @ np.abs(self.P) @ (np.abs(self.A) if self.discrete else np.eye(len(self.A)))
+        """What a gain is compared with where its products BᵀP (discrete: BᵀPA) cancel or are zero."""
+        factors = (self.B, self.P, *([self.A] if self.discrete else []))
+        sizes = float(np.prod([np.abs(each).max(initial=0.0) for each in factors]))
+        products = np.full((self.B.shape[1], len(self.A)), sizes)
         return np.asarray(CANCELLED * np.abs(np.linalg.inv(self.weight(self.P))) @ products)
 
     def weight(self, P: Array) -> Array:
@@ -131,7 +133,8 @@ def optima(weights: Weights, others: Iterable[Any] = ()) -> list[Optimum]:
 
 def _optimum(weights: Weights, point: Mapping[Any, Any]) -> Optimum | None:
     """Return scipy's solution at a point; None if the point is not admissible."""
-    return _known_optimum(weights, weights.discrete, tuple(point.items()))
+    fixed = type(weights)(*(M.as_immutable() for M in weights))
+    return _known_optimum(fixed, weights.discrete, tuple(point.items()))
 
 
 @lru_cache(maxsize=64)
