@@ -46,6 +46,7 @@ UNDECIDED = (
     "only equations",
     "cannot decide",
     "too few digits",
+    "without the solutions",
 )
 """Why a changed value may stay unjudged: it means nothing alone, or our own check does not decide about it either."""
 

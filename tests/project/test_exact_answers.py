@@ -70,6 +70,7 @@ NOT_SEEN_IN |= {
 }
 NOT_SEEN_IN |= {
     ("routh-two-parameters", "condition"): "a bound that two others imply may be any larger one",
+    ("jury", "condition"): "a bound on two parameters is judged at points of their plane",
     **{
         ("appC-final3-pos", name): "a root of an integer of thirty digits"
         for name in ("resonant_peak", "bandwidth", "gain_crossover")

@@ -20,6 +20,7 @@ from solver.numeric.judges.optimal.riccati_solutions import (
     all_distinct,
     definiteness_holds,
     is_minimal,
+    none_missing,
     number_of_solutions,
 )
 
@@ -37,6 +38,7 @@ __all__ = [
     "hamiltonian_spectrum_residual",
     "is_minimal",
     "loop_residual",
+    "none_missing",
     "number_of_solutions",
     "riccati_residual",
     "riccati_sides",

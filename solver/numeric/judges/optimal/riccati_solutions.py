@@ -13,7 +13,7 @@ from solver.numeric.evaluation.arithmetic import Array, multiple
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.points import free_symbols
-from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.evaluation.values import NotEvaluable, Undefined
 from solver.numeric.judges.optimal.regulator import Optimum, Weights, matrix_at, optima, relative
 from solver.numeric.judges.optimal.riccati import hamiltonian
 
@@ -34,6 +34,23 @@ def all_distinct(weights: Weights, matrices: Sequence[Any]) -> bool:
     return True
 
 
+def none_missing(weights: Weights, matrices: Sequence[Any]) -> bool:
+    """Whether at admissible values of the parameters as many matrices are real as there are solutions.
+
+    Raises NotEvaluable as `number_of_solutions`.
+    """
+    optimum = optima(weights, matrices)[0]
+    return _number_at(optimum) == sum(_is_real(P, optimum) for P in matrices)
+
+
+def _is_real(P: Any, optimum: Optimum) -> bool:
+    try:
+        matrix_at(P, optimum.point, optimum.A.shape)
+    except Undefined:
+        return False
+    return True
+
+
 def number_of_solutions(weights: Weights) -> int:
     """Return how many real symmetric solutions there are, counted by invariant subspaces in floats.
 
@@ -42,7 +59,10 @@ def number_of_solutions(weights: Weights) -> int:
     In discrete time an eigenvalue zero can't be flipped, as its mirror image is at infinity.
     Raises NotEvaluable where eigenvalues are too close to each other, or solutions form a continuum.
     """
-    optimum = optima(weights)[0]
+    return _number_at(optima(weights)[0])
+
+
+def _number_at(optimum: Optimum) -> int:
     values, vectors = np.linalg.eig(optimum.closed_loop.T)
     scale = float(1 + np.abs(values).max())
     count = 1
