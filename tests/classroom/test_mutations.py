@@ -47,6 +47,7 @@ UNDECIDED = (
     "cannot decide",
     "too few digits",
     "without the solutions",
+    "no symplectic pencil",
 )
 """Why a changed value may stay unjudged: it means nothing alone, or our own check does not decide about it either."""
 
