@@ -10,6 +10,12 @@ from scipy.linalg import solve_discrete_are
 
 from solver import solve
 from solver.derivation import Status
+from solver.document.model import Presentation
+from solver.document.works import document_of
+from solver.engine import solve_problem
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.tasks import catalogue
 from tests.helpers.asking import ask, rejected, system
 from tests.helpers.marked import verdict
 from tests.helpers.tried import tried
@@ -246,3 +252,14 @@ def test_what_has_no_solution(plant, options, words):
     result = ask("lqr", plant, "riccati", **options)
     assert result.status is Status.UNSOLVED
     assert words in str(result.reason)
+
+
+def test_equations_that_cannot_hold_claim_nothing():
+    """Where no input reaches a mode on the circle an entry says 1 = 0."""
+    asked = "find: {a: {task: lqr, Q: [[1, 0], [0, 1]], R: 2}}\n"
+    text = f"system: {{time: discrete, A: [[1, -2], [0, -2]], B: [0, 0]}}\n{asked}"
+    solution = solve_problem(read_problem(Source("file.yaml", text), catalogue()))
+    for detail in ("key", "full"):
+        (part,) = document_of(solution, Presentation(detail)).parts
+        assert part.status is Status.UNSOLVED
+        assert "not stabilizable" in str(part.reason)

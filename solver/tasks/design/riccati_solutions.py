@@ -96,7 +96,9 @@ def solutions_by_equations(problem: Regulator) -> Derivation[tuple[exact.Riccati
     pairs = [(i, j) for i in range(n) for j in range(i, n)]
     rows = [(i + 1, j + 1, left[i, j]) for i, j in pairs]
     equations = [each for *_, each in rows]
-    yield Step("equations", unclaimed="the entries on and above the diagonal, as found before", rows=rows)
+    impossible = any(each.is_number and each != 0 for each in equations)  # 1 = 0, where the input reaches nothing
+    yield Step("equations", unclaimed="the entries on and above the diagonal, as found before", rows=rows,
+               impossible=impossible)  # fmt: skip
     equation = riccati_of(problem)
     if not equation.listable:
         yield from _splitting(problem, equation, solved=False)
