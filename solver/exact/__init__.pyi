@@ -1,5 +1,6 @@
 """The names of the topics in one: those of the stub of each."""
 
+from solver.exact.analog import *
 from solver.exact.classical import *
 from solver.exact.compensators import *
 from solver.exact.design import *

@@ -1,0 +1,1 @@
+"""Machine equations, their scaling, and the programs that compute them."""

@@ -1,0 +1,1 @@
+"""Families of problems and the papers made of them."""
