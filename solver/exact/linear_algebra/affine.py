@@ -12,8 +12,19 @@ from solver.exact.linear_algebra.row_reduction import row_reduce
 
 
 def tidy(value: sp.Expr) -> sp.Expr:
-    """Return an expression multiplied out, or factored where it holds symbols (and no decimals or exponentials)."""
-    return sp.expand(value) if value.has(sp.Float) or _grows(value) else _minus_taken_in(collected(value))
+    """Return an expression multiplied out, or factored where it holds symbols (and no decimals).
+
+    One with exponentials is factored where a sum stands below a fraction line, which would be below each term.
+    """
+    if value.has(sp.Float) or (_grows(value) and not _has_sum_below(value)):
+        return sp.expand(value)
+    return _minus_taken_in(collected(value))
+
+
+def _has_sum_below(value: sp.Expr) -> bool:
+    """Whether a sum with symbols stands below a fraction line."""
+    powers = value.atoms(sp.Pow)
+    return any(each.base.is_Add and each.base.free_symbols and each.exp.is_negative for each in powers)
 
 
 def _grows(value: sp.Expr) -> bool:
