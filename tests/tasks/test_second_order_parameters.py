@@ -181,6 +181,87 @@ def test_marking(part, name, value, says):
     assert says.strip() in str(found.reason)
 
 
+def sampled(coefficients, period="1/10"):
+    return Polynomial(
+        tuple(map(sp.sympify, coefficients)), sp.Symbol("z"), discrete=True, sample_time=sp.sympify(period)
+    )
+
+
+@tried(20)
+@given(st.integers(1, 5), st.integers(-6, 6), st.integers(1, 9), st.sampled_from([R(1, 10), R(1, 2), sp.Integer(2)]))
+def test_in_discrete_time_the_logarithms_of_the_poles_of_numpy(b2, b1, b0, period):
+    result = ask(TASK, sampled((b2, b1, b0), period))
+    z = np.roots([b2, b1, b0]).astype(complex)
+    if b1**2 >= 4 * b2 * b0 and (b1 >= 0 or np.prod(np.log(abs(z))) <= 1e-12):
+        assert result.status is Status.UNSOLVED
+        assert "no natural frequency" in str(result.reason)
+        return
+    assert result.status is Status.VERIFIED, result.reason
+    poles = np.log(z) / float(period)
+    frequency = np.sqrt(np.prod(poles)).real
+    assert float(result.answers["natural_frequency"]) == pytest.approx(frequency, rel=1e-9)
+    assert float(result.answers["damping_ratio"]) == pytest.approx(-poles.sum().real / 2 / frequency, abs=1e-9)
+    inside = b0 <= b2
+    assert ("damping" in result.answers) is inside
+
+
+def test_in_discrete_time_corruptions_are_rejected():
+    P = sampled(("1", "-8/5", "17/25"))
+    right = ask(TASK, P).answers
+    assert float(right["natural_frequency"]) == pytest.approx(3.1177, abs=1e-4)
+    assert not rejected(TASK, P, right)
+    wrong = {
+        "natural_frequency": [right["natural_frequency"] / 10, sp.sqrt(R(17, 25)), -right["natural_frequency"]],
+        "damping_ratio": [-right["damping_ratio"], R(4, 5), right["damping_ratio"] * R(1001, 1000)],
+        "damping": ["overdamped", "undamped", "critically damped"],
+    }
+    for name, values in wrong.items():
+        for value in values:
+            assert rejected(TASK, P, {name: value}), (name, value)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "says"),
+    [
+        ("natural_frequency", "3.118", ""),
+        ("natural_frequency", "0.3118", "sampling period"),
+        ("natural_frequency", "0.8246", "standard form in"),
+        ("natural_frequency", "2.45", "damped frequency"),
+        ("damping_ratio", "0.6185", ""),
+        ("damping_ratio", "-0.9701", "standard form in"),
+        ("damping", "overdamped", " "),
+    ],
+)
+def test_marking_in_discrete_time(name, value, says):
+    problem = """
+system: {time: discrete, sample_time: 0.1, polynomial: "z^2 - 1.6z + 0.68"}
+find: {a: second_order_parameters}
+"""
+    found = verdict(problem, "a", name, value)
+    assert (found.verdict.value == "correct") is not says, found.reason
+    assert says.strip() in str(found.reason)
+
+
+@pytest.mark.parametrize(
+    ("system", "says"),
+    [
+        ('{time: discrete, sample_time: 1, polynomial: "z^2 + K z + 1"}', "Give values"),
+        ('{time: discrete, sample_time: 1, polynomial: "(2z - 1)(2z + 1)"}', "changes its sign"),
+        ('{time: discrete, sample_time: 1, polynomial: "(2z - 1)z"}', "over at once"),
+        ('{time: discrete, sample_time: 1, polynomial: "(z - 2)(2z - 1)"}', "either side"),
+    ],
+)
+def test_what_has_no_natural_frequency_in_discrete_time_says_why(system, says):
+    result = solved(system)
+    assert result.status is Status.UNSOLVED
+    assert says in str(result.reason)
+
+
+def test_in_discrete_time_a_sampling_period_is_needed():
+    with pytest.raises(InputError, match="sampling period is not given"):
+        solved('{time: discrete, polynomial: "z^2 + 1"}')
+
+
 def test_a_parameter_that_is_not_there_is_refused():
     text = f"system: {SPRING}\nfind: {{a: {{task: {TASK}, parameter: q}}}}\n"
     with pytest.raises(InputError, match="q"):

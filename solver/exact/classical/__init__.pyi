@@ -27,6 +27,7 @@ from solver.exact.classical.reduction_errors import (
     reduced_modes,
     reduced_response,
 )
+from solver.exact.classical.sampled_damping import NoCounterpart, SampledDamping, sampled_damping_of
 from solver.exact.classical.sampled_errors import largest_sampled_error
 from solver.exact.classical.sampled_events import SampledEvents, sampled_events
 from solver.exact.classical.step_events import Extreme, Rise, StepEvents, step_events
@@ -38,11 +39,13 @@ __all__ = [
     "DecayMode",
     "Extreme",
     "LargestError",
+    "NoCounterpart",
     "NoFrequency",
     "NotReduced",
     "PoleZeroForm",
     "Reduction",
     "Rise",
+    "SampledDamping",
     "SampledEvents",
     "StepEvents",
     "ValueAtZero",
@@ -61,6 +64,7 @@ __all__ = [
     "reduced_modes",
     "reduced_response",
     "reduction",
+    "sampled_damping_of",
     "sampled_events",
     "step_events",
     "value_at_zero",

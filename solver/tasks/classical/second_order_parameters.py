@@ -10,13 +10,11 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import (
     AnswerName,
     Answers,
-    Attempt,
     Check,
     Claim,
     Derivation,
     Given,
     Refusal,
-    Slip,
     Step,
     Task,
     Unsolved,
@@ -28,12 +26,14 @@ from solver.numeric.judges import classical as judges
 from solver.options.names import Names
 from solver.stated.algebra import difference, power, product, quotient
 from solver.stated.calculus import value_at
+from solver.tasks.classical import damping_mistakes
+from solver.tasks.classical.sampled_second_order import sampled_second_order
 from solver.tasks.figures import plane, roots
 from solver.tasks.plant_options import LoopOptions
 from solver.words import Reason
 
 if TYPE_CHECKING:
-    from sympy import Expr, Symbol
+    from sympy import Symbol
 
     from solver.systems import Polynomial, System
 
@@ -52,7 +52,7 @@ WORDS = ("undamped", "underdamped", "critically damped", "overdamped")
 second_order_parameters: Task[Polynomial, SecondOrderOptions] = Task(
     "second_order_parameters",
     title="Natural frequency and damping",
-    doc="ω_n and ζ of s² + 2ζω_n s + ω_n², the case of damping, and where a parameter makes it critical.",
+    doc="ω_n and ζ of s² + 2ζω_n s + ω_n² (discrete: of the poles (ln z)/T), the damping, where it is critical.",
     needs=("polynomial",),
     options=SecondOrderOptions,
     answers=[
@@ -94,12 +94,19 @@ def has_no_such_parameter(system: System, options: SecondOrderOptions) -> Iterab
             yield "parameter", Reason("stability/no_parameter", {"name": name})
     if len(options.parameter or ()) > 1:
         yield "parameter", Reason("second_order_parameters/one_parameter")
+    if system.discrete and system.sample_time is None:
+        yield "", Reason("sample_times/missing", {"discrete": True})
 
 
-@second_order_parameters.method(source="Ogata, Modern Control Engineering, section 5-3", time="continuous")
+@second_order_parameters.method(
+    source="Ogata, Modern Control Engineering, section 5-3; Franklin, Powell and Workman, section 4.3"
+)
 def by_comparison(given: Given[Polynomial, SecondOrderOptions]) -> Derivation[Answers]:
-    """Compare the characteristic polynomial, its leading coefficient one, with s² + 2ζω_n s + ω_n²."""
+    """Compare the characteristic polynomial with s² + 2ζω_n s + ω_n²; a discrete one by its poles s = (ln z)/T."""
     p, s = given.system, given.system.variable
+    if p.discrete:
+        _of_second_order(p)
+        return (yield from sampled_second_order(p, p.sample_time))
     found = _damping_of(p)
     monic = s**2 + found.twice * s + found.square
     claims = {"monic": Claim(quotient(p.expression, p.coefficients[0]), monic, "leading coefficient one")}
@@ -121,12 +128,17 @@ def by_comparison(given: Given[Polynomial, SecondOrderOptions]) -> Derivation[An
 
 def _damping_of(p: Polynomial) -> exact.Damping:
     """ω_n and ζ; raises Unsolved for another degree, and where ω_n² is not positive."""
-    if p.degree != 2:
-        raise Unsolved("second_order_parameters/order", n=p.degree, p=p.expression)
+    _of_second_order(p)
     try:
         return exact.damping_of(p.coefficients)
     except exact.NoFrequency as finding:
         raise Unsolved("second_order_parameters/no_frequency", square=finding.square) from None
+
+
+def _of_second_order(p: Polynomial) -> None:
+    """Raise Unsolved for another degree than two."""
+    if p.degree != 2:
+        raise Unsolved("second_order_parameters/order", n=p.degree, p=p.expression)
 
 
 def _one_case(found: exact.Damping) -> dict[str, Any]:
@@ -180,13 +192,15 @@ BY_ROOTS = "mpmath, the roots (50 digits)"
 @second_order_parameters.verification("natural_frequency", "damping_ratio")
 def are_told_by_the_roots(given: Given[Polynomial, SecondOrderOptions], answers: Answers) -> Iterable[Check]:
     """ω_n = √(p₁p₂), ζ = −(p₁ + p₂)/(2ω_n), at values of the parameters."""
-    c = given.system.coefficients
+    c, period = given.system.coefficients, given.system.sample_time if given.system.discrete else None
     residuals = {"natural_frequency": judges.natural_frequency_residual, "damping_ratio": judges.damping_ratio_residual}
     labels = {"natural_frequency": r"$\omega_n^2$ is the product of the roots",
               "damping_ratio": r"the sum of the roots is $-2\,\sym{damping_ratio}\,\omega_n$"}  # fmt: skip
     for name, residual in residuals.items():
         if name in answers:
-            yield numeric.check_residual(labels[name], BY_ROOTS, partial(residual, c, answers[name]), answer=name)
+            yield numeric.check_residual(
+                labels[name], BY_ROOTS, partial(residual, c, answers[name], period), answer=name
+            )
 
 
 @second_order_parameters.verification("damping", "cases", "critical_value")
@@ -194,7 +208,7 @@ def are_those_of_the_roots(given: Given[Polynomial, SecondOrderOptions], answers
     """At many values of the parameters, also at and beside the edges, the roots are as the case says."""
     c = given.system.coefficients
     if "damping" in answers:
-        words = judges.damping_words(c)
+        words = judges.damping_words(c, discrete=given.system.discrete)
         right = words == {str(answers["damping"]).replace(" ", "_")}
         yield Check.that("the case of damping", BY_ROOTS, right, answer="damping")
     if "cases" in answers:
@@ -212,63 +226,14 @@ def _parameter(given: Given[Polynomial, SecondOrderOptions]) -> Symbol | None:
     return asked or exact.damping_parameter(p.coefficients)
 
 
-HALF = Slip("coefficient", "the coefficient of $s$ is $2\\,\\sym{damping_ratio}\\,\\omega_n$; the 2 is forgotten")
-WITHOUT_FREQUENCY = Slip(
-    "without_frequency", "it is $\\sym{damping_ratio}\\,\\omega_n$, not yet divided by $\\omega_n$"
-)
-SQUARE = Slip("square", "it is $\\omega_n^2$; the root is not taken")
-HERTZ = Slip("hertz", "it is the frequency in hertz, $\\omega_n/2\\pi$; asked for is $\\omega_n$ in rad/s")
-DAMPED = Slip(
-    "damped_frequency", "it is the damped frequency $\\omega_d = \\omega_n\\sqrt{1 - \\sym{damping_ratio}^2}$"
-)
-NOT_MONIC = Slip("not_monic", "the polynomial is not yet divided by its leading coefficient")
-
-
-@second_order_parameters.mistake(HALF, "damping_ratio")
-def without_the_two(wrong: Attempt[Polynomial, SecondOrderOptions]) -> Iterable[Expr]:
-    """2ζ."""
-    yield 2 * wrong.ours
-
-
-@second_order_parameters.mistake(WITHOUT_FREQUENCY, "damping_ratio")
-def decay_rate(wrong: Attempt[Polynomial, SecondOrderOptions]) -> Iterable[Expr]:
-    """ζω_n, and 2ζω_n."""
-    found = _damping_of(wrong.given.system)
-    yield found.twice / 2
-    yield found.twice
-
-
-@second_order_parameters.mistake(SQUARE, "natural_frequency")
-def without_the_root(wrong: Attempt[Polynomial, SecondOrderOptions]) -> Iterable[Expr]:
-    """ω_n²."""
-    yield wrong.ours**2
-
-
-@second_order_parameters.mistake(HERTZ, "natural_frequency")
-def in_hertz(wrong: Attempt[Polynomial, SecondOrderOptions]) -> Iterable[Expr]:
-    """ω_n/2π."""
-    yield wrong.ours / (2 * sp.pi)
-
-
-@second_order_parameters.mistake(DAMPED, "natural_frequency")
-def damped(wrong: Attempt[Polynomial, SecondOrderOptions]) -> Iterable[Expr]:
-    """ω_d."""
-    turn = exact.damped_frequency(_damping_of(wrong.given.system))
-    if turn is not None:
-        yield turn
-
-
-@second_order_parameters.mistake(NOT_MONIC, "natural_frequency", "damping_ratio")
-def of_the_polynomial_as_given(wrong: Attempt[Polynomial, SecondOrderOptions]) -> Iterable[Expr]:
-    """√b₀ and b₁/(2√b₀)."""
-    b2, b1, b0 = wrong.given.system.coefficients
-    if b2 != 1:
-        yield sp.sqrt(b0) if wrong.name == "natural_frequency" else b1 / (2 * sp.sqrt(b0))
+damping_mistakes.register(second_order_parameters)
 
 
 @second_order_parameters.consequence("damping_ratio", of=("natural_frequency",))
 def ratio_of_the_frequency(given: Given[Polynomial, SecondOrderOptions], found: Mapping[str, Any]) -> Any:
-    """b₁/(2b₂ω_n)."""
+    """b₁/(2b₂ω_n); None in discrete time, where the decay is another."""
+    if given.system.discrete:
+        return None
     b2, b1, _ = given.system.coefficients
     return b1 / (2 * b2 * found["natural_frequency"])
 

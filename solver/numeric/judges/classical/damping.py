@@ -19,20 +19,27 @@ ZERO = 1e-25
 NEAR = tuple(1 + sign * sp.Rational(1, 10**n) for n in (3, 12) for sign in (-1, 1))
 
 
-def natural_frequency_residual(coefficients: Sequence[Any], answer: Any) -> float:
-    """Return the relative difference of an answer and √(p₁p₂) of the roots of b₂s² + b₁s + b₀."""
-    return _residual(coefficients, answer, lambda p, q: MANY.context.sqrt(p * q))
+def natural_frequency_residual(coefficients: Sequence[Any], answer: Any, period: Any = None) -> float:
+    """Return the relative difference of an answer and √(p₁p₂) of the roots of b₂s² + b₁s + b₀.
+
+    With a sampling period T the roots z are those of a discrete system, and p = (ln z)/T.
+    """
+    return _residual(coefficients, answer, lambda p, q: MANY.context.sqrt(p * q), period)
 
 
-def damping_ratio_residual(coefficients: Sequence[Any], answer: Any) -> float:
-    """Return the relative difference of an answer and −(p₁ + p₂)/(2√(p₁p₂))."""
-    return _residual(coefficients, answer, lambda p, q: -(p + q) / (2 * MANY.context.sqrt(p * q)))
+def damping_ratio_residual(coefficients: Sequence[Any], answer: Any, period: Any = None) -> float:
+    """Return the relative difference of an answer and −(p₁ + p₂)/(2√(p₁p₂)), p as for the natural frequency."""
+    return _residual(coefficients, answer, lambda p, q: -(p + q) / (2 * MANY.context.sqrt(p * q)), period)
 
 
-def _residual(coefficients: Sequence[Any], answer: Any, formula: Any) -> float:
+def _residual(coefficients: Sequence[Any], answer: Any, formula: Any, period: Any) -> float:
     worst, tried = 0.0, 0
-    for point in _points([*coefficients, answer]):
-        right = formula(*_roots(_numbers(coefficients, point)))
+    for point in _points([*coefficients, answer, *([] if period is None else [period])]):
+        roots = _roots(_numbers(coefficients, point))
+        if period is not None:
+            T = _numbers([period], point)[0]
+            roots = MANY.context.ln(roots[0]) / T, MANY.context.ln(roots[1]) / T
+        right = formula(*roots)
         value = _numbers([answer], point)[0]
         worst = worst_of((worst, float(abs(right - value) / max(abs(right), abs(value), MANY.context.mpf("1e-30")))))
         tried += 1
@@ -62,9 +69,22 @@ def _roots(numbers: Sequence[Any]) -> tuple[Any, Any]:
     return (-b + root) / (2 * a), (-b - root) / (2 * a)
 
 
-def damping_words(coefficients: Sequence[Any]) -> set[str]:
+def damping_words(coefficients: Sequence[Any], *, discrete: bool = False) -> set[str]:
     """Return the cases met among admissible values of the parameters; "" where the damping is negative."""
-    return {_case(coefficients, point) for point in _points(coefficients)}
+    case = _case_in_z if discrete else _case
+    return {case(coefficients, point) for point in _points(coefficients)}
+
+
+def _case_in_z(coefficients: Sequence[Any], point: Any) -> str:
+    """The case by the roots in z: their distance from the unit circle, and whether they are real."""
+    first, second = _roots(_numbers(coefficients, point))
+    size = abs(first * second)
+    if abs(size - 1) <= ZERO:
+        return CASES[0]
+    if size > 1:
+        return ""
+    distance = (first - second) ** 2
+    return CASES[2] if abs(distance) <= ZERO else CASES[1] if distance.real < 0 else CASES[3]
 
 
 def _case(coefficients: Sequence[Any], point: Any) -> str:
