@@ -118,9 +118,9 @@ class Displaying:
         return recorder.display(noted, text)
 
     def pieces(self, named: Iterable[tuple[str, Any]]) -> str:
-        """Return `name = value` for each value that is given, as many on a line as fit."""
+        """Return `name = value` for each value that is given, as many on a line as fit; T = T is left out."""
         lines: list[Row] = []
-        known = [(name, value) for name, value in named if value is not None]
+        known = [(name, value) for name, value in named if value is not None and str(value) != name]
         for name, value in known:
             piece = row(name, EQUALS, self.show(entry_alone(value)))
             longer = row(lines[-1], GAP, piece) if lines else piece
