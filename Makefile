@@ -8,6 +8,8 @@ TESTS ?=
 SAMPLE ?= 60
 LEAST ?= 0.9
 WORKERS ?= auto
+# Tests start many processes, each of which would compile the program and its templates anew.
+unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
 .PHONY: help solve test test-all test-whole mutants corrupted lint bench errata tables task clean

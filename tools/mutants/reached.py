@@ -99,7 +99,7 @@ class Recorder:
         start = _seconds()
         result = yield
         self.seconds[name] = _seconds() - start
-        self.ran[name] = np.packbits(np.frombuffer(program().ran(), dtype=np.uint8))
+        self.ran[name] = np.packbits(program().ran())
         return result
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
@@ -129,15 +129,20 @@ def _seconds() -> float:
     return sum(each.ru_utime + each.ru_stime for each in both)
 
 
+def _runs_tests(options: Any) -> bool:
+    """Whether tests run in this process: a worker, or the only one there is."""
+    return "PYTEST_XDIST_WORKER" in os.environ or not getattr(options, "numprocesses", None)
+
+
 @pytest.hookimpl(tryfirst=True)
-def pytest_load_initial_conftests() -> None:
+def pytest_load_initial_conftests(early_config: Any) -> None:
     """Have the program noted before a conftest imports it."""
-    program().watch()
+    if _runs_tests(early_config.known_args_namespace):
+        program().watch()
 
 
 def pytest_configure(config: Any) -> None:
     """Record in the workers; where there are none, here."""
-    worker = os.environ.get("PYTEST_XDIST_WORKER", "")
     FOLDER.mkdir(parents=True, exist_ok=True)
-    if worker or not config.getoption("numprocesses", None):
-        config.pluginmanager.register(Recorder(worker or "alone"))
+    if _runs_tests(config.option):
+        config.pluginmanager.register(Recorder(os.environ.get("PYTEST_XDIST_WORKER", "alone")))
