@@ -10,8 +10,8 @@ from solver.tasks import catalogue
 from tests.helpers.shares import turn
 
 QUESTIONS = list(asked())
-SIZED = [pytest.param(*each, n, marks=turn(f"{each} {n}", max(n, 4))) for n in (2, 8) for each in QUESTIONS]
-"""Small ones in four turns, large ones in eight."""
+SIZED = [pytest.param(*each, n, marks=turn(f"{each} {n}", 2 * n)) for n in (2, 8) for each in QUESTIONS]
+"""Small ones in four turns, large ones in sixteen."""
 FEW = [("response", "z_transform", "dense"), ("observer", "unity_rank", "companion"), ("lqr", "hamiltonian", "random")]
 
 

@@ -80,6 +80,8 @@ class Document:
     images: Mapping[str, Image] = field(default_factory=dict)
     exact: Callable[[], Mapping[str, Answers]] = field(default=dict, compare=False)
     retell: Callable[[Presentation], Document] | None = field(default=None, compare=False)
+    _shown: list[tuple[Work, ...]] = field(default_factory=list, init=False, compare=False)
+    """The parts as pages show them, once they are known."""
 
     @property
     def status(self) -> Status:
@@ -92,9 +94,11 @@ class Document:
         """The parts as pages show them: what stands above is referred to. A key has lines that earn marks, and all."""
         from solver.document.once import told_once  # noqa: PLC0415 - it builds on this file
 
-        return (
-            self.parts if self.presentation.detail in {"question", "key"} else told_once(self.parts, self.messages.say)
-        )
+        if self.presentation.detail in {"question", "key"}:
+            return self.parts
+        if not self._shown:
+            self._shown.append(told_once(self.parts, self.messages.say))
+        return self._shown[0]
 
     def checks_of(self, part: Work) -> str:
         """Return how the checks of a part are told: "none", "summary" or "table"; of a failed one as a table."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 from solver.derivation import Check, CheckStatus, Status
@@ -183,8 +184,14 @@ class Work:
     @property
     def anchor(self) -> str:
         """A name for links to the part, unique on the page: letters, digits and hyphens."""
-        words = f"part-{self.id}-{self.method}{self.case and '-'}{self.case}".replace("_", "-").lower()
-        return "".join(letter for letter in words if letter.isascii() and (letter.isalnum() or letter == "-"))
+        return _part_anchor(self.id, self.method, self.case)
+
+
+@lru_cache(maxsize=1024)
+def _part_anchor(name: str, method: str, case: str) -> str:
+    """Return the name for links to a part; pages ask for it again and again."""
+    words = f"part-{name}-{method}{case and '-'}{case}".replace("_", "-").lower()
+    return "".join(letter for letter in words if letter.isascii() and (letter.isalnum() or letter == "-"))
 
 
 def _each_once(answers: Iterable[WorkAnswer]) -> Iterator[WorkAnswer]:

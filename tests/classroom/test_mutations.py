@@ -74,7 +74,7 @@ def chance(*of):
     return random.Random(zlib.crc32(repr(of).encode()))  # noqa: S311 - nothing secret
 
 
-@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK, of=2))
+@pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK, of=4))
 def test_our_own_answers_are_right_alone_together_and_rounded(path):
     for part, question, names in questions(path):
         together = {}

@@ -204,7 +204,7 @@ def test_where_there_is_no_browser_it_says_so(solve, good, monkeypatch):
     assert "open good.html yourself" in done.err
 
 
-@pytest.mark.parametrize(**by_problem(EXAMPLES, EXAMPLES[::20], of=16))
+@pytest.mark.parametrize(**by_problem(EXAMPLES, EXAMPLES[::40], of=32))
 def test_every_check_of_an_example_passes_in_a_process_of_its_own(process, path):
     """Among the tests everything is imported already, and so is what registers itself on import."""
     done = process(path, "-f", "json", "-o", "-")

@@ -15,7 +15,7 @@ from solver.problem.source import Source
 from solver.render.wording import Wording
 from solver.resources import root
 from solver.tasks import catalogue
-from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, solution_of
+from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, solution_of, told_of_problem
 
 CATALOGUE = catalogue()
 PAGE = 75
@@ -43,7 +43,7 @@ def told(part):
 @pytest.mark.parametrize(**by_problem(PROBLEMS, EXAMPLES[:12]))
 def test_each_part_of_a_key_has_lines_that_earn_its_marks_on_at_most_a_page(path):
     solved = solution_of(path)
-    document = document_of(solved, Presentation("key"))
+    document = told_of_problem(path, Presentation("key"))
     for part, result in zip(document.parts, solved.parts, strict=True):
         if part.status is not Status.VERIFIED:
             continue

@@ -7,7 +7,8 @@ import sys
 from pathlib import Path
 
 PROJECT = Path(__file__).parents[2]
-LEFT_OUT = shutil.ignore_patterns(".*", "__pycache__", "*.html", "build", "dist")
+LEFT_OUT = shutil.ignore_patterns(".*", "*.html", "build", "dist", "*.pyc.*", "*.tmp")
+"""Compiled files go along, but not those that another process is writing."""
 
 WHOLE = [
     *(f"tests/project/test_{name}.py" for name in ("house", "imports", "reasons", "tables")),

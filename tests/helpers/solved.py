@@ -1,7 +1,7 @@
 """The problems in problems/, each solved once in a process whichever tests want its solution."""
 
 from collections.abc import Iterable
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import pytest
@@ -29,6 +29,12 @@ def solution_of(path: Path) -> Solution:
 def document_of_problem(path: Path) -> Document:
     """The solution of the problem in a file, told with all words and all data."""
     return document_of(solution_of(path), Presentation("tutor", data=True))
+
+
+@lru_cache(maxsize=16)  # what is asked of one problem runs in a row
+def told_of_problem(path: Path, presentation: Presentation) -> Document:
+    """The solution of the problem in a file, told so."""
+    return document_of(solution_of(path), presentation)
 
 
 def by_problem(paths: Iterable[Path], quick: Iterable[Path] | None = None, of: int = 1) -> dict[str, list]:

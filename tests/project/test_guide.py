@@ -18,7 +18,7 @@ GUIDE = PROJECT / "docs" / "add-a-task.md"
 FILE = re.compile(r"^`([\w/.-]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMMAND = re.compile(r"^make task NAME=(\w+) TOPIC=(\w+)$", re.MULTILINE)
 
-pytestmark = [*turn("guide", 2), pytest.mark.xdist_group("guide")]  # one copy of the project serves all
+pytestmark = [*turn("guide", 4), pytest.mark.xdist_group("guide")]  # one copy of the project serves all
 
 
 @pytest.fixture(scope="module")

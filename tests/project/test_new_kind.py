@@ -7,7 +7,7 @@ import pytest
 from tests.helpers.copies import WHOLE, complaints_of_lint, copy_of_the_project, run
 from tests.helpers.shares import turn
 
-pytestmark = [*turn("new kind", 2), pytest.mark.xdist_group("new_kind")]  # one copy of the project serves all
+pytestmark = [*turn("new kind", 4), pytest.mark.xdist_group("new_kind")]  # one copy of the project serves all
 
 KIND = '''"""A system without coupling, by its modes."""
 

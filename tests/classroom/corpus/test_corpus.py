@@ -12,7 +12,10 @@ from tests.helpers.shares import turn
 
 ALL = list(submissions())
 PROBLEMS = {name: list(each) for name, each in groupby(ALL, lambda each: each.problem.name)}
-IN_TURN = [pytest.param(each, id=name, marks=turn(name, 8)) for name, each in PROBLEMS.items()]
+IN_TURN, SELDOM = (
+    [pytest.param(each, id=name, marks=turn(name, of)) for name, each in PROBLEMS.items()] for of in (8, 32)
+)
+"""What is asked of the program, and what only of the corpus itself."""
 REASONS = yaml.safe_load((Path(__file__).parent / "known.yaml").read_text(encoding="utf-8"))
 """Right answers that are not marked correct yet, by the reason."""
 KNOWN = {name for names in REASONS.values() for name in names}
@@ -41,10 +44,10 @@ def test_half_of_the_submissions_are_right():
 
 
 def test_truths_of_a_sample_are_those_of_the_judges():
-    assert not [slip for each in ALL[3::40] for slip in each.slips()]
+    assert not [slip for each in ALL[3::120] for slip in each.slips()]
 
 
-@pytest.mark.parametrize("chosen", IN_TURN)
+@pytest.mark.parametrize("chosen", SELDOM)
 def test_truths_are_those_of_the_judges(chosen):
     assert not [slip for each in chosen for slip in each.slips()]
 
