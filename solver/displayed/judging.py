@@ -30,6 +30,10 @@ RELATIONS = {
 }
 """Relations that are judged, besides equality, where both sides are numbers."""
 
+MOST_REMEMBERED = 2000
+_EVALUATED: dict[tuple[Any, Any], Check] = {}
+"""Checks of exact equalities, the latest last."""
+
 
 @dataclass
 class Judge:
@@ -195,10 +199,26 @@ class Judge:
     def check(self, left: Any, right: Any) -> None:
         """Evaluate an equality, if so much may still be evaluated."""
         if left != right and self._affordable(left, right):
-            check = numeric.check_claim(Claim(left, right), self.where, environments=self.environments, shown=True)
+            check = self._evaluated(left, right)
             if check.status is CheckStatus.PASSED:
                 self.learn(left, right)
             self._add(check)
+
+    def _evaluated(self, left: Any, right: Any) -> Check:
+        """Return the check of an equality; of an exact one it is remembered, so that levels and languages share it.
+
+        Decimals are equal that have different numbers of digits, and may be judged differently.
+        """
+        exact = not (numeric.holds_decimals(left) or numeric.holds_decimals(right))
+        known = _EVALUATED.get((left, right)) if exact else None
+        if known is not None:
+            return replace(known, claim=self.where)
+        check = numeric.check_claim(Claim(left, right), self.where, environments=self.environments, shown=True)
+        if exact:
+            if len(_EVALUATED) >= MOST_REMEMBERED:
+                _EVALUATED.pop(next(iter(_EVALUATED)))
+            _EVALUATED[left, right] = check
+        return check
 
     def claimed(self, left: Any, right: Any) -> None:
         """Note an equality that is claimed, and checked as a claim."""
