@@ -53,6 +53,12 @@ def of_parts_of_columns(found: Any, v: Any) -> Iterator[Claim]:
     yield Claim(imaginary_part(v), found[1])
 
 
+def of_conjugated(found: Any, value: Any) -> Iterator[Claim]:
+    """The conjugate."""
+    if found != value or value.has(sp.I):
+        yield Claim(conjugate(value), found)
+
+
 def of_direction(found: Any, A: Any, B: Any) -> Iterator[Claim]:
     """(A − B K₀, B g) reaches as much as (A, B); which K₀ and g do is a free choice."""
     if found is not None:
