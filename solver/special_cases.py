@@ -13,12 +13,14 @@ from typing import Any
 from solver.conditions import conditions_of
 from solver.derivation import CheckStatus, Claim, PartResult
 from solver.engine import Earlier, resolved, solve_part, verdict
-from solver.lazy import exact, numeric
+from solver.lazy import exact, noted_calls, numeric
 from solver.lazy import sympy as sp
+from solver.postconditions import check_calls
 from solver.problem.model import Part
 from solver.stated.calculus import value_at
 from solver.symbols import VARIABLES
 from solver.systems import StateSpace, TransferFunction
+from solver.words import Reason
 
 FOLLOWED = (StateSpace, TransferFunction)
 """Kinds of system into which a special value can be put as into matrices and polynomials."""
@@ -40,15 +42,23 @@ class SpecialCase:
     result: PartResult
 
 
-def special_cases(part: Part, result: PartResult, earlier: Earlier) -> list[SpecialCase]:
-    """Return the special cases of a part, solved by the same method; none where there are too many to follow."""
+def special_cases(part: Part, result: PartResult, earlier: Earlier) -> tuple[list[SpecialCase], Reason | None]:
+    """Return the special cases of a part, solved by the same method; none where there are too many to follow.
+
+    And the reason why they are not to be told, where what was found of them fails a check.
+    """
     asked = resolved(part, earlier) if result.answers else part  # without answers, it need not be known
     if not isinstance(asked.system, FOLLOWED) or all(map(_is_a_condition, result.answers.values())):
-        return []
+        return [], None
     parameters = _parameters(asked)
-    zeros = {(x, value): f for f, x, value in _special_values(result, parameters) if _is_asked_at(asked, x, value)}
+    with noted_calls(()) as calls:
+        found = list(_special_values(result, parameters))
+    failed = [check for check in check_calls(calls, ()) if check.status is CheckStatus.FAILED]
+    if failed:
+        return [], verdict(failed, ())[1]
+    zeros = {(x, value): f for f, x, value in found if _is_asked_at(asked, x, value)}
     cases = (_solved(asked, result, f, *each) for each, f in zeros.items()) if len(zeros) <= MOST else ()
-    return [case for case in cases if not _is_refused(case) and not _is_the_same(case, result)]
+    return [case for case in cases if not _is_refused(case) and not _is_the_same(case, result)], None
 
 
 def _is_a_condition(answer: Any) -> bool:

@@ -67,6 +67,14 @@ def test_an_inverse_gain_names_the_value_it_divides_by_and_follows_the_case():
     assert not general.case
 
 
+@pytest.mark.parametrize("value", [(), ((a, sp.Integer(1)),)])
+def test_special_values_that_are_wrong_or_left_out_fail_the_part(monkeypatch, value):
+    monkeypatch.setattr("solver.exact.special_values", lambda _: value)
+    solution = solved("{task: pole_placement, poles: [-3, -4], method: ackermann}", B="[0, a]")
+    assert solution.status is Status.FAILED
+    assert not cases(solution)
+
+
 def test_each_case_has_its_own_question_steps_answers_and_checks():
     solution = solved("controllability", A="[[2, a - 3], [0, 2]]", B="[[1, 1], [0, a^2 - 2]]")
     assert list(cases(solution)) == ["a = sqrt(2)", "a = -sqrt(2)"]

@@ -140,10 +140,12 @@ class Writer:
         """Return the work with the special values of parameters for which the question is to be solved anew."""
         if self.presentation.detail not in {"full", "tutor"} or work.again:
             return work
-        cases = special_cases(part, result, earlier)
-        if not cases:
+        cases, fault = special_cases(part, result, earlier)
+        if not cases and fault is None:
             return work
         wording = self._wording(self._display(part, {part.id: result}))
+        if fault is not None:
+            return replace(work, status=Status.FAILED, reason=wording.reason(fault))
         holds = WorkStep("special_values", wording.special("heading"), wording.special("holds", cases))
         told = replace(work, steps=(*work.steps, holds), cases=tuple(self._case(work, case) for case in cases))
         failed = [case for case in told.cases if case.status is Status.FAILED]

@@ -8,15 +8,18 @@ from typing import Any
 import sympy as sp
 
 from solver.conditions import Parameter, conditions_of
-from solver.derivation import Check
+from solver.derivation import Check, Claim
 from solver.numeric.evaluation.points import admissible
 from solver.numeric.evaluation.values import NotEvaluable
 from solver.numeric.judges.stability.regions import is_admissible
+from solver.stated.calculus import value_at
 
 DRAWN, TURNS = 24, 2
 """Points at which signs are compared, and values of the other parameters with which zeros are."""
 NEAR = 1e-9
 DIGITS, ZERO = 30, sp.Float(10) ** -15
+LOW = 3
+"""Below this degree all special values are found."""
 
 Point = Mapping[Any, Any]
 
@@ -44,6 +47,43 @@ def of_vanishing_factors(found: Sequence[Any], value: Any) -> Iterator[Check]:
         yield Check.that("where it vanishes", "sympy.nroots", _is_zero_where(found, above, point))
         for each in found:
             yield Check.that("where it vanishes", "sympy.nroots", _is_zero_where([above], each, point))
+
+
+def of_special_values(found: Sequence[Any], f: Any) -> Iterator[Check | Claim]:
+    """It is zero there; of one parameter, up to degree two, these are all the zeros that the parameter may have.
+
+    Of several parameters one that it is linear in, with a number beside it, has a value where it may be zero.
+    """
+    symbols = f.free_symbols
+    known = all(x in symbols for x, _ in found)
+    yield Check.that("the parameter", "counted", known)
+    for x, value in found if known else ():
+        yield Claim(value_at(f, x, value), sp.S.Zero, "a special value")
+    if len(symbols) == 1 and known:
+        (x,) = symbols
+        values = [sp.N(value, DIGITS) for _, value in found]
+        zeros = [zero for zero in _low_zeros(f, x) if is_admissible({x: zero})]
+        held = all(any(abs(zero - value) < NEAR * (1 + abs(zero)) for value in values) for zero in zeros)
+        yield Check.that("all special values", "sympy.nroots", held)
+    elif not found and f.is_polynomial(*symbols):
+        yield Check.that("no special value", "random points", not any(_may_be_zero_along(x, f) for x in symbols))
+
+
+def _may_be_zero_along(x: Any, f: Any) -> bool:
+    """Whether a parameter with a number beside it is one that it may be at some point where the sum is zero."""
+    p = sp.Poly(f, x)
+    if p.degree() != 1 or not p.LC().is_number:
+        return False
+    value = -p.TC() / p.LC()
+    return any(is_admissible({**point, x: value.xreplace(point)}) for point in _drawn(f.free_symbols))
+
+
+def _low_zeros(f: Any, x: Any) -> list[Any]:
+    """The real zeros of a polynomial with real coefficients, up to degree two."""
+    if not f.is_polynomial(x) or x.is_real is False or not 0 < sp.degree(f, x) < LOW:
+        return []
+    p = sp.Poly(f, x)
+    return [z for z in p.nroots(n=DIGITS) if z.is_real] if all(c.is_real for c in p.all_coeffs()) else []
 
 
 def _drawn(symbols: set[Any]) -> list[Point]:

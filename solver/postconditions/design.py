@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -51,6 +51,12 @@ def of_parts_of_columns(found: Any, v: Any) -> Iterator[Claim]:
     """Re v and Im v."""
     yield Claim(real_part(v), found[0])
     yield Claim(imaginary_part(v), found[1])
+
+
+def of_polynomial_in(found: Any, x: Any, coefficients: Sequence[Any]) -> Iterator[Claim]:
+    """The coefficients, from that of the highest power on, beside their powers."""
+    terms = (product(c, power(x, i)) for i, c in enumerate(reversed(coefficients)))
+    yield Claim(total(*terms), found, "a polynomial by its coefficients")
 
 
 def of_conjugated(found: Any, value: Any) -> Iterator[Claim]:

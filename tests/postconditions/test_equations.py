@@ -20,6 +20,7 @@ KINDS = {
     "weighted_input": [(M([[1, 0], [2, 1]]), M([[2, 0], [0, 4]])), (M([0, 1]), M([[p]]))],
     "variational_derivative": [(y2**2 + y * y1**2, (y, y1, y2), MOVES)],
     "all_positive": [([K - 1, 5 - K],), ([K, b * (K * b + 1)],), ([1 - K**2, K**2 + 1],), ([sp.sin(K) - K / K / 2],)],
+    "special_values": [(K**2 - 2,), (2 * K - 3,), ((p - 1) * (p + 2),), (2 * b - K,)],
     "vanishing_factors": [(K**2 - 2 * b,), ((K - 1) * (b + 2) / K,), ((p + 1) * (p - K),)],
 }
 SAME = {"all_positive": "[0] × 1001/1000", "vanishing_factors": ("× 1001/1000", "[0] sign turned", "[1] sign turned")}
