@@ -47,6 +47,11 @@ def of_multiply(found: Any, A: Any, B: Any) -> Iterator[Claim]:
     yield Claim(product(A, B), found)
 
 
+def of_determinant(found: Any, A: Any) -> Iterator[Claim]:
+    """The determinant."""
+    yield Claim(determinant(A), found)
+
+
 def of_inverse(found: Any, A: Any) -> Iterator[Claim]:
     """A X = I."""
     yield Claim(product(A, found), sp.ImmutableMatrix(sp.eye(A.rows)), "the inverse")

@@ -37,14 +37,15 @@ def of_read_inputs(found: Sequence[Any], inputs: Sequence[Any], time: Any, *, di
 
 
 def _samples_of_inputs(found: Sequence[Any], inputs: Sequence[Any], k: Any) -> Iterator[Claim]:
-    """The pieces add up to the inputs at the samples around each start."""
+    """The pieces add up to the inputs at the samples around zero and around each start."""
     sampled = {sp.Heaviside: lambda at, *_: sp.Heaviside(at, 1), sp.DiracDelta: lambda at: sp.KroneckerDelta(at, 0)}
     whole, parts = sp.ImmutableMatrix(list(inputs)), sp.zeros(len(inputs), 1)
     for kind, value in sampled.items():
         whole = whole.applyfunc(lambda u, kind=kind, value=value: u.replace(kind, value))
     for piece in found:
         parts += piece.inputs.xreplace({k: k - piece.delay}) * sp.Heaviside(k - piece.delay, 1)
-    for sample in sorted({max(0, int(piece.delay) + i) for piece in found for i in range(-1, 6)}):
+    starts = {0, *(int(piece.delay) for piece in found)}
+    for sample in sorted({max(0, start + i) for start in starts for i in range(-1, 6)}):
         at = {k: sp.Integer(sample)}
         yield Claim(sp.ImmutableMatrix(whole.subs(at)), sp.ImmutableMatrix(parts.subs(at)))
 

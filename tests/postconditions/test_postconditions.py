@@ -40,6 +40,7 @@ CALLS = {
     "characteristic_factors": [(A,), (TURNING,)],
     "spectrum": [(A,), (TURNING,), (HIDDEN,)],
     "multiply": [(A, B)],
+    "determinant": [(SINGULAR,), (sp.ImmutableMatrix([[K, 1], [1, K]]),)],
     "inverse": [(A,), (sp.ImmutableMatrix([[K, 1], [1, K]]),)],
     "solve_affine": [(sp.ImmutableMatrix([[1, 1], [2, 2]]), (s, 2 * s), sp.symbols("x1 x2"))],
     "taylor": [(sp.exp(-2 * t), t, 4), (sp.sin(t), t, 4)],
@@ -179,6 +180,14 @@ def test_states_that_are_not_measured_are_counted_from_zero(unmeasured):
     arguments = (A, B, ROW)
     wrong = replace(exact.measured_first(*arguments), unmeasured=unmeasured)
     assert CheckStatus.FAILED in statuses("measured_first", arguments, wrong)
+
+
+@pytest.mark.parametrize("u", [sp.Heaviside(sp.Symbol("k")), sp.Heaviside(sp.Symbol("k") - 3)])
+def test_inputs_at_samples_of_which_no_piece_was_read_are_seen(u):
+    arguments, timed = ([u], sp.Symbol("k")), {"discrete": True}
+    for found in (exact.read_inputs(*arguments, **timed), ()):
+        checks = check_calls([Call("read_inputs", arguments, timed, found, 1)], [])
+        assert (CheckStatus.FAILED in {check.status for check in checks}) == (not found)
 
 
 def test_each_postcondition_is_that_of_a_kernel():
