@@ -47,13 +47,19 @@ def of_weighted_input(found: Any, B: Any, R: Any) -> Iterator[Claim]:
 
 
 def of_riccati(found: Any, A: Any, B: Any, Q: Any, R: Any) -> Iterator[Claim | Check]:
-    """H of A, B R⁻¹ Bᵀ and Q; P solves the equation, its loop is stable; it is exact where it holds no decimals."""
+    """H of A, B R⁻¹ Bᵀ and Q; P solves the equation, its loop is stable; it is exact where it holds no decimals.
+
+    Of numbers the loop has as many eigenvalues as states.
+    """
     H, P = found.H, found.stabilizing.P
     hamiltonian = sp.Matrix(sp.BlockMatrix([[A, -found.G], [-Q, -A.T]]))
     yield Check.that("the Hamiltonian matrix", "compared", hamiltonian == H)
     yield Claim(product(B, inverse(R), transpose(B)), found.G)
     yield Claim(total(product(transpose(A), P), product(P, A), Q), product(P, found.G, P))
-    yield Check.that("exactness", "decimals", bool(P.has(sp.Float)) != bool(found.stabilizing.exact))
+    for each in (found.stabilizing, *(found.solutions if "solutions" in vars(found) else ())):
+        yield Check.that("exactness", "decimals", bool(each.P.has(sp.Float)) != bool(each.exact))
+    if not P.free_symbols:
+        yield Check.that("eigenvalues of the loop", "counted", len(found.eigenvalues) == A.rows)
     yield from _stable(A - found.G * P, lambda values: values.real)
 
 

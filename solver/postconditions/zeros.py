@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
+from itertools import combinations
+from itertools import product as product_of_sets
 from typing import Any
 
 import sympy as sp
@@ -12,10 +14,13 @@ from solver.derivation import Check, Claim
 from solver.lazy import numeric
 from solver.numeric.judges import multivariable as judges
 from solver.numeric.judges import representation
+from solver.numeric.judges.stability.regions import is_admissible
 from solver.stated.algebra import difference, product
 from solver.stated.matrices import determinant, rank
 
 ORACLE = "orthogonal bases (50 digits)"
+MOST = 16
+"""Of matrices of more entries the minors are not computed."""
 
 
 def of_rational_minors(found: Any, G: Any) -> Iterator[Claim | Check]:
@@ -81,6 +86,39 @@ def _point_of(factor: Any, known: set[Any], plant: Any, x: Any) -> dict[Any, Any
             if slope != 0:
                 return {**rest, a: -constant / slope}
     return None
+
+
+def of_changed_where(found: Sequence[Any], form: Any) -> Iterator[Check]:
+    """Where a coefficient that was divided by is zero, and what the minors share is another, one of them is zero."""
+    x, rows = form.variable, [[sp.S.Zero + entry.as_expr() for entry in row] for row in form.rows]
+    M, K = sp.ImmutableMatrix(rows), form.rows[0][0].domain
+    general = [sp.S.Zero + e for e in form.invariant_factors[: form.rank]]
+    leads = sp.Mul(*(sp.numer(sp.together(K.to_sympy(lead))) for lead in form.leads))
+    for factor, _ in sp.factor_list(leads)[1] if M.rows * M.cols <= MOST else ():
+        values = _point_of(factor, set(), (M,), x) if factor.free_symbols else None
+        if values is None or not is_admissible(values):
+            continue
+        if _shared_by_minors(M.xreplace(values), form.rank, x) != _products([e.xreplace(values) for e in general]):
+            told = any(each.xreplace(values) == 0 for each in found)
+            yield Check.that("where Smith's form is another", "sympy.gcd", told)
+
+
+def _shared_by_minors(M: Any, rank: int, x: Any) -> list[Any]:
+    """The greatest common divisors of the minors of each order, monic."""
+    shared = []
+    for k in range(1, rank + 1):
+        chosen = product_of_sets(combinations(range(M.rows), k), combinations(range(M.cols), k))
+        minors = [sp.expand(M.extract(list(i), list(j)).det(method="berkowitz")) for i, j in chosen]
+        divisor = sp.gcd_list(minors)
+        shared.append(sp.expand(divisor / sp.LC(divisor, x)) if divisor != 0 else divisor)
+    return shared
+
+
+def _products(factors: Sequence[Any]) -> list[Any]:
+    """The products of the first k factors; nothing where one has no value."""
+    if any(each.has(sp.zoo, sp.nan) for each in factors):
+        return []
+    return [sp.expand(sp.Mul(*factors[:k])) for k in range(1, len(factors) + 1)]
 
 
 def of_zero_directions(found: Any, G: Any, *_: Any) -> Iterator[Check]:

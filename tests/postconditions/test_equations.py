@@ -13,6 +13,7 @@ from tools.corrupted_kernels.changes import changes
 
 M = sp.ImmutableMatrix
 K, b, p = sp.Symbol("K", real=True), sp.Symbol("b", real=True), sp.Symbol("p", positive=True)
+s = sp.Symbol("s")
 y, y1, y2, y3, y4 = sp.symbols("y y_d y_dd y_ddd y_dddd")
 MOVES = {y: y1, y1: y2, y2: y3, y3: y4}
 REGULATOR = (M([[0, 1], [0, 0]]), M([0, 1]), M(sp.eye(2)), M([[2]]))
@@ -22,8 +23,16 @@ KINDS = {
     "all_positive": [([K - 1, 5 - K],), ([K, b * (K * b + 1)],), ([1 - K**2, K**2 + 1],), ([sp.sin(K) - K / K / 2],)],
     "special_values": [(K**2 - 2,), (2 * K - 3,), ((p - 1) * (p + 2),), (2 * b - K,)],
     "vanishing_factors": [(K**2 - 2 * b,), ((K - 1) * (b + 2) / K,), ((p + 1) * (p - K),)],
+    "changed_where": [
+        (exact.smith_form(M([[s + K, 0], [0, s + b]]), s),),
+        (exact.smith_form(M([[s, K], [s, K * s]]), s),),
+    ],
 }
-SAME = {"all_positive": "[0] × 1001/1000", "vanishing_factors": ("× 1001/1000", "[0] sign turned", "[1] sign turned")}
+SAME = {
+    "all_positive": "[0] × 1001/1000",
+    "vanishing_factors": ("× 1001/1000", "[0] sign turned", "[1] sign turned"),
+    "changed_where": ("× 1001/1000", "sign turned"),
+}
 """Zero and positive in the same places."""
 CLAIMED = ".rates[2] [0]"
 """What a step shows and claims."""
