@@ -136,6 +136,17 @@ def looked_through(b, a, band, whole, samples=400):
     }
 
 
+@pytest.mark.parametrize("whole", [False, True])
+def test_every_other_sample_may_be_the_final_value_itself(whole):
+    """The modes 2⁻ᵏ and (−2)⁻ᵏ cancel in every other sample."""
+    result = solved("(2z - 1/2)/(z^2 - 1/4)", f", settling_band: 2%, rise: {'0-100' if whole else '10-90'}")
+    assert result.status is Status.VERIFIED, result.reason
+    a, b = [Fraction(1), Fraction(0), Fraction(-1, 4)], [Fraction(2), Fraction(-1, 2)]
+    for name, value in looked_through(b, a, Fraction(2, 100), whole).items():
+        assert (value is None) == (name not in result.answers), name
+        assert value is None or float(result.answers[name]) == pytest.approx(float(value)), name
+
+
 @tried(25)
 @given(st.lists(POLES, min_size=1, max_size=2), st.integers(-3, 3), st.sampled_from(["2%", "5%"]), st.booleans())
 def test_the_samples_show_the_same(factors, zero, band, whole):

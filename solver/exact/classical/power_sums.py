@@ -106,7 +106,7 @@ class PowerSum:
         if lead is None:
             return self.falling
         greatest, start = lead
-        return start if greatest < 0 else None
+        return start if greatest <= 0 else None
 
     def _leading(self) -> tuple[float, int] | None:
         """The greatest value of the slowest modes, and from where on these decide; None without modes."""
@@ -118,6 +118,10 @@ class PowerSum:
         slow = [(p / rho, c) for p, j, c in moving if j == order and abs(abs(p) - rho) < SAME]
         greatest = _greatest(slow, order)
         rest = [(p, j, c) for p, j, c in moving if not (j == order and abs(abs(p) - rho) < SAME)]
+        if not greatest:  # they cancel in some samples of each period: the other modes, if any, decide these
+            if rest:
+                raise NotExact("step_specifications/slow")
+            return greatest, self.falling
         return greatest, self._decided(rest, float(rho), order, abs(greatest))
 
     def _decided(self, rest: list[Mode], rho: float, order: int, least: float) -> int:
@@ -149,20 +153,22 @@ def _powers(p: complex, j: int, k: Array) -> Array:
 
 
 def _greatest(slow: list[tuple[Any, Any]], order: int) -> float:
-    """The greatest value of Re Σ c u^k for k = 0, 1, …, |u| = 1: over a period, or where there is none the supremum."""
+    """The greatest value of Re Σ c u^k for k = 0, 1, …, |u| = 1: over a period, or where there is none the supremum.
+
+    Zero where they cancel in the samples of a period in which it is greatest.
+    """
     size = float(sum(abs(c) for _, c in slow))
     for period in range(1, PERIODS + 1):
         if all(abs(u**period - 1) < SAME for u, _ in slow):
             values = [float(mpmath.fsum((c * u ** (r - order + 1)).real for u, c in slow)) for r in range(period)]
             greatest = max(values)
-            break
-    else:
-        turning = [abs(c) for u, c in slow if abs(u.imag) > SAME]
-        steady = sum(c.real for u, c in slow if abs(u - 1) < SAME)
-        sides = sum(abs(c) for u, c in slow if abs(u + 1) < SAME)
-        greatest = float(steady + sum(turning) + sides)
-        if len(turning) > 2 and greatest > 0:
-            raise NotExact("step_specifications/slow")
+            return greatest if abs(greatest) >= 1e-12 * size else 0.0
+    turning = [abs(c) for u, c in slow if abs(u.imag) > SAME]
+    steady = sum(c.real for u, c in slow if abs(u - 1) < SAME)
+    sides = sum(abs(c) for u, c in slow if abs(u + 1) < SAME)
+    greatest = float(steady + sum(turning) + sides)
+    if len(turning) > 2 and greatest > 0:
+        raise NotExact("step_specifications/slow")
     if abs(greatest) < 1e-12 * size:
         raise NotExact("step_specifications/slow")
     return greatest
