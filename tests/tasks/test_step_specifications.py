@@ -234,3 +234,21 @@ def test_a_band_that_is_none_is_refused_in_its_place():
     text = "system: {transfer_function: 1/(s + 1)}\nfind: {a: {task: step_specifications, settling_band: 3%}}\n"
     with pytest.raises(InputError, match="2%, 5%"):
         read_problem(Source("file.yaml", text), catalogue())
+
+
+@pytest.mark.parametrize(
+    ("G", "marked"),
+    [
+        ("25/(s^2 + 6s + 25)", ["peak_time", "rise_time", "settling_time"]),
+        ("2/(s^2 + 3s + 2)", ["settling_time"]),
+        ("(3s + 1)/(s + 1)", ["settling_time"]),  # the largest value is that at the start
+    ],
+)
+def test_the_figure_marks_the_peak_where_there_is_one_on_the_way(G, marked):
+    result = solved(G, ", method: response")
+    (figure,) = (figure for step in result.steps for figure in step.figures if step.kind == "marked")
+    labels = [str(curve.label) for curve in figure.curves]
+    assert [label for label in labels if label.startswith(r"\sym")] == [rf"\sym{{{name}}}" for name in marked]
+    if "peak_time" in marked:
+        top = result.answers["final_value"] * (1 + result.answers["overshoot"])
+        assert (figure.marks[0].x, figure.marks[0].y) == (result.answers["peak_time"], top)
