@@ -203,6 +203,9 @@ find:
     settling_band: 2%
     rise: 0-100
     system: {transfer_function: "30/(s^2 + 7s + 30)"}
+  c:
+    task: step_specifications
+    system: {transfer_function: "25/(s^2 + 4s + 25)"}
 """
 
 
@@ -222,6 +225,10 @@ find:
         ("a", "rise_time", "0.5536", ""),
         ("a", "rise_time", "0.3708", ""),
         ("b", "rise_time", "0.3708", " "),
+        ("c", "overshoot", "0.01516", "wrong coefficient"),  # twice the damping ratio, 0.8
+        ("c", "peak_time", "1.0472", "wrong coefficient"),
+        ("c", "rise_time", "0.8327", "wrong coefficient"),
+        ("c", "settling_time", "0.750", "wrong coefficient"),
     ],
 )
 def test_marking(part, name, value, says):

@@ -120,3 +120,12 @@ def test_marking(part, name, value, verdict_, named):
     found = verdict(PAPER, part, name, value)
     assert found.verdict == verdict_, found.reason
     assert named in str(found.reason)
+
+
+def test_a_real_pole_with_a_parameter_is_shown_by_its_absolute_value():
+    a = sp.Symbol("a", positive=True)
+    result = solved("time_constants", "1/(z + a)", "", "", 'conditions: ["0 < a < 1"]')
+    assert result.status is Status.VERIFIED, result.reason
+    (found,) = result.answers["time_constants"]
+    (given,) = found.free_symbols
+    assert found.subs(given, a) == -1 / sp.log(a)
