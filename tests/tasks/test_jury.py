@@ -72,6 +72,7 @@ def test_the_table_of_a_textbook():
     assert [step.kind for step in result.steps if step.kind != "row"] == [
         "necessary", "table", "comparisons", "verdict",
     ]  # fmt: skip
+    assert (result.steps[0].values["n"], result.steps[0].values["odd"]) == (4, False)
     wanted = [[-0.994, 1.176, -0.0756, -0.204, 0], [0.946, -1.184, 0.315, 0, 0]]
     assert np.allclose(np.array(result.answers["array"].tolist(), dtype=float)[[2, 4]], wanted, atol=1e-3)
 
