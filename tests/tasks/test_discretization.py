@@ -51,6 +51,16 @@ def test_the_matrices_are_those_of_scipy(method):
             assert np.allclose(numbers(result.answers[name]), M, atol=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("method", "derived"), [("forward_euler", "AB"), ("backward_euler", "BCD"), ("tustin", "ABCD")]
+)
+def test_each_matrix_that_a_rule_changes_is_derived(method, derived):
+    """Forward C and D stay; backward A is the inverse that a step before shows."""
+    result = ask("discretization", states(MOTOR), method, sample_time=TENTH)
+    (step,) = (step for step in result.steps if step.kind == "matrices")
+    assert "".join(step.claims) == derived
+
+
 def test_a_motor_for_any_period():
     found = ask("discretization", states(MOTOR), sample_time=T)
     E = sp.exp(-T)
