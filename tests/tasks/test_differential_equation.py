@@ -56,6 +56,18 @@ def same(f, g):
     return all(abs(sp.N((f - g).subs(T, point), 30)) < 1e-25 for point in points)
 
 
+@pytest.mark.parametrize(
+    ("equation", "u", "orders"),
+    [("x'' + 3x' + 2x = u", "sin(t)", [1, 2]), ("x'' + 4x = u", "t", [2]), ("x''' + x' = u", "cos(2t)", [1, 3])],
+)
+def test_a_trial_function_is_differentiated_as_often_as_the_equation_says(equation, u, orders):
+    result = asked(equation, u, method="characteristic_equation")
+    (trial,) = (each for step in result.steps for each in step.walk() if each.kind == "trial")
+    assert [order for order, _ in trial.values["derivatives"]] == orders
+    for order, found in trial.values["derivatives"]:
+        assert sp.expand(found - sp.diff(trial.values["trial"].function, T, order)) == 0
+
+
 TEXTBOOK = [
     ("x'' + 3x' + 2x = 0", "", 'x: 1, "x\'": 3', 5 * e - 4 * e**2),
     ("x'' + 2x' + 5x = u", "3", "", sp.Rational(3, 5) * (1 - e * (sp.cos(2 * T) + sp.sin(2 * T) / 2))),
