@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
@@ -34,11 +34,26 @@ class Submitted:
 
     def with_digits(self, least: int) -> Submitted:
         """Return it with the decimals of fewer significant digits as the exact numbers that they are."""
-        coarse = {symbol: decimal.number for symbol, decimal in self.decimals.items() if decimal.digits < least}
+        coarse = {
+            symbol: decimal.number
+            for symbol, decimal in self.decimals.items()
+            if decimal.digits < least and not self._is_of_a_table(symbol, least)
+        }
         if not coarse:
             return self
         kept = {symbol: decimal for symbol, decimal in self.decimals.items() if symbol not in coarse}
         return replace(self, form=replaced(self.form, coarse), decimals=kept)
+
+    def _is_of_a_table(self, symbol: sp.Symbol, least: int) -> bool:
+        """Whether a decimal is an entry, rounded to as many places as another one of more digits: [1.09, -0.09]."""
+        entries = [*self.form] if isinstance(self.form, sp.MatrixBase | list | tuple) else []
+        own = self.decimals[symbol]
+        alike = [
+            decimal
+            for each, decimal in self.decimals.items()
+            if decimal.half_unit == own.half_unit and decimal.digits > least and _stands_in(each, entries)
+        ]
+        return bool(alike and own.digits and _stands_in(symbol, entries))
 
 
 def replaced(value: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
@@ -48,3 +63,7 @@ def replaced(value: Any, numbers: Mapping[sp.Symbol, Any]) -> Any:
     if isinstance(value, list | tuple):
         return [replaced(each, numbers) for each in value]
     return value.xreplace(numbers) if isinstance(value, sp.Basic) else value
+
+
+def _stands_in(symbol: sp.Symbol, entries: Sequence[Any]) -> bool:
+    return any(each in (symbol, -symbol) for each in entries)

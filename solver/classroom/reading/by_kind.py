@@ -7,9 +7,9 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.reading import counts, polynomials, words
+from solver.classroom.reading import counts, polynomials, units, words
 from solver.classroom.reading.expected import Expected
-from solver.classroom.reading.items import as_differences, items_of, placed, unlabelled
+from solver.classroom.reading.items import as_differences, items_of, matrices_of, placed, unlabelled
 from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.matrices import Unfolding, mapped
 from solver.classroom.reading.names import symbols_of
@@ -115,7 +115,9 @@ class KindReader:
             node = mapped(node, typed(node)) or node
         if not isinstance(node, MappingNode):
             raise node.fault("names with their values are expected here, such as {x: 1, y: 2}")
-        read = {self.texts.expression(entry.key)[0]: self.texts.expression(entry.value) for entry in node}
+        read = {
+            _unknown(self.texts.expression(entry.key)[0], ours): self.texts.expression(entry.value) for entry in node
+        }
         values, forms = ({name: pair[i] for name, pair in read.items()} for i in (0, 1))
         return values, forms
 
@@ -134,6 +136,16 @@ class KindReader:
     def _list(self, node: Node, ours: Sequence[Any]) -> Pair:
         """A list of expressions (with ± for two), of matrices, of conditions, or of words."""
         grid = not (ours and (is_condition(ours[0]) or isinstance(ours[0], sp.MatrixBase | str)))
+        if (
+            ours
+            and isinstance(ours[0], sp.MatrixBase)
+            and isinstance(node, ScalarNode)
+            and (each := matrices_of(node.text))
+        ):
+            self.texts.respelt = True
+            node = SequenceNode(node.place, tuple(ScalarNode(node.place, text, "quoted") for text in each))
+        if isinstance(node, ScalarNode) and (bare := units.inside(node.text, self.texts.unit)) != node.text:
+            node = ScalarNode(node.place, bare, "quoted")
         node = self._unfolded(node, grid=grid)
         if isinstance(node, MappingNode):
             node = SequenceNode(node.place, tuple(each for entry in node for each in labelled(entry)))
@@ -146,13 +158,21 @@ class KindReader:
         report = Report()
         if len(flat(items)) > MAX_ENTRIES:
             raise node.fault(f"a list of more than {MAX_ENTRIES} items cannot be read")
-        for item in unlabelled(flat(items), self.texts) or flat(items):
+        for item in self._with_unit(unlabelled(flat(items), self.texts) or flat(items)):
             with report:
                 for value, form in self.texts.alternatives(item):
                     values.append(value)
                     forms.append(form)
         report.conclude()
         return values, forms
+
+    def _with_unit(self, items: Sequence[Node]) -> Sequence[Node]:
+        """Items with the unit that stands behind the last of them for all."""
+        texts = [item.text for item in items if isinstance(item, ScalarNode)]
+        if len(texts) < max(2, len(items)):
+            return items
+        found = units.shared(texts, self.texts.unit)
+        return [ScalarNode(item.place, text, "quoted") for item, text in zip(items, found, strict=True)]
 
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:
         if lower(node) in words.NONE:
@@ -252,3 +272,10 @@ class KindReader:
         """A value in our variable; that it is written in another one is told."""
         self.texts.respelt = self.texts.respelt or renamed[0] != read[0]
         return renamed
+
+
+def _unknown(name: Any, ours: Mapping[Any, Any]) -> Any:
+    """The unknown y that is called y_k or y_n; any other name as it is."""
+    bare = sp.Symbol(str(name).rpartition("_")[0])
+    indexed = str(name).endswith(("_k", "_n", "_t"))
+    return next((each for each in ours if str(each) == str(bare)), name) if indexed and name not in ours else name

@@ -70,6 +70,9 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
     )
 )  # fmt: skip
 """What is said in words, and the relation that it is."""
+_BETWEEN = re.compile(
+    rf"\b(?:between|zwischen)\s+({_NUMBER})\s+(?:and|und)\s+({_NUMBER})|(?:\bfrom|\bvon)\s+({_NUMBER})\s*(?:to|bis)\s*({_NUMBER})"
+)
 
 _BARS = re.compile(r"(?<![A-Za-z_)\]|])\s*\|([^|<>=≤≥≠]+)\|(?=\s*(?:[<>=≤≥≠*/+^-]|$))")
 _SOLVED = re.compile(r"(?:\w+\.)*(?:solve|reduce|Reduce|Solve)\s*[(\[]")
@@ -84,6 +87,22 @@ _CALLED_UNION = re.compile(r"\bUnion\s*\(")
 _MEMBER = re.compile(r"^\s*([^\W\d]\w*)\s*(?:∈|\bin\b)\s*", re.DOTALL)
 _SUBJECT = re.compile(r"^\s*([^\W\d]\w*)\s*(?:[<>]=?|[≤≥])")
 _JOINED = re.compile(r"(\s+(?:and|und|or|oder|et|ou)\s+)", re.IGNORECASE)
+
+
+def is_unclear(text: str) -> bool:
+    """Whether a text names bounds and does not say whether they belong to what is between."""
+    return bool(_BETWEEN.search(in_relations(text)))
+
+
+def with_ends(text: str, *, closed: bool) -> str:
+    """Return K between 0 and 48 as an interval with its ends or without them."""
+
+    def interval(found: re.Match[str]) -> str:
+        ends = [each for each in found.groups() if each]
+        return f"∈ [{ends[0]}, {ends[1]}]" if closed else f"∈ ({ends[0]}, {ends[1]})"
+
+    found = _BETWEEN.sub(interval, in_relations(text))
+    return found.removeprefix("∈").strip()
 
 
 def in_relations(text: str) -> str:

@@ -14,6 +14,12 @@ _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
 _OUTER = re.compile(r"^\s*([-+]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
+_K = r"(?:\(\s*{0}\s*\)|\[\s*{0}\s*\]|_\{{?\s*{0}\s*\}}?)"
+_DIFFERENCES = re.compile(rf"^\s*(?:(Δ|\\?Delta\s*)?u\s*{_K.format('[kn]')})\s*=\s*(.+)$", re.DOTALL)
+_SAMPLE = re.compile(
+    rf"^\s*([-+]?)\s*(.*?)\s*[*·]?\s*([ue])\s*{_K.format(r'[kn]' + chr(92) + 's*(?:-' + chr(92) + 's*([1-9]))?')}\s*$",
+    re.DOTALL,
+)
 MOST_STATES = 9
 
 
@@ -42,6 +48,29 @@ def law_of(text: str) -> str:
     listed = split(inside, ",") if "," in inside else by_spaces(inside)
     terms = [f"({each.strip()})*x{i}" for i, each in enumerate(listed, 1)]
     return f"{sign}({' + '.join(terms)})" if 1 < len(terms) <= MOST_STATES else ""
+
+
+def coefficients_of(text: str) -> str:
+    """Return [q0, q1, q2] of u(k) = u(k-1) + q0 e(k) + q1 e(k-1) + q2 e(k-2); "" of any other text."""
+    found = _DIFFERENCES.match(text.translate(_BELOW))
+    if found is None:
+        return ""
+    terms, named, before = _terms(found[2].strip().rstrip(".")), dict[int, str](), bool(found[1])
+    for term in terms:
+        match = _SAMPLE.match(term)
+        if match is None:
+            return ""
+        sign, factor, signal, shift = (match[1] or "").strip(), match[2].strip(), match[3], int(match[4] or 0)
+        if signal == "u":
+            if before or sign == "-" or factor not in ("", "1") or shift != 1:
+                return ""
+            before = True
+        elif shift in named:
+            return ""
+        else:
+            named[shift] = f"({sign}({factor or '1'}))"
+    listed = [named.get(i, "0") for i in range(max([2, *named]) + 1)]
+    return f"[{', '.join(listed)}]" if before and named else ""
 
 
 def _row_beside(law: str, state: str) -> tuple[str, str] | None:

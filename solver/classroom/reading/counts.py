@@ -10,9 +10,12 @@ _NUMBERS = {**{word: i for i, word in enumerate(_ENGLISH)}, **{word: i for i, wo
 _NONE = {"none", "no", "keine"}
 _FULL = {"full", "maximal", "voll", "voller", "vollen"}
 _NOUNS = {"rank", "rang", "root", "roots", "pole", "poles", "eigenvalue", "eigenvalues", "nullstelle", "nullstellen",
-          "eigenwert", "eigenwerte"}  # fmt: skip
+          "eigenwert", "eigenwerte", "step", "steps", "schritt", "schritte", "schritten", "sample", "samples", "type",
+          "typ", "takt", "takte", "takten", "abtastschritt", "abtastschritte", "abtastschritten", "integrator",
+          "integrators", "umläufe", "integratoren", "encirclement", "encirclements", "umrundung",
+          "umrundungen"}  # fmt: skip
 _FILLING = {"there", "is", "are", "it", "has", "the", "lie", "lies", "es", "gibt", "ist", "hat", "der", "liegt",
-            "liegen", "="}  # fmt: skip
+            "liegen", "=", "after", "nach"}  # fmt: skip
 _OUT_OF = re.compile(
     r"\s*(?:rank|rang)?\s*=?\s*(\d{1,3})\s*(?:<|≠|!=|(?:out )?of|von)\s*(\d{1,3})(?:\s*=\s*n)?\s*$", re.IGNORECASE
 )
@@ -31,8 +34,10 @@ _PLACES = {
 
 def count(text: str) -> str:
     """Return a whole number that is said in words, two, rank 1 or 2 roots, in digits; any other text as it is."""
-    bare = [word for word in _said(text) if word not in _NOUNS]
-    number = _number(bare[0]) if len(bare) == 1 and bare[0] not in _NONE else None
+    said = _said(text)
+    bare = [word for word in said if word not in _NOUNS]
+    named = len(said) > 1  # "none" alone may be no number at all
+    number = _number(bare[0]) if len(bare) == 1 and (named or bare[0] not in _NONE) else None
     return text if number is None else str(number)
 
 

@@ -2,13 +2,26 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
+from solver.classroom.reading.brackets import enclosed, split
 from solver.classroom.reading.grids import diagonal_of
-from solver.classroom.reading.labels import by_places, times_over, twice_named, without_labels
+from solver.classroom.reading.labels import SUBSCRIPTS, times_over, twice_named, without_labels
 from solver.classroom.reading.nodes import flat
 from solver.classroom.reading.texts import TextReader
 from solver.problem.nodes import Node, ScalarNode, SequenceNode
+
+_PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
+_BETWEEN = re.compile(r"\s*[,;\n]\s*|\s+(?:and|und)\s+")
+
+
+def matrices_of(text: str) -> list[str]:
+    """Return the matrices of K_0 = [1 2], K_1 = [3 4], or of [1 2]; [3 4]; nothing of any other text."""
+    pieces = [each.strip() for each in split(text, _BETWEEN)]
+    found, _ = without_labels(pieces)
+    listed = len(pieces) > 1 and len(found) == len(pieces) and all(enclosed(each) for each in found)
+    return found if listed else []
 
 
 def items_of(node: Node, texts: TextReader) -> Sequence[Node]:
@@ -56,9 +69,30 @@ def placed(node: SequenceNode, texts: TextReader) -> SequenceNode | None:
     """Return a list of entries with their names, p11 = 2 or k_1 = 3; None where they have none."""
     items = flat(node.items)
     written = [item.text for item in items if isinstance(item, ScalarNode)]
-    if written and len(written) == len(items) and (lines := by_places(written)):
+    if written and len(written) == len(items) and (lines := _by_places(written)):
         texts.respelt = True
         rows = [tuple(ScalarNode(node.place, text, "quoted") for text in line) for line in lines]
         return SequenceNode(node.place, tuple(SequenceNode(node.place, row) for row in rows))
     named = unlabelled(items, texts)
     return SequenceNode(node.place, tuple(named)) if named else None
+
+
+def _by_places(items: Sequence[str]) -> list[list[str]] | None:
+    """Return the rows of a matrix whose entries are named, p11 = 2, p12 = p21 = 0; None where some are missing.
+
+    Of a square matrix what is missing on one side of the diagonal is as on the other.
+    """
+    found: dict[tuple[int, int], str] = {}
+    for item in items:
+        places, value = [], item.translate(SUBSCRIPTS)
+        while match := _PLACE.match(value):
+            places.append((int(match[1]), int(match[2])))
+            value = value[match.end() :]
+        if not places:
+            return None
+        found |= dict.fromkeys(places, value.strip())
+    height, width = (range(1, 1 + max((place[of] for place in found), default=0)) for of in (0, 1))
+    if height == width and not all((i, j) in found for i in height for j in width):
+        found = {(j, i): value for (i, j), value in found.items()} | found
+    whole = all((i, j) in found for i in height for j in width)
+    return [[found[i, j] for j in width] for i in height] if whole else None

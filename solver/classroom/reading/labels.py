@@ -10,8 +10,9 @@ import re
 from collections.abc import Iterable, Sequence
 
 from solver.classroom.reading.brackets import enclosed, split
+from solver.classroom.reading.terms import LABELS
 from solver.derivation import AnswerName
-from solver.problem.expressions.notation import GREEK
+from solver.problem.expressions.notation import FUNCTIONS, GREEK
 from solver.symbols import NOTATIONS
 
 _LABEL = re.compile(r"^\s*((?:[^=<>≤≥≠!:≈\[\]]|\[[kn]\]){1,80}?)\s*(?::=|==|=(?!>)|≈|≅|:(?!\d))\s*([^=].*)$", re.DOTALL)
@@ -48,7 +49,6 @@ _SHARED = re.compile(
 )
 _TWO = re.compile(r"±|∓|\\pm|\\mp|\+\s*/?\s*[-−]")
 _COLUMNS = re.compile(r"^\s*\[[^\[\]=]*\]\s*=\s*(?=\[)")
-_PLACE = re.compile(r"\s*\\?[^\W\d]+_?\{?(\d),?(\d)\}?\s*=\s*(?!=)")
 _MEMBER = re.compile(r"\s*\\?[^\W\d]\w*\s*(?:∈|\\in\b|\bin\b)\s*(?=\\?[{\[])")
 _ARGUMENT = re.compile(r"\([stzk]\)\s*$")
 _SYMBOL = re.compile(r"\\sym\{(\w+)\}")
@@ -66,6 +66,7 @@ _TIMES_VARIABLE = re.compile(r"[-−]?\s*[sztk]\s*[*·]?\s*(?=[^\W\d_]\w*\s*\()"
 _DERIVED = re.compile(r"['′’]|dot\b|\\d+ot|[\u0307\u0308ẋẍẏÿ]")
 _SIMILAR = re.compile(r"T\s*\^[({]?-1[)}]?\s*(?:A\s*T|B)|C\s*T")
 _PRODUCT = re.compile(r"[A-Z][\w\s^({})+*·-]*")
+_WORDS = re.compile(r"[^\W\d]\w*")
 _DENIES = re.compile(r"\b(?:not|no|nicht|kein\w*|never|for|für|if|wenn|unless)\b", re.IGNORECASE)
 _DECORATION = re.compile(r"\\(?:text|mathrm|mathcal|operatorname|bar|hat|tilde|left|right|mathbf)\b|[\\${}_\s*^]")
 _GREEK = {**GREEK, "lambda": "lamda"}
@@ -105,7 +106,7 @@ class Labels:
             return text, False
         if label in self.own:
             return found[2].strip(), False
-        if _INVERTED.match(found[1]):
+        if _INVERTED.match(found[1]) and self.name not in ("controller", "compensator"):
             raise ForeignLabelError(
                 f"it is labelled {found[1].strip()}, and {self.name or 'the output over the input'} is asked for"
             )
@@ -131,6 +132,17 @@ class Labels:
         if letters & {_letter(_normal(each)).lower() for each in re.findall(r"[^\W\d_]+", text)}:
             return False
         return (_DEFINED.fullmatch(text) or _PRODUCT.fullmatch(text)) is not None
+
+    def is_of_others(self, text: str) -> bool:
+        """Whether a formula has names, and none of them may be what the answer is called."""
+        names = {_normal("omega" if each[0] == "w" else each) for each in _WORDS.findall(text)}
+        letters = {_letter(each).lower() for each in self.own}
+        return bool(names) and not {_letter(each).lower() for each in names if each not in FUNCTIONS} & letters
+
+
+def changes(label: str) -> bool:
+    """Whether a label begins with a function that makes another quantity of what it names: exp(…), abs(…)."""
+    return _CHANGES.match(label) is not None
 
 
 def of_another_argument(text: str, *, of_a_variable: bool, at_its_end: bool) -> bool:
@@ -219,27 +231,6 @@ def with_own_labels(text: str) -> str:
     return _SHARED.sub(each, _MEMBER.sub("", text, count=1) if _MEMBER.match(text) else text)
 
 
-def by_places(items: Sequence[str]) -> list[list[str]] | None:
-    """Return the rows of a matrix whose entries are named, p11 = 2, p12 = p21 = 0; None where some are missing.
-
-    Of a square matrix what is missing on one side of the diagonal is as on the other.
-    """
-    found: dict[tuple[int, int], str] = {}
-    for item in items:
-        places, value = [], item.translate(SUBSCRIPTS)
-        while match := _PLACE.match(value):
-            places.append((int(match[1]), int(match[2])))
-            value = value[match.end() :]
-        if not places:
-            return None
-        found |= dict.fromkeys(places, value.strip())
-    height, width = (range(1, 1 + max((place[of] for place in found), default=0)) for of in (0, 1))
-    if height == width and not all((i, j) in found for i in height for j in width):
-        found = {(j, i): value for (i, j), value in found.items()} | found
-    whole = all((i, j) in found for i in height for j in width)
-    return [[found[i, j] for j in width] for i in height] if whole else None
-
-
 def _repeated(item: str) -> list[str]:
     """An item as often as it says: λ_1 = λ_2 = 3, 3 (double), 3 with multiplicity 2."""
     *names, value = item.split("=")
@@ -271,7 +262,8 @@ def _spellings(answer: AnswerName) -> set[str]:
     found = _SYMBOL.search(answer.symbol)
     names = [found[1], *(table[found[1]] for table in NOTATIONS.values() if found[1] in table)] if found else [""]
     symbols = [answer.symbol.replace(found[0], name) if found else answer.symbol for name in names]
-    return {_normal(each) for each in (answer.name, *symbols) if each}
+    also = (*LABELS.get(answer.name, ()), *LABELS.get(answer.symbol, ()))
+    return {_normal(each) for each in (answer.name, *symbols, *also) if each}
 
 
 def _is_quantity(label: str) -> bool:

@@ -39,6 +39,8 @@ _QUOTIENT = re.compile(
 """d²x/dt², and diff(x, t, 2) of programs."""
 _STEPS = ("u", "σ", "sigma", "θ", "theta", "ε", "epsilon", "H", "Θ", "Theta", "us", "u_s")
 """Names of the unit step."""
+_RESERVED = re.compile(r"(?:(?<=[-+−*/(\d])|(?<=[-+−*/(\d]\s)|^)(as|is|in|if|or)(?=\s*(?:[-+−*/)^²³]|$))")
+"""Products of two letters that are words of Python: a s in s^2 + as + K."""
 
 Change = str | Callable[[re.Match[str]], str]
 
@@ -86,6 +88,7 @@ TABLE: tuple[tuple[re.Pattern[str], Change], ...] = tuple(
         (r"((?<![A-Za-z_])[a-z]|\))\s+(\d+(?:\.\d+)?\^)", r"\1*\2"),  # k 3^(k-1), (1 + k) 0.5^k
         (rf"(?<![A-Za-z_])({_FUNCTION})(?=\d)(?!(?:2|10)\s*\()", r"\1 "),  # cos2t, but not log10(t)
         (rf"(?<![A-Za-z_])(?i:({_FUNCTION}))\s*(?=[\[{{(])", lambda found: found[1].lower()),  # Sin[t], exp{-t}
+        (r"(?<![\w)\]])([a-zA-Z])\[\s*([kn](?:\s*[-−+]\s*\d+)?)\s*\]", r"\1(\2)"),  # u[n] of a sequence
         (r"\{", "("),
         (r"\}", ")"),
         (r"\[", "("),
@@ -103,11 +106,19 @@ def plain(text: str, names: Names, choices: Choices) -> str:
     if _LIST.search(text):
         raise NotReadableError("a list stands where one value is expected")
     text = respelled(text).strip().rstrip(".;").rstrip()
+    text = _RESERVED.sub(lambda found: _as_letters(found[1], names), text)
     for pattern, change in TABLE:
         text = pattern.sub(change, text)
     text = _with_units(_with_steps(_with_polar(_with_signs(text, choices)), names), names)
     text = with_real_parts(text, names, lambda inside: _with_names(inside, names))
     return _with_names(_with_derivatives(text, names), names)
+
+
+def _as_letters(word: str, names: Names) -> str:
+    """The product of the letters of a word, where the problem has the first of them."""
+    first, second = word
+    known = first in {**names.symbols, **names.values} and names.declares(second)
+    return f"{first} {second}" if known else word
 
 
 def has_bare_call(text: str) -> bool:
@@ -136,7 +147,7 @@ def _with_steps(text: str, names: Names) -> str:
     """u(t - 2), σ(t), 1(t) as step(t - 2), … where the problem has no such name."""
     declared = {*names.symbols, *names.values, *names.functions}
     free = "|".join(name for name in _STEPS if name not in declared)
-    call = re.compile(rf"(?:(?<![A-Za-z_])(?:{free})|(?<![\w.)])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tk])(?!\w))")
+    call = re.compile(rf"(?:(?<![A-Za-z_])(?:{free})|(?<![\w.)])1)\s*\((?=\s*[-−]?\s*(?:\w+\s*[-−]\s*)?([tkn])(?!\w))")
     return call.sub(lambda found: found[0] if _is_parameter(found[1], names) else "step(", text)
 
 

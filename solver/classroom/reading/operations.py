@@ -16,6 +16,7 @@ _MOTION = re.compile(r"(?:\d*\s*[eE]\s*[\^⁻ᵗ]|exp|sin|cos|[tk]\b)")
 _ENDING = re.compile(
     r"(.*?[\d)])\s*[*·×]?\s*((?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\([^()]*\))", re.DOTALL
 )
+_RAISED = re.compile(r"([\^_])\{([^{}]*)\}")
 _NAMED = re.compile(r"(?:[A-Za-z_]\w*\.)?(?:diag|eye|zeros|ones|identity)\s*\(")
 MOST_FACTORS = 6
 NEAR = 40
@@ -45,6 +46,7 @@ def combined(node: Node, text: str, read: Read) -> Node | None:
 
     Raises Fault where a number is added to one.
     """
+    text = _RAISED.sub(r"\1(\2)", text)  # e^{-t} [1 2; 3 4]
     if found := SPECIAL.fullmatch(text):
         listed = read(f"[{found[2]}]")
         return special_matrix(found[1], listed) if isinstance(listed, SequenceNode) else None

@@ -6,17 +6,18 @@ Nothing that is read already comes here, so no value loses the reading that it h
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import sympy as sp
 
 from solver.classroom.reading.brackets import split
-from solver.classroom.reading.control_laws import gain_of, law_of
+from solver.classroom.reading.control_laws import coefficients_of, gain_of, law_of
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.latex import NotReadableError, is_latex, translated
 from solver.classroom.reading.likeness import is_of_time
 from solver.classroom.reading.piecewise import as_steps
+from solver.classroom.reading.remarks import behind_equation, of_equation, without_region, without_transformed
 from solver.classroom.reading.sentences import concluded, with_true_signs, without_words
 
 _NUMBERED = re.compile(r"^\s*p_?([1-9₁-₉])\s*=\s*([^=]+)$", re.IGNORECASE)
@@ -35,6 +36,12 @@ _LOST = re.compile(
     re.IGNORECASE,
 )
 _SETS = re.compile(r"\}\s*(?:∪|\bund\b|\band\b|,)\s*\{")
+_OR = re.compile(r"\s+(?:or|oder)\s+")
+_EACH = re.compile(
+    r"^([^:=]*?)[,:]?\s+\(?(?:each|both|jeweils|beide)\s+(?:(?:with|of|mit)\s+)?(?:(?:algebraic\s+)?(?:multiplicity|mult\.|"
+    r"vielfachheit)\s*(\d)|double|twice|doppelt)\)?\s*\.?$",
+    re.IGNORECASE,
+)
 _VECTOR_OF = re.compile(r"^\s*[xv]\s*=\s*(?=\S*\s*[(\[])")
 
 
@@ -56,6 +63,15 @@ def other_texts(text: str, ours: Any, expected: Expected) -> Iterator[str]:
 
 
 def _others(text: str, ours: Any, expected: Expected) -> Iterator[str]:
+    yield of_equation(text)
+    yield without_region(without_transformed(text, expected.name))
+    if isinstance(ours, list | sp.Set):
+        yield behind_equation(text)
+        yield _EACH.sub(_each_so_often, text)
+    if isinstance(ours, list) and ours and isinstance(ours[0], Mapping):
+        yield _OR.sub(", ", text)
+    if expected.name == "coefficients":
+        yield coefficients_of(text)
     if expected.name == "K":
         yield gain_of(text)
     if expected.name == "u":
@@ -75,6 +91,13 @@ def _others(text: str, ours: Any, expected: Expected) -> Iterator[str]:
     yield with_true_signs(text)
     yield concluded(text)
     yield without_words(text, expected.name, count=expected.count)
+
+
+def _each_so_often(found: re.Match[str]) -> str:
+    """-1 (double), -2 (double) of {-1, -2} each with multiplicity 2."""
+    times = found[2] or "2"
+    items = re.split(r"\s*(?:[,;]|\band\b|\bund\b)\s*", found[1].strip(" {}[]"))
+    return ", ".join(f"{item} (multiplicity {times})" for item in items)
 
 
 def _alike(text: str, count: int) -> str:

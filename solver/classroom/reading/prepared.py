@@ -10,7 +10,9 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom.reading.brackets import rows, split
+from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.nodes import labelled
+from solver.classroom.reading.remarks import without_remarks
 from solver.classroom.reading.spelling import typed
 from solver.problem.expressions.notation import GREEK_NAMES
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
@@ -50,11 +52,18 @@ def prepared(node: Node, ours: Any, name: str) -> Node:
     if name == "G" and (law := _OUTPUT.match(text)) and law[1]:  # Y(s) = G(s) U(s)
         return ScalarNode(node.place, law[1], "quoted")
     bare = _own_statement(_NOT_ZERO.sub("", text), name)
+    if not symbols_of(ours) and not isinstance(ours, Mapping | sp.MatrixBase) and not _is_listed(ours):
+        bare = without_remarks(bare, name)
     if name == "array":
         bare = _without_powers(text)
     if isinstance(ours, sp.MatrixBase) and (found := _TURNED.match(bare)):
         bare = f"{found[1]} = {found[2]}'"
     return node if bare == text else ScalarNode(node.place, bare, "quoted")
+
+
+def _is_listed(ours: Any) -> bool:
+    """Whether our own answer is a list of anything but numbers."""
+    return isinstance(ours, list | tuple) and not all(isinstance(each, sp.Expr) for each in ours)
 
 
 def _quotient(node: MappingNode) -> Node | None:

@@ -13,12 +13,21 @@ from solver.classroom.submitted import Decimal, Submitted
 
 MOST_SIDES = 4
 _EQUAL = re.compile(r"\s*(?:[≈≅]|(?<![<>=!:])=(?![=>]))\s*")
+_AGAIN = re.compile(
+    r"^(.*[\w)°%])\s*\(\s*(?:(?:[≈≅~=]|approx\.?|ca\.?|about|i\.e\.|d\.h\.)\s*([-+−\d.][^()=]*)|"
+    r"([-+−]?[\d.]+\s*(?:dB|°|%|rad/s|rad|deg|Hz|ms|s)))\s*\)\s*\.?$"
+)
 PLACES = (sp.Rational(13, 11), sp.Rational(29, 17), sp.Rational(7, 19))
 _NEAR = sp.Rational(1, 10**9)
 
 
 def sides(text: str) -> list[str]:
-    """Return what stands on the sides of signs = and ≈, the one text where there are none, or too many."""
+    """Return what stands on the sides of signs = and ≈, the one text where there are none, or too many.
+
+    In brackets a value may stand once more with a sign or a unit of its own: 3 (9.54 dB), 1/19 (≈ 0.0526).
+    """
+    if again := _AGAIN.match(text):
+        text = f"{again[1]} = {again[2] or again[3]}"
     found = split(text, _EQUAL)
     return found if 1 < len(found) <= MOST_SIDES and all(side.strip() for side in found) else [text]
 

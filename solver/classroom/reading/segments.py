@@ -15,8 +15,16 @@ if TYPE_CHECKING:
 
 NAME = "sigma"
 _BETWEEN = re.compile(
-    r"([\])\[])\s*(?:,|;|\band\b|\bund\b|\bor\b|\boder\b|\bU\b|\+)\s*(?=[\[(\]]|Interval\b)", re.IGNORECASE
+    r"([\])\[])\s*(?:,\s*(?:and|und)?|;|\band\b|\bund\b|\bor\b|\boder\b|\bU\b|\+)\s*(?=[\[(\]]|Interval\b)",
+    re.IGNORECASE,
 )
+
+_AND = re.compile(r"\s*(?:\band\b|\bund\b|&&?|∧|,|;)\s*", re.IGNORECASE)
+_END = r"([-+−]?\s*(?:\d+(?:\.\d+)?(?:/[1-9]\d*)?|∞|inf|oo))"
+_RANGE = re.compile(rf"\b(?:between|from|zwischen|von)\s+{_END}\s+(?:and|to|und|bis)\s+{_END}", re.IGNORECASE)
+_LEFT = re.compile(rf"\b(?:to the )?(?:left of|links von)\s+{_END}", re.IGNORECASE)
+_RIGHT = re.compile(rf"\b(?:to the )?(?:right of|rechts von)\s+{_END}", re.IGNORECASE)
+_PART = re.compile(r"^\s*(?:the )?(?:real )?(?:axis|part|segments?)\s+(?=[\[(])", re.IGNORECASE)
 
 
 def are_intervals(ours: Any) -> bool:
@@ -43,15 +51,38 @@ def _is_list(text: str) -> bool:
                                                      or inside.startswith("Interval"))  # fmt: skip
 
 
-def _in_text(node: Node, text: str, texts: TextReader) -> list[Any]:
-    united = _BETWEEN.sub(r"\1 ∪ ", text)
-    condition = texts.condition(ScalarNode(node.place, united, "quoted"), NAME)
+def _set_of(node: Node, text: str, texts: TextReader) -> sp.Set:
+    condition = texts.condition(ScalarNode(node.place, text, "quoted"), NAME)
     symbols = list(condition.free_symbols)
+    if condition is sp.false:
+        return sp.S.EmptySet
     if len(symbols) != 1:
         raise node.fault("intervals of the real axis are expected here, such as [-2, -1]")
-    (x,) = symbols
-    real = sp.Symbol("x", real=True)
-    found = condition.xreplace({x: real}).as_set()
+    return condition.xreplace({symbols[0]: sp.Symbol("x", real=True)}).as_set()
+
+
+def _in_words(text: str) -> str:
+    """Intervals for "between 0 and -1, left of -2"."""
+
+    def between(found: re.Match[str]) -> str:
+        ends = sorted(found.groups(), key=_size)
+        return f"[{ends[0]}, {ends[1]}]"
+
+    text = _PART.sub("", _RANGE.sub(between, text))
+    return _RIGHT.sub(r"[\1, ∞)", _LEFT.sub(r"(-∞, \1]", text))
+
+
+def _size(number: str) -> float:
+    bare = number.replace("−", "-").replace("∞", "inf").replace("oo", "inf").replace(" ", "")
+    above, _, below = bare.partition("/")
+    return float(above) / float(below or 1)
+
+
+def _in_text(node: Node, text: str, texts: TextReader) -> list[Any]:
+    united = _BETWEEN.sub(r"\1 ∪ ", _in_words(text))
+    found = _set_of(node, united, texts)
+    if found is sp.S.EmptySet:  # -1 <= s <= 0 and s <= -2: both parts are meant
+        found = _set_of(node, _AND.sub(" or ", united), texts)
     parts = found.args if isinstance(found, sp.Union) else (found,)
     if not all(isinstance(part, sp.Interval) for part in parts):
         raise node.fault("intervals of the real axis are expected here, such as [-2, -1]")

@@ -15,6 +15,13 @@ FUNCTIONS = {"Heaviside": "step", "DiracDelta": "delta", "Abs": "abs", "Kronecke
              "arcsin": "asin", "arctan": "atan", "heaviside": "step", "dirac": "delta",
              "UnitStep": "step", "HeavisideTheta": "step"}  # fmt: skip
 _FUNCTION = re.compile(r"\b(" + "|".join(FUNCTIONS) + r")\s*[(\[]")
+_QUOTIENTS = {"coth": "(cosh({0})/sinh({0}))", "sech": "(1/cosh({0}))", "csch": "(1/sinh({0}))",
+              "cot": "(1/tan({0}))", "sec": "(1/cos({0}))", "csc": "(1/sin({0}))",
+              "lg": "(log({0})/log(10))", "log10": "(log({0})/log(10))", "log_10": "(log({0})/log(10))"}  # fmt: skip
+_QUOTIENT = re.compile(
+    r"(?<![A-Za-z_])(" + "|".join(_QUOTIENTS) + r"|log_?[{(]10[)}]|log₁₀)(?:\s*([(\[])|\s*(\d+(?:\.\d+)?)(?![\w.(]))",
+    re.IGNORECASE,
+)
 _ROOT = re.compile(r"(?<=\w)√\(")
 """A root behind a name, a√(2), which is none of a longer name."""
 
@@ -23,8 +30,18 @@ _INFINITY = re.compile(r"\b(?:oo|infinity|infinite|Infinity|Inf|unendlich)\b|∞
 
 def respelled(text: str) -> str:
     """Return the text of an expression with functions named as our notation names them."""
-    text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(_impulses(_steps(text))))
+    text = _FUNCTION.sub(lambda found: f"{FUNCTIONS[found[1]]}(", _kronecker(_impulses(_steps(_quotients(text)))))
     return _ROOT.sub(" sqrt(", _INFINITY.sub("inf", text)).replace("√(", "sqrt(").replace("–", "-")
+
+
+def _quotients(text: str) -> str:
+    """coth(a), coth 1, log10(a), lg 3 by the functions that we have."""
+    while found := _QUOTIENT.search(text):
+        end = matching(text, found.end() - 1) if found[2] else found.end()
+        inside = text[found.end() : end] if found[2] else found[3]
+        form = _QUOTIENTS.get(found[1].lower(), _QUOTIENTS["lg"])
+        text = f"{text[: found.start()]}{form.format(inside)}{text[end + bool(found[2]) :]}"
+    return text
 
 
 def _steps(text: str) -> str:

@@ -54,6 +54,9 @@ PHRASES = {
     **dict.fromkeys(("line of fixed points", "line of equilibrium points"), "line of equilibria"),
     **dict.fromkeys(("every", "all points are fixed points"), "all points are equilibria"),
     "unstable saddle": "saddle",
+    **dict.fromkeys(("schwach damped", "lightly damped", "weakly damped", "schwingfall"), "underdamped"),
+    **dict.fromkeys(("stark damped", "heavily damped", "strongly damped", "kriechfall"), "overdamped"),
+    **dict.fromkeys(("aperiodischer grenzfall", "aperiodic limit", "limit of aperiodicity"), "critically damped"),
 }
 """What is said in several words, where it is all that is said."""
 PARTS = {"proper node": "star", "star node": "star", "asymptotically stable": "stable"}
@@ -64,12 +67,17 @@ ADJECTIVES = {
     "stabilizable": ("stabilisierbar",),
     "detectable": ("detektierbar", "entdeckbar"),
     "diagonalizable": ("diagonalisierbar",),
-    "feasible": ("possible", "möglich", "machbar", "erfüllbar"),
+    "feasible": ("possible", "möglich", "machbar", "erfüllbar", "decouplable", "can be decoupled", "entkoppelbar"),
     "stable": ("asymptotically stable", "stabil", "asymptotisch stabil"),
     "bibo stable": ("stable", "stabil", "bibo stabil"),
 }
 """Other words for what an answer is called that is yes or no."""
 NEGATIONS = ("not ", "nicht ", "non ", "un", "in", "im", "non", "nicht")
+LABELS = {
+    "A_{d}": ("Phi", "Φ"), "B_{d}": ("Gamma", "Γ", "H"), "damping_ratio": ("D", "d", "xi", "ξ"),
+    "natural_frequency": ("omega", "ω", "w"), "gain_margin": ("GM", "A_R", "k_R"), "phase_margin": ("PM", "Phi", "Φ"),
+}  # fmt: skip
+"""What an answer is called too, by its name or its symbol, where this is what another one is called elsewhere."""
 NOUNS = {"nullstellen": "zeros", "nullstelle": "zeros", "zero": "zeros", "pole": "poles", "polstellen": "poles",
          "eigenwerte": "eigenvalues", "moden": "modes", "mode": "modes", "ausnahmen": "exceptions",
          "exception": "exceptions", "lösungen": "solutions", "solution": "solutions"}  # fmt: skip

@@ -9,7 +9,7 @@ import sympy as sp
 
 from solver.classroom.reading import polynomials
 from solver.classroom.reading.choices import Choices
-from solver.classroom.reading.condition_words import in_relations
+from solver.classroom.reading.condition_words import in_relations, is_unclear, with_ends
 from solver.classroom.reading.conditions import ConditionReader
 from solver.classroom.reading.decimals import decimals_of
 from solver.classroom.reading.latex import is_latex, translated
@@ -40,6 +40,7 @@ class TextReader:
         self.names = names
         self.choices = choices
         self.unit = unit
+        self.variable = "z" if discrete else "s"
         self.discrete = discrete
         self.decimals: dict[sp.Symbol, Decimal] = {}
         self.respelt = False
@@ -98,6 +99,8 @@ class TextReader:
         with At(node):
             text = translated(text) if is_latex(text) else text
             self.respelt = self.respelt or in_relations(text) != text.strip()
+            if is_unclear(text):
+                text = with_ends(text, closed=self.choices.choose(("ends", text), (False, True)))
             return ConditionReader(self._side, name).read(text)
 
     def _side(self, text: str) -> Any:
@@ -127,7 +130,7 @@ class TextReader:
         ):
             text = kept
         bare = without_unit(text, self.unit)
-        found = polynomials.with_quotients(bare, "z" if self.discrete else "s")
+        found = polynomials.with_quotients(bare, self.variable)
         found = plain(found, self.names, self.choices)
         said = _squeezed(found) == _squeezed(respelled(bare))
         self.respelt = self.respelt or not said or has_bare_call(found)

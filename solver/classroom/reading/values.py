@@ -19,6 +19,7 @@ from solver.classroom.reading.choices import MOST_READINGS, Choices, readings
 from solver.classroom.reading.expected import Expected
 from solver.classroom.reading.labels import (
     ForeignLabelError,
+    changes,
     of_another_argument,
     with_own_labels,
     without_range,
@@ -29,6 +30,7 @@ from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.otherwise import other_texts
 from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
+from solver.classroom.reading.remarks import with_constants
 from solver.classroom.reading.said_twice import same, sides
 from solver.classroom.reading.sentences import sides_of
 from solver.classroom.reading.spelling import typed
@@ -114,6 +116,10 @@ class Reader:
             other = prepared(ScalarNode(node.place, text, "quoted"), ours, self.expected.name)
             if found := self._like(other, ours) or self._within(other, ours, depth + 1):
                 return found
+        known = [*self.names.symbols, *self.names.values, *self.names.variables, "e", "pi", "j"]
+        told = with_constants(node.text, known)
+        if told and (found := self._like(ScalarNode(node.place, told, "quoted"), ours)):
+            return found
         return self._last_side(node, ours)
 
     def _like(self, node: Node, ours: Any) -> list[Submitted]:
@@ -137,7 +143,8 @@ class Reader:
         try:
             self.expected.labels.without(f"{sides[0]} = 0")
         except ForeignLabelError:
-            return []
+            if not (changes(sides[0]) and self._is_formula(sides[0], ours)):
+                return []
         found = [self._like(ScalarNode(node.place, side, "quoted"), ours) for side in sides]
         *before, last = found
         if not last:
@@ -147,12 +154,21 @@ class Reader:
         for side, known_values in zip(sides, values, strict=False):
             if known_values and not any(same(each, one) for each in known_values for one in last):
                 raise node.fault(f"{side} and {sides[-1]} are not equal")
-        return last if values[0] or self.expected.labels.may_define(sides[0]) else []
+        return (
+            last if values[0] or self.expected.labels.may_define(sides[0]) or self._is_formula(sides[0], ours) else []
+        )
+
+    def _is_formula(self, text: str, ours: Any) -> bool:
+        """Whether a text says how a number is found from other quantities: exp(-πζ/√(1-ζ²)), 1/K_v."""
+        number = isinstance(ours, sp.Expr) and not isinstance(ours, sp.MatrixBase) and not symbols_of(ours)
+        return number and self.expected.labels.is_of_others(text)
 
     def _reading(self, node: Node, ours: Any, choices: Choices) -> Submitted:
         self.equation = False
         self.texts = TextReader(self.names, choices, self.expected.unit, discrete=self.discrete)
         self.texts.numbers = not symbols_of(ours)
+        if "z" in {symbol.name for symbol in symbols_of(ours)}:
+            self.texts.variable = "z"
         kinds = KindReader(self.texts, self.expected, decimal_comma=self.decimal_comma)
         if are_points(ours, node):
             value, form = PointReader(self.texts, self.expected, ours).read(node)

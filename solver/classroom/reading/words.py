@@ -48,6 +48,12 @@ _WHOLLY = {
     "the",
     "das",
     "matrix",
+    "closed",
+    "loop",
+    "der",
+    "geschlossene",
+    "kreis",
+    "regelkreis",
 }
 _DENIED = {"no", "not", "nicht", "kein", "keine", "but", "aber"}
 _CRITERION = re.compile(r"\s*(?:det|rank|rang)\b[^,;]*[=<≠][^,;]*[,;]\s*(\S.*)$", re.IGNORECASE | re.DOTALL)

@@ -32,10 +32,15 @@ def answers_of(several: bool) -> list[AnswerName]:
     return [
         AnswerName("controller", "C(s)", "the compensator", free=True, principal=True, earned=EARNED),
         AnswerName("K", "K", "its gain at s = 0", free=is_any_gain, principal=True, earned=("gain", "free_gain")),
-        AnswerName("T", "T", zero, free=True, ordered=True, earned=EARNED),
+        AnswerName("T", "T", zero, free=True, ordered=True, unit="s", earned=EARNED),
         AnswerName("alpha", r"\alpha", ratio, free=True, ordered=True, earned=EARNED),
         AnswerName(
-            "phase_margin", r"\mathrm{PM}", "the phase margin of the loop, in degrees", free=True, earned=("check",)
+            "phase_margin",
+            r"\mathrm{PM}",
+            "the phase margin of the loop, in degrees",
+            free=True,
+            unit="°",
+            earned=("check",),
         ),
         AnswerName("gain_crossover", r"\omega_g", "its gain crossover", free=True, unit="rad/s", earned=("check",)),
         AnswerName("error", r"e_{\infty}", "the error after a unit step", optional=True, free=True, earned=("check",)),

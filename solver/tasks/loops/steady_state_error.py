@@ -72,7 +72,14 @@ steady_state_error: Task[OpenLoop, ErrorOptions] = Task(
         AnswerName(
             "position_constant", "K_p", "lim L(s) for s → 0, lim L(z) for z → 1", optional=True, earned=("constants",)
         ),
-        AnswerName("velocity_constant", "K_v", "lim s L(s), lim (z − 1) L(z)/T", optional=True, earned=("constants",)),
+        AnswerName(
+            "velocity_constant",
+            "K_v",
+            "lim s L(s), lim (z − 1) L(z)/T",
+            optional=True,
+            unit="1/s",
+            earned=("constants",),
+        ),
         AnswerName(
             "acceleration_constant", "K_a", "lim s² L(s), lim (z − 1)² L(z)/T²", optional=True, earned=("constants",)
         ),

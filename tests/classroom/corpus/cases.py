@@ -3,7 +3,8 @@
 A file is a list of problems. Each has submissions of one value (`right`, `wrong`, `ambiguous`: lists of kind, typed
 text and meaning, by part and answer), of values that belong together (`together`), and of several parts (`chains`).
 Typed text stands in the answer file as it is here, after the name of the answer. A `right` one without a meaning means
-what the first of its list means; an ambiguous one lists what it could mean; what has no meaning cannot be read.
+what the first of its list means; an ambiguous one lists what it could mean; what has no meaning cannot be read,
+or (`null`) its truth was found by hand alone.
 """
 
 from collections.abc import Iterator, Mapping
@@ -141,7 +142,8 @@ def _of_problem(problem: Problem, entry: Mapping[str, Any], data: Mapping[str, A
             part, answer = place.split(".")
             default = rows[0][2] if truth == "right" else None
             for number, row in enumerate(rows, 1):
-                value = Value(part, answer, row[1], row[2] if len(row) > 2 else default)
+                means = row[2] if len(row) > 2 else default
+                value = Value(part, answer, row[1], None if means == "null" else means)
                 name = f"{problem.name} {place} {truth} {number}"
                 yield Submission(name, row[0], problem, (Claim(truth, (value,)),))
     for number, case in enumerate(entry.get("together", ()), 1):

@@ -121,7 +121,7 @@ def test_a_count_may_be_said_in_words(text, value):
 @pytest.mark.parametrize(
     "text",
     [
-        "3 dB", "2 rad/s", "30 deg", "'1, 2'", "3 = 4", "1 + 2 = 4", "ss(1, 2, 3, 4)", "log10(2)", "sin^-1(t)",
+        "3 dB", "2 rad/s", "30 deg", "'1, 2'", "3 = 4", "1 + 2 = 4", "ss(1, 2, 3, 4)", "sin^-1(t)",
         "x = 1 = 2", r"\int t", r"\frac{1}", "__import__('os')", "t if t else 1", "'(lambda: 1)()'", "'1 ± 2'",
         "{1, 2}",
     ],
