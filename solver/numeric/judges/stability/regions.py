@@ -17,6 +17,7 @@ from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, Undefined
+from solver.numeric.judges.stability.edges import beside_edges
 from solver.numeric.judges.stability.location import STABLE, located
 from solver.words import Phrase
 
@@ -67,12 +68,23 @@ def counterexample(A: Any, condition: Any, *, discrete: bool, part: StablePart |
     for point in points:
         if fault := tried.disagreement(point):
             return fault
-    for point in _boundary_points(tried, points):
+    for point in [*_boundary_points(tried, points), *_beside_edges(tried, points, symbols)]:
         if is_admissible(point) and (fault := tried.disagreement(point)):
             return fault
     if not tried.decided:
         raise NotEvaluable("no values of the parameters were found at which the system is defined")
     return ""
+
+
+def _beside_edges(tried: _Trial, points: Sequence[Rational], symbols: Sequence[Any]) -> Iterable[Rational]:
+    """Points beside the edges of a region of several parameters."""
+    inside = [point for point in points if len(symbols) > 1 and tried.claimed(point) and tried.stable(point)]
+    return beside_edges(lambda point: is_admissible(point) and tried.claimed(point), inside, tried.vague)
+
+
+def _comparisons(condition: Any) -> list[Any]:
+    """The comparisons of a condition, always in the same order."""
+    return sorted(condition.atoms(sp.core.relational.Relational), key=str)
 
 
 class _Trial:
@@ -185,7 +197,7 @@ def random_value(symbol: Any, random: Random) -> Any:
 def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
     """The numbers that symbols are compared with: exact ones, and decimals as rationals."""
     found: dict[Any, tuple[list[Any], list[Any]]] = {}
-    for each in condition.atoms(sp.core.relational.Relational):
+    for each in _comparisons(condition):
         for left, right in ((each.lhs, each.rhs), (each.rhs, each.lhs)):
             if left.is_Symbol and not right.free_symbols and right.is_finite:
                 exact, rounded = found.setdefault(left, ([], []))
@@ -197,7 +209,7 @@ def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
 
 def _ends(condition: Any, k: Any) -> Iterable[Any]:
     """Where comparisons of more than k itself end, as K² ≥ 4 and |K| ≥ 2 do at 2 and -2."""
-    for each in condition.atoms(sp.core.relational.Relational):
+    for each in _comparisons(condition):
         if not (each.lhs.is_Symbol or each.rhs.is_Symbol):
             yield from _zeros(each.lhs - each.rhs, k)
 
@@ -226,7 +238,7 @@ def _rounded_bounds(condition: Any) -> Iterable[tuple[Any, Any, Any]]:
 
 def on_edges(condition: Any, point: Rational) -> Iterable[Rational]:
     """The point moved onto the edge of each comparison that is linear in one of its symbols, and beside it."""
-    for each in condition.atoms(sp.core.relational.Relational):
+    for each in _comparisons(condition):
         difference = each.lhs - each.rhs
         for symbol in sorted(difference.free_symbols, key=str):
             if difference.is_polynomial(symbol) and sp.degree(difference, symbol) == 1:
