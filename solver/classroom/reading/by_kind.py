@@ -172,6 +172,9 @@ class KindReader:
         if len(texts) < max(2, len(items)):
             return items
         found = units.shared(texts, self.texts.unit)
+        if found == texts:
+            return items
+        self.texts.respelt = True
         return [ScalarNode(item.place, text, "quoted") for item, text in zip(items, found, strict=True)]
 
     def _matrix(self, node: Node, ours: sp.MatrixBase) -> Pair:

@@ -14,12 +14,9 @@ _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
 _OUTER = re.compile(r"^\s*([-+]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
 _BELOW = str.maketrans("₁₂₃₄₅₆₇₈₉−", "123456789-")
-_K = r"(?:\(\s*{0}\s*\)|\[\s*{0}\s*\]|_\{{?\s*{0}\s*\}}?)"
-_DIFFERENCES = re.compile(rf"^\s*(?:(Δ|\\?Delta\s*)?u\s*{_K.format('[kn]')})\s*=\s*(.+)$", re.DOTALL)
-_SAMPLE = re.compile(
-    rf"^\s*([-+]?)\s*(.*?)\s*[*·]?\s*([ue])\s*{_K.format(r'[kn]' + chr(92) + 's*(?:-' + chr(92) + 's*([1-9]))?')}\s*$",
-    re.DOTALL,
-)
+_AT = r"(?:\(\s*{0}\s*\)|\[\s*{0}\s*\]|_\{{\s*{0}\s*\}}|_{0})"
+_DIFFERENCES = re.compile(rf"^\s*(Δ|∆|\\?Delta\s*)?u{_AT.format('[kn]')}\s*=\s*(.+)$", re.DOTALL)
+_SAMPLE = re.compile(rf"^\s*([-+]?)\s*(.*?)\s*[*·]?\s*([ue]){_AT.format('[kn](?:-([1-9]))?')}\s*$", re.DOTALL)
 MOST_STATES = 9
 
 
@@ -55,12 +52,14 @@ def coefficients_of(text: str) -> str:
     found = _DIFFERENCES.match(text.translate(_BELOW))
     if found is None:
         return ""
-    terms, named, before = _terms(found[2].strip().rstrip(".")), dict[int, str](), bool(found[1])
+    law = re.sub(r"([kn])\s*-\s*(?=\d)", r"\1-", found[2].strip().rstrip("."))
+    terms, named, before = _terms(law), dict[int, str](), bool(found[1])
     for term in terms:
         match = _SAMPLE.match(term)
         if match is None:
             return ""
-        sign, factor, signal, shift = (match[1] or "").strip(), match[2].strip(), match[3], int(match[4] or 0)
+        sign, factor, signal = match[1], match[2].strip(), match[3]
+        shift = max(int(each or 0) for each in match.groups()[3:])
         if signal == "u":
             if before or sign == "-" or factor not in ("", "1") or shift != 1:
                 return ""
@@ -68,7 +67,7 @@ def coefficients_of(text: str) -> str:
         elif shift in named:
             return ""
         else:
-            named[shift] = f"({sign}({factor or '1'}))"
+            named[shift] = f"{sign.strip('+')}({factor or '1'})"
     listed = [named.get(i, "0") for i in range(max([2, *named]) + 1)]
     return f"[{', '.join(listed)}]" if before and named else ""
 

@@ -28,7 +28,7 @@ _TRANSFORMED = re.compile(
 _EQUATION = re.compile(r"^\s*(?:\w+\.)*Eq\s*\(\s*([A-Za-z]\w*(?:\([tk]\))?)\s*,\s*(.+)\)\s*$", re.DOTALL)
 _GIVEN = re.compile(rf"^({_NAME})\s*=\s*([-+−]?[\d./√()\s]+)$")
 _WITH = re.compile(r"\s*,?\s*(?:\b(?:with|where|mit|wobei|and|und)\b|[,;:])\s*")
-_SOLVED = re.compile(r"^[^=,;]*[^=,;\s\d.][^=,;]*=\s*0\s*[,;:]\s*(?=[^\s=])")
+_SOLVED = re.compile(r"^[^=,;]*[-+−*^²³][^=,;]*=\s*0\s*[,;:]\s*(?=[^\s=])")
 MOST_CONSTANTS = 8
 
 
@@ -65,7 +65,7 @@ def with_constants(text: str, known: Collection[str]) -> str:
 
     A name that means something in the problem is none of those.
     """
-    formula, *rest = split(text, _WITH)
+    formula, *rest = split(text, _WITH) or [""]
     given = [_GIVEN.match(each.strip()) for each in rest]
     found = [each for each in given if each is not None]
     if not found or len(found) < len(given) or len(found) > MOST_CONSTANTS:

@@ -250,7 +250,26 @@ def test_a_condition_in_words_and_as_a_set(text):
     ]
 
 
-@pytest.mark.parametrize("text", ["0 to 48", "K between 0 and 48", "K ∉ (0, 48)", "unstable for K > 0"])
+@pytest.mark.parametrize("text", ["0 to 48", "K ∉ (0, 48)", "unstable for K > 0"])
 def test_a_condition_of_which_the_ends_or_the_sense_are_unclear_is_not_read(text):
     with pytest.raises(Fault):
         read(text, sp.And(K > 0, K < 6))
+
+
+@pytest.mark.parametrize("text", ["K between 0 and 48", "between 0 and 48", "from 0 to 48", "K zwischen 0 und 48"])
+def test_bounds_of_which_the_ends_are_unclear_have_two_readings(text):
+    found = read(text, sp.And(K > 0, K < 6))
+    assert [bool(each.value.subs(K, 0)) for each in (found, *found.others)] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("coth 1", sp.coth(1)),
+        ("20 log10(3)", 20 * sp.log(3, 10)),
+        ("20 lg 3", 20 * sp.log(3, 10)),
+        ("sech(2)", sp.sech(2)),
+    ],
+)
+def test_functions_that_are_known_by_others(text, value):
+    assert abs(sp.N(read(text, sp.Integer(5)).value - value)) < 1e-12

@@ -21,7 +21,7 @@ def test_the_first_of_equal_numbers_is_the_value(text, value):
     assert (found.value, found.respelt) == (value, True)
 
 
-@pytest.mark.parametrize("text", ["pi/3 = 1.57", "pi/2 ≈ 1.047", "1.5 ≈ pi/2", "pi/3 = 1.05 = 1.2", "pi/w = 1.047"])
+@pytest.mark.parametrize("text", ["pi/3 = 1.57", "pi/2 ≈ 1.047", "1.5 ≈ pi/2", "pi/3 = 1.05 = 1.2"])
 def test_numbers_that_are_not_equal_are_refused(text):
     with pytest.raises(Fault):
         read(text, sp.pi)
