@@ -10,6 +10,7 @@ _LAW = re.compile(r"^\s*u(?:_?1)?(?:\^\*|\*)?(?:\s*\([tk]\)|\[k\])?\s*=\s*(.+)$"
 _STATE = r"x(?:\([tk]\)|\[k\]|_k)?"
 _REFERENCE = re.compile(r"\s*\+\s*[rvw](?:\([tk]\)|\[k\])?\s*$")
 _BEFORE = re.compile(r"^\s*[rvw](?:\([tk]\)|\[k\])?\s*(?=[-−])")
+_SCALAR = re.compile(rf"^([-−]?)\s*([\d./√()]+)\s*[*·]?\s*{_STATE}$")
 _ROW = re.compile(r"^([-−]?)\s*(?=[\[(])")
 _TERM = re.compile(r"^\s*([-+−]?)\s*(.*?)\s*[*·]?\s*x_?\{?([1-9])\}?(?:\([tk]\)|\[k\])?\s*$", re.DOTALL)
 _OUTER = re.compile(r"^\s*([-+]?\s*(?:\d+(?:\.\d+)?(?:/\d+)?)?)\s*[*·]?\s*(?=\()")
@@ -29,6 +30,8 @@ def gain_of(text: str) -> str:
     if (row := _row_beside(law, _STATE)) is not None:
         sign, entries = row
         return entries if sign else f"-{entries}"
+    if found := _SCALAR.match(law):
+        return f"[({'' if found[1] else '-'}({found[2]}))]"
     coefficients = _coefficients(law)
     return f"[{', '.join(f'-({each})' for each in coefficients)}]" if coefficients else ""
 

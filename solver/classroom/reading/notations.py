@@ -116,7 +116,7 @@ def plain(text: str, names: Names, choices: Choices) -> str:
 
 def _as_letters(word: str, names: Names) -> str:
     """The product of the letters of a word, where the problem has the first of them."""
-    first, second = word
+    first, second = word[0], word[1]
     known = first in {**names.symbols, **names.values} and names.declares(second)
     return f"{first} {second}" if known else word
 

@@ -136,7 +136,7 @@ def adds_a_number(text: str) -> bool:
     """Whether a number is added to a matrix: 2 + [3, 1]."""
     signs = [at for at in _outside_all(text) if text[at] in "+-−" and _joins_terms(text, at)]
     terms = [text[a:b] for a, b in zip([0, *signs], [*signs, len(text)], strict=True)]
-    matrices = [_LISTED.search(term) is not None for term in terms]
+    matrices = [(_LISTED.search(term) or _NAMED.search(term)) is not None for term in terms]
     return len(terms) > 1 and any(matrices) and not all(matrices)
 
 
@@ -152,7 +152,7 @@ def terms_of(text: str) -> tuple[list[str], list[str]]:
     terms = [term.strip() for term in [*terms, text[start:]]]
     signs = ["-" if term[:1] in "-−" else "" for term in terms]
     bare = [term.lstrip("+-−").strip() for term in terms]
-    matrices = all(term.endswith("]") or "[" in term for term in bare)
+    matrices = all(term.endswith("]") or "[" in term or _NAMED.match(term) for term in bare)
     return (bare, signs) if len(bare) > 1 and matrices else ([], [])
 
 

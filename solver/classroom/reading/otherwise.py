@@ -36,6 +36,8 @@ _LOST = re.compile(
     re.IGNORECASE,
 )
 _SETS = re.compile(r"\}\s*(?:∪|\bund\b|\band\b|,)\s*\{")
+_THEN = re.compile(r"\s*(?:→|->|,?\s+(?:then|dann|danach)\b)\s*")
+_IDENTITY = re.compile(r"(?<![\w.)\]])I(?:_?\d)?(?=\s*[-+−]\s*\S)")
 _OR = re.compile(r"\s+(?:or|oder)\s+")
 _EACH = re.compile(
     r"^([^:=]*?)[,:]?\s+\(?(?:each|both|jeweils|beide)\s+(?:(?:with|of|mit)\s+)?(?:(?:algebraic\s+)?(?:multiplicity|mult\.|"
@@ -68,6 +70,7 @@ def _others(text: str, ours: Any, expected: Expected) -> Iterator[str]:
     if isinstance(ours, list | sp.Set):
         yield behind_equation(text)
         yield _EACH.sub(_each_so_often, text)
+        yield _THEN.sub(", ", text)
     if isinstance(ours, list) and ours and isinstance(ours[0], Mapping):
         yield _OR.sub(", ", text)
     if expected.name == "coefficients":
@@ -82,6 +85,7 @@ def _others(text: str, ours: Any, expected: Expected) -> Iterator[str]:
         yield _alike(text, ours.rows * ours.cols)
     if isinstance(ours, sp.MatrixBase) and ours.rows == ours.cols:
         yield _symmetric(text, ours.rows)
+        yield _IDENTITY.sub(f"eye({ours.rows})", text)
     if expected.name.endswith("_modes"):
         yield _HIDDEN[expected.name.startswith("un") and "obs" in expected.name].sub("", text)
     if expected.name == "values":

@@ -24,6 +24,7 @@ _END = r"([-+−]?\s*(?:\d+(?:\.\d+)?(?:/[1-9]\d*)?|∞|inf|oo))"
 _RANGE = re.compile(rf"\b(?:between|from|zwischen|von)\s+{_END}\s+(?:and|to|und|bis)\s+{_END}", re.IGNORECASE)
 _LEFT = re.compile(rf"\b(?:to the )?(?:left of|links von)\s+{_END}", re.IGNORECASE)
 _RIGHT = re.compile(rf"\b(?:to the )?(?:right of|rechts von)\s+{_END}", re.IGNORECASE)
+_REAL_PART = re.compile(r"\\?\bRe\s*[({]?\s*s\s*[)}]?")
 _PART = re.compile(r"^\s*(?:the )?(?:real )?(?:axis|part|segments?)\s+(?=[\[(])", re.IGNORECASE)
 
 
@@ -68,6 +69,7 @@ def _in_words(text: str) -> str:
         ends = sorted(found.groups(), key=_size)
         return f"[{ends[0]}, {ends[1]}]"
 
+    text = _REAL_PART.sub("s", text)
     text = _PART.sub("", _RANGE.sub(between, text))
     return _RIGHT.sub(r"[\1, ∞)", _LEFT.sub(r"(-∞, \1]", text))
 

@@ -11,6 +11,7 @@ import sympy as sp
 MOST_INSIDE = 5
 """Points inside from which the edges are looked for."""
 DOUBLINGS, HALVINGS = 16, 26
+NEAR = sp.Rational(1, 10**5)
 FIRST = sp.Rational(1, 64)
 BEYOND = sp.Rational(11, 10)
 Point = Mapping[Any, Any]
@@ -60,3 +61,20 @@ def _edge(claimed: Callable[[Any], bool | None], point: Point, symbol: Any, sign
         middle = (inner + outer) / 2
         inner, outer = (middle, outer) if claimed({**point, symbol: middle}) else (inner, middle)
     return inner, outer
+
+
+def on_edges(condition: Any, point: Point) -> Iterable[dict[Any, Any]]:
+    """The point moved onto the edge of each comparison that is linear in one of its symbols, and beside it."""
+    for each in comparisons_of(condition):
+        difference = each.lhs - each.rhs
+        for symbol in sorted(difference.free_symbols, key=str):
+            if difference.is_polynomial(symbol) and sp.degree(difference, symbol) == 1:
+                a, b = (c.xreplace(point) for c in sp.Poly(difference, symbol).all_coeffs())
+                if a.is_Rational and b.is_Rational and a != 0:
+                    yield from ({**point, symbol: -b / a + side * NEAR * (1 + abs(b / a))} for side in (0, 1, -1))
+                break
+
+
+def comparisons_of(condition: Any) -> list[Any]:
+    """Return the comparisons of a condition, always in the same order."""
+    return sorted(condition.atoms(sp.core.relational.Relational), key=str)

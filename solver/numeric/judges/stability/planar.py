@@ -10,8 +10,9 @@ import sympy as sp
 
 from solver.numeric.evaluation.points import SEED, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, Undefined
+from solver.numeric.judges.stability.edges import on_edges
 from solver.numeric.judges.stability.location import clusters, planar_kind
-from solver.numeric.judges.stability.regions import is_admissible, on_edges, random_value
+from solver.numeric.judges.stability.regions import is_admissible, random_value
 
 POINTS, EDGES = 60, 8
 QUADRATIC = 2

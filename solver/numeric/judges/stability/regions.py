@@ -17,7 +17,7 @@ from solver.numeric.evaluation.expressions import value_of
 from solver.numeric.evaluation.inside import admits
 from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
 from solver.numeric.evaluation.values import NotEvaluable, Undefined
-from solver.numeric.judges.stability.edges import beside_edges
+from solver.numeric.judges.stability.edges import beside_edges, comparisons_of, on_edges
 from solver.numeric.judges.stability.location import STABLE, located
 from solver.words import Phrase
 
@@ -27,7 +27,6 @@ PAIRS = 2
 EDGES = 10
 MOST_ENDS = 12
 """The highest degree of a comparison whose ends are looked for."""
-NEAR = sp.Rational(1, 10**5)
 ROUNDED, DECIMALS = 3, 16
 """Bounds with so many decimals (at least, less than) are taken as rounded."""
 STEPS = (sp.Rational(1, 10**3), sp.Rational(1, 10**7), sp.Rational(1, 10**13))
@@ -82,11 +81,6 @@ def _beside_edges(tried: _Trial, points: Sequence[Rational], symbols: Sequence[A
     return beside_edges(lambda point: is_admissible(point) and tried.claimed(point), inside, tried.vague)
 
 
-def _comparisons(condition: Any) -> list[Any]:
-    """The comparisons of a condition, always in the same order."""
-    return sorted(condition.atoms(sp.core.relational.Relational), key=str)
-
-
 class _Trial:
     """The condition and the eigenvalues at points; remembers the truths found."""
 
@@ -114,11 +108,24 @@ class _Trial:
 
     def claimed(self, point: Rational) -> bool | None:
         """Whether the condition holds at a point."""
-        truth = self.condition.xreplace(point) if point else self.condition
+        try:
+            truth = self.condition.xreplace(point) if point else self.condition
+        except TypeError:  # one of its sides is not defined there
+            return self._claimed_by_one(point)
         truth = truth.doit() if hasattr(truth, "doit") else truth
         if truth not in (sp.true, sp.false):
             return None
         return bool(truth)
+
+    def _claimed_by_one(self, point: Rational) -> bool | None:
+        """Whether one of several comparisons denies the condition at a point where another has no value."""
+        for each in self.condition.args if isinstance(self.condition, sp.And) else ():
+            try:
+                if each.xreplace(point) == sp.false:
+                    return False
+            except TypeError:
+                continue
+        return None
 
     def disagreement(self, point: Rational) -> str:
         """In words, if the condition is wrong at the point (not where rounded bounds leave it open)."""
@@ -197,7 +204,7 @@ def random_value(symbol: Any, random: Random) -> Any:
 def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
     """The numbers that symbols are compared with: exact ones, and decimals as rationals."""
     found: dict[Any, tuple[list[Any], list[Any]]] = {}
-    for each in _comparisons(condition):
+    for each in comparisons_of(condition):
         for left, right in ((each.lhs, each.rhs), (each.rhs, each.lhs)):
             if left.is_Symbol and not right.free_symbols and right.is_finite:
                 exact, rounded = found.setdefault(left, ([], []))
@@ -209,7 +216,7 @@ def _boundaries_named(condition: Any) -> dict[Any, tuple[list[Any], list[Any]]]:
 
 def _ends(condition: Any, k: Any) -> Iterable[Any]:
     """Where comparisons of more than k itself end, as K² ≥ 4 and |K| ≥ 2 do at 2 and -2."""
-    for each in _comparisons(condition):
+    for each in comparisons_of(condition):
         if not (each.lhs.is_Symbol or each.rhs.is_Symbol):
             yield from _zeros(each.lhs - each.rhs, k)
 
@@ -234,18 +241,6 @@ def _rounded_bounds(condition: Any) -> Iterable[tuple[Any, Any, Any]]:
             places = next((d for d in range(DECIMALS) if bound.is_Rational and (bound * 10**d).is_Integer), 0)
             if places >= ROUNDED:
                 yield symbol, bound, sp.Rational(51, 10 ** (places + 2))
-
-
-def on_edges(condition: Any, point: Rational) -> Iterable[Rational]:
-    """The point moved onto the edge of each comparison that is linear in one of its symbols, and beside it."""
-    for each in _comparisons(condition):
-        difference = each.lhs - each.rhs
-        for symbol in sorted(difference.free_symbols, key=str):
-            if difference.is_polynomial(symbol) and sp.degree(difference, symbol) == 1:
-                a, b = (c.xreplace(point) for c in sp.Poly(difference, symbol).all_coeffs())
-                if a.is_Rational and b.is_Rational and a != 0:
-                    yield from ({**point, symbol: -b / a + side * NEAR * (1 + abs(b / a))} for side in (0, 1, -1))
-                break
 
 
 def _crossings(A: Any, k: Any, *, discrete: bool) -> list[Any]:
