@@ -47,7 +47,7 @@ class Submitted:
     def _is_of_a_table(self, symbol: sp.Symbol, least: int) -> bool:
         """Whether a decimal is an entry, rounded to as many places as another one of more digits: [1.09, -0.09]."""
         form: Any = self.form
-        entries = list(form) if isinstance(form, sp.MatrixBase | list | tuple) else []
+        entries = form.flat() if isinstance(form, sp.MatrixBase) else form if isinstance(form, list | tuple) else []
         own = self.decimals[symbol]
         alike = [
             decimal

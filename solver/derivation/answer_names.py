@@ -20,12 +20,13 @@ class AnswerName:
     "columns", or the "rows", of a free matrix are right or wrong each for itself. The `principal` answers of a task
     earn the marks where a problem does not say which; that may depend on the system. A `count` is reached by many
     mistakes, so that none is named for it; `most` tells what a full rank is. `words` are those that an answer in words
-    may have, `unit` is that of a number, such as "rad/s", or "ratio" if decibels may tell it. `earned` are the kinds of
-    steps that earn its marks beside the one in which its value is found: a key shows them. `told` are the kinds of steps that tell it in a
-    form of their own, such as equations under each other, the best first: a page points there where the answer is not
-    asked for. The items of a list are expressions that are `zero`, so that an equation may be written for one, or they
-    are `intervals` of real numbers. A `discrete` one is of a system in discrete time, also where that of the question
-    is not; its sampling period is the option `sample_time`. Of a matrix of `any_size` right ones may differ in size.
+    may have, `unit` is that of a number, such as "rad/s", or "ratio" if decibels may tell it. `earned` are the
+    kinds of steps that earn its marks beside the one in which its value is found: a key shows them. `told` are the
+    kinds of steps that tell it in a form of their own, such as equations under each other, the best first: a page
+    points there where the answer is not asked for. The items of a list are expressions that are `zero`, so that an
+    equation may be written for one, or they are `intervals` of real numbers. A `discrete` one is of a system in
+    discrete time, also where that of the question is not; its sampling period is the option `sample_time`. Of a
+    matrix of `any_size` right ones may differ in size.
     """
 
     name: str
