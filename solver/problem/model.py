@@ -14,6 +14,7 @@ from solver.words import ENGLISH
 if TYPE_CHECKING:
     import sympy as sp
 
+    from solver.problem.family import Family
     from solver.problem.images import Image
     from solver.problem.nodes import Place
     from solver.problem.source import Source
@@ -139,7 +140,7 @@ class Problem:
     """A problem file as read. `system` is None where every part brings its own.
 
     `assumed` has the symbols of which something is assumed, by the word for it. `file` is the text it was read from,
-    `images` are those of its texts by their addresses.
+    `images` are those of its texts by their addresses. `family` tells the other members where it has some.
     """
 
     name: str
@@ -155,6 +156,7 @@ class Problem:
     conditions: tuple[Chain, ...] = ()
     show: Show = Show()
     images: Mapping[str, Image] = field(default_factory=dict, repr=False)
+    family: Family | None = field(default=None, repr=False)
     file: Source | None = field(default=None, compare=False)
 
     @property

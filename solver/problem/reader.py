@@ -10,6 +10,7 @@ from typing import Any
 from solver.derivation import Task
 from solver.problem.asked import read_comma, read_digits
 from solver.problem.conditions import check_occurring
+from solver.problem.family import KEYS, Family, read_family
 from solver.problem.files import load
 from solver.problem.lexicon import Declarations, Lexicon, check_used, read_lexicon
 from solver.problem.model import DIGITS, Display, Part, Problem, Show
@@ -82,6 +83,7 @@ class _ProblemReader:
         typed = self.lexicon.took_decimals() or by_names
         images = check_texts(self.root, self.source, self.report)
         parts = self.parts(system, by_names, typed)
+        family = self.family(parts)
         if not self.report.diagnostics:
             check_used(self.declarations().parameters, self.lexicon, self.report)
             check_occurring(self.lexicon, {*self.occurring, *self.lexicon.found}, self.report)
@@ -102,6 +104,7 @@ class _ProblemReader:
             conditions=self.lexicon.chains,
             show=self.show,
             images=images,
+            family=family,
             file=self.source,
         )
 
@@ -157,6 +160,13 @@ class _ProblemReader:
                     own = replace(lexicon, conditions=lexicon.conditions[len(self.lexicon.conditions) :])
                     check_occurring(own, {*self.occurring, *self.lexicon.found}, self.report)
         return parts
+
+    def family(self, parts: list[Part]) -> Family | None:
+        """Return what the problem says of its other members, None where it has none or that is misshapen."""
+        if self.spoilt("vary"):
+            return None
+        sections = {key: self.section(key) for key in KEYS}
+        return read_family(sections, self.declarations(), parts, self.catalogue, self.report)
 
     def partial(self) -> Said:
         """Return what the problem says that wrong answers can earn."""

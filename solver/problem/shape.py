@@ -163,6 +163,39 @@ else:
     ]
 
 
+DRAWN = {
+    "<choose>": _fields_of(
+        "choose",
+        [kind.Key("choose", kind.ListOf(kind.Value()), "the values to choose from", required=True)],
+        Shape,
+        "A list of values to choose from.",
+    ),
+    "<steps>": _fields_of(
+        "steps",
+        [
+            kind.Key("from", kind.Value(), "the first value", required=True),
+            kind.Key("to", kind.Value(), "no value is larger", required=True),
+            kind.Key("step", kind.Value(), "from one value to the next, 1 if absent; 1/2, say, for halves"),
+        ],
+        Shape,
+        "Values at equal distances: integers where nothing is said of the step.",
+    ),
+}
+"""What a name of a family can be drawn from, by the name of the alternative."""
+
+if TYPE_CHECKING:
+    Drawn = Shape
+else:
+    Drawn = Annotated[
+        Union[tuple(Annotated[model, Tag(name)] for name, model in DRAWN.items())],  # noqa: UP007 - as above
+        Discriminator(
+            lambda value: None if not isinstance(value, dict) else "<choose>" if "choose" in value else "<steps>",
+            custom_error_type="expected",
+            custom_error_message="what is drawn from, {from: 1, to: 9} or {choose: [1, 2, 5]},",
+        ),
+    ]
+
+Niceness = Literal["integers", "rationals", "exact"]
 Assumption = Literal["positive", "negative", "nonzero", "real", "complex", "integer"]
 
 
@@ -220,6 +253,9 @@ class ProblemShape(Shape):
     parameters: dict[str, Value] = optional("values of symbols that occur in the expressions")
     assume: dict[str, Assumption] = optional("what is known of symbols without a value")
     conditions: Values = optional('relations that hold between symbols: ["0 < zeta < 1", "a != b"]')
+    vary: dict[str, Drawn] = optional("what names of the parameters are drawn from, in the other members of a family")
+    require: Values = optional('what must hold of a member: "a != 2", controllable, observable, stable, minimal')
+    nice: dict[str, Niceness] = optional("what must come out, by part and answer: {b.K: integers}")
     display: Display = optional("how numbers are shown")
     digits: Value = optional("significant digits that a student's decimals must have, 2 if nothing is said")
     partial: Partial = optional("what wrong answers of all parts earn: entries (if nothing is said), none or named")

@@ -19,6 +19,7 @@ Path = tuple[str | int, ...]
 MODELS: Mapping[str | int, type[BaseModel]] = {
     **{name: model for name, model in shape.SYSTEMS.items()},  # noqa: C416 - a wider type of key
     **{name: model for name, model in shape.KEYED.items()},  # noqa: C416
+    **{name: model for name, model in shape.DRAWN.items()},  # noqa: C416 - a wider type of key
     "<zeros_poles_gain>": elements.ZerosPolesGain,
     "<fraction>": elements.Fraction,
     "<end>": elements.EndShape,
