@@ -37,6 +37,11 @@ def read_problem(source: Source, catalogue: Mapping[str, Task[Any, Any]]) -> Pro
     if not isinstance(root, MappingNode):
         message = f"a problem is a mapping with the keys 'system' and 'find', not {_what(root)}"
         raise InputError(source, [root.diagnostic(message)])
+    return problem_of(source, root, catalogue)
+
+
+def problem_of(source: Source, root: MappingNode, catalogue: Mapping[str, Task[Any, Any]]) -> Problem:
+    """Return the problem that a mapping of a source tells, the whole of it or a part; raises InputError."""
     return _ProblemReader(source, root, catalogue).problem()
 
 

@@ -1,0 +1,106 @@
+"""Whether a draw is a member: read, held against what is required of its system, and what is asked found quickly.
+
+All is done with the means of the engine, without steps in words and without checks: a member is verified afterwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+from solver.derivation import Answers, PartResult, Status, Unsolved
+from solver.engine import found_by, refusals_of
+from solver.lazy import exact
+from solver.messages import Messages
+from solver.papers.niceness import is_nice
+from solver.problem.family import Nice, Required
+from solver.problem.model import Part, Problem
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
+from solver.problem.systems import NOTHING
+from solver.systems import EarlierPart, System
+from solver.tasks import catalogue
+
+MEANINGS: Mapping[str, tuple[tuple[str, str, object], ...]] = {
+    "controllable": (("controllability", "controllable", True),),
+    "observable": (("observability", "observable", True),),
+    "minimal": (("controllability", "controllable", True), ("observability", "observable", True)),
+    "stable": (("stability", "verdict", "asymptotically stable"),),
+    "unstable": (("stability", "verdict", "unstable"),),
+}
+"""What words about a system mean: the tasks that decide it, their answers, and what these must be."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rejection:
+    """Why a draw is no member: what is required as it is written in the file, or words of the program (`own`)."""
+
+    why: str
+    own: bool = False
+
+
+def judged(text: str, name: str, required: Iterable[Required], nice: Iterable[Nice]) -> Rejection | None:
+    """Return why a draw is no member, None where it seems to be one; `text` is its file."""
+    try:
+        problem = read_problem(Source(name, text), catalogue())
+        messages = Messages(language=problem.display.language)
+        for part in problem.parts:
+            if refused := refusals_of(part, messages):
+                return Rejection(f"part {part.id} cannot be asked: {refused[0][1]}", own=True)
+    except InputError as error:
+        return Rejection(f"the question cannot be asked: {error.diagnostics[0].message}", own=True)
+    for word in required:
+        if word.chain is None and not all(_is(system, word.text) for system in systems_of(problem)):
+            return Rejection(word.text)
+    return _judged_by_answers(problem, nice)
+
+
+def systems_of(problem: Problem) -> list[System]:
+    """The systems that words are about: that of all parts, or those of the parts where there is none."""
+    own = [part.system for part in problem.parts]
+    return [problem.system] if problem.system else [each for each in own if not isinstance(each, EarlierPart)]
+
+
+def _is(system: System, word: str) -> bool:
+    """Whether a word is right of a system; False where that is not decided."""
+    if system is NOTHING:
+        return True
+    for name, answer, expected in MEANINGS[word]:
+        task = catalogue()[name]
+        part = Part("", name, task.methods_for(discrete=system.discrete)[:1], system)
+        found: Any = None
+        with suppress(Unsolved, exact.NotExact):
+            found = found_by(part.methods[0], part, {})[1].get(answer)
+        if found is None or str(found) != str(expected):
+            return False
+    return True
+
+
+def _judged_by_answers(problem: Problem, nice: Iterable[Nice]) -> Rejection | None:
+    """Return which answer does not come out as it must."""
+    known: dict[str, PartResult] = {}
+    for each in nice:
+        try:
+            value = answers_of(each.part, problem, known).get(each.answer)
+        except (Unsolved, exact.NotExact):
+            return Rejection(f"part {each.part} has no solution", own=True)
+        if value is None or not is_nice(value, each.kind):
+            return Rejection(each.text)
+    return None
+
+
+def answers_of(name: str, problem: Problem, known: dict[str, PartResult]) -> Answers:
+    """Return what a part finds by its first method, with the parts that it goes on with.
+
+    `known` has what was found, and keeps it. Raises Unsolved, NotExact.
+    """
+    if name not in known:
+        part = next(part for part in problem.parts if part.id == name)
+        for source in part.sources:
+            answers_of(source, problem, known)
+        steps: list[Any] = []
+        _, answers = found_by(part.methods[0], part, known, steps)
+        known[name] = PartResult(name, part.task, part.methods[0], Status.VERIFIED, answers, (), tuple(steps))
+    return known[name].answers

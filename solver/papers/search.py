@@ -1,0 +1,156 @@
+"""The search for members: draws in their order, each rejected by the first thing that does not hold, until enough hold.
+
+Cheap tests come first: answers in decimals from a formula in letters, conditions on the values, then (in processes with
+limits) the system and the answers asked for, exactly. What was found does not depend on how many draws are
+judged at a time, nor on how many processes judge them.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from solver.limits import Exceeded, Limits, calls_within
+from solver.papers.draws import Draw, Draws, holds
+from solver.papers.formulas import Formulas
+from solver.papers.judging import Rejection, judged
+from solver.problem.family import Family
+from solver.problem.members import member_text
+from solver.problem.model import Problem
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.tasks import catalogue
+
+MOST_DRAWS = 100_000
+FIRST, LARGEST = 64, 4096
+"""So many draws are sorted out by formulas at a time, at first and later."""
+
+TOGETHER = 16
+"""So many draws are judged exactly between two looks at how many are wanted."""
+
+Tell = Callable[[int, int], None]
+"""Is told how many draws were made and how many members were found."""
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A draw that holds what is required, as a problem; `number` counts the draws from 1."""
+
+    number: int
+    draw: Draw
+    text: str
+    problem: Problem
+
+
+@dataclass
+class Search:
+    """A search of the members of a family; `draws` and `rejections` tell what it took so far."""
+
+    source: Source
+    family: Family
+    seed: int
+    limits: Limits = field(default_factory=Limits)
+    most: int = MOST_DRAWS
+    jobs: int = 1
+    tell: Tell = lambda _draws, _found: None
+    draws: int = 0
+    found: int = 0
+    rejections: Counter[Rejection] = field(default_factory=Counter)
+
+    @property
+    def is_exhausted(self) -> bool:
+        """Whether all choices of values were drawn."""
+        return self.draws >= self.family.size
+
+    def candidates(self) -> Iterator[Candidate]:
+        """Yield the draws for which all holds, in their order; whoever takes one may reject it."""
+        seen: set[str] = set()
+        for number, draw, text, rejection in self._judged():
+            self.draws = number
+            if rejection is None:
+                problem = read_problem(Source(self.source.name, text), catalogue())
+                if (asked := _question(problem)) in seen:
+                    rejection = Rejection("it asks the same as another member", own=True)
+            self.tell(number, self.found)
+            if rejection is not None:
+                self.reject(rejection)
+                continue
+            seen.add(asked)
+            self.found += 1
+            yield Candidate(number, draw, text, problem)
+        self.draws = min(self.most, self.family.size)
+
+    def reject(self, rejection: Rejection) -> None:
+        """Count a draw that is no member."""
+        self.rejections[rejection] += 1
+
+    def take_back(self, rejection: Rejection) -> None:
+        """Reject a candidate that was yielded."""
+        self.found -= 1
+        self.reject(rejection)
+
+    def _judged(self) -> Iterator[tuple[int, Draw, str, Rejection | None]]:
+        """Yield the draws that the cheap tests leave, with why they are rejected; those before are counted."""
+        pending: list[tuple[int, Draw, Counter[Rejection]]] = []
+        for number, draw, before in self._left():
+            pending.append((number, draw, before))
+            if len(pending) == TOGETHER:
+                yield from self._exactly(pending)
+                pending = []
+        yield from self._exactly(pending)
+
+    def _exactly(
+        self, pending: Sequence[tuple[int, Draw, Counter[Rejection]]]
+    ) -> Iterator[tuple[int, Draw, str, Rejection | None]]:
+        """Judge some draws in processes; yield them in their order."""
+        texts = [member_text(self.source, draw.texts) for _, draw, _ in pending]
+        calls = [(text, self.source.name, self.family.required, self.family.nice) for text in texts]
+        results: dict[int, Any] = dict(calls_within(self.limits, judged, calls, self.jobs))
+        for place, (number, draw, before) in enumerate(pending):
+            self.rejections += before
+            result = results[place]
+            if isinstance(result, Exceeded):
+                result = Rejection(f"it cannot be solved: {result.reason}", own=True)
+            yield number, draw, texts[place], result
+
+    def _left(self) -> Iterator[tuple[int, Draw, Counter[Rejection]]]:
+        """Yield the draws that formulas and conditions leave, with what became of those since the one before.
+
+        The last ones, behind which there is none, are counted at the end.
+        """
+        formulas, draws = Formulas.of(self.source, self.family), Draws(self.family, self.seed)
+        conditions = [each for each in self.family.required if each.chain is not None]
+        rejected: Counter[Rejection] = Counter()
+        start, size, end = 0, FIRST, min(self.most, self.family.size)
+        while start < end:
+            places = [draws.places(number) for number in range(start, min(start + size, end))]
+            for offset, why in enumerate(formulas.rejected(places)):
+                draw = draws.at(places[offset]) if not why else None
+                why = why or next((each.text for each in conditions if draw and not holds(each, draw.values)), "")
+                if why or draw is None:
+                    rejected[Rejection(why)] += 1
+                    continue
+                yield start + offset + 1, draw, rejected
+                rejected = Counter()
+            start, size = start + len(places), min(2 * size, LARGEST)
+            self.tell(start, self.found)
+        self.rejections += rejected
+
+
+def _question(problem: Problem) -> str:
+    """Return what tells whether two members ask the same: systems and options, in whatever order poles are given."""
+    parts = [
+        (part.id, part.task, part.methods, part.prompt, str(part.system), _options(part.options))
+        for part in problem.parts
+    ]
+    return repr((problem.statement, str(problem.system), parts))
+
+
+def _options(options: Any) -> list[tuple[str, str]]:
+    found = []
+    for name, value in sorted(options.items()):
+        unordered = isinstance(value, tuple) and name.endswith("poles")
+        found.append((name, str(sorted(map(str, value))) if unordered else str(value)))
+    return found
