@@ -1,4 +1,4 @@
-"""Worked, verified solutions of control-engineering problems: `solver.solve(path_or_text)`, `solver.check`."""
+"""Worked, verified solutions of control-engineering problems: `solver.solve(path_or_text)`, `check`, `variants`."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ __version__ = "0.1.0"
 
 if TYPE_CHECKING:
     from solver.api import Document, check, solve
+    from solver.papers.interface import variants
 
-__all__ = ["Document", "__version__", "check", "solve"]
+__all__ = ["Document", "__version__", "check", "solve", "variants"]
 
 
 def __getattr__(name: str) -> Any:
@@ -18,4 +19,8 @@ def __getattr__(name: str) -> Any:
         from solver import api  # noqa: PLC0415 - see above
 
         return getattr(api, name)
+    if name == "variants":
+        from solver.papers import interface  # noqa: PLC0415 - see above
+
+        return interface.variants
     raise AttributeError(f"module 'solver' has no attribute {name!r}")

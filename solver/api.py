@@ -44,7 +44,7 @@ def solve(
     `solver.limits.Limits`) every part is solved in a child process that is ended at the limit.
     Raises `solver.problem.source.InputError`, all errors with their places, if the input is at fault.
     """
-    read = read_problem(_source(problem), catalogue())
+    read = read_problem(source_of(problem), catalogue())
     folder = Path(templates) if templates else None
     presentation = Presentation(detail, folder, data=bool(limits), language=language, notation=notation)
     if not limits:
@@ -76,8 +76,8 @@ def check(
 
     folder = Path(templates) if templates else None
     told = Presentation("full", folder, language=language, notation=notation)
-    read = told.of(read_problem(_source(problem), catalogue()))
-    source = _answers(answers) if isinstance(answers, Mapping) else _source(answers)
+    read = told.of(read_problem(source_of(problem), catalogue()))
+    source = _answers(answers) if isinstance(answers, Mapping) else source_of(answers)
     submission = read_submission(source, read)
     if not limits:
         solution = solve_problem(read, messages=told.messages(read.display))
@@ -89,7 +89,7 @@ def check(
     return Marked(marking, solution, lambda: solved.document(read.name), folder)
 
 
-def _source(given: str | Path) -> Source:
+def source_of(given: str | Path) -> Source:
     """Return the text that is given, of more than one line, or that of the file of this name."""
     is_text = isinstance(given, str) and "\n" in given
     return Source("<text>", str(given)) if is_text else load(given)

@@ -15,6 +15,7 @@ from solver.cli.group import FileOrCommand, stop_writing
 from solver.cli.listing import models, new, schema, tasks
 from solver.cli.run import run
 from solver.cli.sheet import sheet
+from solver.cli.variants import variants
 
 INTERRUPTED = 130
 
@@ -36,7 +37,7 @@ def cli() -> None:
     """
 
 
-for command in (run, check, sheet, tasks, models, new, schema):
+for command in (run, check, sheet, variants, tasks, models, new, schema):
     cli.add_command(command)
 
 

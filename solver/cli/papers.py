@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +12,7 @@ from solver.classroom import Submission, read_submission
 from solver.classroom.reading.answer_file import problem_named_in
 from solver.cli.destination import STANDARD, AtFault
 from solver.cli.progress import Meter
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of, usable_cores
 from solver.document.model import Document, Presentation
 from solver.engine import Solution
 from solver.limits import Limits, Solved, Supervision, solve_within
@@ -62,8 +61,7 @@ class CheckRequest:
     @property
     def processes(self) -> int:
         """How many processes mark: those asked for, or one for each core that this one may use."""
-        usable: Callable[[int], Sequence[int] | set[int]] | None = getattr(os, "sched_getaffinity", None)
-        return self.jobs or (len(usable(0)) if usable else os.cpu_count() or 1)
+        return self.jobs or usable_cores()
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,22 +16,25 @@ CHECKS = ("none", "summary", "table")
 
 
 class FormatList(click.ParamType[tuple[str, ...]]):
-    """Some of the output formats, separated by commas."""
+    """Some of the output formats, separated by commas; `others` are names that stand beside those of a solution."""
 
     name = "formats"
+
+    def __init__(self, *others: str) -> None:
+        self.known = (*others, *FORMATS)
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
         """Return the formats named, each once; fails with the nearest name for an unknown one."""
         words = list(dict.fromkeys(word.strip().lower() for word in value.split(",") if word.strip()))
         for word in words:
-            if word not in FORMATS:
+            if word not in self.known:
                 from difflib import get_close_matches
 
-                close = get_close_matches(word, FORMATS, n=1)
+                close = get_close_matches(word, self.known, n=1)
                 hint = f" Did you mean {close[0]}?" if close else ""
-                self.fail(f"no format {word!r}; there are {', '.join(FORMATS)}.{hint}", param, ctx)
+                self.fail(f"no format {word!r}; there are {', '.join(self.known)}.{hint}", param, ctx)
         if not words:
-            self.fail(f"no format named; there are {', '.join(FORMATS)}", param, ctx)
+            self.fail(f"no format named; there are {', '.join(self.known)}", param, ctx)
         return tuple(words)
 
 

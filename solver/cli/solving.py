@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import io
+import os
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
@@ -129,6 +130,12 @@ def _rehearse(request: Request, problem: Problem) -> None:
         if not request.destination.standard_output:
             _print_summary(document, [], file=io.StringIO(), verbose=request.verbose)
     end_loading()
+
+
+def usable_cores() -> int:
+    """Return how many cores this process may use."""
+    usable: Callable[[int], Sequence[int] | set[int]] | None = getattr(os, "sched_getaffinity", None)
+    return len(usable(0)) if usable else os.cpu_count() or 1
 
 
 def source_of(file: str) -> Source:

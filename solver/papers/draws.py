@@ -7,8 +7,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from solver.conditions import symbols_of
+from solver.papers.constructed import Constructed, Pattern
 from solver.papers.generator import Permutation
 from solver.problem.family import Family, Required
+
+LARGE = 4
+"""Of a matrix with so many rows hardly any has rational eigenvalues."""
 
 Values = Mapping[str, sp.Expr]
 
@@ -27,14 +32,20 @@ class Draw:
 
 
 class Draws:
-    """All choices of values; number 0 is the first that is drawn."""
+    """All choices of values; number 0 is the first that is drawn.
 
-    def __init__(self, family: Family, seed: int) -> None:
+    Where the eigenvalues of a large matrix must be nice, every other draw is made so that they are (see `constructed`).
+    """
+
+    def __init__(self, family: Family, seed: int, pattern: Pattern = ()) -> None:
         self.family = family
         self.order = Permutation(family.size, seed)
+        self.constructed = Constructed(family, pattern, seed) if len(pattern) >= LARGE else None
 
     def places(self, number: int) -> list[int]:
         """Return which of its values each name has in a draw: the digits of its number, the first name the slowest."""
+        if self.constructed is not None and number % 2 == 0 and (places := self.constructed.at(number)) is not None:
+            return places
         rest, found = self.order.at(number), list[int]()
         for each in reversed(self.family.varied):
             rest, place = divmod(rest, len(each.values))
@@ -54,7 +65,7 @@ def holds(required: Required, values: Values) -> bool:
     """Whether a condition holds of values that are drawn; those about the system hold here."""
     if required.chain is None:
         return True
-    put_in = {x: values[x.name] for side in required.chain.sides for x in side.free_symbols}
+    put_in = {x: values[x.name] for x in symbols_of(*required.chain.sides)}
     sides = [side.xreplace(put_in) for side in required.chain.sides]
     return all(
         _compared(left - right, sign)

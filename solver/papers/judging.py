@@ -69,7 +69,7 @@ def _is(system: System, word: str) -> bool:
         return True
     for name, answer, expected in MEANINGS[word]:
         task = catalogue()[name]
-        part = Part("", name, task.methods_for(discrete=system.discrete)[:1], system)
+        part = Part("", name, tuple(task.methods_for(discrete=system.discrete)[:1]), system)
         found: Any = None
         with suppress(Unsolved, exact.NotExact):
             found = found_by(part.methods[0], part, {})[1].get(answer)

@@ -24,7 +24,9 @@ def leaves(value: Any) -> Iterator[sp.Expr]:
     """Yield the expressions in an answer: entries of matrices, items of lists, values of mappings."""
     if isinstance(value, Mapping):
         value = list(value.values())
-    if isinstance(value, sp.MatrixBase | list | tuple):
+    if isinstance(value, sp.MatrixBase):
+        value = value.flat()
+    if isinstance(value, list | tuple):
         for each in value:
             yield from leaves(each)
     elif isinstance(value, sp.Expr):
@@ -37,9 +39,9 @@ def _is_nice(value: sp.Expr, kind: str) -> bool:
         return not value.has(sp.Float, sp.CRootOf, sp.RootSum)
     if value.has(sp.I) or any(not each.exp.is_Integer and each.base.is_number for each in value.atoms(sp.Pow)):
         return False  # a root, or a complex number
-    numbers = value.atoms(sp.Number, sp.NumberSymbol)
     bound = 1 if kind == "integers" else LARGEST_DENOMINATOR
-    return all(each.is_Rational and each.q <= bound for each in numbers)
+    numbers = value.atoms(sp.Number, sp.NumberSymbol)
+    return all(isinstance(each, sp.Rational) and each.q <= bound for each in numbers)
 
 
 def may_be_nice(values: Array, kind: str) -> Array:

@@ -67,8 +67,8 @@ class Search:
     def candidates(self) -> Iterator[Candidate]:
         """Yield the draws for which all holds, in their order; whoever takes one may reject it."""
         seen: set[str] = set()
-        for number, draw, text, rejection in self._judged():
-            self.draws = number
+        for number, draw, text, judgement in self._judged():
+            self.draws, rejection = number, judgement
             if rejection is None:
                 problem = read_problem(Source(self.source.name, text), catalogue())
                 if (asked := _question(problem)) in seen:
@@ -120,19 +120,20 @@ class Search:
 
         The last ones, behind which there is none, are counted at the end.
         """
-        formulas, draws = Formulas.of(self.source, self.family), Draws(self.family, self.seed)
+        formulas = Formulas.of(self.source, self.family)
+        draws = Draws(self.family, self.seed, formulas.pattern)
         conditions = [each for each in self.family.required if each.chain is not None]
         rejected: Counter[Rejection] = Counter()
         start, size, end = 0, FIRST, min(self.most, self.family.size)
         while start < end:
             places = [draws.places(number) for number in range(start, min(start + size, end))]
-            for offset, why in enumerate(formulas.rejected(places)):
-                draw = draws.at(places[offset]) if not why else None
-                why = why or next((each.text for each in conditions if draw and not holds(each, draw.values)), "")
-                if why or draw is None:
+            for number, (at, far) in enumerate(zip(places, formulas.rejected(places), strict=True), start + 1):
+                draw = draws.at(at)
+                broken = (each.text for each in conditions if not holds(each, draw.values))
+                if why := far or next(broken, ""):
                     rejected[Rejection(why)] += 1
                     continue
-                yield start + offset + 1, draw, rejected
+                yield number, draw, rejected
                 rejected = Counter()
             start, size = start + len(places), min(2 * size, LARGEST)
             self.tell(start, self.found)

@@ -7,6 +7,7 @@ words about the system; `nice` says of answers that they must be integers, ratio
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from decimal import Decimal
 from math import prod
@@ -14,13 +15,14 @@ from typing import Any
 
 import sympy as sp
 
+from solver.conditions import symbols_of
 from solver.derivation import Task
 from solver.problem.asked import given_by
 from solver.problem.conditions import SIGN, chain_of, split
 from solver.problem.lexicon import Declarations, Lexicon, name_of, read_lexicon
 from solver.problem.model import Chain, Part
 from solver.problem.nodes import Entry, MappingNode, Node, Place, ScalarNode, SequenceNode, scalar
-from solver.problem.source import Report, did_you_mean
+from solver.problem.source import Fault, Report, did_you_mean
 
 KEYS = ("vary", "require", "nice")
 WORDS = ("controllable", "observable", "stable", "unstable", "minimal")
@@ -112,10 +114,9 @@ def _letters(declared: Declarations, names: Collection[str]) -> Lexicon:
 
 def canonical(key: ScalarNode) -> str:
     """Return the plain spelling of a name, "" where it is none."""
-    report, name = Report(), ""
-    with report:
-        name = name_of(key)
-    return name
+    with suppress(Fault):
+        return name_of(key)
+    return ""
 
 
 def _varied(node: Node, parameters: Node | None, report: Report) -> tuple[Varied, ...]:
@@ -221,7 +222,7 @@ def _required(node: Node, lexicon: Lexicon, names: Collection[str], report: Repo
 
 def _word(node: ScalarNode) -> Required:
     if node.text.strip() not in WORDS:
-        note = f"a condition on what is drawn, such as \"a != 2\", or one of {', '.join(WORDS)}"
+        note = f'a condition on what is drawn, such as "a != 2", or one of {", ".join(WORDS)}'
         message = f"'{node.text[:40]}' cannot be required"
         raise node.fault(message, suggestion=did_you_mean(node.text, WORDS), note=note)
     return Required(node.text.strip(), None, node.place)
@@ -233,7 +234,7 @@ def _condition(node: ScalarNode, lexicon: Lexicon, names: Collection[str]) -> Re
     sided = split(node, report)
     report.conclude()
     sides = [lexicon.expression(side) for side in sided[0].sides]
-    strangers = sorted({x.name for side in sides for x in side.free_symbols} - set(names))
+    strangers = sorted({x.name for x in symbols_of(*sides)} - set(names))
     if strangers:
         message = f"'{strangers[0][:40]}' is not drawn: 'require' is about the names under 'vary'"
         raise node.fault(message, suggestion=did_you_mean(strangers[0], names))

@@ -9,11 +9,19 @@ from dataclasses import replace
 
 from solver.problem.family import KEYS, canonical
 from solver.problem.nodes import Entry, MappingNode, Node, Place, ScalarNode
-from solver.problem.source import Source
+from solver.problem.source import InputError, Source
 from solver.problem.yaml_tree import parse_yaml
 
 SAFE = re.compile(r"-?[\w(][\w.+*/^()-]*")
 """What means the same to YAML with quotes and without them, in a block and in brackets."""
+
+
+def root_of(source: Source) -> MappingNode:
+    """Return the tree of a problem file; raises InputError, also where it is no mapping."""
+    root = parse_yaml(source)
+    if not isinstance(root, MappingNode):
+        raise InputError(source, [root.diagnostic("a problem is a mapping")])
+    return root
 
 
 def member_text(source: Source, drawn: Mapping[str, str], heading: str = "") -> str:
@@ -21,8 +29,7 @@ def member_text(source: Source, drawn: Mapping[str, str], heading: str = "") -> 
 
     Comments and the form of all else stay; `heading` is the comment on top.
     """
-    root = parse_yaml(source)
-    assert isinstance(root, MappingNode)  # it was read
+    root = root_of(source)
     text = source.text.removeprefix("\ufeff")
     if text[_offset(text, root.place.line, root.place.column) :].startswith("{"):
         text = written(_member(root, drawn)) + "\n"

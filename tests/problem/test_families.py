@@ -1,4 +1,4 @@
-"""Families of problems as they are read: what is drawn, what must hold, what must come out, and what is wrong with it."""
+"""Families of problems as they are read: what is drawn, what must hold, what must come out, what is wrong."""
 
 from __future__ import annotations
 
@@ -55,7 +55,8 @@ def test_a_condition_may_be_about_what_follows_from_what_is_drawn(read):
     ("text", "wrong"),
     [
         ("vary: {a: {frm: 1, to: 9}}", ["4:11-26 'from' is missing here", "4:12-15 unknown key 'frm'"]),
-        ("vary: {a: 3}", ["4:11-12 what is drawn from, {from: 1, to: 9} or {choose: [1, 2, 5]}, is expected here, not 3"]),
+        ("vary: {a: 3}",
+         ["4:11-12 what is drawn from, {from: 1, to: 9} or {choose: [1, 2, 5]}, is expected here, not 3"]),
         ("vary: {}", ["4:7-9 nothing is drawn here"]),
         ("vary: {q: {from: 1, to: 2}}", ["4:8-9 'q' has no value under 'parameters'"]),
         ("vary: {a: {from: 3, to: 2}}", ["4:25-26 this is less than 'from', 3"]),
@@ -67,7 +68,8 @@ def test_a_condition_may_be_about_what_follows_from_what_is_drawn(read):
         ("vary: {a: {choose: [1]}}", ["4:11-24 'a' has one value only: leave it to 'parameters'"]),
         ("require: [controllable]", ["4:10-24 'require' is about a family: 'vary' is missing"]),
         ("vary: {a: {from: 1, to: 9}}\nrequire: [controlable]", ["5:11-22 'controlable' cannot be required"]),
-        ("vary: {a: {from: 1, to: 9}}\nrequire: [3 > 2]", ["5:11-16 a condition is about parameters, and there is none here"]),
+        ("vary: {a: {from: 1, to: 9}}\nrequire: [3 > 2]",
+         ["5:11-16 a condition is about parameters, and there is none here"]),
         ("vary: {a: {from: 1, to: 9}}\nrequire: [b > 5]", ["5:11-16 this condition never holds"]),
         ("vary: {a: {from: 1, to: 9}}\nrequire: [x > 2]",
          ["5:11-16 'x' is not drawn: 'require' is about the names under 'vary'"]),

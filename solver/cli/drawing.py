@@ -1,0 +1,134 @@
+"""The work of `solve variants`: search, solve within limits, write, and say what it took."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of, usable_cores
+from solver.document.model import Presentation
+from solver.limits import Limits
+from solver.limits.child import load_all_algebra
+from solver.papers.difficulty import Difficulty, spread_of
+from solver.papers.families import YAML, Member, Wanted, family_of, members
+from solver.papers.search import Search
+from solver.papers.telling import shortage, took
+from solver.problem.model import Problem
+from solver.problem.reader import read_problem
+from solver.problem.source import InputError, Source
+from solver.tasks import catalogue
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What the command line asks for."""
+
+    file: str
+    count: int
+    seed: int
+    formats: tuple[str, ...]
+    output: str | None
+    presentation: Presentation
+    limits: Limits
+    check: bool
+    draws: int
+    jobs: int | None
+
+    @property
+    def stem(self) -> str:
+        """What the names of members begin with."""
+        path = Path(NAMELESS if self.file == STANDARD else self.file)
+        return path.stem if path.suffix.lower() in (".yaml", ".yml") else path.name
+
+    @property
+    def folder(self) -> Path:
+        """Where they are written."""
+        if self.output is not None:
+            return Path(self.output)
+        beside = Path() if self.file == STANDARD else Path(self.file).parent
+        return beside / f"{self.stem}-variants"
+
+
+def draw_members(order: Order) -> int:
+    """Draw, write and tell the members; return the exit code."""
+    if order.output == STANDARD or order.folder.is_file():
+        raise click.UsageError("members are several files: name a folder with -o.")
+    try:
+        source = source_of(order.file)
+        problem = read_problem(source, catalogue())
+        family = family_of(problem)
+    except InputError as error:
+        click.echo(error.render(), err=True)
+        return INPUT_AT_FAULT
+    settle()
+    load_all_algebra()  # once, and not in each process
+    with _progress(order.count) as tell:
+        jobs = order.jobs or usable_cores()
+        search = Search(source, family, order.seed, order.limits, order.draws, jobs, tell)
+        wanted = Wanted(order.formats, order.presentation, order.limits, order.check)
+        found: list[Member] = []
+        for member in members(search, order.count, wanted, order.stem):
+            _write(member, order, problem)
+            found.append(member)
+    return _conclude(order, source, search, found)
+
+
+def _write(member: Member, order: Order, problem: Problem) -> None:
+    """Write the files of a member, and what stands beside them."""
+    files = {(member.name + name if name.startswith(".") else name): each for name, each in member.made.files.items()}
+    if YAML in order.formats:
+        files[f"{member.name}.yaml"] = member.text.encode()
+        files |= {address: image.content for address, image in problem.images.items()}
+    for name, content in files.items():
+        path = order.folder / name
+        if order.file != STANDARD and path.resolve() == Path(order.file).resolve():
+            raise AtFault(f"{path} is the family itself; it is not overwritten")
+        write_whole(path, content)
+    values = ", ".join(f"{name} = {text}" for name, text in member.values.items())
+    click.echo(f"{member.name}: {values}")
+
+
+def _conclude(order: Order, source: Source, search: Search, found: Sequence[Member]) -> int:
+    """Say what it took, how difficult they are, and what is missing; return the exit code."""
+    if found:
+        kinds = ", ".join(order.formats)
+        click.echo(f"wrote {len(found)} {'members' if len(found) > 1 else 'member'} ({kinds}) to {order.folder}")
+    click.echo(took(search))
+    difficulties = [member.made.difficulty for member in found if member.made.difficulty is not None]
+    if order.check and difficulties:
+        click.echo(_table(difficulties, [member.name for member in found]))
+    if len(found) >= order.count:
+        return SOLVED
+    click.echo(shortage(search, source, order.count).render(), err=True)
+    return UNSOLVED
+
+
+def _table(difficulties: Sequence[Difficulty], names: Sequence[str]) -> str:
+    """Return the spread of difficulty as a table."""
+    rows = [("difficulty", "least", "median", "most", "in")]
+    for each in spread_of(difficulties):
+        first = ", ".join(names[number - 1] for number in each.hardest[:3]) + (", …" if each.hardest[3:] else "")
+        where = first if each.least < each.most else "all"
+        rows.append((each.name, str(each.least), str(each.median), str(each.most), where))
+    return "\n".join(f"{a:20}{b:>7}{c:>8}{d:>7}  {e}" for a, b, c, d, e in rows)
+
+
+@contextmanager
+def _progress(count: int) -> Iterator[Callable[[int, int], None]]:
+    """Show how many draws were made and how many members found, on a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda _draws, _found: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bars:
+        bar = bars.add_task("drawing", total=count)
+        yield lambda draws, found: bars.update(bar, description=f"{draws} draws, {found} found", completed=found)

@@ -1,0 +1,58 @@
+"""The Python interface to families: `solver.variants(path_or_text, count=…, seed=…)`.
+
+>>> import solver
+>>> for variant in solver.variants("problems/families/lqr.yaml", count=3, seed=7):
+...     print(variant.values, variant.solve().answers["a"]["K"])
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from solver.api import solve, source_of
+from solver.document.model import Document
+from solver.limits import Limits
+from solver.limits.child import load_all_algebra
+from solver.papers.families import Wanted, family_of, members
+from solver.papers.search import MOST_DRAWS, Search
+from solver.papers.telling import shortage
+from solver.problem.reader import file_stem, read_problem
+from solver.tasks import catalogue
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """A member of a family: its number from 1, the values drawn as they are written, its text as a problem file."""
+
+    number: int
+    values: Mapping[str, str]
+    text: str
+
+    def solve(self, **told: Any) -> Document:
+        """Solve it; the arguments are those of `solver.solve`."""
+        return solve(self.text, **told)
+
+
+def variants(
+    problem: str | Path, *, count: int, seed: int = 1, draws: int = MOST_DRAWS, jobs: int = 1, **limits: Any
+) -> list[Variant]:
+    """Return verified members of the family that a problem tells, given as `solve` takes a problem.
+
+    The same seed gives the same members on every machine. At most so many `draws` are made, by `jobs` processes;
+    `seconds` and `megabytes` are the limits of a part. Raises `solver.problem.source.InputError` where the problem is
+    at fault or tells no family, and where there are fewer members than asked for.
+    """
+    source = source_of(problem)
+    family = family_of(read_problem(source, catalogue()))
+    load_all_algebra()  # once, and not in each process
+    search = Search(source, family, seed, Limits(**limits), draws, jobs)
+    found = list(members(search, count, Wanted(limits=Limits(**limits)), file_stem(source.name)))
+    if len(found) < count:
+        raise shortage(search, source, count)
+    return [Variant(member.number, member.values, member.text) for member in found]
+
+
+__all__ = ["Variant", "variants"]

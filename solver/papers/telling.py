@@ -1,0 +1,53 @@
+"""What a search took, and what kept it from finding enough, in words."""
+
+from __future__ import annotations
+
+from solver.papers.judging import Rejection
+from solver.papers.search import Search
+from solver.problem.nodes import Node, Place
+from solver.problem.source import Diagnostic, InputError, Source
+
+SHOWN = 4
+
+
+def took(search: Search) -> str:
+    """Return how many draws it took, and what rejected how many of them."""
+    told = f"{_counted(search.draws, 'draw')} of {search.family.size} choices"
+    rejected = [f"{count} by {why.why}" if not why.own else f"{count}: {why.why}" for why, count in _most(search)]
+    hidden = len(search.rejections) - SHOWN
+    return told + (f"; rejected {'; '.join(rejected)}" if rejected else "") + (f"; {hidden} more" if hidden > 0 else "")
+
+
+def shortage(search: Search, source: Source, count: int) -> InputError:
+    """Return what is wrong where fewer members were found than wanted: what rejected most, at its place."""
+    found = f"{search.found} of {_counted(count, 'member')}" if search.found else "no member"
+    all_drawn = f"all {search.family.size} choices were drawn" if search.is_exhausted else f"after {search.draws} draws"
+    message, note = f"found {found}: {all_drawn}", ""
+    place = Place()
+    if search.rejections:
+        why, most = search.rejections.most_common(1)[0]
+        place = _place(search, why)
+        cause = f"since {why.why}" if why.own else f"by '{why.why}', more than by anything else"
+        message += f", and {most} were rejected {cause}"
+    if not search.is_exhausted:
+        note = "--draws N makes more of them"
+    elif search.found < count:
+        note = "give what is drawn more values, or ask for fewer members"
+    diagnostic = Node(place).diagnostic(message, note=note) if place.line else Diagnostic(message, note=note)
+    return InputError(source, [diagnostic])
+
+
+def _place(search: Search, why: Rejection) -> Place:
+    """Where in the file the condition stands that rejected a draw."""
+    family = search.family
+    stated = {each.text: each.place for each in family.required} | {each.text: each.place for each in family.nice}
+    return Place() if why.own else stated.get(why.why, Place())
+
+
+def _most(search: Search) -> list[tuple[Rejection, int]]:
+    """What rejected most draws, in the order of their number, then of their words."""
+    return sorted(search.rejections.items(), key=lambda item: (-item[1], item[0].why))[:SHOWN]
+
+
+def _counted(number: int, thing: str) -> str:
+    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
