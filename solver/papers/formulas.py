@@ -1,8 +1,7 @@
 """Draws sorted out by thousands: the family is solved once with letters, and its formulas are evaluated in decimals.
 
 An answer that is far from a nice number in decimals is none; what is near is looked at exactly, so that no
-member depends on what is found here. Where the letters leave no formula for eigenvalues (an irreducible cubic), they
-are found in decimals as the roots of the characteristic polynomial.
+member depends on what is found here, or on how fast. Eigenvalues need no formula: they are those of the matrix.
 """
 
 from __future__ import annotations
@@ -10,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from math import isqrt
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,6 @@ import sympy as sp
 
 from solver.conditions import symbols_of
 from solver.derivation import PartResult, Unsolved
-from solver.engine import found_by, resolved
 from solver.lazy import exact
 from solver.limits import Exceeded, Limits, call_within
 from solver.numeric.judges.modelling.compiled import compiled
@@ -26,7 +25,7 @@ from solver.papers.judging import answers_of
 from solver.papers.niceness import Array, leaves, may_be_nice
 from solver.problem.family import Family, Nice
 from solver.problem.members import root_of, with_letters
-from solver.problem.model import Part, Problem
+from solver.problem.model import Problem
 from solver.problem.reader import problem_of
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
@@ -35,16 +34,20 @@ LETTERS = Limits(seconds=20.0)
 """What solving with letters may take; without formulas the search is slower, and finds the same."""
 
 
+OF_THE_SYSTEM = ("eigenstructure", "stability", "phase_portrait")
+"""The tasks whose answer `eigenvalues` are those of A; others speak of a closed loop."""
+
+
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """An answer in letters: its entries or, where it is `roots`, the coefficients of the polynomial that has them.
+    """An answer in letters: its entries or, where it is `eigenvalues`, those of the matrix that has them, row by row.
 
-    Roots that are the eigenvalues of a matrix of names and integers have it as their `pattern`.
+    A matrix of names and integers is a `pattern` too.
     """
 
     nice: Nice
     entries: tuple[sp.Expr, ...]
-    roots: bool = False
+    eigenvalues: bool = False
     pattern: Pattern = ()
 
 
@@ -60,10 +63,15 @@ class Formulas:
     @staticmethod
     def of(source: Source, family: Family) -> Formulas:
         """Solve the family with letters, within limits."""
-        found: Sequence[Formula] = ()
-        if any(each.kind != "exact" for each in family.nice):
-            with suppress(Exceeded):
-                found = call_within(LETTERS, formulas_of, source, family)
+        nice = [each for each in family.nice if each.kind != "exact"]
+        problem = _with_letters(source, family) if nice else None
+        if problem is None:
+            return Formulas(family, ())
+        names = {each.name for each in family.varied}
+        found = [formula for each in nice if (formula := _of_eigenvalues(each, problem, names)) is not None]
+        left = [each for each in nice if each not in [formula.nice for formula in found]]
+        with suppress(Exceeded):
+            found += call_within(LETTERS, formulas_of, source, family, left) if left else []
         return Formulas(family, found)
 
     def rejected(self, places: Sequence[Sequence[int]]) -> list[str]:
@@ -75,7 +83,7 @@ class Formulas:
             for formula, functions in self.compiled:
                 with np.errstate(all="ignore"):
                     values = np.array([np.broadcast_to(function(at), len(places)) for function in functions])
-                    values = _roots(values) if formula.roots else values
+                    values = _eigenvalues(values) if formula.eigenvalues else values
                 found[(found == "") & ~may_be_nice(values, formula.nice.kind).all(axis=0)] = formula.nice.text
         return list(found)
 
@@ -87,30 +95,32 @@ def _function(entry: sp.Expr) -> Any:
     return lambda at: inner({x: at[x.name] for x in letters})
 
 
-def _roots(coefficients: Array) -> Array:
-    """Return the roots of monic polynomials, a column each: of their coefficients, without the first one."""
-    degree, count = coefficients.shape
-    companion = np.zeros((count, degree, degree), dtype=complex)
-    companion[:, 0, :] = -coefficients.T
-    companion[:, np.arange(1, degree), np.arange(degree - 1)] = 1.0
-    finite = np.isfinite(companion).all(axis=(1, 2))
-    found = np.full((count, degree), np.nan, dtype=complex)
-    found[finite] = np.linalg.eigvals(companion[finite])
-    near = np.round(found.real)  # a multiple root is known to fewer digits
+def _eigenvalues(entries: Array) -> Array:
+    """Return the eigenvalues of matrices, in columns: of their entries, row by row."""
+    count, order = entries.shape[1], isqrt(entries.shape[0])
+    matrices = entries.T.reshape(count, order, order)
+    finite = np.isfinite(matrices).all(axis=(1, 2))
+    found = np.full((count, order), np.nan, dtype=complex)
+    found[finite] = np.linalg.eigvals(matrices[finite])
+    near = np.round(found.real)  # a multiple one is known to fewer digits
     return np.where(np.abs(found - near) < 1e-3, near + 0j, found).T
 
 
-def formulas_of(source: Source, family: Family) -> list[Formula]:
+def formulas_of(source: Source, family: Family, nice: Sequence[Nice]) -> list[Formula]:
     """Return the answers in letters, without those of which there is no formula."""
-    letters = with_letters(root_of(source), {each.name for each in family.varied}, _signs(family))
-    try:
-        problem = problem_of(source, letters, catalogue())
-    except InputError:  # letters may stand where numbers must
-        return []
+    problem = _with_letters(source, family)
     known: dict[str, PartResult] = {}
     names = {each.name for each in family.varied}
-    found = (_formula(each, problem, known, names) for each in family.nice if each.kind != "exact")
+    found = [_formula(each, problem, known, names) for each in nice] if problem is not None else []
     return [each for each in found if each is not None]
+
+
+def _with_letters(source: Source, family: Family) -> Problem | None:
+    """Return the family with letters for what is drawn, None where numbers must stand there."""
+    root = with_letters(root_of(source), {each.name for each in family.varied}, _signs(family))
+    with suppress(InputError):
+        return problem_of(source, root, catalogue())
+    return None
 
 
 def _signs(family: Family) -> Mapping[str, str]:
@@ -126,13 +136,11 @@ def _signs(family: Family) -> Mapping[str, str]:
 
 def _formula(nice: Nice, problem: Problem, known: dict[str, PartResult], names: Collection[str]) -> Formula | None:
     """Return the formula of an answer, None where there is none."""
-    part = next(part for part in problem.parts if part.id == nice.part)
-    try:
+    with suppress(Unsolved, exact.NotExact):
         value = answers_of(nice.part, problem, known).get(nice.answer)
-    except (Unsolved, exact.NotExact):
-        return _of_roots(nice, part, known, names) if nice.answer == "eigenvalues" else None
-    entries = tuple(each for each in leaves(value) if _is_formula(each, names))
-    return Formula(nice, entries) if entries else None
+        if entries := tuple(each for each in leaves(value) if _is_formula(each, names)):
+            return Formula(nice, entries)
+    return None
 
 
 def _is_formula(entry: sp.Expr, names: Collection[str]) -> bool:
@@ -142,19 +150,18 @@ def _is_formula(entry: sp.Expr, names: Collection[str]) -> bool:
     return {x.name for x in symbols_of(entry)} <= set(names) and all(isinstance(each, plain) for each in inner)
 
 
-def _of_roots(nice: Nice, part: Part, known: dict[str, PartResult], names: Collection[str]) -> Formula | None:
-    """Return the characteristic polynomial of a part's system as the formula of its eigenvalues, if it has one."""
-    with suppress(Unsolved, exact.NotExact):
-        task = catalogue()["characteristic_polynomial"]
-        system = resolved(part, known).system
-        asked = Part("", task.name, tuple(task.methods_for(discrete=system.discrete)[:1]), system)
-        given, answers = found_by(asked.methods[0], asked, known)
-        polynomial = answers["polynomial"]
-        variable = [x for x in symbols_of(polynomial) if x.name not in names]
-        entries = tuple(sp.Poly(polynomial, *variable).all_coeffs()[1:])
-        if all(_is_formula(each, names) for each in entries):
-            return Formula(nice, entries, roots=True, pattern=_pattern(given.system.A, names))
-    return None
+def _of_eigenvalues(nice: Nice, problem: Problem, names: Collection[str]) -> Formula | None:
+    """Return the matrix whose eigenvalues are asked for, if it is given by its entries; nothing is solved."""
+    part = next(part for part in problem.parts if part.id == nice.part)
+    matrix = getattr(part.system, "A", None)
+    if nice.answer != "eigenvalues" or matrix is None or part.task not in OF_THE_SYSTEM:
+        return None
+    if any(option.loop for name, option in catalogue()[part.task].options.items() if name in part.written):
+        return None  # they are those of a loop
+    entries = tuple(matrix.flat())
+    if not all(_is_formula(each, names) for each in entries):
+        return None
+    return Formula(nice, entries, eigenvalues=True, pattern=_pattern(matrix, names))
 
 
 def _pattern(matrix: sp.MatrixBase, names: Collection[str]) -> Pattern:

@@ -1,7 +1,7 @@
 """The Python interface to families: `solver.variants(path_or_text, count=…, seed=…)`.
 
 >>> import solver
->>> for variant in solver.variants("problems/families/lqr.yaml", count=3, seed=7):
+>>> for variant in solver.variants("problems/families/integer-regulators.yaml", count=3, seed=7):
 ...     print(variant.values, variant.solve().answers["a"]["K"])
 """
 

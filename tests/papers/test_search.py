@@ -127,14 +127,27 @@ def _square(number):
     return sp.sqrt(number).is_Integer
 
 
-def test_eigenvalues_without_a_formula_are_found_in_decimals(search_of):
+def test_eigenvalues_need_no_formula(search_of):
     search = search_of(EIGENVALUES)
     (formula,) = [each for each, _ in Formulas.of(search.source, search.family).compiled]
-    assert formula.roots
+    assert formula.eigenvalues
     assert [len(row) for row in formula.pattern] == [3, 3, 3]
     for each in islice(search.candidates(), 3):
         (result,) = solve_problem(each.problem).parts
         assert all(value.is_Integer for value in result.answers["eigenvalues"])
+
+
+def test_the_eigenvalues_of_a_loop_are_not_those_of_the_matrix(search_of):
+    text = """\
+parameters: {a: 2, b: 1}
+vary: {a: {from: -1, to: 1}, b: {from: 0, to: 2}}
+nice: {f.eigenvalues: integers}
+system: {A: [[0, 1], [2, a]], B: [0, 1]}
+find: {f: {task: stability, gain: [2, b]}}
+"""
+    search = search_of(text)
+    assert not any(each.eigenvalues for each, _ in Formulas.of(search.source, search.family).compiled)
+    assert {(each["a"], each["b"]) for each in drawn(search)} == {(a, a) for a in "01"}
 
 
 def test_matrices_of_integer_eigenvalues_are_constructed():
