@@ -15,7 +15,7 @@ def took(search: Search) -> str:
     told = f"{_counted(search.draws, 'draw')} of {search.family.size} choices"
     rejected = [f"{count} by {why.why}" if not why.own else f"{count}: {why.why}" for why, count in _most(search)]
     hidden = len(search.rejections) - SHOWN
-    return told + (f"; rejected {'; '.join(rejected)}" if rejected else "") + (f"; {hidden} more" if hidden > 0 else "")
+    return told + (f"; rejected {'; '.join(rejected)}" if rejected else "") + ("; …" if hidden > 0 else "")
 
 
 def shortage(search: Search, source: Source, count: int) -> InputError:

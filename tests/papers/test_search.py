@@ -143,7 +143,7 @@ parameters: {a: 2, b: 1}
 vary: {a: {from: -1, to: 1}, b: {from: 0, to: 2}}
 nice: {f.eigenvalues: integers}
 system: {A: [[0, 1], [2, a]], B: [0, 1]}
-find: {f: {task: stability, gain: [2, b]}}
+find: {f: {task: stability, gain: [1, b]}}
 """
     search = search_of(text)
     assert not any(each.eigenvalues for each, _ in Formulas.of(search.source, search.family).compiled)
