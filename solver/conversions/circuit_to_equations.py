@@ -8,7 +8,9 @@ from solver.systems import Circuit, Equations
 from solver.tasks.modelling.kirchhoff import equations_of_circuit
 
 
-@conversion(Circuit, Equations, gives=lambda has: {"equations", "rest", *(has & {"inputs", "initial_state"})})
+@conversion(
+    Circuit, Equations, gives=lambda has: {"equations", "rest", "machine", *(has & {"inputs", "initial_state"})}
+)
 def by_kirchhoff(circuit: Circuit) -> Derivation[Equations]:
     """L i' = v and C v' = i, the other voltages and currents eliminated."""
     return (yield from equations_of_circuit(circuit))

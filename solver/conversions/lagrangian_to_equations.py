@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def _gives(has: Provided) -> Iterable[str]:
     """Equations; inputs and initial values where the energies have them."""
     own = (each for each in ("inputs", "initial_state") if each in has)
-    return ("equations", "rest", *own) if "lagrangian" in has else ()
+    return ("equations", "rest", "machine", *own) if "lagrangian" in has else ()
 
 
 @conversion(Lagrangian, Equations, gives=_gives)

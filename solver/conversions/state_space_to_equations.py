@@ -1,4 +1,4 @@
-"""A plant in state space written out, for the question when it is at rest: one equation for each state."""
+"""A plant in state space written out, for questions about its equations: one for each state."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 
 def _gives(has: Provided) -> Iterable[str]:
-    """When a plant that is given so is at rest; what was realized has states that no one asks about."""
-    return ("rest",) if "matrix" in has else ()
+    """What a machine integrates; and when a plant that is given so is at rest, as no one asks that of a realization."""
+    return ("machine", *(["rest"] if "matrix" in has else [])) if has & {"A", "matrix"} else ()
 
 
 @conversion(StateSpace, Equations, gives=_gives)

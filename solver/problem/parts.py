@@ -26,6 +26,7 @@ IN_WORDS = {
     "x0": "initial_state",
     "motion": "A",
     "rest": "equations (or A)",
+    "machine": "equations (or A, or a transfer function)",
     "gains": "a transfer matrix (or A, B and C)",
     "path": "a transfer function (or A, B and C)",
     "open_loop": "a transfer function (or A, B and C)",

@@ -13,6 +13,7 @@ OTHER_NAMES = {
     "x0": "initial_state",
     "motion": "A",
     "rest": "equations",
+    "machine": "equations",
     "gains": "transfer_matrix",
     "path": "transfer_function",
     "open_loop": "transfer_function",

@@ -98,9 +98,13 @@ class Equations:
 
     @property
     def provides(self) -> frozenset[str]:
-        """The equations, and when it is at "rest"; "inputs" and "initial_state" tell what a state space of it has."""
+        """The equations, and when it is at "rest"; "inputs" and "initial_state" tell what a state space of it has.
+
+        In continuous time they are what a "machine" computes.
+        """
         given = {"inputs"} if self.inputs else set()
-        return frozenset({"equations", "rest", *given, *(["initial_state"] if self.initial else [])})
+        started = ["initial_state"] if self.initial else []
+        return frozenset({"equations", "rest", *given, *started, *([] if self.discrete else ["machine"])})
 
     @property
     def described(self) -> str:
@@ -122,6 +126,9 @@ def _read(reader: Reader) -> Equations:
     algebraic = reader.names("algebraic")
     states = reader.jets("states")
     named = dict.fromkeys([*reader.dynamic_names("equations"), *(name for name, _ in states), *algebraic])
+    if not (named or reader.discrete) and (static := _static(reader)):
+        algebraic, others = static
+        named, inputs = dict.fromkeys(algebraic), inputs or others
     unknowns = tuple(name for name in named if name not in inputs)
     functions = (*unknowns, *inputs)
     sides, jets = reader.relations("equations", functions)
@@ -141,6 +148,20 @@ def _read(reader: Reader) -> Equations:
         reader.discrete, reader.sample_time, reader.written("equations", functions),
     )  # fmt: skip
     return found.assuming(assumed)
+
+
+def _static(reader: Reader) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
+    """Of relations without derivatives, v_o = -v1 - 10 v2, the names alone on the left, and all other names.
+
+    None where a side on the left is no name alone, or there is no name on the right.
+    """
+    sides, _ = reader.relations("equations", ())
+    reader.conclude()
+    left = tuple(side.name for side, _ in sides if side.is_Symbol)
+    terms = [term for _, right in reader.written("equations", ()) for term in right]
+    named = dict.fromkeys(each.name for term in terms for each in sorted(term.free_symbols, key=str))
+    others = tuple(name for name in named if name not in left)
+    return (left, others) if len(left) == len(sides) and others else None
 
 
 def check_outputs(
