@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from solver.derivation import PartResult, Step
+from solver.patches import Program, data_of
 from solver.render.plain import sympy_text
 from solver.render.wording import WordedStep
 from solver.stated import Stated
@@ -43,6 +44,11 @@ def texts_of(system: System) -> dict[str, str]:
     else:
         given = {SPELLED.get(each.name, each.name): getattr(system, each.name) for each in fields(system)}  # type: ignore[arg-type]  # every kind is a dataclass
     return {name: sympy_text(value) for name, value in given.items() if isinstance(value, sp.Basic | sp.MatrixBase)}
+
+
+def as_written(value: Any) -> Any:
+    """Return an answer as sympy reads it; a program as data."""
+    return data_of(value, _number, sympy_text) if isinstance(value, Program) else sympy_text(value)
 
 
 def numbers_of(value: Any) -> Any:

@@ -62,6 +62,8 @@ class WorkStep:
 class WorkAnswer:
     """One answer: its name, LaTeX of its symbol and value (no dollar signs), its meaning; `value` as sympy reads it.
 
+    The value of a program is its data.
+
     `equation` is LaTeX of symbol = value laid out for a page: broken over lines, or entry by entry, where it is wide.
     `narrow` is the same entry by entry in any case. `marks` is what it earns, as text, or "" where that is not said.
     `numeric` are its numbers in nested lists, a complex one as [re, im], where it has no symbols. `given` tells that it
@@ -76,7 +78,7 @@ class WorkAnswer:
     symbol: str
     tex: str
     doc: str
-    value: str
+    value: Any
     equation: str
     narrow: str = ""
     marks: str = ""

@@ -16,7 +16,7 @@ from solver.document.checks import Say, check_rows, unchecked, worded_check
 from solver.document.keys import key_of
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of, title_of
-from solver.document.values import numbers_of, symbols_of, texts_of, values_of
+from solver.document.values import as_written, numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution, resolved
 from solver.problem.asked import asked_of, marks_of
 from solver.problem.model import Display, Part, Problem
@@ -228,7 +228,7 @@ def _answers(
             symbol,
             wording.answer(value),
             wording.say(declared[name].doc),
-            sympy_text(value) if data else "",
+            as_written(value) if data else "",
             wording.equation(symbol, value, zero=declared[name].zero),
             wording.equation(symbol, value, narrow=True, zero=declared[name].zero),
             marks=NumberFormat("decimal", 3).text(marks[name]) if name in marks else "",

@@ -17,6 +17,7 @@ from sympy.core.operations import AssocOp
 from sympy.polys.polyerrors import OptionError
 
 from solver.conditions import Condition, Parameter
+from solver.patches import Element, Program
 
 Node = tuple[Any, ...]
 """A word that tells what it is, and what it is made of."""
@@ -71,11 +72,19 @@ def _parts(value: Any) -> list[Any]:
         return [each for entry in value.items() for each in entry]
     if isinstance(value, sp.MatrixBase):
         return list(value.flat())
-    if isinstance(value, Parameter):
-        return [each.difference for each in value.conditions]
+    if isinstance(value, Program | Element | Parameter):
+        return _parts_of_object(value)
     if isinstance(value, sp.Symbol | sp.Number):
         return []
     return list(value.args) if isinstance(value, sp.Basic) else []
+
+
+def _parts_of_object(value: Program | Element | Parameter) -> list[Any]:
+    if isinstance(value, Parameter):
+        return [each.difference for each in value.conditions]
+    if isinstance(value, Program):
+        return [value.reference, *value.elements, dict(value.readout)]
+    return [value.id, value.kind, value.inputs, value.value, value.setting, value.initial]
 
 
 def _head(value: Any) -> Node:
@@ -86,6 +95,8 @@ def _head(value: Any) -> Node:
         return ("mapping",)
     if isinstance(value, list | tuple):
         return ("list" if isinstance(value, list) else "tuple",)
+    if isinstance(value, Program | Element):
+        return ("program" if isinstance(value, Program) else "element",)
     return ("matrix", value.rows, value.cols) if isinstance(value, sp.MatrixBase) else _head_of_expression(value)
 
 
@@ -142,6 +153,8 @@ MAKERS: Mapping[str, Callable[..., Any]] = {
     "tuple": tuple,
     "mapping": lambda parts: dict(zip(parts[::2], parts[1::2], strict=True)),
     "matrix": sp.ImmutableMatrix,
+    "program": lambda parts: Program(parts[0], tuple(parts[1:-1]), parts[-1]),
+    "element": lambda parts: Element(*parts),
     "symbol": _symbol,
     "parameter": _parameter,
     "decimal": lambda value, precision, _: sp.Float._new(value, precision, zero=False),

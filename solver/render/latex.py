@@ -19,6 +19,7 @@ from solver.formula.nodes import Fenced, Number, Operator, Root, Row, Scripts, S
 from solver.render.latex_objects import FUNCTIONS, ObjectPrinter
 from solver.render.numbers import NumberFormat
 from solver.render.order import ordered_terms
+from solver.render.programs import program_formula
 from solver.render.symbols import named
 from solver.render.terms import Term, common_fraction, evaluated, join_roots, like_terms_added, split
 from solver.stated import Stated, operation_named
@@ -207,6 +208,9 @@ class Printer(ObjectPrinter):
 
     def _print_ComplexRootOf(self, expr: Any) -> Row:
         return self._print(evaluated(expr))
+
+    def _print_Program(self, expr: Any) -> Row:
+        return program_formula(expr, self._print)
 
     def _print_Stated(self, expr: Stated) -> Row:
         return operation_named(expr.operation).printer(self._print, *expr.operands)
