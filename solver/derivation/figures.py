@@ -13,6 +13,7 @@ from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
 from solver.derivation.parameter_figures import Locus, ParameterRegion
+from solver.derivation.patch_figures import PatchDiagram
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +215,7 @@ class Schematic:
 
 Figure = (
     Plot | Panels | Motion | Plane | Locus | ParameterRegion | Diagram | Chains | Parts | Schematic | Mechanism
-    | BodeDiagram | NyquistDiagram | FlowGraph
+    | BodeDiagram | NyquistDiagram | FlowGraph | PatchDiagram
 )  # fmt: skip
 
 
@@ -263,7 +264,7 @@ class DrawnPanels:
 GAINS = {"K": r"\sym{K}", "L": r"\sym{L}"}
 """What stands in the blocks of the gains where a diagram says nothing else."""
 
-WORDS = {"caption", "label", "name", "names", "x_label", "y_label", "gravity"}
+WORDS = {"caption", "label", "name", "names", "x_label", "y_label", "gravity", "output", "value"}
 """Fields that are read."""
 
 
@@ -289,5 +290,5 @@ def _worded(value: Any, say: Callable[[str], str], *, read: bool = False) -> Any
     return value
 
 
-Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts | Schematic | Mechanism | FlowGraph
+Drawing = DrawnPlot | DrawnPanels | Diagram | Chains | Parts | Schematic | Mechanism | FlowGraph | PatchDiagram
 """A figure without expressions."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from solver.derivation.figures import Chains, Diagram, Drawing, DrawnPanels, Parts, Schematic
 from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.mechanisms import Mechanism
+from solver.derivation.patch_figures import PatchDiagram
 
 
 def svg(drawing: Drawing) -> str:
@@ -21,6 +22,10 @@ def svg(drawing: Drawing) -> str:
         from solver.figures import mechanisms  # noqa: PLC0415 - only where one is drawn
 
         return mechanisms.svg(drawing)
+    if isinstance(drawing, PatchDiagram):
+        from solver.figures import patches  # noqa: PLC0415 - only where one is drawn
+
+        return patches.svg(drawing)
     return plot_svg.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_svg.drawn(drawing)
 
 
@@ -38,6 +43,10 @@ def tikz(drawing: Drawing) -> str:
         from solver.figures import mechanisms  # noqa: PLC0415 - only where one is drawn
 
         return mechanisms.tikz(drawing)
+    if isinstance(drawing, PatchDiagram):
+        from solver.figures import patches  # noqa: PLC0415 - as above
+
+        return patches.tikz(drawing)
     return plot_tikz.drawn_panels(drawing) if isinstance(drawing, DrawnPanels) else plot_tikz.drawn(drawing)
 
 

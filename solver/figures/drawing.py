@@ -22,6 +22,7 @@ from solver.derivation.flow_figures import FlowGraph
 from solver.derivation.frequency_figures import BodeDiagram, NyquistDiagram
 from solver.derivation.mechanisms import Mechanism
 from solver.derivation.parameter_figures import Locus, ParameterRegion
+from solver.derivation.patch_figures import PatchDiagram
 from solver.figures import alternatives
 from solver.figures.bode import bode_of
 from solver.figures.laid_out import layout_of
@@ -33,6 +34,7 @@ from solver.figures.planes import on_plane
 from solver.figures.sampling import sampled
 from solver.figures.told_frequencies import told_bode, told_nyquist
 from solver.figures.told_mechanisms import of_mechanism
+from solver.figures.told_patches import of_patches
 
 Say = Callable[[str], str]
 
@@ -49,6 +51,7 @@ TOLD: dict[type, Callable[[Any, Say], str]] = {
     Parts: alternatives.of_parts,
     Mechanism: of_mechanism,
     FlowGraph: alternatives.of_flow_graph,
+    PatchDiagram: of_patches,
 }
 """Who tells what is seen in figures that are drawn from their data as they are."""
 
@@ -71,7 +74,7 @@ def drawing_of(figure: Figure, say: Say = str) -> Drawing:
         return found
     if isinstance(figure, ParameterRegion):
         return replace(on_parameters(figure), alt=of_parameters(figure, say))
-    if isinstance(figure, Schematic | Parts | Mechanism | FlowGraph):
+    if isinstance(figure, Schematic | Parts | Mechanism | FlowGraph | PatchDiagram):
         return replace(figure, alt=TOLD[type(figure)](figure, say))
     chains = alternatives.of_chains(figure, say) if isinstance(figure, Chains) else ""
     rest: Any = figure

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import atan2, ceil, cos, degrees, hypot, radians, sin
 
 from solver.derivation.mechanisms import Place
-from solver.figures.layout import Label
+from solver.figures.layout import Dot, Label
+from solver.formula.terminal import flat
 
 HATCH = 0.18
 """Length of the strokes of hatching, and nearly their distance."""
@@ -38,7 +40,8 @@ class Ring:
     joint: bool = False
 
 
-Stroke = Line | Shape | Ring | Label
+Stroke = Line | Shape | Ring | Label | Dot
+Bounds = tuple[float, float, float, float]
 
 
 def moved(place: Place, *steps: tuple[float, Place]) -> Place:
@@ -94,3 +97,29 @@ def arc(centre: Place, radius: float, start: float, stop: float) -> Line:
     """Return an arc with an arrowhead at its end; degrees."""
     angles = [start + (stop - start) * i / 24 for i in range(25)]
     return Line(tuple(moved(centre, (radius, along(each))) for each in angles), arrow="end")
+
+
+def frame_of(label: Label) -> Bounds:
+    """Return about what room a label takes: x_min, x_max, y_min, y_max."""
+    width, height = 0.1 + 0.17 * len(flat(label.text)), 0.34
+    x = label.x + (width / 2 if "right" in label.anchor else -width / 2 if "left" in label.anchor else 0)
+    y = label.y + (height / 2 if "above" in label.anchor else -height / 2 if "below" in label.anchor else 0)
+    return x - width / 2, x + width / 2, y - height / 2, y + height / 2
+
+
+def bounds_of(strokes: Sequence[Stroke]) -> Bounds:
+    """Return x_min, x_max, y_min, y_max of the drawing, with room for labels."""
+    frames: list[Bounds] = []
+    for each in strokes:
+        if isinstance(each, Label):
+            frames.append(frame_of(each))
+        elif isinstance(each, Ring):
+            (x, y), r = each.place, each.radius
+            frames.append((x - r, x + r, y - r, y + r))
+        elif isinstance(each, Dot):
+            frames.append((each.x, each.x, each.y, each.y))
+        else:
+            xs, ys = zip(*each.points, strict=True)
+            frames.append((min(xs), max(xs), min(ys), max(ys)))
+    x_min, x_max, y_min, y_max = zip(*frames, strict=True)
+    return min(x_min) - 0.25, max(x_max) + 0.25, min(y_min) - 0.25, max(y_max) + 0.25
