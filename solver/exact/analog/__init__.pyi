@@ -12,23 +12,49 @@ from solver.exact.analog.machine_equations import (
     scaled,
     scaled_symbols,
 )
-from solver.exact.analog.maxima import Largest, Undecided, largest_size
+from solver.exact.analog.maxima import Largest, Undecided, largest_size, motions_of
+from solver.exact.analog.overload import first_overload
+from solver.exact.analog.signs import Signs, carried_signs
+from solver.exact.analog.stages import (
+    ImpulseAtStartError,
+    Response,
+    cascade_responses,
+    of_time,
+    stage_gains,
+    stage_response,
+)
 from solver.exact.analog.swings import Unbounded, Unsearched
+from solver.exact.analog.synthesis import NoBound, Synthesis, TooLarge, Wire, synthesized
 
 __all__ = [
+    "ImpulseAtStartError",
     "Integrated",
     "Largest",
     "MachineEquations",
+    "NoBound",
     "NotLinearCombination",
+    "Response",
     "Scaling",
+    "Signs",
     "Summed",
+    "Synthesis",
+    "TooLarge",
     "Unbounded",
     "Undecided",
     "Unsearched",
+    "Wire",
+    "carried_signs",
+    "cascade_responses",
     "combined",
+    "first_overload",
     "largest_size",
     "machine_equations",
+    "motions_of",
+    "of_time",
     "scale_factors",
     "scaled",
     "scaled_symbols",
+    "stage_gains",
+    "stage_response",
+    "synthesized",
 ]

@@ -1,0 +1,152 @@
+"""When a variable of machine equations first exceeds a given size: exactly of one exponential, else in decimals.
+
+The motion is known in closed form; it is sampled densely enough for every mode, and the first interval at whose end it
+is too large is halved in exact arithmetic of many digits.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable, Mapping, Sequence
+from functools import reduce
+from itertools import pairwise
+from operator import mul
+from typing import Any
+
+import sympy as sp
+
+from solver.exact.analog.machine_equations import TIME, MachineEquations
+from solver.exact.analog.maxima import motions_of
+
+STEPS = 160
+"""Samples of the fastest mode, and of each following span of time, twice as long as the one before."""
+LONG, MOST_SPANS = 12.0, 24
+BEYOND = 1e-9
+"""A size may be reached: by that much, relatively, it must be exceeded."""
+NEAR = 0.99
+"""A sample of that share of the size may have a peak beside it that exceeds it."""
+DIGITS, HALVED, NEWTON = 40, 46, 3
+FUNCTIONS: dict[str, Callable[..., complex]] = {
+    "exp": cmath.exp, "sin": cmath.sin, "cos": cmath.cos, "sinh": cmath.sinh, "cosh": cmath.cosh,
+    "Heaviside": lambda x, *_: float(x.real > 0), "Add": lambda *parts: sum(parts), "Mul": lambda *p: reduce(mul, p),
+}  # fmt: skip
+
+
+def first_overload(
+    equations: MachineEquations, maxima: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[sp.Symbol, sp.Expr, sp.Expr] | None:
+    """Return the variable that first exceeds its maximum, when, and its motion; None if none does. Raises NotExact."""
+    motions = motions_of(equations)
+    found = []
+    for x, maximum in maxima.items():
+        time = first_passage(motions[x], maximum) if x in motions and maximum != 0 else None
+        if time is not None:
+            found.append((float(time), x, time, motions[x]))
+    if not found:
+        return None
+    _, x, time, motion = min(found, key=lambda each: each[0])
+    return x, time, motion
+
+
+def first_passage(motion: sp.Expr, maximum: sp.Expr) -> sp.Expr | None:
+    """Return the first t > 0 from which on |motion| > maximum; None if there is none."""
+    value = _compiled(motion)
+    limit = float(maximum)
+
+    def size(t: float) -> float:
+        return abs(value(complex(t)).real) / limit
+
+    ends = _first_interval(size, _rates(motion))
+    if ends is None:
+        return None
+    exact = _in_closed_form(motion, maximum)
+    near = next((each for each in exact if abs(float(each) - ends[1]) <= 2 * (ends[1] - ends[0]) + 1e-9), None)
+    return near if near is not None else _refined(motion, maximum, ends)
+
+
+def _rates(motion: sp.Expr) -> list[complex]:
+    """The factors of t in the exponents and arguments, and 1/T of what begins at T."""
+    found = []
+    for each in motion.atoms(sp.exp, sp.sin, sp.cos, sp.sinh, sp.cosh, sp.Heaviside):
+        inside = sp.expand(each.args[0])
+        slope, shift = complex(inside.coeff(TIME, 1)), complex(inside.coeff(TIME, 0))
+        if isinstance(each, sp.sin | sp.cos):
+            slope *= 1j
+        if isinstance(each, sp.Heaviside):
+            slope = slope / shift if shift else 1.0
+        found.append(complex(slope))
+    return [each for each in found if each]
+
+
+def _first_interval(size: Callable[[float], float], rates: Sequence[complex]) -> tuple[float, float] | None:
+    """Two times between which the size first exceeds 1."""
+    fastest = max(map(abs, rates), default=1.0)
+    slow = [abs(each.real) if abs(each.real) > 1e-9 * abs(each) else abs(each) / 4 for each in rates]
+    end = LONG / min(slow, default=1.0)
+    start, length = 0.0, LONG / fastest
+    for _ in range(MOST_SPANS):
+        times = [start + length * i / STEPS for i in range(STEPS + 2)]
+        sizes = [size(t) for t in times]
+        for i in range(1, STEPS + 1):
+            if sizes[i] > 1 + BEYOND:
+                return times[i - 1], times[i]
+            is_top = sizes[i - 1] < sizes[i] > sizes[i + 1]
+            if is_top and sizes[i] > NEAR and (peak := _peak(size, times[i - 1], times[i + 1])) is not None:
+                return peak
+        start, length = times[-2], 2 * length
+        if start > end:
+            break
+    return None
+
+
+def _peak(size: Callable[[float], float], a: float, b: float) -> tuple[float, float] | None:
+    """An interval whose end is beyond, where there is a peak between two samples."""
+    times = [a + (b - a) * i / 40 for i in range(41)]
+    return next(((s, t) for s, t in pairwise(times) if size(t) > 1 + BEYOND), None)
+
+
+def _in_closed_form(motion: sp.Expr, maximum: sp.Expr) -> list[sp.Expr]:
+    """The times at which a + b e^{rt}, or a + b t, has the size; empty for another motion."""
+    moving = [term for term in sp.Add.make_args(sp.expand(motion)) if term.has(TIME)]
+    if len(moving) != 1:
+        return []
+    rest, (factor, function) = sp.expand(motion) - moving[0], moving[0].as_independent(TIME, as_Add=False)
+    levels = [sp.cancel((sign * maximum - rest) / factor) for sign in (1, -1)]
+    if function == TIME:
+        return [level for level in levels if level > 0]
+    if not isinstance(function, sp.exp) or sp.diff(function.args[0], TIME).has(TIME):
+        return []
+    rate = sp.diff(function.args[0], TIME)
+    return [sp.log(1 / level) / -rate if rate.is_negative else sp.log(level) / rate for level in levels if level > 0]
+
+
+def _refined(motion: sp.Expr, maximum: sp.Expr, ends: tuple[float, float]) -> sp.Expr:
+    """The time at which the size is reached, in decimals: halved in doubles, then by Newton's method."""
+    value, (low, high) = _compiled(motion), ends
+    for _ in range(HALVED):
+        middle = (low + high) / 2
+        if abs(value(complex(middle)).real) > float(maximum):
+            high = middle
+        else:
+            low = middle
+    sign = 1 if value(complex(high)).real > 0 else -1
+    slope, time = sp.diff(motion, TIME), sp.Float(repr(high), DIGITS)
+    for _ in range(NEWTON if not motion.has(sp.Heaviside) else 0):
+        gap, rate = (each.xreplace({TIME: time}).evalf(DIGITS) for each in (motion - sign * maximum, slope))
+        time -= gap / rate if rate else 0
+    return sp.Float(time, 30)
+
+
+def _compiled(e: Any) -> Callable[[complex], complex]:
+    """A motion as a function of t."""
+    if e == TIME:
+        return lambda t: t
+    if not e.has(TIME):
+        number = complex(e.evalf(20))
+        return lambda _t: number
+    parts: list[Any] = [_compiled(each) for each in e.args]
+    if e.is_Pow:
+        base, exponent = parts
+        return lambda t: base(t) ** exponent(t)
+    function = FUNCTIONS[e.func.__name__]
+    return lambda t: function(*(part(t) for part in parts))
