@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -61,7 +62,7 @@ class MachineEquations:
     @property
     def variables(self) -> tuple[sp.Symbol, ...]:
         """The integrated variables, then the summed ones."""
-        return tuple(each.variable for each in (*self.integrated, *self.summed))
+        return (*(each.variable for each in self.integrated), *(each.variable for each in self.summed))
 
 
 def machine_equations(
@@ -109,7 +110,7 @@ def linear_terms(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> Terms:
 class Scaling:
     """Volts per unit of each variable, and of inputs (those not named have 1), and β of τ = β t."""
 
-    factors: Mapping[sp.Symbol, sp.Expr]
+    factors: Mapping[Any, sp.Expr]
     time_scale: sp.Expr
 
     def of(self, term: sp.Expr) -> sp.Expr:
@@ -122,12 +123,14 @@ def scale_factors(maxima: Mapping[sp.Symbol, sp.Expr], reference: sp.Expr) -> di
     return {x: sp.cancel(reference / value) if value != 0 else sp.S.One for x, value in maxima.items()}
 
 
-def scaled_symbols(equations: MachineEquations, scaling: Scaling) -> dict[sp.Symbol, sp.Symbol]:
+def scaled_symbols(equations: MachineEquations, scaling: Scaling) -> dict[Any, sp.Symbol]:
     """X1, X2, … of the states in their order, the others (summed variables, scaled inputs) in capitals: Y of y.
 
     An input without a factor keeps its name: its voltage is its value.
     """
-    named = {each.variable: sp.Symbol(f"X{i}", real=True) for i, each in enumerate(equations.integrated, 1)}
+    named: dict[Any, sp.Symbol] = {
+        each.variable: sp.Symbol(f"X{i}", real=True) for i, each in enumerate(equations.integrated, 1)
+    }
     for other in [each.variable for each in equations.summed] + [u for u in equations.inputs if u in scaling.factors]:
         named[other] = sp.Symbol(other.name[0].upper() + other.name[1:], real=True)
     return named

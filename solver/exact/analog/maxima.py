@@ -8,7 +8,7 @@ of its constant and its amplitudes, if no two of its frequencies have a rational
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mpmath
 import sympy as sp
@@ -18,9 +18,9 @@ from solver.exact.analog.swings import Motion, Sustained, searched, sustained
 from solver.exact.functions.rational import RationalMatrix
 from solver.exact.linear_algebra.spectrum import DIGITS
 from solver.exact.time_response.long_run import constant_root, limit
-from solver.exact.time_response.peaks import Peak, modes_of, peak
+from solver.exact.time_response.peaks import modes_of
 from solver.exact.time_response.response import ClosedForm, response
-from solver.exact.time_response.stationary import stationary
+from solver.exact.time_response.stationary import Stationary, stationary
 from solver.systems import StateSpace
 
 SEEN = 1e-9
@@ -36,15 +36,17 @@ class Largest:
     """The largest size of a variable x(t) (`motion`), t ≥ 0.
 
     `kind` is zero (it stays there), start, limit, peak, corner (where an input switches) or swing (it oscillates for
-    ever, and its size comes as near to `value` as one likes). `time` is that of a peak or corner; `peak` tells how one
-    was found in closed form.
+    ever, and its size comes as near to `value` as one likes). `time` is that of a peak or corner. `flat` tells where
+    the slope is zero, if that has a closed form, and `values` are the values there; a peak is the one of its `number`.
     """
 
     motion: sp.Expr
     kind: str
     value: sp.Expr
     time: sp.Expr | None = None
-    peak: Peak | None = None
+    flat: Stationary | None = None
+    values: tuple[sp.Expr, ...] = ()
+    number: int | None = None
 
 
 def state_space(equations: MachineEquations, terms: Sequence[Terms]) -> tuple[StateSpace, list[sp.Expr]]:
@@ -67,15 +69,18 @@ def largest_size(equations: MachineEquations, terms: Terms) -> Largest:
     system, drives = state_space(equations, [terms])
     found = response(system, system.x0, drives, TIME)
     y = found.y
-    if y is None or any(value.free_symbols - {TIME} for value in y):
-        raise Undecided("parameters")
+    motion, symbols = (y[0] if y is not None else sp.S.Zero), system.A.free_symbols
+    if motion.free_symbols - {TIME} or symbols:
+        raise Undecided
     start = sp.expand(sp.Add(*(terms.get(each.variable, 0) * each.initial for each in equations.integrated)))
-    return max(_candidates(found, y[0], start), key=_size)
+    candidates = _candidates(found, motion, start)
+    return candidates[max(range(len(candidates)), key=lambda i: _size(candidates[i]))]
 
 
 def _size(each: Largest) -> float:
     """Its size; a peak or swing must be larger by more than what decimals tell apart."""
-    return float(each.value) * (1 - SEEN if each.kind in ("peak", "swing") else 1)
+    size = float(sp.N(each.value, DIGITS))
+    return size * (1 - SEEN if each.kind in ("peak", "swing") else 1)
 
 
 def _candidates(found: ClosedForm, motion: sp.Expr, start: sp.Expr) -> list[Largest]:
@@ -89,9 +94,9 @@ def _candidates(found: ClosedForm, motion: sp.Expr, start: sp.Expr) -> list[Larg
     candidates = [Largest(motion, "start", sp.Abs(start))]
     if last.level and not last.swings:
         candidates.append(_in_the_end(motion, pieces, last))
-    if len(pieces) == 1 and pieces[0][0] == 0 and _is_solved(pieces[0][1], motion):
-        top = peak(pieces[0][1], motion, TIME, discrete=False)
-        return candidates + ([Largest(motion, "peak", sp.Abs(top.value), top.time, top)] if top is not None else [])
+    flat = _solved(pieces[0][1], motion) if len(pieces) == 1 and pieces[0][0] == 0 else None
+    if flat is not None:
+        return _in_closed_form(candidates, flat)
     if last.swings:
         candidates.append(_in_the_end(motion, pieces, last))
     return candidates + [
@@ -108,7 +113,7 @@ def _in_the_end(motion: sp.Expr, pieces: Sequence[tuple[sp.Expr, RationalMatrix]
         level = limit(image, discrete=False)
         exact = sp.Abs(level[0]) if level is not None else _swing(motion)
         if exact is not None and abs(sp.N(exact - value, DIGITS)) < 1e-20 * max(1, value):
-            value = exact
+            return Largest(motion, kind, exact)
     return Largest(motion, kind, value)
 
 
@@ -127,8 +132,27 @@ def _swing(motion: sp.Expr) -> sp.Expr | None:
     return sp.Abs(parts.get(sp.S.One, sp.S.Zero)) + sp.sqrt(sp.expand(sp.Add(*(parts[wave] ** 2 for wave in waves))))
 
 
-def _is_solved(image: RationalMatrix, motion: sp.Expr) -> bool:
-    """Whether the times without a slope have a closed form."""
+def _solved(image: RationalMatrix, motion: sp.Expr) -> Stationary | None:
+    """The times t > 0 without a slope, where they have a closed form."""
     moving = [pole for pole in image.poles if not constant_root(pole[0].factor, discrete=False)]
     modes = [(root, order) for each, order in moving for root in each.factor.roots]
-    return not moving or stationary(motion, modes, TIME) is not None
+    return stationary(motion, modes, TIME) if moving else Stationary("constant", sp.S.Zero, None, [])
+
+
+def _in_closed_form(candidates: Sequence[Largest], flat: Stationary) -> list[Largest]:
+    """The candidates and the peaks, each with all values where the slope is zero."""
+    motion = candidates[0].motion
+    flat = replace(flat, times=[time for time in flat.times if float(sp.N(time, DIGITS)) > 0])
+    values = tuple(sp.expand(motion.subs(TIME, time), power_exp=False, log=False) for time in flat.times)
+    peaks = [
+        Largest(motion, "peak", sp.Abs(value), time, number=number)
+        for number, (time, value) in enumerate(zip(flat.times, values, strict=True))
+    ]
+    return [replace(each, flat=flat, values=values) for each in (*candidates, *peaks)]
+
+
+def motions_of(equations: MachineEquations) -> dict[sp.Symbol, sp.Expr]:
+    """Each integrated variable as a function of time t ≥ 0; raises NotExact."""
+    system, drives = state_space(equations, [])
+    found = response(replace(system, C=None, D=None), system.x0, drives, TIME).x
+    return {each.variable: found[i] for i, each in enumerate(equations.integrated)}

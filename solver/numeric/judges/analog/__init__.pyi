@@ -9,13 +9,19 @@ from solver.numeric.judges.analog.programs import (
     readout_gaps,
     within_digits,
 )
+from solver.numeric.judges.analog.scaling import largest_sizes, scaled_residuals
+from solver.numeric.judges.analog.stages import output_residual, transform_residual
 
 __all__ = [
     "Asked",
     "expected_overload",
     "freed_gap",
+    "largest_sizes",
+    "output_residual",
     "overload_of",
     "overload_residual",
     "readout_gaps",
+    "scaled_residuals",
+    "transform_residual",
     "within_digits",
 ]

@@ -1,0 +1,150 @@
+"""Judges of a scaling, in numbers: the largest size by simulation, scaled equations at random points.
+
+The motion is followed by steps of the matrix exponential, short for the fastest mode, until the slowest one is gone;
+between the samples a cubic through values and slopes finds the largest size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from random import Random
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from scipy.linalg import expm
+
+from solver.numeric.evaluation.arithmetic import Array
+from solver.numeric.evaluation.expressions import evaluate
+from solver.numeric.evaluation.points import SEED, PointSource, free_symbols
+from solver.numeric.evaluation.values import NotEvaluable
+from solver.numeric.judges.analog.posed import TIME, Asked, Posed
+from solver.numeric.judges.modelling.equations import Jet
+
+TRIALS = 3
+PER_FASTEST = 12.0
+"""Samples in 1/|λ| of the fastest mode."""
+LATEST = 30.0
+"""In time constants of the slowest mode."""
+MOST = 150_000
+NEXT = 1e-9
+SMALL = 1e-7
+"""What stays below that, relatively to the others, is no motion."""
+
+
+def largest_sizes(asked: Asked) -> dict[Jet, float]:
+    """The largest size of each state for t ≥ 0. Raises NotEvaluable where there are symbols."""
+    if free_symbols([*asked.question.equations, *asked.initial.values()]) - set(asked.question.jets):
+        raise NotEvaluable("the equations have symbols")
+    posed = Posed(asked)
+    sizes = np.zeros(len(posed.states))
+    x = posed.start
+    for start, end in _intervals(posed):
+        x, reached = _followed(posed, x, start, end)
+        sizes = np.maximum(sizes, reached)
+    sizes[sizes < SMALL * max(1e-300, float(np.max(sizes, initial=0.0)))] = 0.0
+    return dict(zip(posed.states, (float(each) for each in sizes), strict=True))
+
+
+def _intervals(posed: Posed) -> Iterator[tuple[float, float]]:
+    """From one jump of the inputs to the next, the last until nothing moves any more."""
+    jumps = {0.0}
+    for function in posed.functions.values():
+        for step in function.atoms(sp.Heaviside):
+            inside = sp.Poly(step.args[0], TIME)
+            at = float(-inside.nth(0) / inside.nth(1))
+            jumps |= {at} if at > 0 else set()
+    rates = np.linalg.eigvals(posed.A)
+    fading = [-rate.real for rate in rates if rate.real < -1e-9 * max(1.0, abs(rate))]
+    slow = [*fading, *_changes(posed)]
+    lasting = [abs(rate) for rate in rates if abs(rate.real) <= 1e-9 * max(1.0, abs(rate)) and abs(rate) > 1e-9]
+    ends = sorted(jumps)
+    last = ends[-1] + max(LATEST / min(slow, default=np.inf), 2.2 * np.pi / min(lasting, default=np.inf), 1e-3)
+    yield from zip(ends, [*ends[1:], last], strict=True)
+
+
+def _changes(posed: Posed) -> list[float]:
+    """How fast the inputs change."""
+    found = []
+    for function in posed.functions.values():
+        for each in function.atoms(sp.exp, sp.sin, sp.cos):
+            rate = abs(complex(sp.diff(each.args[0], TIME).evalf(15)))
+            found += [rate] if rate > 0 else []
+    return found
+
+
+def _followed(posed: Posed, x: Array, start: float, end: float) -> tuple[Array, Array]:
+    """The states at the end of an interval without jumps, and the largest sizes within it."""
+    fastest = max([*np.abs(np.linalg.eigvals(posed.A)), *_changes(posed), 1.0 / (end - start)])
+    steps = int(min(MOST, np.ceil((end - start) * fastest * PER_FASTEST))) + 1
+    h = (end - start) / steps
+    roots, weights = np.polynomial.legendre.leggauss(4)
+    times = start + h * np.arange(steps + 1)
+    inside = np.clip(times, start + NEXT * (end - start), end - NEXT * (end - start))
+    nodes = times[:-1, None] + h * (1 + roots) / 2
+    drives = posed.drive(nodes)
+    pulls = [w * h / 2 * expm(posed.A * h * (1 - s) / 2) @ posed.B for s, w in zip(roots, weights, strict=True)]
+    forced = sum((drives[:, q] @ pull.T for q, pull in enumerate(pulls)), np.zeros((steps, len(x))))
+    E, states = expm(posed.A * h), np.empty((steps + 1, len(x)))
+    states[0] = x
+    for i in range(steps):
+        states[i + 1] = E @ states[i] + forced[i]
+    slopes = states @ posed.A.T + posed.drive(inside) @ posed.B.T
+    return states[-1], _tops(states, slopes, h)
+
+
+def _tops(states: Array, slopes: Array, h: float) -> Array:
+    """The largest sizes of cubics through values and slopes at both ends of each step."""
+    p, q, a, b = states[:-1], states[1:], h * slopes[:-1], h * slopes[1:]
+    c3, c2, c1 = 2 * (p - q) + a + b, 3 * (q - p) - 2 * a - b, a
+    tops = np.max(np.abs(states), axis=0)
+    with np.errstate(all="ignore"):
+        root = np.sqrt(c2**2 - 3 * c3 * c1)
+        for s in ((-c2 + root) / (3 * c3), (-c2 - root) / (3 * c3), -c1 / (2 * c2)):
+            inside = np.where((s > 0) & (s < 1), s, 0.0)
+            tops = np.maximum(tops, np.max(np.abs(((c3 * inside + c2) * inside + c1) * inside + p), axis=0))
+    return np.asarray(tops)
+
+
+def scaled_residuals(
+    asked: Asked, factors: Mapping[Jet, Any], rows: Sequence[Any], volts: Mapping[str, Jet]
+) -> Iterator[float]:
+    """Yield for each row dX/dτ how far it is from (L/β) x' at random points; `volts` are the scaled variables by name.
+
+    Without states the rows are the voltages of the readouts. They are in the scaled variables, in inputs that have no
+    function (in units) and in tau. Raises NotEvaluable.
+    """
+    random = Random(SEED)  # noqa: S311 - nothing secret
+    worst = [0.0] * len(rows)
+    known = {*asked.question.jets, TIME}
+    symbols = sorted(free_symbols([*asked.question.equations, asked.time_scale, *factors.values()]) - known, key=str)
+    source = PointSource(symbols)
+    for _ in range(TRIALS):
+        at = {s: sp.Float(complex(v).real, 20) for s, v in dict(source.draw()).items()}
+        put = asked.question._replace(equations=[sp.sympify(e).xreplace(at) for e in asked.question.equations])
+        posed = Posed(asked._replace(question=put))
+        beta = float(sp.sympify(asked.time_scale).xreplace(at))
+        L = {jet: float(sp.sympify(value).xreplace(at)) for jet, value in factors.items()}
+        x, t = np.array([random.uniform(0.5, 2.0) for _ in posed.states]), random.uniform(0.3, 2.0)
+        drive = posed.drive(np.array([t]))[0]
+        rates = [posed.A @ x + posed.B @ drive] if posed.states else [row @ drive for row in posed.rows.values()]
+        scales = [L[jet] / beta for jet in posed.states] or [L[name, 0] for name in posed.rows]
+        values = _values(posed, x, t, L, beta, volts) | {str(s): float(v) for s, v in at.items()}
+        for i, (row, rate, scale) in enumerate(zip(rows, np.ravel(rates), scales, strict=True)):
+            inside = free_symbols([row])
+            if {str(s) for s in inside} - set(values):
+                worst[i] = np.inf
+                continue
+            given, wanted = complex(evaluate(row, {s: values[str(s)] for s in inside})), scale * rate
+            worst[i] = max(worst[i], abs(given - wanted) / max(abs(wanted), scale, 1e-12))
+    yield from worst
+
+
+def _values(
+    posed: Posed, x: Array, t: float, L: Mapping[Jet, float], beta: float, volts: Mapping[str, Jet]
+) -> dict[str, float]:
+    """What the symbols of a scaled equation are at a point."""
+    inputs = {name: complex(evaluate(function, {TIME: t})).real for name, function in posed.functions.items()}
+    units = {**dict(zip(posed.states, x, strict=True)), **{(name, 0): value for name, value in inputs.items()}}
+    scaled = {name: L.get(jet, 1.0) * units[jet] for name, jet in volts.items()}
+    return {**inputs, "tau": beta * t, **scaled}
