@@ -18,14 +18,21 @@ def of_patches(figure: PatchDiagram, say: Say) -> str:
 
 
 def _elements(figure: PatchDiagram, say: Say) -> Iterator[str]:
-    names = [flat(each.value if each.kind == "source" else each.name) for each in figure.elements]
+    names = [_text(each.value if each.kind == "source" else each.name) for each in figure.elements]
     for number, each in enumerate(figure.elements):
         if each.kind == "source" and not each.output:
             continue
-        text = say(Phrase(_pattern(each), name=names[number], value=flat(each.value), inputs=_inputs(each, names, say)))
+        text = say(
+            Phrase(_pattern(each), name=names[number], value=_text(each.value), inputs=_inputs(each, names, say))
+        )
         if each.output:
-            text += ", " + say(Phrase("its output is {voltage}", voltage=flat(each.output)))
+            text += ", " + say(Phrase("its output is {voltage}", voltage=_text(each.output)))
         yield text
+
+
+def _text(latex: str) -> str:
+    """A label in a line of text, volts apart from their number."""
+    return " ".join(map(flat, latex.split(r"\,")))
 
 
 def _pattern(element: PatchElement) -> str:
