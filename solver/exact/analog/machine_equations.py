@@ -15,6 +15,8 @@ from typing import Any
 
 import sympy as sp
 
+from solver.exact.linear_algebra.spectrum import DIGITS
+
 TIME = sp.Symbol("t")
 MACHINE_TIME = sp.Symbol("tau")
 Terms = Mapping[sp.Expr, sp.Expr]
@@ -119,8 +121,15 @@ class Scaling:
 
 
 def scale_factors(maxima: Mapping[sp.Symbol, sp.Expr], reference: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
-    """L = reference/maximum; 1 for what stays zero."""
-    return {x: sp.cancel(reference / value) if value != 0 else sp.S.One for x, value in maxima.items()}
+    """L = reference/maximum; 1 for what stays zero; of a transcendental number in `DIGITS` decimals."""
+
+    def factor(value: sp.Expr) -> sp.Expr:
+        if value == 0:
+            return sp.S.One
+        L = sp.cancel(reference / value)
+        return sp.N(L, DIGITS) if value.is_number and value.atoms(sp.Function) else L
+
+    return {x: factor(value) for x, value in maxima.items()}
 
 
 def scaled_symbols(equations: MachineEquations, scaling: Scaling) -> dict[Any, sp.Symbol]:

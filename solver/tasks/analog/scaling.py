@@ -75,6 +75,7 @@ def _maximum(equations: exact.MachineEquations, x: Symbol, largest: exact.Larges
         for i, (time, value) in enumerate(zip(flat.times, largest.values, strict=True)):
             claims[f"zero{i}"] = Claim(value_at(flat.slope, t, time), sp.S.Zero, "slope at its zero")
             claims[f"value{i}"] = Claim(value_at(largest.motion, t, time), value, "value there")
+            claims[f"decimal{i}"] = Claim(value, _decimal(value), "value there in decimals")
     elif largest.kind == "peak":
         claims["zero0"] = Claim(
             value_at(derivative(largest.motion, t), t, largest.time), sp.S.Zero, "slope at its zero"
@@ -88,6 +89,11 @@ def _maximum(equations: exact.MachineEquations, x: Symbol, largest: exact.Larges
         largest=largest,
         flat=flat,
         fading=largest.motion.has(sp.exp),
+        decimals=[
+            (_decimal(time), _decimal(value))
+            for time, value in zip(flat.times if flat else (), largest.values, strict=True)
+        ],
+        size=_decimal(largest.value),
         start=start,
     )
 
@@ -98,6 +104,11 @@ def voltages_of(scaled: exact.MachineEquations) -> dict[Symbol, Expr]:
         sp.Symbol(f"{each.variable.name}_dot", real=True): exact.combined(each.terms) for each in scaled.integrated
     }
     return rates or {each.variable: exact.combined(each.terms) for each in scaled.summed}
+
+
+def _decimal(value: Any) -> Any:
+    """A transcendental number in decimals; any other as it is, so that it is not repeated."""
+    return sp.N(value, 30) if value.atoms(sp.Function) else value
 
 
 @lemma("scaling")

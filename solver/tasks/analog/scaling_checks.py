@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 SIMULATED = "scipy.linalg.expm, step by step"
 EVALUATED = "the equations at random points"
-NEAR = 1e-6
-"""What samples of a simulation, and a cubic between them, leave of a largest size."""
-CLOSE = 1e-9
+NEAR = 3e-10
+"""What a simulation in doubles leaves of a largest size."""
+CLOSE = 1e-11
 """What doubles leave of coefficients where the largest sizes are given."""
 
 

@@ -1,7 +1,7 @@
 """Judges of a scaling, in numbers: the largest size by simulation, scaled equations at random points.
 
 The motion is followed by steps of the matrix exponential, short for the fastest mode, until the slowest one is gone;
-between the samples a cubic through values and slopes finds the largest size.
+a cubic through values and slopes tells between which samples a size is largest, and the exponential where.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 from scipy.linalg import expm
+from scipy.optimize import brentq
 
 from solver.numeric.evaluation.arithmetic import Array
 from solver.numeric.evaluation.expressions import evaluate
@@ -90,20 +91,43 @@ def _followed(posed: Posed, x: Array, start: float, end: float) -> tuple[Array, 
     for i in range(steps):
         states[i + 1] = E @ states[i] + forced[i]
     slopes = states @ posed.A.T + posed.drive(inside) @ posed.B.T
-    return states[-1], _tops(states, slopes, h)
+    tops = np.max(np.abs(states), axis=0)
+    for i, step in enumerate(_steps_with_tops(states, slopes, h)):
+        tops[i] = max(tops[i], _refined(posed, i, states[step], times[step], h) if step >= 0 else 0.0)
+    return states[-1], tops
 
 
-def _tops(states: Array, slopes: Array, h: float) -> Array:
-    """The largest sizes of cubics through values and slopes at both ends of each step."""
+def _steps_with_tops(states: Array, slopes: Array, h: float) -> list[int]:
+    """The step in which the size of each state is largest between its samples, by cubics; -1 where in none."""
     p, q, a, b = states[:-1], states[1:], h * slopes[:-1], h * slopes[1:]
     c3, c2, c1 = 2 * (p - q) + a + b, 3 * (q - p) - 2 * a - b, a
-    tops = np.max(np.abs(states), axis=0)
+    sizes = np.zeros_like(p)
     with np.errstate(all="ignore"):
         root = np.sqrt(c2**2 - 3 * c3 * c1)
         for s in ((-c2 + root) / (3 * c3), (-c2 - root) / (3 * c3), -c1 / (2 * c2)):
-            inside = np.where((s > 0) & (s < 1), s, 0.0)
-            tops = np.maximum(tops, np.max(np.abs(((c3 * inside + c2) * inside + c1) * inside + p), axis=0))
-    return np.asarray(tops)
+            inside = (s > 0) & (s < 1)
+            at = np.where(inside, s, 0.0)
+            sizes = np.where(inside, np.maximum(sizes, np.abs(((c3 * at + c2) * at + c1) * at + p)), sizes)
+    return [int(np.argmax(each)) if np.any(each) else -1 for each in sizes.T]
+
+
+def _refined(posed: Posed, i: int, x: Array, start: float, h: float) -> float:
+    """The size of a state where its slope changes its sign within a step, by the matrix exponential from its start."""
+    roots, weights = np.polynomial.legendre.leggauss(6)
+
+    def after(s: float) -> Array:
+        inputs = posed.drive(start + s * (1 + roots) / 2)
+        pulls = (w * s / 2 * expm(posed.A * s * (1 - r) / 2) @ posed.B @ u
+                 for r, w, u in zip(roots, weights, inputs, strict=True))  # fmt: skip
+        return np.asarray(expm(posed.A * s) @ x + sum(pulls))
+
+    def slope(s: float) -> float:
+        return float(posed.A[i] @ after(s) + posed.B[i] @ posed.drive(np.array([start + s]))[0])
+
+    a, b = NEXT * h, (1 - NEXT) * h
+    if slope(a) * slope(b) > 0:
+        return max(abs(float(after(a)[i])), abs(float(after(b)[i])))
+    return abs(float(after(brentq(slope, a, b, xtol=1e-14 * h))[i]))
 
 
 def scaled_residuals(
