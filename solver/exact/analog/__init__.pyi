@@ -24,9 +24,10 @@ from solver.exact.analog.stages import (
     stage_response,
 )
 from solver.exact.analog.swings import Unbounded, Unsearched
-from solver.exact.analog.synthesis import NoBound, Synthesis, TooLarge, Wire, synthesized
+from solver.exact.analog.synthesis import MOST_INPUTS, NoBound, Synthesis, TooLarge, Wire, bound, synthesized
 
 __all__ = [
+    "MOST_INPUTS",
     "ImpulseAtStartError",
     "Integrated",
     "Largest",
@@ -43,6 +44,7 @@ __all__ = [
     "Undecided",
     "Unsearched",
     "Wire",
+    "bound",
     "carried_signs",
     "cascade_responses",
     "combined",
