@@ -35,6 +35,8 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src
 
 NARROW = 14.0
 """Width in em that fits on a phone; a wider formula gets a box that scrolls and can be reached by keyboard."""
+SIZE, SHRUNK = re.compile(r'<svg[^>]* width="([\d.]+)pt"'), 480
+"""The width of a drawing in points; one that is wider scrolls on a phone, as shrunk to it it could not be read."""
 
 IN_TEXT = re.compile(r"\$([^$]*)\$")
 FORMULA = 'aria-label="Formula"'
@@ -135,6 +137,9 @@ def figure(data: Drawing) -> Markup:
     caption = IN_TEXT.sub(lambda found: flat(found[1]), data.caption)
     words = escape(" ".join(f"{caption.rstrip('.')}. {data.alt}".split()))
     picture = f'<img alt="{words}" src="data:image/svg+xml;base64,{image}">'
+    width = SIZE.search(drawing)
+    if width and float(width[1]) > SHRUNK:
+        picture = f'<div class="scroll wide" tabindex="0">{picture}</div>'
     caption = inline_html(data.caption, drawn)
     return Markup(f"<figure>{picture}<figcaption>{caption}</figcaption></figure>")  # noqa: S704 - escaped above
 

@@ -17,6 +17,7 @@ from solver.figures.patch_cells import RADIUS, Cells
 from solver.figures.patch_layout import PatchDrawing, layout_of
 from solver.figures.patch_tracks import ordered, tracks
 from solver.figures.strokes import Line, Ring, Shape, frame_of
+from solver.render import page
 
 VOLT = r"\,\mathrm{V}"
 
@@ -242,3 +243,8 @@ def test_wires_beside_each_other_are_ordered_by_what_it_costs():
     assert ordered(range(5), costs) == [4, 3, 2, 1, 0]
     assert tracks([4, 3, 2], lambda i, j: {i, j} == {4, 2}) == {4: 0, 3: 1, 2: 2}
     assert tracks([4, 2], lambda _i, _j: True) == {4: 0, 2: 0}
+
+
+def test_a_picture_too_wide_for_a_phone_scrolls_there():
+    assert '<div class="scroll wide" tabindex="0"><img' in page.figure(drawing_of(dense(4, 1)))
+    assert "scroll" not in page.figure(drawing_of(STATIC))
