@@ -176,7 +176,7 @@ def illustrated(part):
 def test_a_solution_shows_the_figures_of_its_steps(plain):
     document = document_of(replace(plain, parts=tuple(illustrated(part) for part in plain.parts)))
     html, latex, markdown = render_page(document), latex_document(document), markdown_of(document)
-    assert html.count("<figure><img") == 2
+    assert html.count("<figure>") == 2
     assert 'alt="A decay. x₁ from 1 at t = 0 to 0.01832 at t = 4. ẋ₂ from 0 at t = 0 to 0.9997 at t = 4."' in html
     assert 'alt="Loop with u. Boxes: ∫, k_I, B, ∫, A, C, K_f. Signals: r, ' in html
     assert latex.count(r"\begin{tikzpicture}") == 2
