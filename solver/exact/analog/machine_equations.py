@@ -100,12 +100,25 @@ def linear_terms(expression: sp.Expr, variables: Sequence[sp.Symbol]) -> Terms:
             raise NotLinearCombination(coefficient * variable)
         if coefficient != 0:
             found[variable] = coefficient
-    rest = sp.expand(rest.xreplace(dict.fromkeys(variables, sp.S.Zero)))
+    rest = sp.expand(begun(rest.xreplace(dict.fromkeys(variables, sp.S.Zero)), TIME))
     for term in sp.Add.make_args(rest):
         factor, function = term.as_independent(TIME, as_Add=False)
         if factor != 0:
             found[function] = sp.cancel(found.get(function, sp.S.Zero) + factor)
     return {term: c for term, c in found.items() if c != 0}
+
+
+def begun(function: sp.Expr, time: sp.Symbol) -> sp.Expr:
+    """A function for positive times: step(t) is 1, and step(2t − 2) is written step(t − 1)."""
+
+    def step(inside: sp.Expr, *_: sp.Expr) -> sp.Expr:
+        faster = sp.expand(inside).coeff(time, 1)
+        if not faster.is_positive:
+            return sp.Heaviside(inside)
+        since = sp.expand(inside / faster)
+        return sp.S.One if since.coeff(time, 0).is_nonnegative else sp.Heaviside(since)
+
+    return function.replace(sp.Heaviside, step) if function.has(sp.Heaviside) else function
 
 
 @dataclass(frozen=True)
@@ -152,7 +165,9 @@ def scaled(equations: MachineEquations, scaling: Scaling) -> MachineEquations:
     def terms_of(variable: sp.Symbol, terms: Terms, slower: sp.Expr) -> Terms:
         out = scaling.of(variable)
         return {
-            named.get(term, term.xreplace({TIME: MACHINE_TIME / beta})): sp.cancel(out / scaling.of(term) * a / slower)
+            named.get(term, begun(term.xreplace({TIME: MACHINE_TIME / beta}), MACHINE_TIME)): sp.cancel(
+                out / scaling.of(term) * a / slower
+            )
             for term, a in terms.items()
         }
 

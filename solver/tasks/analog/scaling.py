@@ -76,7 +76,7 @@ def _maximum(equations: exact.MachineEquations, x: Symbol, largest: exact.Larges
             claims[f"zero{i}"] = Claim(value_at(flat.slope, t, time), sp.S.Zero, "slope at its zero")
             claims[f"value{i}"] = Claim(value_at(largest.motion, t, time), value, "value there")
             claims[f"decimal{i}"] = Claim(value, _decimal(value), "value there in decimals")
-    elif largest.kind == "peak":
+    elif largest.kind == "peak" and not largest.motion.has(sp.Heaviside):
         claims["zero0"] = Claim(
             value_at(derivative(largest.motion, t), t, largest.time), sp.S.Zero, "slope at its zero"
         )
@@ -158,6 +158,7 @@ def _substitution(
         rows=rows,
         others=others,
         beta=scaling.time_scale,
+        inverse=1 / scaling.time_scale,
         slower=(scaling.time_scale - 1).is_positive,
         started=any(start != 0 for *_, start, _ in rows),
     )

@@ -83,14 +83,14 @@ def _followed(posed: Posed, x: Array, start: float, end: float) -> tuple[Array, 
     times = start + h * np.arange(steps + 1)
     inside = np.clip(times, start + NEXT * (end - start), end - NEXT * (end - start))
     nodes = times[:-1, None] + h * (1 + roots) / 2
-    drives = posed.drive(nodes)
+    drives = _drive(posed, nodes)
     pulls = [w * h / 2 * expm(posed.A * h * (1 - s) / 2) @ posed.B for s, w in zip(roots, weights, strict=True)]
     forced = sum((drives[:, q] @ pull.T for q, pull in enumerate(pulls)), np.zeros((steps, len(x))))
     E, states = expm(posed.A * h), np.empty((steps + 1, len(x)))
     states[0] = x
     for i in range(steps):
         states[i + 1] = E @ states[i] + forced[i]
-    slopes = states @ posed.A.T + posed.drive(inside) @ posed.B.T
+    slopes = states @ posed.A.T + _drive(posed, inside) @ posed.B.T
     tops = np.max(np.abs(states), axis=0)
     for i, step in enumerate(_steps_with_tops(states, slopes, h)):
         tops[i] = max(tops[i], _refined(posed, i, states[step], times[step], h) if step >= 0 else 0.0)
@@ -116,13 +116,13 @@ def _refined(posed: Posed, i: int, x: Array, start: float, h: float) -> float:
     roots, weights = np.polynomial.legendre.leggauss(6)
 
     def after(s: float) -> Array:
-        inputs = posed.drive(start + s * (1 + roots) / 2)
+        inputs = _drive(posed, start + s * (1 + roots) / 2)
         pulls = (w * s / 2 * expm(posed.A * s * (1 - r) / 2) @ posed.B @ u
                  for r, w, u in zip(roots, weights, inputs, strict=True))  # fmt: skip
         return np.asarray(expm(posed.A * s) @ x + sum(pulls))
 
     def slope(s: float) -> float:
-        return float(posed.A[i] @ after(s) + posed.B[i] @ posed.drive(np.array([start + s]))[0])
+        return float(posed.A[i] @ after(s) + posed.B[i] @ _drive(posed, np.array([start + s]))[0])
 
     a, b = NEXT * h, (1 - NEXT) * h
     if slope(a) * slope(b) > 0:
@@ -150,7 +150,7 @@ def scaled_residuals(
         beta = float(sp.sympify(asked.time_scale).xreplace(at))
         L = {jet: float(sp.sympify(value).xreplace(at)) for jet, value in factors.items()}
         x, t = np.array([random.uniform(0.5, 2.0) for _ in posed.states]), random.uniform(0.3, 2.0)
-        drive = posed.drive(np.array([t]))[0]
+        drive = _drive(posed, np.array([t]))[0]
         rates = [posed.A @ x + posed.B @ drive] if posed.states else [row @ drive for row in posed.rows.values()]
         scales = [L[jet] / beta for jet in posed.states] or [L[name, 0] for name in posed.rows]
         values = _values(posed, x, t, L, beta, volts) | {str(s): float(v) for s, v in at.items()}
@@ -164,11 +164,20 @@ def scaled_residuals(
     yield from worst
 
 
+def _drive(posed: Posed, times: Array) -> Array:
+    """The inputs and 1 in a last axis; derivatives of inputs, which no state takes here, are left out."""
+    orders = [*(k for _, k in posed._driving), 0]
+    columns = [
+        np.zeros(times.size) if k else each.at(times.reshape(-1)) for k, each in zip(orders, posed.signals, strict=True)
+    ]
+    return np.stack([column.reshape(times.shape) for column in columns], axis=-1)
+
+
 def _values(
     posed: Posed, x: Array, t: float, L: Mapping[Jet, float], beta: float, volts: Mapping[str, Jet]
 ) -> dict[str, float]:
     """What the symbols of a scaled equation are at a point."""
     inputs = {name: complex(evaluate(function, {TIME: t})).real for name, function in posed.functions.items()}
     units = {**dict(zip(posed.states, x, strict=True)), **{(name, 0): value for name, value in inputs.items()}}
-    scaled = {name: L.get(jet, 1.0) * units[jet] for name, jet in volts.items()}
+    scaled = {name: L.get(jet, 1.0) * units[jet] for name, jet in volts.items() if jet in units}
     return {**inputs, "tau": beta * t, **scaled}
