@@ -48,6 +48,10 @@ def test_outputs_follow_from_the_readout_and_from_what_is_said():
     assert {each.name: each.output for each in drawn("", unread)[0].elements if each.output} == {
         "A_{1}": "2x/3", "A_{3}": "-2x/3",
     }  # fmt: skip
+    coupled = replace(program, readout={"x1_dot": ("A1", Integer(2)), "omega_2_ddot": ("A2", ONE)})
+    assert [each.output for each in drawn("", coupled)[0].elements[5:]] == [
+        r"\dot{x}_{1}/2", r"\ddot{\omega_{2}}", r"-\dot{x}_{1}/2",
+    ]  # fmt: skip
     surd = replace(program, readout={"x": ("A1", sqrt(5)), "x_dot": ("A2", ONE)})
     assert [each.output for each in drawn("", surd)[0].elements[5:]] == ["0.4472x", r"\dot{x}", "-0.4472x"]
 
@@ -55,7 +59,8 @@ def test_outputs_follow_from_the_readout_and_from_what_is_said():
 @pytest.mark.parametrize(
     ("value", "text"),
     [(Integer(10), "10"), (Rational(7, 20), "0.35"), (Rational(1, 3), "0.3333"), (sqrt(2) / 2, "0.7071"),
-     (-Rational(5, 2), "-2.5"), (Rational(1, 80000), r"1.25 \cdot 10^{-5}"), (Integer(0), "0")],
+     (-Rational(5, 2), "-2.5"), (Rational(1, 80000), r"1.25 \cdot 10^{-5}"), (Integer(0), "0"),
+     (Rational(24691, 2000), "12.3455"), (20 * sqrt(2), "28.28"), (Integer(12000), "12000"), (Integer(20), "20")],
 )  # fmt: skip
 def test_numbers_are_written_as_a_dial_shows_them(value, text):
     assert decimal(value) == text

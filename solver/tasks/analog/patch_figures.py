@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ from solver.lazy import sympy as sp
 from solver.words import formula
 
 if TYPE_CHECKING:
-    from sympy import Expr
+    from sympy import Expr, Symbol
 
     from solver.patches import Element, Program
 
@@ -18,10 +19,11 @@ MOST = 16
 """A program of more amplifiers is not drawn."""
 LONGEST = 60
 """A source with a longer formula (as LaTeX) is drawn under its name."""
-PLACES = 4
-"""Decimals of a setting or a voltage that is no shorter decimal."""
-SMALL = 1e-3
-"""What is smaller is written with a power of ten."""
+EXACT, DIGITS = 4, 4
+"""Decimals of numbers that are written as they are, and digits of all others."""
+LARGE = 10**4
+"""A multiple of larger whole numbers is written as a decimal."""
+DOTTED = re.compile(r"\\(d+ot)\{(\w+)(_\{\w+\})\}")
 VOLT = r"\,\mathrm{V}"
 
 
@@ -80,21 +82,24 @@ def _voltage(volts: Expr) -> str:
     if variable.is_Symbol and isinstance(factor, sp.Rational):
         size = "" if abs(factor.p) == 1 else str(abs(factor.p))
         under = "" if factor.q == 1 else f"/{factor.q}"
-        if max(abs(factor.p), factor.q) < 10**PLACES:
-            return f"{'-' if factor < 0 else ''}{size}{formula(variable)}{under}"
-    numbers = volts.as_independent(*volts.free_symbols, as_Add=False)
-    if numbers[1].is_Symbol:
-        return decimal(numbers[0]) + formula(numbers[1])
+        if max(abs(factor.p), factor.q) < LARGE:
+            return f"{'-' if factor < 0 else ''}{size}{_named(variable)}{under}"
+    number, rest = volts.as_independent(*volts.free_symbols, as_Add=False)
+    if rest.is_Symbol:
+        return decimal(number) + _named(rest)
     return formula(volts)
 
 
 def decimal(value: Any) -> str:
-    """Return a number as a dial shows it: 10, 0.35, 0.3333."""
-    exact = sp.Rational(value) if value.is_Rational else None
-    if exact is not None and exact.q == 1:
-        return str(exact.p)
-    shown = float(value)
-    if 0 < abs(shown) < SMALL:
-        digits, power = f"{shown:.3e}".split("e")
-        return rf"{digits.rstrip('0').rstrip('.')} \cdot 10^{{{int(power)}}}"
-    return f"{shown:.{PLACES}f}".rstrip("0").rstrip(".")
+    """Return a number as a person writes it beside a symbol: 10, 0.35, 12.345; others in four digits: 0.3333, 28.76."""
+    if isinstance(value, sp.Rational) and (10**EXACT * value).q == 1:
+        shown = f"{float(value):.{EXACT}f}".rstrip("0").rstrip(".")
+        return shown if value.q > 1 else str(value.p)
+    shown = f"{float(value):.{DIGITS}g}"
+    digits, _, power = shown.partition("e")
+    return rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
+
+
+def _named(symbol: Symbol) -> str:
+    r"""A variable, its index beside the dots: \dot{x}_{1}."""
+    return DOTTED.sub(r"\\\1{\2}\3", formula(symbol))
