@@ -166,7 +166,7 @@ def scaled(equations: MachineEquations, scaling: Scaling) -> MachineEquations:
         out = scaling.of(variable)
         return {
             named.get(term, begun(term.xreplace({TIME: MACHINE_TIME / beta}), MACHINE_TIME)): sp.cancel(
-                out / scaling.of(term) * a / slower
+                (sp.S.One if term == variable else out / scaling.of(term)) * a / slower
             )
             for term, a in terms.items()
         }

@@ -207,6 +207,8 @@ class _Bench:
             rest = sp.cancel(rest - largest)
         gain = next(each for each in ordered if _at_most(rest, each))
         setting = sp.S.One if _at_most(gain, rest) else sp.cancel(rest / gain)
+        if not setting.is_Rational:
+            setting = sp.N(setting, DIGITS)  # a dial has digits
         return [*shares, (gain, setting)]
 
     def _origin(self, term: sp.Expr, sign: int) -> tuple[str, sp.Expr]:

@@ -42,9 +42,9 @@ def asked_of(given: Given[Equations, ProgramOptions]) -> judges.Asked:
     read: dict[str, Any] = {str(model.symbol(jet)): model.symbol(jet) for jet in states_of(model)}
     read |= {name: model.symbol((name, 0)) for name in model.unknowns}
     required = []
-    for i, output in enumerate(model.outputs, 1):
-        name = _name_of(output, model, i)
-        read[name] = output
+    for i, (output, value) in enumerate(zip(own.outputs, model.outputs, strict=True), 1):
+        name = _name_of(output, own, i)
+        read[name] = value
         required.append(name)
     maxima = {
         str(model.symbol(jet)): value for jet, value in (options.maximum or {}).items() if jet in states_of(model)

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
     from solver.tasks.analog.scaled_program import Machine
 
+DIGITS = 15
+
 
 @lemma("program")
 def patched(found: exact.Synthesis, machine: Machine) -> Derivation[None]:
@@ -154,6 +156,7 @@ def overload_of(equations: exact.MachineEquations, machine: Machine) -> Derivati
         maximum=own[x],
         motion=motion,
         time=time,
+        decimal=None if time.is_Rational or time.is_Float else sp.N(time, DIGITS),
         amplifier_volts=machine.reference,
     )
     return time

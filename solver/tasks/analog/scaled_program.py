@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from solver.derivation import Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
-from solver.tasks.analog.machine_options import MachineOptions, inputs_of
+from solver.tasks.analog.machine_form import machine_model
+from solver.tasks.analog.machine_options import MachineOptions, initial_of, inputs_of
 from solver.tasks.analog.scaling import maxima_of, scaled_equations_of
 
 if TYPE_CHECKING:
@@ -72,6 +73,9 @@ def scaled_for_machine(
     told = {*(model.symbol(jet) for jet in model.jets.values()), *(each.variable for each in kept.summed)}
     readout = {str(x): (named[x], 1 / scaling.of(x)) for x in kept.variables if x in told or not model.inputs}
     readout |= {str(y): (named[x], c / scaling.of(x)) for y, (x, c) in read.items()}
+    realized = machine_model(model, initial_of(model, options)).outputs
+    readout |= {str(y): (named[x], 1 / scaling.of(x)) for y, x in zip(model.outputs, realized, strict=True)
+                if x != y and x in named and y in model.jets}  # fmt: skip
     own = {x: value for x, value in given.items() if x in kept.variables}
     return Machine(kept, scaled, scaling, named, readout, own, reference, beta)
 
