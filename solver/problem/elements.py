@@ -93,3 +93,20 @@ AtEnd = Annotated[
         custom_error_message="a value, free or {on: curve}",
     ),
 ]
+
+
+class ComponentShape(Shape):
+    """A resistor or a capacitor by its value."""
+
+    R: Value = optional("a resistance in ohms")
+    C: Value = optional("a capacitance in farads")
+
+
+Component = Annotated[
+    Annotated[Value, Tag("<value>")] | Annotated[ComponentShape, Tag("<component>")],
+    Discriminator(
+        lambda value: {"<mapping>": "<component>"}.get(kind := kind_of_value(value) or "", kind),
+        custom_error_type="expected",
+        custom_error_message="the name of a resistor or a capacitor, as R1, or its value, as {R: 5000},",
+    ),
+]

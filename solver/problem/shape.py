@@ -13,7 +13,19 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Fiel
 from pydantic import WithJsonSchema as Schema
 from pydantic_core import PydanticCustomError
 
-from solver.problem.elements import AtEnd, Matrix, Rational, Row, Shape, Value, Values, either, optional
+from solver.problem.elements import (
+    AtEnd,
+    Component,
+    Matrix,
+    Rational,
+    Row,
+    Shape,
+    Value,
+    Values,
+    either,
+    kind_of_value,
+    optional,
+)
 from solver.problem.library import model_names
 from solver.problem.source import did_you_mean
 from solver.systems import kind, kinds
@@ -23,7 +35,7 @@ MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
 RESERVED = (
-    "circuit", "polynomial_matrix", "op_amp",
+    "circuit", "polynomial_matrix",
 )  # fmt: skip
 """Kinds of system that are known but can't be read yet."""
 
@@ -91,6 +103,16 @@ KEYED: dict[str, type[Shape]] = {}
 """The models of mappings within a system by the key under which they stand."""
 
 
+def _one_or_more(item: kind.Keyed) -> Discriminator:
+    """Tell a mapping from a list of such, by the names of these alternatives."""
+    needed = ", ".join(f"{key.name}: .." for key in item.keys if key.required)
+    return Discriminator(
+        lambda value: {"<mapping>": item.name, "<list>": f"{item.name}_list"}.get(kind_of_value(value) or ""),
+        custom_error_type="expected",
+        custom_error_message=f"a mapping {{{needed}}}, or a list of such mappings,",
+    )
+
+
 def _annotation(shape: kind.Shape) -> Any:
     """Return the type of what may stand under a key of a kind."""
     match shape:
@@ -98,6 +120,14 @@ def _annotation(shape: kind.Shape) -> Any:
             return Annotated[list[_annotation(shape.item)], Field(min_length=1)]  # type: ignore[misc]  # made at run time
         case kind.MappingTo():
             return dict[str, _annotation(shape.value)]  # type: ignore[misc]  # made at run time
+        case kind.OneOrMore():
+            one: Any = _annotation(shape.item)
+            KEYED[f"{shape.item.name}_list"] = KEYED[shape.item.name]
+            alternatives = (
+                Annotated[one, Tag(shape.item.name)],
+                Annotated[list[one], Tag(f"{shape.item.name}_list"), Field(min_length=1)],
+            )
+            return Annotated[Union[alternatives], _one_or_more(shape.item)]  # noqa: UP007 - of a tuple made at run time
         case kind.Keyed():
             KEYED[shape.name] = _fields_of(f"{shape.name}_keys", shape.keys, Shape, f"What stands under {shape.name}.")
             return KEYED[shape.name]
@@ -110,6 +140,7 @@ def _annotation(shape: kind.Shape) -> Any:
                 kind.Gain: Taken,
                 kind.ModelName: ModelName,
                 kind.AtEnd: AtEnd,
+                kind.Component: Component,
             }[type(shape)]
 
 

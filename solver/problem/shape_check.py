@@ -23,6 +23,7 @@ MODELS: Mapping[str | int, type[BaseModel]] = {
     "<zeros_poles_gain>": elements.ZerosPolesGain,
     "<fraction>": elements.Fraction,
     "<end>": elements.EndShape,
+    "<component>": elements.ComponentShape,
     "<mapping>": shape.DisplayShape,
     "show": shape.ShowShape,
 }

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from solver.problem.branches import node_name_of, read_branch
+from solver.problem.components import read_component
 from solver.problem.context import Earlier
 from solver.problem.functions_of_time import FunctionsOfTime
 from solver.problem.lexicon import BARRED, Lexicon, name_of
@@ -93,8 +94,9 @@ class SystemReader(FunctionsOfTime):
         return self._reads(node if isinstance(node, MappingNode) else MappingNode(self.node.place, {}))
 
     def each(self, key: str) -> list[SystemReader]:
-        """Return what reads each mapping of the list under a key."""
-        listed = _items(self.node[key]) if key in self.node else ()
+        """Return what reads each mapping of the list under a key; a mapping by itself is a list of one."""
+        given = self.node.get(key)
+        listed = (given,) if isinstance(given, MappingNode) else _items(given) if given is not None else ()
         return [self._reads(item) for item in listed if isinstance(item, MappingNode)]
 
     def _reads(self, node: MappingNode) -> SystemReader:
@@ -192,6 +194,18 @@ class SystemReader(FunctionsOfTime):
         """Keep a fault within the text of an item: where it begins, and its length."""
         with self.report:
             raise self._scalars(key)[item].fault_inside(message, *span, suggestion=suggestion)
+
+    def component(self, key: str) -> tuple[str, str, sp.Expr] | None:
+        """Return the letter of a component, R or C, its name, "" where it has none, and its value; None if wrong."""
+        with self.report:
+            return read_component(self.node[key], self.lexicon, self.barred)
+        return None
+
+    def value(self, key: str) -> sp.Expr | None:
+        """Return the expression under the key, None if it is absent or wrong."""
+        with self.report:
+            return self.lexicon.expression(self.node[key], barred=self.barred) if key in self.node else None
+        return None
 
     def quotient(self, key: str) -> Rational | None:
         """Return the proper quotient of polynomials under the key, None if it is wrong."""

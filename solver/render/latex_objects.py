@@ -12,7 +12,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
 from solver.formula import MathProblem, read
-from solver.formula.building import parenthesized, row, separated, summed, walk
+from solver.formula.building import as_factor, parenthesized, row, separated, summed, walk
 from solver.formula.nodes import (
     Accent,
     Fenced,
@@ -126,8 +126,21 @@ class ObjectPrinter:
         function, (variable, order) = expr.expr, expr.variable_count[0]
         if len(expr.variable_count) == 1 and function.is_Function and function.args == (variable,) and order in {1, 2}:
             dot = {1: r"\dot", 2: r"\ddot"}[int(order)]
-            return row(Accent(dot, named(type(function).__name__)), self._arguments(function))
+            name = named(type(function).__name__)
+            if isinstance(name, Scripts) and name.above is None and not name.primes:
+                return row(Scripts(Accent(dot, name.base), name.below), self._arguments(function))
+            return row(Accent(dot, name), self._arguments(function))
         return self._by_sympy(expr)
+
+    def _print_Integral(self, expr: Any) -> Row:
+        """Integrals with their limits, the innermost variable last but for those around it."""
+        if any(len(each) != 3 for each in expr.limits):
+            return self._by_sympy(expr)
+        signs = [Scripts(INTEGRAL, self._print(low), self._print(high)) for _, low, high in reversed(expr.limits)]
+        ends = [
+            item for variable, *_ in expr.limits for item in (Space(r"\,"), Symbol("d"), *self._print(variable).items)
+        ]
+        return row(*signs, as_factor(self._print(expr.function)), *ends)
 
     def _print_Framed(self, expr: Any) -> Row:
         return row(Styled(r"\boxed", self._print(expr.args[0])))
@@ -216,6 +229,7 @@ class ObjectPrinter:
 
 
 COMMA = Operator(",")
+INTEGRAL = Operator(r"\int")
 SIGNS = {sign: Operator(each) for sign, each in [("==", "="), ("!=", r"\ne"), ("<", "<"), ("<=", r"\le"), (">", ">"),
                                                  (">=", r"\ge")]}  # fmt: skip
 

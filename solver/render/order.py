@@ -15,6 +15,7 @@ from functools import lru_cache
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from solver.render.symbols import VARIED, natural
 from solver.symbols import POLYNOMIAL, TIME
@@ -22,6 +23,15 @@ from solver.symbols import POLYNOMIAL, TIME
 
 def ordered_terms(terms: Iterable[Any]) -> list[Any]:
     """Return the terms of a sum in the order of a person."""
+    terms = list(terms)
+    acted_on = [term for term in terms if term.has(sp.Integral, sp.Derivative)]
+    if acted_on and len(acted_on) < len(terms):
+        rest = ordered_terms(term for term in terms if term not in acted_on)
+        if is_negative(rest[0]) and not all(map(is_negative, acted_on)):
+            return [*_by_signal(acted_on), *rest]
+        return [*rest, *_by_signal(acted_on)]
+    if acted_on:
+        return _by_signal(terms)
     ranks = sorted(((_rank(term), term) for term in terms), key=lambda pair: pair[0].key)
     polynomial = all(rank.polynomial for rank, _ in ranks)
     if polynomial and any(rank.time_degree > 1 for rank, _ in ranks):
@@ -36,6 +46,16 @@ def ordered_terms(terms: Iterable[Any]) -> list[Any]:
             return ordered
         ordered = [term for rank, term in sorted(ranks, key=lambda pair: pair[0].degree)]
     return _positive_first(ordered)
+
+
+def _by_signal(terms: list[Any]) -> list[Any]:
+    """Return terms with integrals or derivatives of signals in the order of these, a positive one in front."""
+    names = {term: min(str(each.func) for each in term.atoms(AppliedUndef)) if term.atoms(AppliedUndef) else ""
+             for term in terms}  # fmt: skip
+    ordered = sorted(terms, key=lambda term: natural(names[term]))
+    if is_negative(ordered[0]) and not all(map(is_negative, ordered)):
+        return sorted(ordered, key=is_negative)
+    return ordered
 
 
 def _real_first(ranks: list[tuple[_Rank, Any]]) -> list[Any]:
@@ -217,6 +237,10 @@ def has_variable(expression: Any) -> bool:
     return any(symbol.name in POLYNOMIAL or symbol.name == "t" for symbol in expression.free_symbols)
 
 
+_TRANSFORM = re.compile(r"[UVXY]_?[a-z]{0,3}\d*")
+"""Transforms of signals, of which nothing is assumed: they stand behind s."""
+
+
 def factor_rank(base: Any) -> tuple[Any, ...]:
     """Return a key that puts the factors of a product in order: parameters, s, t, powers, sums, e^…, cos, sin.
 
@@ -226,6 +250,8 @@ def factor_rank(base: Any) -> tuple[Any, ...]:
         if VARIED.fullmatch(base.name):
             return (7, natural(base.name))
         place = 2 if base.name in POLYNOMIAL else 3 if base.name == "t" else 1.5 if _VELOCITY.search(base.name) else 0
+        if _TRANSFORM.fullmatch(base.name) and base.is_real is None:
+            place = 3.5
         return (place, not _MASS.fullmatch(base.name), natural(base.name))
     if base.is_Add:
         return (4, (-_mean_root(base)[0],)) if has_variable(base) else (1, ())

@@ -103,7 +103,7 @@ def common_fraction(constant: Any) -> Any | None:
 def _place(term: Term, base: Any, exponent: Any) -> None:
     if exponent.is_Rational and exponent.p < 0:
         term.below.append((base, -exponent))
-    elif base.is_Function or not exponent.is_number:
+    elif base.is_Function or isinstance(base, sp.Integral | sp.Derivative) or not exponent.is_number:
         term.functions.append(_as_growth(base, exponent))
     else:
         term.above.append((base, exponent))

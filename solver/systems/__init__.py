@@ -16,6 +16,7 @@ from solver.systems.kind import Kind, System
 from solver.systems.lagrangian import Lagrangian
 from solver.systems.late_input import LateInput
 from solver.systems.loops import MatrixFeedback, OpenLoop, OutputFeedback, StateFeedback
+from solver.systems.op_amp import OpAmp
 from solver.systems.polynomial import Polynomial
 from solver.systems.polynomial_matrix import PolynomialMatrix
 from solver.systems.signal_flow import SignalFlow
@@ -44,6 +45,7 @@ __all__ = [
     "Lagrangian",
     "LateInput",
     "MatrixFeedback",
+    "OpAmp",
     "OpenLoop",
     "OutputFeedback",
     "Polynomial",

@@ -53,6 +53,18 @@ class AtEnd:
 
 
 @dataclass(frozen=True, slots=True)
+class Component:
+    """The name of a resistor or a capacitor, R1, C_2, or one with its value, `{R: 5000}`, `{C: 1e-6}`."""
+
+
+@dataclass(frozen=True, slots=True)
+class OneOrMore:
+    """An item that is a mapping, or a list of such items."""
+
+    item: Keyed
+
+
+@dataclass(frozen=True, slots=True)
 class ListOf:
     """A list of one item at least."""
 
@@ -74,7 +86,9 @@ class Keyed:
     keys: tuple[Key, ...]
 
 
-Shape = Value | Values | Matrix | Fraction | Gain | ModelName | AtEnd | ListOf | MappingTo | Keyed
+Shape = (
+    Value | Values | Matrix | Fraction | Gain | ModelName | AtEnd | Component | OneOrMore | ListOf | MappingTo | Keyed
+)
 """What may stand under a key, before it is known what the values mean."""
 
 
@@ -225,7 +239,13 @@ class Reader(Protocol):
         """Return what reads the mapping under a key, an empty one if it is absent; its faults are kept here too."""
 
     def each(self, key: str) -> Sequence[Reader]:
-        """Return what reads each mapping of the list under a key."""
+        """Return what reads each mapping of the list under a key; a mapping by itself is a list of one."""
+
+    def component(self, key: str) -> tuple[str, str, Expr] | None:
+        """Return the letter of a component, R or C, its name, "" where it has none, and its value; None if wrong."""
+
+    def value(self, key: str) -> Expr | None:
+        """Return the expression under the key, None if it is absent or wrong."""
 
     def complain(
         self, key: str, message: str, *, at_key: bool = False, item: int | None = None, like: Sequence[str] = ()

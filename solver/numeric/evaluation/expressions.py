@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from solver.numeric.evaluation import functions, stated, unknown_functions  # noqa: F401 - they register their rules
+from solver.numeric.evaluation import functions, integrals, stated, unknown_functions  # noqa: F401 - they register rules
 from solver.numeric.evaluation.arithmetic import DOUBLE, multiple
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.values import SAFETY, Undefined, Value
