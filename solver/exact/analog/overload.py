@@ -6,29 +6,30 @@ is too large is halved in exact arithmetic of many digits.
 
 from __future__ import annotations
 
-import cmath
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import reduce
-from itertools import pairwise
 from operator import mul
 from typing import Any
 
+import numpy as np
 import sympy as sp
 
 from solver.exact.analog.machine_equations import TIME, MachineEquations
 from solver.exact.analog.maxima import motions_of
 
-STEPS = 160
-"""Samples of the fastest mode, and of each following span of time, twice as long as the one before."""
-LONG, MOST_SPANS = 12.0, 24
+STEP, LONG, MOST = 0.25, 12.0, 20_000
+"""The time between samples, and that after which a mode is gone, in time constants; more samples are not taken."""
 BEYOND = 1e-9
 """A size may be reached: by that much, relatively, it must be exceeded."""
-NEAR = 0.99
+LATEST = 30.0
+"""What grows is followed until it has grown by e to this."""
+NEAR = 0.95
 """A sample of that share of the size may have a peak beside it that exceeds it."""
 DIGITS, HALVED, NEWTON = 40, 46, 3
-FUNCTIONS: dict[str, Callable[..., complex]] = {
-    "exp": cmath.exp, "sin": cmath.sin, "cos": cmath.cos, "sinh": cmath.sinh, "cosh": cmath.cosh,
-    "Heaviside": lambda x, *_: float(x.real > 0), "Add": lambda *parts: sum(parts), "Mul": lambda *p: reduce(mul, p),
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    "exp": np.exp, "sin": np.sin, "cos": np.cos, "sinh": np.sinh, "cosh": np.cosh,
+    "Heaviside": lambda x, *_: np.where(np.real(x) > 0, 1.0, 0.0), "Add": lambda *parts: sum(parts),
+    "Mul": lambda *parts: reduce(mul, parts),
 }  # fmt: skip
 
 
@@ -53,8 +54,8 @@ def first_passage(motion: sp.Expr, maximum: sp.Expr) -> sp.Expr | None:
     value = _compiled(motion)
     limit = float(maximum)
 
-    def size(t: float) -> float:
-        return abs(value(complex(t)).real) / limit
+    def size(times: Any) -> Any:
+        return np.broadcast_to(np.abs(np.real(value(times))) / limit, np.shape(times))
 
     ends = _first_interval(size, _rates(motion))
     if ends is None:
@@ -78,31 +79,31 @@ def _rates(motion: sp.Expr) -> list[complex]:
     return [each for each in found if each]
 
 
-def _first_interval(size: Callable[[float], float], rates: Sequence[complex]) -> tuple[float, float] | None:
-    """Two times between which the size first exceeds 1."""
-    fastest = max(map(abs, rates), default=1.0)
+def _first_interval(size: Callable[[Any], Any], rates: Sequence[complex]) -> tuple[float, float] | None:
+    """Two times between which the size first exceeds 1; samples follow the fastest mode that is still there."""
+    times = np.array(list(_times(rates)))
+    sizes = size(times)
+    beyond = np.flatnonzero(sizes > 1 + BEYOND)
+    last = int(beyond[0]) if len(beyond) else len(times)
+    tops = np.flatnonzero((sizes[1:-1] > sizes[:-2]) & (sizes[1:-1] > sizes[2:]) & (sizes[1:-1] > NEAR)) + 1
+    for i in tops[tops < last]:
+        fine = np.linspace(times[i - 1], times[i + 1], 81)
+        over = np.flatnonzero(size(fine) > 1 + BEYOND)
+        if len(over):
+            return float(fine[over[0] - 1]), float(fine[over[0]])
+    return (float(times[last - 1]), float(times[last])) if 0 < last < len(times) else None
+
+
+def _times(rates: Sequence[complex]) -> Iterator[float]:
     slow = [abs(each.real) if abs(each.real) > 1e-9 * abs(each) else abs(each) / 4 for each in rates]
-    end = LONG / min(slow, default=1.0)
-    start, length = 0.0, LONG / fastest
-    for _ in range(MOST_SPANS):
-        times = [start + length * i / STEPS for i in range(STEPS + 2)]
-        sizes = [size(t) for t in times]
-        for i in range(1, STEPS + 1):
-            if sizes[i] > 1 + BEYOND:
-                return times[i - 1], times[i]
-            is_top = sizes[i - 1] < sizes[i] > sizes[i + 1]
-            if is_top and sizes[i] > NEAR and (peak := _peak(size, times[i - 1], times[i + 1])) is not None:
-                return peak
-        start, length = times[-2], 2 * length
-        if start > end:
-            break
-    return None
-
-
-def _peak(size: Callable[[float], float], a: float, b: float) -> tuple[float, float] | None:
-    """An interval whose end is beyond, where there is a peak between two samples."""
-    times = [a + (b - a) * i / 40 for i in range(41)]
-    return next(((s, t) for s, t in pairwise(times) if size(t) > 1 + BEYOND), None)
+    grown = max((each.real for each in rates), default=0.0)
+    end = max(LONG / min(slow, default=1.0), LATEST / grown if grown > 0 else 0.0)
+    time, count = 0.0, 0
+    while time < end and count < MOST:
+        yield time
+        left = [abs(each) for each in rates if each.real * time > -LONG]
+        time, count = time + STEP / max(left, default=min(slow, default=1.0)), count + 1
+    yield time
 
 
 def _in_closed_form(motion: sp.Expr, maximum: sp.Expr) -> list[sp.Expr]:
@@ -137,7 +138,7 @@ def _refined(motion: sp.Expr, maximum: sp.Expr, ends: tuple[float, float]) -> sp
     return sp.Float(time, 30)
 
 
-def _compiled(e: Any) -> Callable[[complex], complex]:
+def _compiled(e: Any) -> Callable[[Any], Any]:
     """A motion as a function of t."""
     if e == TIME:
         return lambda t: t
