@@ -64,10 +64,11 @@ def _draw(axes: Any, stroke: Stroke, order: float) -> None:
                 axes.annotate("", xy=points[-1], xytext=back, arrowprops=arrow, zorder=order)
 
 
-def tikz(strokes: Sequence[Stroke]) -> str:
-    """Return strokes as a tikzpicture."""
+def tikz(strokes: Sequence[Stroke], look: str = "") -> str:
+    """Return strokes as a tikzpicture, with options of its own."""
     lines = [_line(stroke) for stroke in strokes]
-    return "\n".join([r"\begin{tikzpicture}[>=latex, line width=0.6pt]", *filter(None, lines), r"\end{tikzpicture}"])
+    begin = rf"\begin{{tikzpicture}}[>=latex, line width=0.6pt{', ' * bool(look)}{look}]"
+    return "\n".join([begin, *filter(None, lines), r"\end{tikzpicture}"])
 
 
 def _line(stroke: Stroke) -> str:
