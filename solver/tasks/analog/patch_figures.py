@@ -11,7 +11,7 @@ from solver.lazy import sympy as sp
 from solver.words import formula
 
 if TYPE_CHECKING:
-    from sympy import Expr, Symbol
+    from sympy import Expr
 
     from solver.patches import Element, Program
 
@@ -100,6 +100,6 @@ def decimal(value: Any) -> str:
     return rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits
 
 
-def _named(symbol: Symbol) -> str:
+def _named(symbol: Expr) -> str:
     r"""A variable, its index beside the dots: \dot{x}_{1}."""
     return DOTTED.sub(r"\\\1{\2}\3", formula(symbol))
