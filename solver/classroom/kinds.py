@@ -9,6 +9,7 @@ import sympy as sp
 
 from solver.classroom.reading.likeness import is_condition
 from solver.classroom.reading.words import truth
+from solver.patches import Program
 from solver.problem.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 
@@ -20,8 +21,8 @@ def kind_of(ours: Any) -> str:
         return "words"
     if isinstance(ours, sp.MatrixBase):
         return "a matrix"
-    if isinstance(ours, Mapping):
-        return "names with values"
+    if isinstance(ours, Mapping | Program):
+        return "a program" if isinstance(ours, Program) else "names with values"
     if isinstance(ours, sp.Set | list | tuple):
         items = {kind_of(each) for each in ours} if isinstance(ours, list | tuple) else set()
         return LISTS.get(min(items, default=""), "a list")

@@ -24,6 +24,7 @@ from solver.classroom.submitted import Submitted
 from solver.classroom.verdicts import Verdict
 from solver.derivation import Answers, Attempt, Given, PartResult, Slip
 from solver.lazy import exact
+from solver.patches import Program
 from solver.problem.model import Part
 
 
@@ -81,8 +82,8 @@ def _leading_to(
 
 def _telling(value: Any) -> bool:
     """Whether a mistake would hardly give the value by chance, as it would yes, no, or a rank."""
-    if isinstance(value, list | Mapping):
-        return bool(value)
+    if isinstance(value, list | Mapping | Program):
+        return isinstance(value, Program) or bool(value)
     if isinstance(value, Boolean):
         return bool(value.free_symbols)
     return isinstance(value, sp.MatrixBase) or (is_scalar(value) and not value.is_Integer)

@@ -28,14 +28,17 @@ from solver.classroom.reading.likeness import has_step, is_condition, is_like, i
 from solver.classroom.reading.matrices import has_decimal_comma
 from solver.classroom.reading.names import symbols_of
 from solver.classroom.reading.otherwise import other_texts
+from solver.classroom.reading.patched import program_in
 from solver.classroom.reading.points import PointReader, are_points
 from solver.classroom.reading.prepared import as_rows, prepared, strange_word
 from solver.classroom.reading.remarks import with_constants
 from solver.classroom.reading.said_twice import same, sides
 from solver.classroom.reading.sentences import sides_of
+from solver.classroom.reading.signal_values import SignalReader
 from solver.classroom.reading.spelling import typed
 from solver.classroom.reading.texts import TextReader
 from solver.classroom.submitted import Submitted, replaced
+from solver.patches import Program
 from solver.problem.expressions import Names
 from solver.problem.expressions.notation import MAX_CHARACTERS
 from solver.problem.nodes import Node, ScalarNode
@@ -65,7 +68,15 @@ class Reader:
     def read(self, node: Node, ours: Any, expected: Expected | None = None) -> Submitted:
         """Return the value of a node for an answer of the kind of `ours`, with its other readings; raises Fault."""
         self.expected = expected or Expected()
-        written = node
+        if isinstance(ours, Program):
+            return program_in(node, self.texts)
+        if self.expected.signals and isinstance(node, ScalarNode):
+            return SignalReader(self, self.expected.signals).read(node, ours)
+        return self.read_as_expected(node, ours, self.expected)
+
+    def read_as_expected(self, node: Node, ours: Any, expected: Expected) -> Submitted:
+        """Return the value of a node, with its other readings; raises Fault."""
+        self.expected, written = expected, node
         node = prepared(node, ours, self.expected.name)
         found, faults = self._readings(node, ours)
         if not any(is_like(each.value, ours) for each in found):
