@@ -6,11 +6,15 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import Slip
+from solver.derivation import Attempt, Slip
 from solver.derivation.conversion import converted
 from solver.lazy import sympy as sp
+from solver.numeric.judges import analog as judges
+from solver.patches import Program, algebraic_loop
 from solver.tasks.analog.machine_options import initial_of
+from solver.tasks.analog.program_checks import asked_of
 from solver.tasks.modelling.first_order import result_of
+from solver.words import Reason
 
 if TYPE_CHECKING:
     from solver.derivation import Task
@@ -34,6 +38,15 @@ def register(task: Task[Equations, ProgramOptions]) -> None:
     task.mistaken_question(START_IN_TIME)(started_in_machine_time)
     task.mistaken_question(NO_TIME)(without_time_scale)
     task.mistaken_question(FASTER)(with_the_inverse_time_scale)
+    task.meaning("program")(changed_once)
+
+
+def changed_once(attempt: Attempt[Equations, ProgramOptions]) -> Reason | None:
+    """The one change with which the program would be right."""
+    if not isinstance(attempt.value, Program) or algebraic_loop(attempt.value):
+        return None
+    repair = judges.repair_of(asked_of(attempt.given), attempt.value)
+    return None if repair is None else Reason(f"programs/{repair[0]}", {"element": repair[1], "fed": repair[2]})
 
 
 def _started(system: Any, options: ProgramOptions, by: Any) -> tuple[System, ProgramOptions] | None:

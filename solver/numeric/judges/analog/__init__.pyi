@@ -9,6 +9,7 @@ from solver.numeric.judges.analog.programs import (
     readout_gaps,
     within_digits,
 )
+from solver.numeric.judges.analog.repairs import repair_of
 from solver.numeric.judges.analog.scaling import largest_sizes, scaled_residuals
 from solver.numeric.judges.analog.stages import output_residual, transform_residual
 
@@ -21,6 +22,7 @@ __all__ = [
     "overload_of",
     "overload_residual",
     "readout_gaps",
+    "repair_of",
     "scaled_residuals",
     "transform_residual",
     "within_digits",
