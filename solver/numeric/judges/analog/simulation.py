@@ -99,10 +99,14 @@ class Grid:
         u = inputs(self.nodes)
         found = np.empty((len(self.times), len(A)))
         found[0] = start
-        at = 0
+        at, length, parts = 0, 0.0, [np.empty(0)]
         for h in self.lengths:
-            E = expm(A * h)
-            pulls = [w * h / 2 * expm(A * h * (1 - s) / 2) @ B for s, w in zip(roots, weights, strict=True)]
+            if length and np.isclose(h, 2 * length, rtol=1e-12):
+                parts = [part @ part for part in parts]
+            elif not length or h != length:
+                parts = [expm(A * (h * share)) for share in (1.0, *((1 - roots) / 2))]
+            length, E = h, parts[0]
+            pulls = [w * h / 2 * part @ B for part, w in zip(parts[1:], weights, strict=True)]
             block = u[at : at + STEPS]
             forced = sum((block[:, q] @ pull.T for q, pull in enumerate(pulls)), np.zeros((STEPS, len(A))))
             for j in range(STEPS):
