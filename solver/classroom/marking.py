@@ -107,7 +107,7 @@ class Marker:
     def _expected(self, part: Part, name: str) -> Expected:
         """What is known of an answer before it is read."""
         answers = catalogue()[part.task].answers
-        return Expected.of(name, answers, self._given(part) if answers[name].most else None)
+        return Expected.of(name, answers, self._given(part) if answers[name].most or answers[name].signals else None)
 
     def reader(self, part: Part, ours: Mapping[str, Any]) -> Reader:
         """Return what reads the values of a part, in which the names of our own answers have their meaning."""

@@ -11,6 +11,16 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
+class SignalNames:
+    """Signals by name, functions `of_time` or their transforms; `held` is what `output` is before t = 0."""
+
+    names: tuple[str, ...]
+    of_time: bool = True
+    output: str = ""
+    held: Any = None
+
+
+@dataclass(frozen=True, slots=True)
 class AnswerName:
     """A named answer of a task: its LaTeX symbol (empty: the name) and meaning; `methods` that give it (empty: all).
 
@@ -26,7 +36,8 @@ class AnswerName:
     points there where the answer is not asked for. The items of a list are expressions that are `zero`, so that an
     equation may be written for one, or they are `intervals` of real numbers. A `discrete` one is of a system in
     discrete time, also where that of the question is not; its sampling period is the option `sample_time`. Of a
-    matrix of `any_size` right ones may differ in size.
+    matrix of `any_size` right ones may differ in size. An expression in `signals` (which these are depends on what is
+    given) may differentiate and integrate them.
     """
 
     name: str
@@ -48,6 +59,7 @@ class AnswerName:
     intervals: bool = False
     discrete: bool = False
     any_size: bool = False
+    signals: Callable[[Given[Any, Any]], SignalNames] | None = None
 
     def is_free(self, given: Given[Any, Any]) -> bool:
         """Whether several values are right."""

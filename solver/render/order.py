@@ -20,18 +20,21 @@ from sympy.core.function import AppliedUndef
 from solver.render.symbols import VARIED, natural
 from solver.symbols import POLYNOMIAL, TIME
 
+OPERATORS = (sp.Integral, sp.Derivative)
+
 
 def ordered_terms(terms: Iterable[Any]) -> list[Any]:
-    """Return the terms of a sum in the order of a person."""
-    terms = list(terms)
-    acted_on = [term for term in terms if term.has(sp.Integral, sp.Derivative)]
-    if acted_on and len(acted_on) < len(terms):
-        rest = ordered_terms(term for term in terms if term not in acted_on)
-        if is_negative(rest[0]) and not all(map(is_negative, acted_on)):
-            return [*_by_signal(acted_on), *rest]
-        return [*rest, *_by_signal(acted_on)]
-    if acted_on:
-        return _by_signal(terms)
+    """Return the terms of a sum in the order of a person; derivatives and integrals of signals come last."""
+    listed = list(terms)
+    acted_on = [term for term in listed if any(isinstance(each, OPERATORS) for each in sp.Mul.make_args(term))]
+    if not acted_on:
+        return _ordered(listed)
+    others = [term for term in listed if term not in acted_on]
+    rest, last = _ordered(others) if others else [], _by_signal(acted_on)
+    return [*last, *rest] if rest and is_negative(rest[0]) and not is_negative(last[0]) else [*rest, *last]
+
+
+def _ordered(terms: list[Any]) -> list[Any]:
     ranks = sorted(((_rank(term), term) for term in terms), key=lambda pair: pair[0].key)
     polynomial = all(rank.polynomial for rank, _ in ranks)
     if polynomial and any(rank.time_degree > 1 for rank, _ in ranks):

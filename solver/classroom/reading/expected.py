@@ -8,6 +8,7 @@ from typing import Any
 
 from solver.classroom.reading.labels import Labels
 from solver.derivation import AnswerName, Given
+from solver.derivation.answer_names import SignalNames
 
 
 @dataclass(frozen=True)
@@ -15,7 +16,8 @@ class Expected:
     """The answer that a value is submitted for; by default nothing is known of it.
 
     Of an answer that is a `count`, a full one is `most`, where that can be told; a matrix may be made of `vectors`,
-    "columns" or "rows"; the items of a list may be expressions that are `zero`, or `intervals`.
+    "columns" or "rows"; the items of a list may be expressions that are `zero`, or `intervals`. An
+    expression may be in `signals`.
     """
 
     name: str = ""
@@ -27,6 +29,7 @@ class Expected:
     vectors: str = ""
     zero: bool = False
     intervals: bool = False
+    signals: SignalNames | None = None
 
     @classmethod
     def of(cls, name: str, answers: Mapping[str, AnswerName], given: Given[Any, Any] | None = None) -> Expected:
@@ -36,4 +39,5 @@ class Expected:
         most = answer.most(given) if answer.most and given else None
         labels = Labels(answer, others)
         kinds = (answer.vectors, answer.zero, answer.intervals)
-        return cls(name, labels, answer.words, answer.unit, answer.count, most, *kinds)
+        signals = answer.signals(given) if answer.signals and given else None
+        return cls(name, labels, answer.words, answer.unit, answer.count, most, *kinds, signals=signals)

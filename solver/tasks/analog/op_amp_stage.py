@@ -19,6 +19,7 @@ from solver.derivation import (
     Unsolved,
     option,
 )
+from solver.derivation.answer_names import SignalNames
 from solver.lazy import exact, numeric, systems
 from solver.lazy import sympy as sp
 from solver.numeric.judges import analog as judges
@@ -43,6 +44,19 @@ class OpAmpStageOptions(Options):
     )
 
 
+def signals_of(given: Given[OpAmp, OpAmpStageOptions]) -> SignalNames:
+    """The inputs, and what the output is before t = 0."""
+    system = stages_of(given)
+    return SignalNames(system.inputs, output=system.outputs[-1], held=system.stages[-1].initial)
+
+
+def transforms_of(given: Given[OpAmp, OpAmpStageOptions]) -> SignalNames:
+    """The transforms of the inputs."""
+    system = stages_of(given)
+    names = tuple(str(system.transform(name)) for name in system.inputs)
+    return SignalNames(names, of_time=False, output=system.outputs[-1], held=system.stages[-1].initial)
+
+
 op_amp_stage: Task[OpAmp, OpAmpStageOptions] = Task(
     "op_amp_stage",
     title="Operational-amplifier stage",
@@ -52,8 +66,9 @@ op_amp_stage: Task[OpAmp, OpAmpStageOptions] = Task(
     example={"op_amp": "{inputs: {v1: R1, v2: R2}, feedback: R_f}"},
     answers=[
         AnswerName("v_o", "v_o", "the output in time",
-                   principal=True, earned=("balance", "integrated", "solved", "cascade")),
-        AnswerName("V_o", "V_o", "its Laplace transform", principal=True, earned=("transformed", "cascade")),
+                   principal=True, earned=("balance", "integrated", "solved", "cascade"), signals=signals_of),
+        AnswerName("V_o", "V_o", "its Laplace transform", principal=True, earned=("transformed", "cascade"),
+                   signals=transforms_of),
     ],
 )  # fmt: skip
 stage_mistakes.register(op_amp_stage)

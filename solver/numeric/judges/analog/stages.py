@@ -30,10 +30,10 @@ def _number(value: Any, point: Mapping[Any, complex]) -> complex:
     return complex(evaluate(value, point)) if free_symbols(value) else complex(value)
 
 
-def _points(system: Any, answer: Any) -> Iterator[dict[Any, complex]]:
+def _points(system: Any, answer: Any, variable: str) -> Iterator[dict[Any, complex]]:
     """Values of the parameters, and of what else stands in the answer but signals."""
     own = {name for each in (*system.inputs, *system.outputs) for name in (each, each[:1].upper() + each[1:])}
-    symbols = {x for x in free_symbols([answer]) | set(system.parameters) if str(x) not in {*own, "s", "t"}}
+    symbols = {x for x in free_symbols([answer]) | set(system.parameters) if str(x) not in {*own, variable}}
     source = PointSource(sorted(symbols, key=str))
     for _ in range(TRIALS):
         yield dict(source.draw())
@@ -66,7 +66,7 @@ def _before(system: Any, point: Mapping[Any, complex]) -> dict[str, complex]:
 def transform_residual(system: Any, answer: Any) -> float:
     """Return how far a transform of the output is from the solution of the nodal equations at random s."""
     random, worst, names = Random(SEED), 0.0, list(system.outputs)  # noqa: S311 - nothing secret
-    for point in _points(system, answer):
+    for point in _points(system, answer, "s"):
         s = complex(random.uniform(0.4, 2.0), random.uniform(0.4, 2.0))
         given = {name: complex(random.uniform(-2, 2), random.uniform(-2, 2)) for name in system.inputs}
         before = _before(system, point)
@@ -109,7 +109,7 @@ def output_residual(system: Any, answer: Any) -> float:
     """
     random, worst, t = Random(SEED + 1), 0.0, sp.Symbol("t")  # noqa: S311 - nothing secret
     flat = sum(part.letter == "C" for each in system.stages for _, part in each.inputs)
-    for point in _points(system, answer):
+    for point in _points(system, answer, "t"):
         signals = {name: _signal(random, flat) for name in system.inputs}
         wanted = _moved(system, point, signals)
         found = _with_signals(answer, signals)
