@@ -68,7 +68,7 @@ def test_an_oscillator_of_other_signs_is_right_too():
 
 
 def test_time_scaling_slows_the_integrators_and_not_their_start():
-    asked = OSCILLATOR._replace(time_scale=TEN)
+    asked = replace(OSCILLATOR, time_scale=TEN)
     program = scaled_oscillator()
     slow = tuple(
         replace(each, inputs=tuple((name, ONE) for name, _ in each.inputs)) if each.kind == "integrator" else each
@@ -83,7 +83,7 @@ def test_time_scaling_slows_the_integrators_and_not_their_start():
 def test_settings_are_judged_within_their_digits():
     def with_setting(setting):
         third = Question([x_dot + Rational(2, 3) * x], [x], JETS, ["x"], [], [])
-        asked = GROWTH._replace(question=third)
+        asked = replace(GROWTH, question=third)
         elements = (
             Element("P1", "pot", (("A1", ONE),), setting=setting),
             Element("A1", "integrator", (("P1", ONE),), initial=ONE),
@@ -143,7 +143,7 @@ def test_an_input_may_be_made_by_integrators_or_be_any():
     assert wrong(asked, by_integrators) < NEAR
     by_name = replace(by_source, elements=(Element("U1", "source", value=u), by_source.elements[2]))
     fed = replace(by_name.elements[1], inputs=(("U1", ONE), ("A1", ONE)))
-    any_input = asked._replace(inputs={"u": None})
+    any_input = replace(asked, inputs={"u": None})
     assert wrong(any_input, replace(by_name, elements=(by_name.elements[0], fed))) < 1e-12
     assert wrong(any_input, by_source) > 0.1
 

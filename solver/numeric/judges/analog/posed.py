@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -29,7 +29,8 @@ TRIED = (
 """Frequencies and amplitudes of the signals that stand for inputs without a function of their own."""
 
 
-class Asked(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Asked:
     """What a program is to compute: the equations, the initial values of jets (else 0), each input as a function of t.
 
     An input that is no function (None) may be any. `readouts` are expressions in the jets by the names under which a
@@ -44,6 +45,11 @@ class Asked(NamedTuple):
     time_scale: Any
     reference: Any
     maxima: Mapping[str, Any]
+
+    @cached_property
+    def posed(self) -> Posed:
+        """The question in numbers; it is followed over time once."""
+        return Posed(self)
 
 
 @dataclass(frozen=True)

@@ -123,7 +123,7 @@ def readout_gaps(asked: Asked, program: Program) -> Iterator[tuple[str, float]]:
 
     A variable that is unknown, or required and missing, is infinitely far. Raises NotEvaluable.
     """
-    run = Run(Posed(asked), netlist_of(program))
+    run = Run(asked.posed, netlist_of(program))
     for name in dict.fromkeys([*asked.required, *program.readout]):
         known = name in program.readout and name in asked.readouts
         yield name, run.gap(name) if known else np.inf
@@ -135,7 +135,7 @@ def within_digits(asked: Asked, program: Program) -> Program:
     Gauss and Newton's method with bounds; a program that is right as it stands is returned as it is.
     """
     names = [name for name in program.readout if name in asked.readouts]
-    places, here, posed = list(_decimals(program)), program, Posed(asked)
+    places, here, posed = list(_decimals(program)), program, asked.posed
     moved = np.zeros(len(places))
     for _ in range(ROUNDS):
         run = Run(posed, netlist_of(here))
@@ -192,12 +192,12 @@ def half_unit(value: Any) -> Any:
 
 def overload_of(asked: Asked, program: Program) -> tuple[str, float] | None:
     """Return the first amplifier of a program whose voltage leaves the range, and when (in t). Raises NotEvaluable."""
-    return Run(Posed(asked), netlist_of(program)).overload()
+    return Run(asked.posed, netlist_of(program)).overload()
 
 
 def expected_overload(asked: Asked) -> float | None:
     """When (in t) a variable exceeds the maximum that is given for it, by the question's own equations."""
-    posed = Posed(asked)
+    posed = asked.posed
     found = _first_beyond(_shares(posed), 1.0, posed.grid.times)
     return found[1] if found else None
 
@@ -210,7 +210,7 @@ def _shares(posed: Posed) -> dict[str, Array]:
 
 def overload_residual(asked: Asked, time: Any) -> float:
     """How far the largest of the variables is from its maximum at that time (in t), and from being below it before."""
-    posed = Posed(asked)
+    posed = asked.posed
     if not number(time) >= 0:
         return np.inf
     posed.__dict__["grid"] = posed.grid.until(number(time))
@@ -226,7 +226,7 @@ def freed_gap(asked: Asked, program: Program) -> float | None:
     Compared by the derivatives at the start without inputs, where the program has as many integrators as the equations
     states; None elsewhere: a program may make an input by integrators, too.
     """
-    posed, net = Posed(asked), netlist_of(program)
+    posed, net = asked.posed, netlist_of(program)
     n = len(posed.states)
     if len(net.start) != n or n == 0:
         return None

@@ -7,6 +7,7 @@ a cubic through values and slopes tells between which samples a size is largest,
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from random import Random
 from typing import Any
 
@@ -37,7 +38,7 @@ def largest_sizes(asked: Asked) -> dict[Jet, float]:
     """The largest size of each state for t ≥ 0. Raises NotEvaluable where there are symbols."""
     if free_symbols([*asked.question.equations, *asked.initial.values()]) - set(asked.question.jets):
         raise NotEvaluable("the equations have symbols")
-    posed = Posed(asked)
+    posed = asked.posed
     sizes = np.zeros(len(posed.states))
     x = posed.start
     for start, end in _intervals(posed):
@@ -146,7 +147,7 @@ def scaled_residuals(
     for _ in range(TRIALS):
         at = {s: sp.Float(complex(v).real, 20) for s, v in dict(source.draw()).items()}
         put = asked.question._replace(equations=[sp.sympify(e).xreplace(at) for e in asked.question.equations])
-        posed = Posed(asked._replace(question=put))
+        posed = replace(asked, question=put).posed
         beta = float(sp.sympify(asked.time_scale).xreplace(at))
         L = {jet: float(sp.sympify(value).xreplace(at)) for jet, value in factors.items()}
         x, t = np.array([random.uniform(0.5, 2.0) for _ in posed.states]), random.uniform(0.3, 2.0)
