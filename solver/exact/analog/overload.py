@@ -21,8 +21,12 @@ STEP, LONG, MOST = 0.25, 12.0, 20_000
 """The time between samples, and that after which a mode is gone, in time constants; more samples are not taken."""
 BEYOND = 1e-9
 """A size may be reached: by that much, relatively, it must be exceeded."""
+UNDAMPED, LATER = 60, 280
+"""Time constants of what does not decay are so much longer; and samples after all, each 5 % later."""
 LATEST = 30.0
 """What grows is followed until it has grown by e to this."""
+SEEN = 1e-7
+"""A multiple eigenvalue 0 is found as different ones, relatively so large."""
 NEAR = 0.95
 """A sample of that share of the size may have a peak beside it that exceeds it."""
 DIGITS, HALVED, NEWTON = 40, 46, 3
@@ -38,9 +42,10 @@ def first_overload(
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr] | None:
     """Return the variable that first exceeds its maximum, when, and its motion; None if none does. Raises NotExact."""
     motions = motions_of(equations)
+    times = np.array(list(_times(_rates(equations))))
     found = []
     for x, maximum in maxima.items():
-        time = first_passage(motions[x], maximum) if x in motions and maximum != 0 else None
+        time = first_passage(motions[x], maximum, times) if x in motions and maximum != 0 else None
         if time is not None:
             found.append((float(time), x, time, motions[x]))
     if not found:
@@ -49,15 +54,15 @@ def first_overload(
     return x, time, motion
 
 
-def first_passage(motion: sp.Expr, maximum: sp.Expr) -> sp.Expr | None:
-    """Return the first t > 0 from which on |motion| > maximum; None if there is none."""
+def first_passage(motion: sp.Expr, maximum: sp.Expr, times: Any) -> sp.Expr | None:
+    """Return the first t > 0 from which on |motion| > maximum, seen at the times; None if there is none."""
     value = _compiled(motion)
     limit = float(maximum)
 
-    def size(times: Any) -> Any:
-        return np.broadcast_to(np.abs(np.real(value(times))) / limit, np.shape(times))
+    def size(at: Any) -> Any:
+        return np.broadcast_to(np.abs(np.real(value(at))) / limit, np.shape(at))
 
-    ends = _first_interval(size, _rates(motion))
+    ends = _first_interval(size, times)
     if ends is None:
         return None
     exact = _in_closed_form(motion, maximum)
@@ -65,23 +70,23 @@ def first_passage(motion: sp.Expr, maximum: sp.Expr) -> sp.Expr | None:
     return near if near is not None else _refined(motion, maximum, ends)
 
 
-def _rates(motion: sp.Expr) -> list[complex]:
-    """The factors of t in the exponents and arguments, and 1/T of what begins at T."""
-    found = []
-    for each in motion.atoms(sp.exp, sp.sin, sp.cos, sp.sinh, sp.cosh, sp.Heaviside):
-        inside = sp.expand(each.args[0])
-        slope, shift = complex(inside.coeff(TIME, 1)), complex(inside.coeff(TIME, 0))
-        if isinstance(each, sp.sin | sp.cos):
-            slope *= 1j
-        if isinstance(each, sp.Heaviside):
-            slope = slope / shift if shift else 1.0
-        found.append(complex(slope))
-    return [each for each in found if each]
+def _rates(equations: MachineEquations) -> list[complex]:
+    """The eigenvalues, and how fast the inputs change: the factors of t within their functions, 1/T of a beginning."""
+    X = [each.variable for each in equations.integrated]
+    A = np.array([[complex(each.terms.get(x, 0)) for x in X] for each in equations.integrated])
+    found = [complex(each) for each in np.linalg.eigvals(A)]
+    functions = {term for each in equations.integrated for term in each.terms if term.has(TIME)}
+    for each in set().union(*(function.atoms(sp.Function) for function in functions)):
+        shift, there = (complex(each.args[0].xreplace({TIME: sp.Integer(t)})) for t in (0, 1))
+        slope = there - shift
+        found.append(slope * 1j if isinstance(each, sp.sin | sp.cos) else slope)
+        found.append(slope / shift if shift else 0.0)
+    largest = max(map(abs, found), default=0.0)
+    return [each for each in found if abs(each) > SEEN * largest]
 
 
-def _first_interval(size: Callable[[Any], Any], rates: Sequence[complex]) -> tuple[float, float] | None:
-    """Two times between which the size first exceeds 1; samples follow the fastest mode that is still there."""
-    times = np.array(list(_times(rates)))
+def _first_interval(size: Callable[[Any], Any], times: Any) -> tuple[float, float] | None:
+    """Two times between which the size first exceeds 1."""
     sizes = size(times)
     beyond = np.flatnonzero(sizes > 1 + BEYOND)
     last = int(beyond[0]) if len(beyond) else len(times)
@@ -95,7 +100,8 @@ def _first_interval(size: Callable[[Any], Any], rates: Sequence[complex]) -> tup
 
 
 def _times(rates: Sequence[complex]) -> Iterator[float]:
-    slow = [abs(each.real) if abs(each.real) > 1e-9 * abs(each) else abs(each) / 4 for each in rates]
+    """Samples that follow the fastest mode that is still there; later ones, for what grows like a power of t."""
+    slow = [abs(each.real) if abs(each.real) > SEEN * abs(each) else abs(each) / UNDAMPED for each in rates]
     grown = max((each.real for each in rates), default=0.0)
     end = max(LONG / min(slow, default=1.0), LATEST / grown if grown > 0 else 0.0)
     time, count = 0.0, 0
@@ -103,7 +109,9 @@ def _times(rates: Sequence[complex]) -> Iterator[float]:
         yield time
         left = [abs(each) for each in rates if each.real * time > -LONG]
         time, count = time + STEP / max(left, default=min(slow, default=1.0)), count + 1
-    yield time
+    for _ in range(LATER):
+        yield time
+        time *= 1.05
 
 
 def _in_closed_form(motion: sp.Expr, maximum: sp.Expr) -> list[sp.Expr]:
