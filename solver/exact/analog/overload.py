@@ -115,14 +115,15 @@ def _times(rates: Sequence[complex]) -> Iterator[float]:
 
 
 def _in_closed_form(motion: sp.Expr, maximum: sp.Expr) -> list[sp.Expr]:
-    """The times at which a + b e^{rt}, or a + b t, has the size; empty for another motion."""
+    """The times at which a + b e^{rt}, or a + b tᵏ, has the size; empty for another motion."""
     moving = [term for term in sp.Add.make_args(sp.expand(motion)) if term.has(TIME)]
     if len(moving) != 1:
         return []
     rest, (factor, function) = sp.expand(motion) - moving[0], moving[0].as_independent(TIME, as_Add=False)
     levels = [sp.cancel((sign * maximum - rest) / factor) for sign in (1, -1)]
-    if function == TIME:
-        return [level for level in levels if level > 0]
+    power = function.as_base_exp()
+    if power[0] == TIME:
+        return [level ** (1 / power[1]) for level in levels if level > 0]
     if not isinstance(function, sp.exp) or sp.diff(function.args[0], TIME).has(TIME):
         return []
     rate = sp.diff(function.args[0], TIME)

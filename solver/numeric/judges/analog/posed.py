@@ -28,6 +28,9 @@ TRIED = (
 )
 """Frequencies and amplitudes of the signals that stand for inputs without a function of their own."""
 
+NOTHING = 1e-11
+"""What least squares leave of a coefficient that is zero."""
+
 
 @dataclass(frozen=True, eq=False)
 class Asked:
@@ -147,8 +150,12 @@ class Posed:
 
     @cached_property
     def signals(self) -> list[Signal]:
-        """The driving jets as functions of t, and 1."""
-        functions = [sp.diff(self.functions[name], TIME, k) for name, k in self._driving]
+        """The driving jets as functions of t, and 1; a jet that nothing depends on is left at zero."""
+        taken = np.vstack([self.matrix, *self.rows.values()])[:, len(self.states) : -1]
+        functions = [
+            sp.diff(self.functions[name], TIME, k) if np.any(np.abs(column) > NOTHING) else sp.S.Zero
+            for (name, k), column in zip(self._driving, taken.T, strict=True)
+        ]
         return [*(Signal(each, TIME) for each in functions), Signal(sp.S.One)]
 
     @cached_property

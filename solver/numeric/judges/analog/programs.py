@@ -210,7 +210,7 @@ def _shares(posed: Posed) -> dict[str, Array]:
 
 def overload_residual(asked: Asked, time: Any) -> float:
     """How far the largest of the variables is from its maximum at that time (in t), and from being below it before."""
-    posed = asked.posed
+    posed = Posed(asked)  # of its own: it is followed until that time
     if not number(time) >= 0:
         return np.inf
     posed.__dict__["grid"] = posed.grid.until(number(time))
