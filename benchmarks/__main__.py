@@ -1,7 +1,7 @@
 """Print the tables of speed targets: `python -m benchmarks [--quick] [GROUP]`.
 
 The groups are exponential, placement, mechanics, circuits, horizons, multivariable, transforms, classical,
-command, class and growth.
+analog, command, class and growth.
 
 `--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
 `--write` puts the tables that were measured into docs/performance.md.
@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from benchmarks import (
+    analog,
     circuits,
     classroom,
     command_line,
@@ -63,6 +64,8 @@ def measured(chosen: str | None, *, quick: bool) -> Iterator[Row | Failure]:
     if chosen in (None, "classical"):
         yield from root_locus.rows()
         yield from frequency.rows()
+    if chosen in (None, "analog"):
+        yield from analog.rows()
     if chosen in (None, "command"):
         yield from command_line.rows()
     if chosen in (None, "class"):
@@ -100,6 +103,8 @@ def main() -> int:
         "horizons",
         "multivariable",
         "transforms",
+        "classical",
+        "analog",
         "command",
         "class",
         "growth",
