@@ -31,6 +31,8 @@ def _compared(each: Submitted, ours: Any, *, ordered: bool) -> Any:
         return _in_order(each, ours) if ordered else _as_set(each, list(ours))
     if is_scalar(each.value) and is_scalar(ours):
         return word_of(_agrees(each, each.form, ours))
+    if isinstance(each.value, Mapping) and isinstance(ours, Mapping):
+        return word_of(_same_item(each, each.form, ours))
     if isinstance(each.value, bool | str):
         return word_of(each.value == ours)
     return None

@@ -118,7 +118,8 @@ def begun(function: sp.Expr, time: sp.Symbol) -> sp.Expr:
         since = sp.expand(inside / faster)
         return sp.S.One if since.coeff(time, 0).is_nonnegative else sp.Heaviside(since)
 
-    return function.replace(sp.Heaviside, step) if function.has(sp.Heaviside) else function
+    found: sp.Expr = function.replace(sp.Heaviside, step) if function.has(sp.Heaviside) else function  # type: ignore[assignment]
+    return found
 
 
 @dataclass(frozen=True)

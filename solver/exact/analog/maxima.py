@@ -2,7 +2,7 @@
 
 Where the equation "slope = 0" is solved in closed form the peak is exact; else it is searched between samples, which
 are dense enough for every mode, and refined in decimals. What oscillates for ever comes as near as one likes to the sum
-of its constant and its amplitudes, if no two of its frequencies have a rational ratio.
+of its constant and its amplitude; with several frequencies it is searched over their period.
 """
 
 from __future__ import annotations

@@ -41,7 +41,7 @@ class Unbounded(ValueError):  # noqa: N818 - a finding
 
 
 class Unsearched(ValueError):  # noqa: N818 - a finding
-    """Too many samples would be needed, or nothing is known of the ratios of several frequencies."""
+    """Too many samples would be needed, or several frequencies have no period in common."""
 
 
 @dataclass(frozen=True)
@@ -90,21 +90,21 @@ def sustained(motion: Motion) -> Sustained:
 
 
 def _bound(level: Any, swings: Mapping[Any, Any]) -> Any:
-    """|c| + Σ amplitudes where no frequencies have a common period, else the largest size in that."""
+    """|c| and the amplitude; of several frequencies the largest size in their period. Raises Unsearched without one."""
     amplitudes: Any = abs(level) + sum((2 * abs(c) for c in swings.values()), mpmath.mpf(0))
     if len(swings) < 2:
         return amplitudes
-    ratios = [_ratio(omega / next(iter(swings))) for omega in swings]
-    if all(ratios):
-        alone = Motion(
-            [(mpmath.mpf(0), [(mpmath.mpc(0, w), 1, 2 * c) for w, c in swings.items()] + [(mpmath.mpc(0), 1, level)])]
-        )
-        period = 2 * pi * lcm(*(each.denominator for each in ratios if each)) / float(next(iter(swings)))
-        times = [period * i / (PER_TURN * 40 * len(swings)) for i in range(PER_TURN * 40 * len(swings) + 1)]
-        return max((each.size for each in _zeros(alone, times)), default=amplitudes)
-    if len(swings) > 2:
+    first = next(iter(swings))
+    ratios = [_ratio(omega / first) for omega in swings]
+    if not all(ratios):
         raise Unsearched
-    return amplitudes
+    modes: list[Mode] = [(mpmath.mpc(0, omega), 1, 2 * c) for omega, c in swings.items()]
+    alone = Motion([(mpmath.mpf(0), [*modes, (mpmath.mpc(0), 1, mpmath.mpc(level))])])
+    period = 2 * pi * lcm(*(each.denominator for each in ratios if each)) / float(first)
+    count = PER_TURN * RATIO * len(swings)
+    return max(
+        (each.size for each in _zeros(alone, [period * i / count for i in range(count + 1)])), default=amplitudes
+    )
 
 
 def _ratio(value: Any) -> Fraction | None:

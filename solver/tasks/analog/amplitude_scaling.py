@@ -6,14 +6,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from solver.derivation import AnswerName, Answers, Check, Derivation, Given, Task
+from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Task
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.analog import scaling_checks as checks
 from solver.tasks.analog import scaling_mistakes
 from solver.tasks.analog.machine_form import form_of
 from solver.tasks.analog.machine_options import MachineOptions, faults_of
-from solver.tasks.analog.scaling import maxima_of, scaled_equations_of, voltages_of
+from solver.tasks.analog.scaling import maxima_of, scaled_equations_of, used_range_of, voltages_of
 from solver.tasks.modelling.first_order import result_of
 
 if TYPE_CHECKING:
@@ -57,9 +57,11 @@ def by_maxima(given: Given[Equations, ScalingOptions]) -> Derivation[Answers]:
     """The largest sizes, L = reference/maximum, x = X/L and τ = β t put into the equations."""
     model, options = given.system, given.options
     equations = yield from form_of(given)
-    maxima = yield from maxima_of(equations, {model.symbol(jet): v for jet, v in (options.maximum or {}).items()})
+    own = {model.symbol(jet): value for jet, value in (options.maximum or {}).items()}
+    maxima = yield from maxima_of(equations, own)
     reference, beta = sp.sympify(options.reference), sp.sympify(options.time_scale)
     scaling, scaled = yield from scaled_equations_of(equations, maxima, reference, beta)
+    yield from used_range_of(equations, scaling, own, reference)
     return Answers(maximum=maxima, scale_factors=dict(scaling.factors), scaled_equations=voltages_of(scaled))
 
 
@@ -79,6 +81,12 @@ def are_reference_over_maximum(given: Given[Equations, ScalingOptions], answers:
 def are_the_equations_in_volts(given: Given[Equations, ScalingOptions], answers: Answers) -> Iterable[Check]:
     """At random points the voltages change as the equations of the question say of the variables."""
     yield from checks.of_equations(given, answers["scaled_equations"])
+
+
+@amplitude_scaling.meaning("maximum")
+def larger_than_needed(wrong: Attempt[Equations, ScalingOptions]) -> Reason | None:
+    """A bound that is passed by nothing, or one that a variable passes."""
+    return checks.what_maxima_would_mean(wrong.given, wrong.value)
 
 
 @amplitude_scaling.consequence("scale_factors", of=("maximum",))

@@ -63,12 +63,14 @@ def faults_of(system: System, options: MachineOptions) -> Iterable[tuple[str, Re
 
 
 def _lacking(model: Equations, options: MachineOptions) -> Iterable[tuple[str, Reason]]:
-    """Inputs without a function, where a largest size is to be found."""
+    """Inputs without a function, where a largest size is to be found; relations without derivatives need them all."""
     free = [u for u, value in inputs_of(model, options).items() if value is None]
     maxima = options.maximum or {}
     wanted = [jet for jet in states_of(model) or [(name, 0) for name in model.unknowns] if jet not in maxima]
-    if free and wanted and "input" not in options.later:
-        yield "", Reason("machines/no_function", {"inputs": free, "wanted": [model.symbol(jet) for jet in wanted]})
+    static = not states_of(model)
+    if wanted and (free or static) and "input" not in options.later:
+        values = {"inputs": [str(u) for u in free], "wanted": [_primed(jet) for jet in wanted], "static": static}
+        yield "", Reason("machines/no_function", values)
 
 
 def states_of(model: Equations) -> list[Jet]:
@@ -90,9 +92,9 @@ def _wrong_values(model: Equations, options: MachineOptions) -> Iterable[tuple[s
     known = states_of(model) or [(name, 0) for name in model.unknowns]
     maxima, initial = options.maximum or {}, initial_of(model, options)
     for jet, value in maxima.items():
-        shown = model.symbol(jet)
+        shown = _primed(jet)
         if jet not in known and jet[0] not in model.inputs:
-            yield "maximum", Reason("machines/no_variable", {"name": shown, "known": [model.symbol(j) for j in known]})
+            yield "maximum", Reason("machines/no_variable", {"name": shown, "known": [_primed(j) for j in known]})
         elif value.is_nonpositive:
             yield "maximum", Reason("machines/maximum_not_positive", {"name": shown, "value": value})
         elif jet in initial and (abs(initial[jet]) - value).is_positive:
@@ -100,7 +102,7 @@ def _wrong_values(model: Equations, options: MachineOptions) -> Iterable[tuple[s
             yield "maximum", Reason("machines/initial_beyond_maximum", values)
     for jet in options.initial or {}:
         if jet not in known:
-            values = {"name": model.symbol(jet), "known": [model.symbol(j) for j in known]}
+            values = {"name": _primed(jet), "known": [_primed(j) for j in known]}
             yield "initial", Reason("machines/no_initial_value", values)
 
 
@@ -108,3 +110,9 @@ def _order(model: Equations, name: str) -> int:
     """The highest derivative of an unknown that occurs in the equations."""
     inside = set().union(*(side.free_symbols for pair in model.sides for side in pair))
     return max((k for symbol, (own, k) in model.jets.items() if own == name and symbol in inside), default=0)
+
+
+def _primed(jet: Jet) -> str:
+    """A derivative as it is written in a file: x, x', x^(4)."""
+    name, k = jet
+    return name + "'" * k if k < 4 else f"{name}^({k})"

@@ -106,6 +106,30 @@ def voltages_of(scaled: exact.MachineEquations) -> dict[Symbol, Expr]:
     return rates or {each.variable: exact.combined(each.terms) for each in scaled.summed}
 
 
+@lemma("scaling")
+def used_range_of(
+    equations: exact.MachineEquations, scaling: exact.Scaling, given: Mapping[Symbol, Expr], reference: Expr
+) -> Derivation[None]:
+    """How much of the range the given maxima use, where the largest sizes themselves are found."""
+    rows: list[tuple[Any, ...]] = []
+    claims = {}
+    for each in equations.integrated:
+        x = each.variable
+        if x not in given or given[x].free_symbols:
+            continue
+        try:
+            found = exact.largest_size(equations, {x: sp.S.One})
+        except (exact.Unbounded, exact.Undecided, exact.Unsearched, exact.NotExact):
+            continue
+        size, L = _decimal(found.value), scaling.of(x)
+        volts = L * size
+        claims[f"volts{len(rows)}"] = Claim(product(L, size), volts, "the largest voltage")
+        rows.append((x, size, volts, bool((volts - reference).is_positive)))
+    if rows:
+        yield Step("used", claims=claims, rows=rows, reference=reference, detail="full",
+                   beyond=[x for x, *_, beyond in rows if beyond])  # fmt: skip
+
+
 def _decimal(value: Any) -> Any:
     """A transcendental number in decimals; any other as it is, so that it is not repeated."""
     return sp.N(value, 30) if value.atoms(sp.Function) else value

@@ -14,7 +14,7 @@ from solver.stated.algebra import quotient
 from solver.tasks.analog.machine_form import machine_model
 from solver.tasks.analog.machine_options import initial_of, states_of
 from solver.tasks.modelling.questions import question_of
-from solver.words import Phrase, formula
+from solver.words import Phrase, Reason, formula
 
 if TYPE_CHECKING:
     from solver.jets import Jet
@@ -55,7 +55,7 @@ class Truth:
     @cached_property
     def factors(self) -> dict[Jet, Any]:
         """Reference over largest size; 1 for what stays zero."""
-        return {jet: self.reference / size if size != 0 else sp.S.One for jet, size in self.sizes.items()}
+        return {jet: sp.S.One if size.is_zero else self.reference / size for jet, size in self.sizes.items()}
 
     @property
     def volts(self) -> dict[str, Jet]:
@@ -111,3 +111,17 @@ def of_equations(given: Given[Equations, MachineOptions], answer: Any) -> Iterat
         near = max(truth.near, 1e-8 if numeric.holds_decimals([found[name]]) else 0.0)
         says = Phrase("the change of ${x}$", x=formula(sp.Symbol(name.removesuffix("_dot"), real=True)))
         yield Check.within(says, EVALUATED, residual, near)
+
+
+def what_maxima_would_mean(given: Given[Equations, MachineOptions], answer: Any) -> Reason | None:
+    """Whether nothing overloads with a value that is too large, or a variable leaves the range with one too small."""
+    truth = Truth(given)
+    found = {str(name): value for name, value in dict(answer).items()}
+    if set(found) != set(truth.jets) or any(not sp.sympify(value).is_real for value in found.values()):
+        return None
+    for name, jet in truth.jets.items():
+        value, size = float(found[name]), float(truth.sizes[jet])
+        if jet not in truth.given and abs(value - size) > 0.01 * size:
+            kind = "machines/needlessly_large" if value > size else "machines/passed"
+            return Reason(kind, {"x": truth.model.symbol(jet), "value": found[name], "size": sp.Float(size, 5)})
+    return None
