@@ -116,8 +116,9 @@ def _table(found: exact.Synthesis, machine: Machine) -> Step:
     """The elements as they are patched, and the diagram."""
     outputs = outputs_of(found, machine)
     rows = [
-        (each.id, each.kind, each.inputs, each.value, each.setting, each.initial, outputs.get(each.id))
+        (each if i == 0 else None, outputs.get(each.id), fed[0], fed[1] if each.is_amplifier else None)
         for each in found.program.elements
+        for i, fed in enumerate(each.inputs or [("", None)])
     ]
     return Step(
         "program",

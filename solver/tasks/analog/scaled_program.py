@@ -10,7 +10,7 @@ from solver.derivation import Derivation, Step, Unsolved, lemma
 from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.tasks.analog.machine_form import machine_model
-from solver.tasks.analog.machine_options import MachineOptions, initial_of, inputs_of
+from solver.tasks.analog.machine_options import MachineOptions, initial_of, inputs_of, states_of
 from solver.tasks.analog.scaling import maxima_of, scaled_equations_of
 
 if TYPE_CHECKING:
@@ -70,8 +70,8 @@ def scaled_for_machine(
         named = exact.scaled_symbols(kept, scaling)
     else:
         scaling, scaled, named = exact.Scaling({}, sp.S.One), kept, {x: x for x in kept.variables}
-    told = {*(model.symbol(jet) for jet in model.jets.values()), *(each.variable for each in kept.summed)}
-    readout = {str(x): (named[x], 1 / scaling.of(x)) for x in kept.variables if x in told or not model.inputs}
+    told = {*map(model.symbol, states_of(model)), *(each.variable for each in kept.summed)}
+    readout = {str(x): (named[x], 1 / scaling.of(x)) for x in kept.variables if x in told}
     readout |= {str(y): (named[x], c / scaling.of(x)) for y, (x, c) in read.items()}
     realized = machine_model(model, initial_of(model, options)).outputs
     readout |= {str(y): (named[x], 1 / scaling.of(x)) for y, x in zip(model.outputs, realized, strict=True)
