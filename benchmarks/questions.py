@@ -14,6 +14,7 @@ LARGEST = {
     "phase_portrait": 2, "finite_horizon_lqr": 3, "minimum_energy_control": 3, "smith_form": 4,
     "smith_mcmillan_form": 5, "relative_gain_array": 5, "root_locus": 4, "pid_tuning": 2, "second_order_parameters": 2,
     "step_specifications": 2, "z_transform": 4, "difference_equation": 4, "ragazzini": 2,
+    "op_amp_stage": 8, "analog_program": 8,
 }  # fmt: skip
 """Tasks about one order only, and those whose answers or steps fill the page from the next order on."""
 
@@ -79,12 +80,16 @@ def _system(task: str, method: str, n: int, kind: str) -> dict[str, str]:
         return chain_of_masses(n)
     if task == "block_diagram_reduction":
         return chain_of_loops(n)
+    if "op_amp" in needs:
+        return cascade(n)
     if "functional" in needs:
         return sums_of_squares(n)
     if "polynomial_matrix" in needs:
         return {"polynomial_matrix": str((sp.Symbol("s") * sp.eye(n) - plant(n, kind)[0]).tolist())}
     if task == "difference_equation":
         return equations(n, kind, discrete=True)
+    if "machine" in needs:
+        return equations(n, kind)
     return equations(n, kind) if "equations" in needs else matrices(task, method, n, kind)
 
 
@@ -104,6 +109,15 @@ def chain_of_loops(n: int) -> dict[str, str]:
     back = [f"[{b}, {b}, {-i}/s]" for i, b in enumerate(names[1:], 1)]
     flow = ", ".join(["[r, x0, 1]", *forward, *back, f"[{names[-1]}, x0, -1]"])
     return {"signal_flow": f"[{flow}]", "input": "r", "output": names[-1]}
+
+
+def cascade(n: int) -> dict[str, str]:
+    """Stages one behind the other, summers and integrators in turn, each with an input of its own too."""
+    stages = []
+    for i in range(1, n + 1):
+        inputs = f"w{i}: {{R: {i}000}}" + (f", y{i - 1}: {{R: 2000}}" if i > 1 else "")
+        stages.append(f"{{inputs: {{{inputs}}}, feedback: {'{C: 1e-6}' if i % 2 else '{R: 4000}'}}}")
+    return {"op_amp": f"[{', '.join(stages)}]"}
 
 
 def sums_of_squares(n: int) -> dict[str, str]:
@@ -191,6 +205,8 @@ OPTIONS: dict[str, Callable[[int], dict[str, str]]] = {
     "inverse_z_transform": lambda n: {"F": f"z/({' '.join(f'(z - 1/{i})' for i in range(2, n + 2))})"},
     "difference_equation": lambda _: {"input": "{u: 1}", "initial": '{"x1(0)": 1}'},
     "differential_equation": lambda _: {"input": '{u: "exp(-t)"}', "initial": "{x1: 1}"},
+    "amplitude_scaling": lambda _: {"input": "{u: 1}"},
+    "analog_program": lambda _: {"input": "{u: 1}", "time_scale": "10"},
     "minimum_energy_control": lambda n: {"initial_state": str([1] * n), "final_time": "1"},
 }
 """What a question needs beside the plant, by the order of the plant."""
