@@ -33,9 +33,7 @@ def _compared(each: Submitted, ours: Any, *, ordered: bool) -> Any:
         return word_of(_agrees(each, each.form, ours))
     if isinstance(each.value, Mapping) and isinstance(ours, Mapping):
         return word_of(_same_item(each, each.form, ours))
-    if isinstance(each.value, bool | str):
-        return word_of(each.value == ours)
-    return None
+    return word_of(each.value == ours) if isinstance(each.value, bool | str) else None
 
 
 def _in_order(each: Submitted, ours: Sequence[Any]) -> list[Any]:

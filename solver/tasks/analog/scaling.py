@@ -211,6 +211,7 @@ def _row(each: Any, volts: Any, scaling: exact.Scaling) -> Step:
         L=out,
         beta=beta,
         front=out / beta,
+        constant=any(level == 1 for _, _, level, _, _ in rows),
         rows=rows,
         sum=written(volts.terms),
     )
