@@ -60,7 +60,8 @@ def first_passage(motion: sp.Expr, maximum: sp.Expr, times: Any) -> sp.Expr | No
     limit = float(maximum)
 
     def size(at: Any) -> Any:
-        return np.broadcast_to(np.abs(np.real(value(at))) / limit, np.shape(at))
+        with np.errstate(all="ignore"):  # what grows may overflow
+            return np.broadcast_to(np.abs(np.real(value(at))) / limit, np.shape(at))
 
     ends = _first_interval(size, times)
     if ends is None:

@@ -86,7 +86,7 @@ def _too_large(case: exact.TooLarge, machine: Machine) -> Unsolved:
     """What to change where a coefficient is too large: a slower machine, for a sum other maxima."""
     integrated = any(each.variable == case.variable for each in machine.scaled.integrated)
     most = exact.MOST_INPUTS * case.most
-    slower = sp.ceiling(machine.beta * case.coefficient / most) if integrated else None
+    slower = _slow_enough(machine, most) if integrated else None
     return Unsolved(
         "analog_program/too_large",
         variable=case.variable,
@@ -97,6 +97,16 @@ def _too_large(case: exact.TooLarge, machine: Machine) -> Unsolved:
         inputs=exact.MOST_INPUTS,
         slower=slower,
     )
+
+
+def _slow_enough(machine: Machine, most: Any) -> Any:
+    """The least whole β with which no coefficient of an integrator is too large; of a constant the source counts."""
+    sizes = [
+        abs(c) / (machine.reference if term == 1 else 1)
+        for each in machine.scaled.integrated
+        for term, c in each.terms.items()
+    ]
+    return sp.ceiling(machine.beta * sp.Max(*sizes) / most)
 
 
 @analog_program.verification("program", "potentiometers")
