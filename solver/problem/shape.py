@@ -34,11 +34,6 @@ MAX_STATES = 12
 MAX_PARTS = 60
 PART_ID = r"^[\w.()-]{1,32}$"
 
-RESERVED = (
-    "circuit", "polynomial_matrix",
-)  # fmt: skip
-"""Kinds of system that are known but can't be read yet."""
-
 
 def kind_of_system(value: Any) -> str | None:
     """Return the kind that the keys of a system tell; names of alternatives stand in <>, and are never keys."""
@@ -166,11 +161,7 @@ def _known_kind(value: Any) -> Any:
     """Refuse, in words, a system whose keys tell no kind that can be read."""
     if not isinstance(value, dict) or any(key in value for key in kinds()):
         return value
-    for key in RESERVED:
-        if key in value:
-            message = "'{key}' cannot be read yet; give A, B, C, D or a transfer_function"
-            raise PydanticCustomError("at_key", message, {"key": key})
-    known = [*(key for model in SYSTEMS.values() for key in model.model_fields), *RESERVED]
+    known = [key for model in SYSTEMS.values() for key in model.model_fields]
     for key in value:
         if key not in known:
             context = {"key": key, "suggestion": did_you_mean(key, known)}

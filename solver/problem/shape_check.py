@@ -106,7 +106,7 @@ def _unknown(key: str, model: type[BaseModel], parent: Node) -> tuple[str, str]:
     present = parent.entries if isinstance(parent, MappingNode) else {}
     tells = next((name for name in kinds() if name in model.model_fields), "")
     others = (known for kind in kinds().values() for known in kind.keys)
-    if tells and (key in shape.RESERVED or any(key == other.name for other in others)):
+    if tells and any(key == other.name for other in others):
         return f"'{key}' cannot stand beside '{tells}'", ""
     return f"unknown key '{key[:60]}'", did_you_mean(key, (name for name in model.model_fields if name not in present))
 

@@ -221,6 +221,8 @@ def _outputs(stages: Sequence[Stage]) -> Iterator[str]:
         (name, _), *others = following.inputs
         taken |= {other for other, _ in others if other not in taken}
         chosen = f"{OUTPUT}{i}" if name in taken or name[:1].isupper() else name
+        while chosen in taken:
+            chosen += "p"
         taken.add(chosen)
         yield chosen
     yield OUTPUT
@@ -233,7 +235,7 @@ def _check_names(readers: Sequence[Reader], system: OpAmp) -> None:
     for i, reader in enumerate(readers):
         inner = reader.within("inputs")
         for j, (key, name) in enumerate(inner.keys.items()):
-            if name not in system.inputs or (i and not j):
+            if (name not in system.inputs and name != OUTPUT) or (i and not j):
                 continue
             capital = transform_name(name)
             if name in ("s", "t", "k", "z"):

@@ -83,12 +83,6 @@ def test_what_is_wrong_with_the_shape_is_said_at_its_place(complaints, text, exp
     assert complaints(text) == expected
 
 
-@pytest.mark.parametrize("kind", ["op_amp"])
-def test_kinds_of_system_still_to_come_are_known_but_refused(complaints, kind):
-    expected = f"'{kind}' cannot be read yet; give A, B, C, D or a transfer_function"
-    assert complaints(f"system:\n  {kind}: [x]\n" + FIND) == [f"2:3-{3 + len(kind)} {expected}"]
-
-
 @pytest.mark.parametrize(
     ("text", "suggestion"),
     [

@@ -16,8 +16,8 @@ from sympy.core.function import AppliedUndef
 from solver.classroom.reading.brackets import matching, split
 from solver.classroom.reading.latex import is_latex
 
-AFTER = r"(?![A-Za-z0-9_])"
-"""A name ends here."""
+BEFORE, AFTER = r"(?<![A-Za-z0-9_])", r"(?![A-Za-z0-9_])"
+"""A name begins and ends here."""
 NAME = "Q_9{}"
 """What stands in the place of an operation: nothing a person calls something."""
 INTEGRAL = re.compile(r"\b(?:Integral|integral|integrate|int|Int)\s*\(")
@@ -67,7 +67,7 @@ class Operators:
     @property
     def _signal(self) -> str:
         longest_first = sorted(self.names, key=len, reverse=True)
-        return rf"(?<![A-Za-z0-9_])(?:{'|'.join(map(_spelled, longest_first))}){AFTER}"
+        return rf"{BEFORE}(?:{'|'.join(map(_spelled, longest_first))}){AFTER}"
 
     def _named(self, operation: Operation) -> str:
         number = len(self.found) + 1
@@ -95,25 +95,31 @@ class Operators:
         return self._named(Operation("", 0))
 
     def _derivatives(self, text: str) -> str:
-        """dv/dt, d/dt v, d/dt (…), diff(v, t), Derivative(v(t), (t, 2)), v', v'(t), v_dot."""
-        v, d, t = self._signal, r"(?<![A-Za-z0-9_])d", r"\s*/\s*\(?\s*d\s*t"
-        argument, power = r"(?:\s*\(\s*t\s*\))?", r"\s*(?:\^\s*\{?\s*(\d)\s*\}?|(²|³))?"
-        end = r"(?:\s*(?:\^\s*\{?\s*\d\s*\}?|²|³))?\s*(?![A-Za-z0-9_])"
-        text = re.sub(rf"{d}{power}\s*\(?\s*({v.replace('(?<![A-Za-z0-9_])', '', 1)}){argument}\s*\)?{t}{end}\)?",
-                      lambda found: self._derived(found[3], found[1] or found[2]), text)  # fmt: skip
-        text = re.sub(rf"{d}{power}{t}{end}\)?\s*\(?\s*({v}){argument}\s*\)?(?=\s*(?:[-+*)]|$))",
-                      lambda found: self._derived(found[3], found[1] or found[2]), text)  # fmt: skip
-        call = (
-            rf"\b(?:diff|Derivative|derivative|D)\s*\(\s*({v}){argument}\s*(?:,\s*\(?\s*t\s*(?:,\s*(\d)\s*)?\)?)?\s*\)"
-        )
-        text = re.sub(call, lambda found: self._derived(found[1], found[2]), text)
-        dots = rf"({v[: -len(AFTER)]})_(d{{1,3}}ot)(?![A-Za-z0-9_])"
-        text = re.sub(dots, lambda found: self._derived(found[1], str(found[2].count("d"))), text)
-        primes = rf"({v[: -len(AFTER)]})\s?('{{1,3}}){argument}"
-        return re.sub(primes, lambda found: self._derived(found[1], str(len(found[2]))), text)
+        """dv/dt, d/dt v, d/dt(v), diff(v, t), Derivative(v(t), (t, 2)), v', v'(t), v_dot."""
+        v, d = self._signal, r"(?<![A-Za-z0-9_])d"
+        bare, argument = v.removesuffix(AFTER), r"(?:\s*\(\s*t\s*\))?"
+        square = r"\s*(?:\^\s*\{?\s*\d\s*\}?|²|³)?"
+        power = r"\s*(?:\^\s*\{?\s*(?P<power>\d)\s*\}?|(?P<small>²|³))?"
+        below = rf"\s*/\s*(?:\(\s*d\s*t{square}\s*\)|d\s*t{square}{AFTER})"
+        inside = v.removeprefix(BEFORE)
+        above = rf"\s*(?:\(\s*(?P<first>{inside}){argument}\s*\)|(?P<second>{inside}){argument})"
+        behind = rf"\s*(?:\(\s*(?P<first>{v}){argument}\s*\)|(?P<second>{v}){argument}(?=\s*(?:[-+*)]|$)))"
+        order = r"(?:,\s*\(?\s*t\s*(?:,\s*(?P<power>\d)\s*)?\)?)?"
+        for pattern in (
+            rf"{d}{power}{above}{below}",
+            rf"{d}{power}{below}{behind}",
+            rf"\b(?:diff|[Dd]erivative|D)\s*\(\s*(?P<first>{v}){argument}\s*{order}\s*\)",
+            rf"(?P<first>{bare})_(?P<dots>d{{1,3}})ot{AFTER}",
+            rf"(?P<first>{bare})\s?(?P<dots>'{{1,3}}){argument}",
+        ):
+            text = re.sub(pattern, self._derived, text)
+        return text
 
-    def _derived(self, name: str, power: str | None) -> str:
-        order = int({"²": "2", "³": "3"}.get(power or "", power or "1"))
+    def _derived(self, found: re.Match[str]) -> str:
+        groups = found.groupdict()
+        name = groups.get("first") or groups.get("second") or ""
+        small = {"²": 2, "³": 3}.get(groups.get("small") or "", 1)
+        order = len(groups.get("dots") or "") or int(groups.get("power") or small)
         return self._named(Operation(name, order))
 
     def _calls(self, text: str) -> str:
