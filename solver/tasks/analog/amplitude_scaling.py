@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Task
 from solver.lazy import exact
-from solver.lazy import sympy as sp
 from solver.tasks.analog import scaling_checks as checks
 from solver.tasks.analog import scaling_mistakes
 from solver.tasks.analog.machine_form import form_of
@@ -59,7 +58,7 @@ def by_maxima(given: Given[Equations, ScalingOptions]) -> Derivation[Answers]:
     equations = yield from form_of(given)
     own = {model.symbol(jet): value for jet, value in (options.maximum or {}).items()}
     maxima = yield from maxima_of(equations, own)
-    reference, beta = sp.sympify(options.reference), sp.sympify(options.time_scale)
+    reference, beta = options.volts, options.beta
     scaling, scaled = yield from scaled_equations_of(equations, maxima, reference, beta)
     yield from used_range_of(equations, scaling, own, reference)
     return Answers(maximum=maxima, scale_factors=dict(scaling.factors), scaled_equations=voltages_of(scaled))
@@ -92,7 +91,7 @@ def larger_than_needed(wrong: Attempt[Equations, ScalingOptions]) -> Reason | No
 @amplitude_scaling.consequence("scale_factors", of=("maximum",))
 def factors_of_maxima(given: Given[Equations, ScalingOptions], found: Mapping[str, Any]) -> Any:
     """Reference over maximum."""
-    return exact.scale_factors(dict(found["maximum"]), sp.sympify(given.options.reference))
+    return exact.scale_factors(dict(found["maximum"]), given.options.volts)
 
 
 @amplitude_scaling.consequence("scaled_equations", of=("scale_factors",))
@@ -101,4 +100,4 @@ def equations_of_factors(given: Given[Equations, ScalingOptions], found: Mapping
     equations = result_of(form_of(given))
     known = {str(x): x for x in (*equations.variables, *equations.inputs)}
     factors = {known[str(x)]: L for x, L in dict(found["scale_factors"]).items() if str(x) in known}
-    return voltages_of(exact.scaled(equations, exact.Scaling(factors, sp.sympify(given.options.time_scale))))
+    return voltages_of(exact.scaled(equations, exact.Scaling(factors, given.options.beta)))

@@ -37,6 +37,22 @@ class MachineOptions(Options):
         InitialValues(), 'initial values, as {x: 40, "x\'": 150}; else those of the system; zero where none are given'
     )
 
+    @property
+    def volts(self) -> Expr:
+        """The reference voltage."""
+        return _expression(self.reference)
+
+    @property
+    def beta(self) -> Expr:
+        """The factor of the machine time."""
+        return _expression(self.time_scale)
+
+
+def _expression(value: Any) -> Expr:
+    """A default is a number as it is typed."""
+    found: Expr = sp.Integer(value) if isinstance(value, int) else value
+    return found
+
 
 def initial_of(model: Equations, options: MachineOptions) -> Mapping[Jet, Any]:
     """The initial values: those of the option, else the system's."""
@@ -53,7 +69,7 @@ def faults_of(system: System, options: MachineOptions) -> Iterable[tuple[str, Re
     """What is wrong with the question as it is asked."""
     for name in ("reference", "time_scale"):
         value = getattr(options, name)
-        if value is not None and sp.sympify(value).is_nonpositive:
+        if value is not None and _expression(value).is_nonpositive:
             yield name, Reason("machines/not_positive", {"name": name})
     with suppress(Unsolved):
         model = result_of(converted(system, ["machine"]))

@@ -36,7 +36,7 @@ class Truth:
         options, own = given.options, given.system
         self.model = model = machine_model(own, initial_of(own, options))
         initial = initial_of(own, options) if model is own else model.initial
-        self.reference, self.beta = sp.sympify(options.reference), sp.sympify(options.time_scale)
+        self.reference, self.beta = options.volts, options.beta
         inputs = {name: (options.input or {}).get(name) for name in model.inputs}
         self.states = states_of(model)
         read = {} if self.states else {name: model.symbol((name, 0)) for name in model.unknowns}
@@ -117,7 +117,7 @@ def what_maxima_would_mean(given: Given[Equations, MachineOptions], answer: Any)
     """Whether nothing overloads with a value that is too large, or a variable leaves the range with one too small."""
     truth = Truth(given)
     found = {str(name): value for name, value in dict(answer).items()}
-    if set(found) != set(truth.jets) or any(not sp.sympify(value).is_real for value in found.values()):
+    if set(found) != set(truth.jets) or any(not value.is_real for value in found.values()):
         return None
     for name, jet in truth.jets.items():
         value, size = float(found[name]), float(truth.sizes[jet])

@@ -46,7 +46,7 @@ def _question(attempt: Scaled) -> tuple[exact.MachineEquations, dict[Any, Any], 
     equations = result_of(form_of(given))
     own = {given.system.symbol(jet): value for jet, value in (given.options.maximum or {}).items()}
     maxima = result_of(maxima_of(equations, own))
-    return equations, maxima, sp.sympify(given.options.reference), sp.sympify(given.options.time_scale)
+    return equations, maxima, given.options.volts, given.options.beta
 
 
 def upside_down(attempt: Scaled) -> Iterable[Any]:

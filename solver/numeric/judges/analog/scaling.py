@@ -146,10 +146,10 @@ def scaled_residuals(
     source = PointSource(symbols)
     for _ in range(TRIALS):
         at = {s: sp.Float(complex(v).real, 20) for s, v in dict(source.draw()).items()}
-        put = asked.question._replace(equations=[sp.sympify(e).xreplace(at) for e in asked.question.equations])
+        put = asked.question._replace(equations=[e.xreplace(at) for e in asked.question.equations])
         posed = replace(asked, question=put).posed
-        beta = float(sp.sympify(asked.time_scale).xreplace(at))
-        L = {jet: float(sp.sympify(value).xreplace(at)) for jet, value in factors.items()}
+        beta = float(asked.time_scale.xreplace(at))
+        L = {jet: float(value.xreplace(at)) for jet, value in factors.items()}
         x, t = np.array([random.uniform(0.5, 2.0) for _ in posed.states]), random.uniform(0.3, 2.0)
         drive = _drive(posed, np.array([t]))[0]
         rates = [posed.A @ x + posed.B @ drive] if posed.states else [row @ drive for row in posed.rows.values()]
