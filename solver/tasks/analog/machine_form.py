@@ -6,10 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from solver.conversions.state_space_to_equations import written_out
 from solver.derivation import Derivation, Given, Step, Unsolved, lemma
+from solver.derivation.conversion import converted_to
 from solver.jets import jet_symbol
-from solver.lazy import exact
+from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
 from solver.stated.algebra import total
 from solver.tasks.analog.machine_options import initial_of, inputs_of
@@ -99,7 +99,7 @@ def _first_order(model: Equations) -> Derivation[FirstOrder]:
     if not any(k and name in model.inputs for name, k in _inside(found.model.jets, [*found.f, *found.h])):
         return found
     plant = yield from matrices_of(found)
-    return result_of(first_order_of((yield from written_out(plant))))
+    return result_of(first_order_of((yield from converted_to(plant, systems.Equations))))
 
 
 def machine_model(model: Equations, initial: Mapping[Jet, Expr]) -> Equations:
