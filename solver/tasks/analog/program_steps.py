@@ -25,7 +25,7 @@ DIGITS = 15
 def patched(found: exact.Synthesis, machine: Machine) -> Derivation[None]:
     """Signs, amplifiers, settings, and the table with the diagram."""
     yield _signs(found)
-    yield _amplifiers(found)
+    yield _amplifiers(found, machine)
     yield _settings(found, machine)
     yield _table(found, machine)
 
@@ -46,24 +46,23 @@ def _signs(found: exact.Synthesis) -> Step:
     )
 
 
-def _amplifiers(found: exact.Synthesis) -> Step:
+def _amplifiers(found: exact.Synthesis, machine: Machine) -> Step:
     """What each amplifier integrates or adds: minus the sum of what is there with its sign."""
     rows, claims = [], {}
     for i, row in enumerate(found.rows):
         sign = found.signs.of[row.variable]
         wires = [each for each in found.wires if each.variable == row.variable]
         terms = dict.fromkeys((each.term, each.sign, each.through is not None) for each in wires)
-        sizes = [(abs(row.terms[term]), _there(sign_there, term, through)) for term, sign_there, through in terms]
-        parts = [product(size, term) for size, term in sizes]
+        parts = [_part(abs(row.terms[term]), term, -there if through else there) for term, there, through in terms]
         right = product(sp.S.NegativeOne, total(*parts) if len(parts) > 1 else parts[0]) if parts else sp.S.Zero
         claims[f"row{i}"] = Claim(product(sp.Integer(sign), written(row.terms)), right, "the inputs of an amplifier")
         rows.append((found.amplifiers[row.variable], sign * row.variable, row.initial, sign))
-    return Step("amplifiers", claims=claims, rows=rows)
+    return Step("amplifiers", claims=claims, rows=rows, beta=machine.beta)
 
 
-def _there(sign: int, term: Expr, through: bool) -> Expr:
-    """A term with the sign with which it comes to the amplifier; a summer before it changes that."""
-    return (-sign if through else sign) * term
+def _part(size: Expr, term: Expr, sign: int) -> Any:
+    """What an amplifier gets of a term that comes with that sign, through a summer or not."""
+    return sign * size if term == 1 else product(size, sign * term)
 
 
 def _settings(found: exact.Synthesis, machine: Machine) -> Step:
@@ -84,7 +83,7 @@ def _settings(found: exact.Synthesis, machine: Machine) -> Step:
     unclaimed = "" if claims else "every coefficient is a gain of the machine"
     return Step("settings", claims=claims, unclaimed=unclaimed, rows=rows, direct=direct, shared=shared,
                 scaled=any(L != 1 for L in machine.scaling.factors.values()), beta=machine.beta,
-                reference=machine.reference, sources=any(each.kind == "source" for each in found.program.elements),
+                reference=machine.reference, sources=any(each.volts != 1 for each in found.wires),
                 through=any(each.through not in (None, 1) for each in found.wires))  # fmt: skip
 
 
