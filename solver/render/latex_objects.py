@@ -213,6 +213,8 @@ class ObjectPrinter:
 
     def _print_dict(self, expr: Any) -> Row:
         """Names with their values, in their order; an unknown that is its own value may have any."""
+        if not expr:
+            return row(Text("none"))
         shown = [self._named_value(name, value) for name, value in expr.items()]
         body = separated(shown, COMMA, Space(r"\;"))
         return row(Fenced(r"\{", body, r"\}", tall=any(isinstance(each, Fraction) for each in walk(body))))

@@ -24,7 +24,7 @@ from solver.exact.analog.stages import (
     stage_response,
 )
 from solver.exact.analog.swings import Unbounded, Unsearched
-from solver.exact.analog.synthesis import MOST_INPUTS, NoBound, Synthesis, TooLarge, Wire, bound, synthesized
+from solver.exact.analog.synthesis import MOST_INPUTS, NoBound, Row, Synthesis, TooLarge, Wire, bound, synthesized
 
 __all__ = [
     "MOST_INPUTS",
@@ -35,6 +35,7 @@ __all__ = [
     "NoBound",
     "NotLinearCombination",
     "Response",
+    "Row",
     "Scaling",
     "Signs",
     "Summed",

@@ -69,16 +69,16 @@ def started_at_zero(system: System, options: ProgramOptions) -> tuple[System, Pr
 
 def started_in_machine_time(system: System, options: ProgramOptions) -> tuple[System, ProgramOptions] | None:
     """The initial values divided by β."""
-    return _started(system, options, 1 / sp.sympify(options.time_scale)) if options.time_scale != 1 else None
+    return _started(system, options, 1 / options.beta) if options.beta != 1 else None
 
 
 def without_time_scale(system: System, options: ProgramOptions) -> tuple[System, ProgramOptions] | None:
     """β = 1."""
-    return (system, replace(options, time_scale=sp.S.One)) if options.time_scale != 1 else None
+    return (system, replace(options, time_scale=sp.S.One)) if options.beta != 1 else None
 
 
 def with_the_inverse_time_scale(system: System, options: ProgramOptions) -> tuple[System, ProgramOptions] | None:
     """1/β."""
-    if options.time_scale == 1:
+    if options.beta == 1:
         return None
-    return system, replace(options, time_scale=1 / sp.sympify(options.time_scale))
+    return system, replace(options, time_scale=1 / options.beta)

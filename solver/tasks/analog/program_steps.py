@@ -52,17 +52,29 @@ def _amplifiers(found: exact.Synthesis, machine: Machine) -> Step:
     for i, row in enumerate(found.rows):
         sign = found.signs.of[row.variable]
         wires = [each for each in found.wires if each.variable == row.variable]
-        terms = dict.fromkeys((each.term, each.sign, each.through is not None) for each in wires)
-        parts = [_part(abs(row.terms[term]), term, -there if through else there) for term, there, through in terms]
+        direct = dict.fromkeys((each.term, each.sign) for each in wires if each.through is None)
+        parts = [_part(abs(row.terms[term]), term, there) for term, there in direct]
+        parts += _collected(row, [each for each in wires if each.through is not None])
         right = product(sp.S.NegativeOne, total(*parts) if len(parts) > 1 else parts[0]) if parts else sp.S.Zero
         claims[f"row{i}"] = Claim(product(sp.Integer(sign), written(row.terms)), right, "the inputs of an amplifier")
         rows.append((found.amplifiers[row.variable], sign * row.variable, row.initial, sign))
-    return Step("amplifiers", claims=claims, rows=rows, beta=machine.beta)
+    summers = [(name, found.amplifiers[x]) for x, name in found.collectors.items()]
+    return Step("amplifiers", claims=claims, rows=rows, beta=machine.beta, summers=summers)
 
 
 def _part(size: Expr, term: Expr, sign: int) -> Any:
-    """What an amplifier gets of a term that comes with that sign, through a summer or not."""
+    """What an amplifier gets of a term that comes with that sign."""
     return sign * size if term == 1 else product(size, sign * term)
+
+
+def _collected(row: exact.Row, wires: list[exact.Wire]) -> list[Any]:
+    """What comes from the summer before an amplifier: its gain times minus the sum of what goes through."""
+    if not wires:
+        return []
+    gain = wires[0].through
+    terms = dict.fromkeys((each.term, each.sign) for each in wires)
+    parts = [_part(abs(row.terms[term]) / gain, term, there) for term, there in terms]
+    return [product(sp.S.NegativeOne, gain, total(*parts))]
 
 
 def _settings(found: exact.Synthesis, machine: Machine) -> Step:
@@ -133,7 +145,11 @@ def outputs_of(found: exact.Synthesis, machine: Machine) -> dict[str, Expr]:
     """What each amplifier gives, in the variables of the question: -x'/25."""
     unscaled: dict[Any, Any] = {X: machine.scaling.of(x) * x for x, X in machine.named.items()}
     outputs = {name: found.signs.of[x] * unscaled.get(x, x) for x, name in found.amplifiers.items()}
-    return outputs | {name: -found.signs.of.get(x, 1) * unscaled.get(x, x) for x, name in found.inverters.items()}
+    outputs |= {name: -found.signs.of.get(x, 1) * unscaled.get(x, x) for x, name in found.inverters.items()}
+    for name in found.collectors.values():
+        fed = [each.gain * each.setting * each.sign * each.term for each in found.wires if each.into == name]
+        outputs[name] = -sp.Add(*fed).xreplace(unscaled)
+    return outputs
 
 
 @lemma("program")

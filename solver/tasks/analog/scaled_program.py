@@ -47,7 +47,7 @@ def scaled_for_machine(
 ) -> Derivation[Machine]:
     """Scaled as the maxima say, found where they are not given; relations between voltages as they stand."""
     _check_numbers(equations)
-    reference, beta = sp.sympify(options.reference), sp.sympify(options.time_scale)
+    reference, beta = options.volts, options.beta
     given = {model.symbol(jet): value for jet, value in (options.maximum or {}).items()}
     kept, read = _read_off(equations)
     free = [u for u, value in inputs_of(model, options).items() if value is None]
