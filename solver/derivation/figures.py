@@ -205,12 +205,16 @@ class Component:
 
 @dataclass(frozen=True, slots=True)
 class Schematic:
-    """The drawing of a circuit; node 0 is the ground. `names` are the elements in a line of text."""
+    """The drawing of a circuit; node 0 is the ground. `names` are the elements in a line of text.
+
+    `voltages` are nodes with the symbols of their voltages, which are shown in the place of the names of nodes.
+    """
 
     caption: str
     components: tuple[Component, ...]
     names: tuple[str, ...] = ()
     alt: str = ""
+    voltages: tuple[tuple[str, str], ...] = ()
 
 
 Figure = (

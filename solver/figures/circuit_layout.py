@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from itertools import pairwise, permutations
 
 from solver.derivation.figures import Component, Schematic
+from solver.figures.laid_circuits import Amplifier, CircuitLayout, Placed, dots_of
+from solver.figures.stage_layout import stages_layout
 
 GROUND = "0"
 CELL, COLUMN, HEIGHT, LANE = 2.6, 2.0, 2.6, 1.3
@@ -22,43 +24,6 @@ BESIDE = 0.35
 """How far beside a column a wire from below comes to a node."""
 MOST = 6
 """So many nodes are tried in every order, more in the order of the list only."""
-
-STRAIGHT = 2
-"""As many directions has a wire that goes on."""
-
-Point = tuple[float, float]
-
-
-@dataclass(frozen=True)
-class Placed:
-    """A component with the places of its first and second node."""
-
-    component: Component
-    start: Point
-    end: Point
-
-
-@dataclass(frozen=True)
-class Amplifier:
-    """An operational amplifier: where its upper and its lower input and its output are, and which input is above."""
-
-    component: Component
-    upper: Point
-    lower: Point
-    output: Point
-    minus_above: bool
-
-
-@dataclass
-class CircuitLayout:
-    """A whole drawing."""
-
-    placed: list[Placed] = field(default_factory=list)
-    amplifiers: list[Amplifier] = field(default_factory=list)
-    wires: list[tuple[Point, ...]] = field(default_factory=list)
-    dots: list[Point] = field(default_factory=list)
-    grounds: list[Point] = field(default_factory=list)
-    names: list[tuple[Point, str]] = field(default_factory=list)
 
 
 @dataclass
@@ -103,6 +68,8 @@ class _Plan:
 
 def layout_of(schematic: Schematic) -> CircuitLayout | None:
     """Return the layout of a circuit, None where it cannot be drawn well."""
+    if (stages := stages_layout(schematic)) is not None:
+        return stages
     components = schematic.components
     nodes = list(dict.fromkeys(n for each in components for n in each.nodes if n != GROUND))
     orders: Iterable[Sequence[str]] = permutations(nodes) if len(nodes) <= MOST else [nodes]
@@ -171,7 +138,7 @@ def _drawn(plan: _Plan) -> CircuitLayout:
     for k in plan.amplifiers:
         _place_amplifier(layout, plan, k, entry, leave)
     _rail(layout, plan, left)
-    layout.dots = _dots(layout)
+    layout.dots = dots_of(layout)
     return layout
 
 
@@ -254,22 +221,3 @@ def _rail(layout: CircuitLayout, plan: _Plan, left: Sequence[float]) -> None:
         layout.wires += [((x, 0.0), (following, 0.0)) for x, following in pairwise(feet)]
     if feet:
         layout.grounds.append((feet[0], 0.0))
-
-
-def _dots(layout: CircuitLayout) -> list[Point]:
-    """Where lines leave in three directions or more."""
-    segments = [(each.start, each.end) for each in layout.placed]
-    segments += [pair for wire in layout.wires for pair in pairwise(wire)]
-    points = dict.fromkeys(p for segment in segments for p in segment)
-    return [p for p in points if len({way for segment in segments for way in _ways(p, *segment)}) > STRAIGHT]
-
-
-def _ways(p: Point, a: Point, b: Point) -> list[Point]:
-    """The directions in which a segment along an axis leaves a point of it."""
-    axis = 0 if a[1] == b[1] else 1
-    low, high = sorted((a[axis], b[axis]))
-    if p[1 - axis] != a[1 - axis] or not low <= p[axis] <= high:
-        return []
-    unit = (1.0, 0.0) if axis == 0 else (0.0, 1.0)
-    forward = [unit] if p[axis] < high else []
-    return forward + ([(-unit[0], -unit[1])] if p[axis] > low else [])

@@ -9,7 +9,8 @@ import matplotlib as mpl
 from matplotlib.figure import Figure as Canvas
 
 from solver.derivation.figures import Schematic
-from solver.figures.circuit_layout import Amplifier, CircuitLayout, Placed, Point, layout_of
+from solver.figures.circuit_layout import layout_of
+from solver.figures.laid_circuits import Amplifier, CircuitLayout, Placed, Point
 from solver.figures.palette import INK, SOFT
 from solver.figures.plot_svg import SETTINGS, svg_of
 
@@ -72,12 +73,15 @@ def _draw(axes: Any, layout: CircuitLayout) -> None:
         drawing.add(elements.Dot(radius=0.06).at(dot))
     for ground in layout.grounds:
         drawing.add(elements.Ground().at(ground))
+    for terminal in layout.terminals:
+        drawing.add(elements.Dot(radius=0.09, open=True).at(terminal.place))
     drawing.draw(show=False)
     for amplifier in layout.amplifiers:
         _triangle(axes, amplifier)
     for place, anchor, text, colour in labels_of(layout):
         horizontal, vertical = {"above": ("center", "bottom"), "right": ("left", "center"), "left": ("right", "bottom"),
-                                "centre": ("center", "center")}[anchor]  # fmt: skip
+                                "centre": ("center", "center"), "before": ("right", "center"),
+                                "behind": ("left", "bottom")}[anchor]  # fmt: skip
         axes.text(*place, f"${text}$", ha=horizontal, va=vertical, color=INK if colour else SOFT,
                   fontsize=10.5 if colour else 8.5)  # fmt: skip
 
@@ -96,7 +100,11 @@ def labels_of(layout: CircuitLayout) -> list[tuple[Point, str, str, bool]]:
         (x, top), (_, low), tip = each.upper, each.lower, each.output
         signs = ("-", "+") if each.minus_above else ("+", "-")
         found += [((x + 0.28, top), "centre", signs[0], True), ((x + 0.28, low), "centre", signs[1], True)]
-        found.append(((x + 0.85, tip[1]), "centre", each.component.label, True))
+        if each.component.label:
+            found.append(((x + 0.85, tip[1]), "centre", each.component.label, True))
+    found += [((x + (0.2 if each.right else -0.2), y), "right" if each.right else "before", each.label, True)
+              for each in layout.terminals for x, y in [each.place]]  # fmt: skip
+    found += [((x + 0.1, y + 0.12), "behind", label, True) for (x, y), label in layout.voltages]
     found += [((x - 0.1, y + 0.08), "left", name_of_node(name), False) for (x, y), name in layout.names]
     return found
 
@@ -124,12 +132,20 @@ def tikz(schematic: Schematic) -> str:
     lines += [rf"\draw {' -- '.join(map(_at, wire))};" for wire in layout.wires]
     lines += [rf"\fill {_at(dot)} circle (0.06);" for dot in layout.dots]
     lines += [rf"\node[ground] at {_at(place)} {{}};" for place in layout.grounds]
+    lines += [rf"\draw[fill=white] {_at(each.place)} circle (0.08);" for each in layout.terminals]
     for each in layout.amplifiers:
         (x, top), (_, low), tip = each.upper, each.lower, each.output
         corners = (x, top + 0.5), (x, low - 0.5), tip
         lines.append(rf"\draw {' -- '.join(map(_at, corners))} -- cycle;")
     for place, anchor, text, plain in labels_of(layout):
-        side = {"above": "above, ", "right": "right, ", "left": "above left, ", "centre": ""}[anchor]
+        side = {
+            "above": "above, ",
+            "right": "right, ",
+            "left": "above left, ",
+            "centre": "",
+            "before": "left, ",
+            "behind": "above right, ",
+        }[anchor]
         size = "" if plain else ", gray, font=\\scriptsize"
         lines.append(rf"\node[{side}inner sep=1pt{size}] at {_at(place)} {{${text}$}};")
     return "\n".join([r"\begin{tikzpicture}[scale=0.85, line width=0.6pt]", *lines, r"\end{tikzpicture}"])
