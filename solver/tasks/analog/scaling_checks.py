@@ -122,6 +122,6 @@ def what_maxima_would_mean(given: Given[Equations, MachineOptions], answer: Any)
     for name, jet in truth.jets.items():
         value, size = float(found[name]), float(truth.sizes[jet])
         if jet not in truth.given and abs(value - size) > 0.01 * size:
-            kind = "machines/needlessly_large" if value > size else "machines/passed"
-            return Reason(kind, {"x": truth.model.symbol(jet), "value": found[name], "size": sp.Float(size, 5)})
+            values = {"x": truth.model.symbol(jet), "value": found[name], "size": sp.Float(size, 5)}
+            return Reason("machines/needlessly_large", values) if value > size else Reason("machines/passed", values)
     return None
