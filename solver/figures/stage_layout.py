@@ -16,8 +16,9 @@ from solver.figures.laid_circuits import Amplifier, CircuitLayout, Placed, Point
 GROUND = "0"
 PART, ROW, PINS, LANE = 2.6, 1.35, 1.0, 1.5
 """Length of a part with its ends, distance of rows, of the inputs of an amplifier, and of lanes above it."""
-NODE, FRONT, BODY, OUT = 0.7, 1.5, 1.9, 0.9
-"""How far behind the inputs the feedback branches off and the amplifier begins; how long it and its wire are."""
+NODE, FRONT, BODY, OUT, APART = 0.7, 1.5, 1.9, 0.9, 0.7
+"""How far behind the inputs the feedback branches off and the amplifier begins; how long it and its wire are, and more
+before the next stage."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +91,8 @@ def stages_layout(schematic: Schematic) -> CircuitLayout | None:
         at = _place(layout, stage, at, labels, first=i == 0)
         if i + 1 < len(stages):
             layout.voltages.append(((at[0] - OUT / 2, at[1]), labels[stage.output]))
+            layout.wires.append((at, (at[0] + APART, at[1])))
+            at = at[0] + APART, at[1]
         layout.names.append(((at[0], at[1] + 0.1), stage.output))
     layout.terminals.append(Terminal(at, labels[stages[-1].output], right=True))
     if schematic.voltages:

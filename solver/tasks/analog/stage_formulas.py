@@ -143,10 +143,14 @@ class StageFormulas:
         """The output as it is solved for: a term for each input, and what is held."""
         terms: list[Any] = [] if self.stage.initial == 0 else [self.stage.initial]
         for (name, part), (_, k) in zip(self.stage.inputs, exact.stage_gains(self.stage), strict=True):
-            v = self._here(name)
+            v: Any = self._here(name)
             moved = self.starts.get(name, 0) if part.letter == self.stage.feedback.letter == "C" else 0
-            if k:
+            if k < 0:
                 v = exact.of_time(self.system.symbol(name), k)
+            elif k > 0:
+                v = derivative(
+                    denoted(self.system.symbol(name), exact.of_time(self.system.symbol(name), 0)), sp.Symbol(TIME)
+                )
             terms.append(product(-1, self.gain(part), less(v, moved)))
         return sum_of(terms)
 
