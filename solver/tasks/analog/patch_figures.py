@@ -95,7 +95,7 @@ def decimal(value: Any) -> str:
     if isinstance(value, sp.Rational) and (10**EXACT * value).q == 1:
         shown = f"{float(value):.{EXACT}f}".rstrip("0").rstrip(".")
         return shown if value.q > 1 else str(value.p)
-    return str(sp.latex(sp.Float(value, DIGITS)))
+    return str(sp.latex(sp.N(value, DIGITS)))
 
 
 def _named(symbol: Expr) -> str:
