@@ -17,7 +17,7 @@ from solver.exact.analog.overload import first_overload
 from solver.exact.analog.signs import Signs, carried_signs
 from solver.exact.analog.stages import (
     ImpulseAtStartError,
-    Response,
+    StageResponse,
     cascade_responses,
     of_time,
     stage_gains,
@@ -34,10 +34,10 @@ __all__ = [
     "MachineEquations",
     "NoBound",
     "NotLinearCombination",
-    "Response",
     "Row",
     "Scaling",
     "Signs",
+    "StageResponse",
     "Summed",
     "Synthesis",
     "TooLarge",

@@ -26,7 +26,7 @@ class ImpulseAtStartError(Exception):
 
 
 @dataclass(frozen=True)
-class Response:
+class StageResponse:
     """An output: Σ c sᵏ of each signal, and of what is `held` (in time k < 0); `start` is its value before t = 0."""
 
     terms: Mapping[str, Powers]
@@ -54,7 +54,7 @@ class Response:
 
     def _letters(self) -> set[Any]:
         values = [c for powers in (*self.terms.values(), self.held) for c in powers.values()]
-        return set().union(*(sp.sympify(c).free_symbols for c in values))
+        return set().union(*(getattr(c, "free_symbols", ()) for c in values))
 
 
 def of_time(symbol: Symbol, power: int, taken: Iterable[str] = ()) -> Expr:
@@ -80,7 +80,9 @@ def stage_gains(stage: Any) -> tuple[tuple[Any, int], ...]:
     return tuple(found)
 
 
-def stage_response(stage: Any, signals: Mapping[str, Response], starts: Mapping[str, Any] = NOTHING) -> Response:
+def stage_response(
+    stage: Any, signals: Mapping[str, StageResponse], starts: Mapping[str, Any] = NOTHING
+) -> StageResponse:
     """Return the output of a stage by what its inputs are made of; a signal that is not among these is by itself.
 
     Capacitors that lead to the minus input are charged to what their signal is before t = 0: what `starts` has for one
@@ -90,7 +92,7 @@ def stage_response(stage: Any, signals: Mapping[str, Response], starts: Mapping[
     held: dict[int, Any] = {}
     start = stage.initial if stage.feedback.letter == "C" else sp.S.Zero
     for (name, part), (gain, shift) in zip(stage.inputs, stage_gains(stage), strict=True):
-        signal = signals.get(name, Response({name: {0: sp.S.One}}, start=starts.get(name, sp.S.Zero)))
+        signal = signals.get(name, StageResponse({name: {0: sp.S.One}}, start=starts.get(name, sp.S.Zero)))
         for source, powers in signal.terms.items():
             _add(terms.setdefault(source, {}), powers, -gain, shift)
         rest = dict(signal.held)
@@ -103,7 +105,7 @@ def stage_response(stage: Any, signals: Mapping[str, Response], starts: Mapping[
         _add(held, {k: c for k, c in rest.items() if c != 0}, -gain, shift)
     _add(held, {-1: stage.initial}, 1, 0)
     kept = {name: {k: c for k, c in powers.items() if c != 0} for name, powers in terms.items()}
-    return Response({name: powers for name, powers in kept.items() if powers},
+    return StageResponse({name: powers for name, powers in kept.items() if powers},
                     {k: c for k, c in held.items() if c != 0}, start)  # fmt: skip
 
 
@@ -112,9 +114,9 @@ def _add(into: dict[int, Any], powers: Powers, factor: Any, shift: int) -> None:
         into[k + shift] = sp.cancel(into.get(k + shift, sp.S.Zero) + factor * c)
 
 
-def cascade_responses(stages: Iterable[Any]) -> tuple[Response, ...]:
+def cascade_responses(stages: Iterable[Any]) -> tuple[StageResponse, ...]:
     """Return the outputs of all stages by the given signals. Raises ImpulseAtStartError."""
-    found: dict[str, Response] = {}
+    found: dict[str, StageResponse] = {}
     for stage in stages:
         found[stage.output] = stage_response(stage, found)
     return tuple(found.values())

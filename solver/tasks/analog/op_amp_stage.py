@@ -168,7 +168,9 @@ def _transformed(stage: StageFormulas) -> Step:
                 name=stage.system.transform(stage.stage.output))  # fmt: skip
 
 
-def _cascade(system: OpAmp, stages: list[StageFormulas], responses: tuple[exact.Response, ...]) -> Derivation[None]:
+def _cascade(
+    system: OpAmp, stages: list[StageFormulas], responses: tuple[exact.StageResponse, ...]
+) -> Derivation[None]:
     """The outputs put into the following stages one after the other."""
     names = {name: system.transform(name) for name in system.inputs}
     found = {each: response.transform(names) for each, response in zip(system.outputs, responses, strict=True)}

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from solver.conversions.op_amp_to_circuit import circuit_of
 from solver.derivation.figures import Component, Schematic
 from solver.lazy import sympy as sp
+from solver.tasks.analog.stage_netlists import circuit_of
 from solver.words import formula
 
 if TYPE_CHECKING:

@@ -49,9 +49,9 @@ class StageFormulas:
     starts: Mapping[str, Any]
 
     @property
-    def response(self) -> exact.Response:
+    def response(self) -> exact.StageResponse:
         """The output by the inputs of the stage."""
-        found: exact.Response = exact.stage_response(self.stage, {}, self.starts)
+        found: exact.StageResponse = exact.stage_response(self.stage, {}, self.starts)
         return found
 
     @property
