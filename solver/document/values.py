@@ -7,6 +7,7 @@ from dataclasses import fields
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from solver.derivation import PartResult, Step
 from solver.patches import Program, data_of
@@ -88,6 +89,12 @@ def symbols_of(result: PartResult, steps: Iterable[WordedStep]) -> list[str]:
         for each in step.walk():
             names.update(_names(values_of(each.step).values()))
     return sorted(names - RESERVED)
+
+
+def functions_of(result: PartResult) -> list[str]:
+    """Return the names of the functions of time in the answers, v of v(t), sorted."""
+    values = [each for each in result.answers.values() if isinstance(each, sp.Basic)]
+    return sorted({str(each.func) for value in values for each in value.atoms(AppliedUndef)})
 
 
 def _names(values: Iterable[Any]) -> Iterator[str]:

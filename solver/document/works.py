@@ -16,7 +16,7 @@ from solver.document.checks import Say, check_rows, unchecked, worded_check
 from solver.document.keys import key_of
 from solver.document.model import Document, Presentation, Work, WorkAnswer, WorkStep
 from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of, title_of
-from solver.document.values import as_written, numbers_of, symbols_of, texts_of, values_of
+from solver.document.values import as_written, functions_of, numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution, resolved
 from solver.problem.asked import asked_of, marks_of
 from solver.problem.model import Display, Part, Problem
@@ -133,6 +133,7 @@ class Writer:
             checks=checks,
             system=texts_of(part.system) if told.data else {},
             symbols=tuple(symbols_of(result, worded)) if told.data else (),
+            functions=tuple(functions_of(result)) if told.data else (),
             label=labels[result.id] if labels[result.id] != result.id else "",
         )
 

@@ -27,9 +27,15 @@ def as_data(document: Document) -> Data:
         "version": VERSION,
         "title": document.title,
         "status": str(document.status),
-        "symbols": sorted({name for part in document.parts for name in part.symbols}),
+        "symbols": sorted(_symbols(document)),
         "parts": [_part(part) for part in document.parts if not part.case],
     }
+
+
+def _symbols(document: Document) -> set[str]:
+    """The names of symbols; one that is a signal v(t) somewhere is read as a function there, and as a symbol anyway."""
+    functions = {name for part in document.parts for name in part.functions}
+    return {name for part in document.parts for name in part.symbols} - functions
 
 
 def _part(part: Work) -> Data:

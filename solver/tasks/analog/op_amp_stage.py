@@ -183,8 +183,8 @@ def _cascade(
 
 
 NODAL = "numpy.linalg.solve, nodal equations"
-SERIES = "numpy.polynomial.Chebyshev, current law along random signals"
-EXACT = 1e-9
+SERIES = "numpy.polynomial, current law along random signals"
+EXACT = 1e-10
 """What doubles leave of both."""
 
 
