@@ -118,11 +118,11 @@ class Work:
     `question` and `given` are Markdown; `again` tells that they stand above, with another method. `marks` is a number
     as text, or "" where the file gives none; `out_of` what the part counts for. `reason` (Markdown) says why a part is
     not verified, `unchecked` how many checks could not be made, and why. `rows` is the table of checks, `checks` each
-    of them. `symbols` are the free names of answers and steps, `functions` those of signals v(t) in answers, `system` what
-    is asked about, as sympy reads it. `fault` is what is wrong with the templates, where the part could not be worded. `cases` are the solutions for special
-    values of the parameters, each with its `case`, as `a = 3`; they stand after it among the parts of the document.
-    `label` is the part's name in print, where that is not its key in the file. On a page `same` is the method above
-    that has found the same answers. `equations` are answers told together.
+    of them. `symbols` are the free names of answers and steps, `functions` those of signals v(t) in answers, `system`
+    is what is asked about, as sympy reads it. `fault` is what is wrong with the templates, where the part could not be
+    worded. `cases` are the solutions for special values of the parameters, each with its `case`, as `a = 3`; they stand
+    after it among the parts of the document. `label` is the part's name in print, where that is not its key in the
+    file. On a page `same` is the method above that has found the same answers. `equations` are answers told together.
     """
 
     id: str
