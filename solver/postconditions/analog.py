@@ -47,6 +47,15 @@ def of_scale_factors(found: Any, maxima: Any, reference: Any) -> Iterator[Claim 
     yield Check.that("the variables that are scaled", "compared", list(found) == list(maxima))
 
 
+def of_scaled_symbols(found: Any, equations: Any, scaling: Any) -> Iterator[Check]:
+    """X1, X2, … of the states in their order, and capitals of what else is scaled."""
+    states = [each.variable for each in equations.integrated]
+    others = [each.variable for each in equations.summed]
+    others += [u for u in equations.inputs if u in scaling.factors]
+    names = {x: f"X{i}" for i, x in enumerate(states, 1)} | {x: x.name[0].upper() + x.name[1:] for x in others}
+    yield Check.that("the names of the voltages", "compared", {x: str(volts) for x, volts in found.items()} == names)
+
+
 def of_scaled(found: Any, equations: Any, scaling: Any) -> Iterator[Claim | Check]:
     """With X = L x and τ = β t put in, each right side is L/β times the one before; a sum L times, a start L times."""
     factors, beta = scaling.factors, scaling.time_scale
@@ -67,10 +76,20 @@ def of_scaled(found: Any, equations: Any, scaling: Any) -> Iterator[Claim | Chec
 def of_motions_of(found: Any, equations: Any) -> Iterator[Claim | Check]:
     """Each motion begins at its initial value and changes as its equation says."""
     for each in equations.integrated:
-        x = found[each.variable]
-        if not x.has(sp.Heaviside):
-            yield Claim(derivative(x, TIME), _sum(each.terms).xreplace(found))
-            yield Claim(value_at(x, TIME, sp.S.Zero), each.initial)
+        x, right = found[each.variable], _sum(each.terms).xreplace(found)
+        if x.has(sp.Heaviside) or right.has(sp.Heaviside):
+            yield Check.that("the equation at several times", "sampled", _holds_at_times(x, right))
+        else:
+            yield Claim(derivative(x, TIME), right)
+        yield Claim(value_at(_started(x), TIME, sp.S.Zero), each.initial)
+
+
+def _holds_at_times(x: Any, right: Any) -> bool:
+    """Whether x' is the right side at times between the jumps."""
+    slope = sp.diff(x, TIME).replace(sp.DiracDelta, lambda *_: sp.S.Zero)
+    gaps = ((slope - right).subs(TIME, sp.Rational(37 * i + 1, 89)) for i in range(1, 24))
+    size = max(abs(complex(sp.N(right.subs(TIME, sp.Rational(37 * i + 1, 89)), 15))) for i in range(1, 24))
+    return all(abs(complex(sp.N(gap, 15))) <= SEEN * max(size, 1e-12) for gap in gaps)
 
 
 def of_largest_size(found: Any, equations: Any, terms: Any) -> Iterator[Claim | Check]:

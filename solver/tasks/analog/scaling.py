@@ -73,6 +73,9 @@ def _maximum(equations: exact.MachineEquations, x: Symbol, largest: exact.Larges
     if flat is not None and flat.slope != 0:
         claims["slope"] = Claim(derivative(largest.motion, t), flat.slope, "slope")
         for i, (time, value) in enumerate(zip(flat.times, largest.values, strict=True)):
+            if flat.equation is not None:
+                left, right = flat.equation
+                claims[f"equation{i}"] = Claim(value_at(left, t, time), right, "equation at the zero of the slope")
             claims[f"zero{i}"] = Claim(value_at(flat.slope, t, time), sp.S.Zero, "slope at its zero")
             claims[f"value{i}"] = Claim(value_at(largest.motion, t, time), value, "value there")
             claims[f"decimal{i}"] = Claim(value, _decimal(value), "value there in decimals")
