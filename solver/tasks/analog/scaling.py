@@ -147,7 +147,9 @@ def scaled_equations_of(
     yield Step(
         "factors",
         claims={
-            f"factor{i}": Claim(quotient(reference, maxima[x]), L, Phrase("the scale factor of ${x}$", x=formula(x)))
+            f"factor{i}": Claim(
+                quotient(reference, _decimal(maxima[x])), L, Phrase("the scale factor of ${x}$", x=formula(x))
+            )
             for i, (x, L) in enumerate(factors.items())
             if maxima[x] != 0
         },
