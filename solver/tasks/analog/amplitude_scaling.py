@@ -31,7 +31,7 @@ amplitude_scaling: Task[Equations, ScalingOptions] = Task(
     doc="The equations of a problem in volts and machine time, so that no amplifier of an analog computer overloads.",
     needs=("machine",),
     options=ScalingOptions,
-    example={"equations": "[\"x'' + 8 x' + 25 x = u\"]", "input": "{u: 500}", "initial": "{x: 40}"},
+    example={"equations": "[\"x'' + 8 x' + 25 x = 500\"]", "initial": "{x: 40}"},
     answers=[
         AnswerName("maximum", r"\text{maximum}", "the largest size of each variable, by its name", principal=True,
                    earned=("maximum", "given")),

@@ -152,16 +152,17 @@ def scaled_residuals(
         L = {jet: float(value.xreplace(at)) for jet, value in factors.items()}
         x, t = np.array([random.uniform(0.5, 2.0) for _ in posed.states]), random.uniform(0.3, 2.0)
         drive = _drive(posed, np.array([t]))[0]
-        rates = [posed.A @ x + posed.B @ drive] if posed.states else [row @ drive for row in posed.rows.values()]
+        rows_over = posed.matrix if posed.states else np.array(list(posed.rows.values()))
+        terms = rows_over * np.concatenate([x, drive])
         scales = [L[jet] / beta for jet in posed.states] or [L[name, 0] for name in posed.rows]
         values = _values(posed, x, t, L, beta, volts) | {str(s): float(v) for s, v in at.items()}
-        for i, (row, rate, scale) in enumerate(zip(rows, np.ravel(rates), scales, strict=True)):
+        for i, (row, parts, scale) in enumerate(zip(rows, terms, scales, strict=True)):
             inside = free_symbols([row])
             if {str(s) for s in inside} - set(values):
                 worst[i] = np.inf
                 continue
-            given, wanted = complex(evaluate(row, {s: values[str(s)] for s in inside})), scale * rate
-            worst[i] = max(worst[i], abs(given - wanted) / max(abs(wanted), scale, 1e-12))
+            given, wanted = complex(evaluate(row, {s: values[str(s)] for s in inside})), scale * parts.sum()
+            worst[i] = max(worst[i], abs(given - wanted) / max(abs(scale) * np.abs(parts).sum(), 1e-300))
     yield from worst
 
 
