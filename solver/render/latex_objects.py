@@ -12,7 +12,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
 from solver.formula import MathProblem, read
-from solver.formula.building import as_factor, parenthesized, row, separated, summed, walk
+from solver.formula.building import as_factor, over, parenthesized, power, row, separated, summed, walk
 from solver.formula.nodes import (
     Accent,
     Fenced,
@@ -123,14 +123,13 @@ class ObjectPrinter:
         return row(Fenced("|", self._print(expr.args[0]), "|", tall=True))
 
     def _print_Derivative(self, expr: Any) -> Row:
+        """A derivative of a function of one variable as a quotient of differentials, dv/dt."""
         function, (variable, order) = expr.expr, expr.variable_count[0]
-        if len(expr.variable_count) == 1 and function.is_Function and function.args == (variable,) and order in {1, 2}:
-            dot = {1: r"\dot", 2: r"\ddot"}[int(order)]
-            name = named(type(function).__name__)
-            if isinstance(name, Scripts) and name.above is None and not name.primes:
-                return row(Scripts(Accent(dot, name.base), name.below), self._arguments(function))
-            return row(Accent(dot, name), self._arguments(function))
-        return self._by_sympy(expr)
+        if len(expr.variable_count) > 1 or not function.is_Function or function.args != (variable,):
+            return self._by_sympy(expr)
+        d, x, times = row("d"), self._print(variable), self._print(order)
+        above, below = (d, x) if order == 1 else (power(d, times), power(x, times))
+        return over(row(above, named(type(function).__name__)), row(d, below))
 
     def _print_Integral(self, expr: Any) -> Row:
         """Integrals with their limits, the innermost variable last but for those around it."""
