@@ -13,25 +13,26 @@ from solver.figures.patch_wires import Plan, Wiring
 
 Change = Callable[[Plan], Plan]
 
-MOST_TRIALS = 300
+MOST_TRIALS, TRIED = 150, 3
+"""After so many changes no new round of them begins; so many places of the cells are tried."""
 CROSSING, READING, COLUMN = 6.0, 10.0, 5.0
 """So many centimetres of wire are better than a crossing, than a chain that is broken, than one column more."""
 
 
 def wiring_of(cells: Cells) -> Wiring:
-    """Return the wires of a diagram with the cells at the best of some places."""
-    found = [
-        (_cost(wiring) + READING * grid.reading(spots) + COLUMN * grid.width, wiring)
-        for grid in grids_of(cells)
-        for spots in places_of(grid)
-        for wiring in [_changed(_first(cells, spots))]
-    ]
-    return min(found, key=lambda each: each[0])[1]
+    """Return the wires of a diagram: of some places of the cells those that are best after some changes."""
+    found = []
+    for grid in grids_of(cells):
+        for spots in places_of(grid):
+            read = READING * grid.reading(spots) + COLUMN * grid.width
+            first = Wiring(_first(cells, spots))
+            found.append((read + _cost(first), read, first))
+    changed = [(read, _changed(wiring)) for _, read, wiring in sorted(found, key=lambda each: each[0])[:TRIED]]
+    return min(changed, key=lambda each: each[0] + _cost(each[1]))[1]
 
 
-def _changed(plan: Plan) -> Wiring:
+def _changed(best: Wiring) -> Wiring:
     """Let inputs change places and wires change lanes, as long as that is better."""
-    best = Wiring(plan)
     least, trials, better = _cost(best), 0, True
     while better and trials < MOST_TRIALS:
         better = False
@@ -75,7 +76,11 @@ def _changes(wiring: Wiring) -> Iterator[Change]:
         if wiring.in_lane(number):
             yield from (partial(_in_lane, number, lane) for lane in range(wiring.rows + 1))
     for cell, order in enumerate(plan.orders):
-        yield from (partial(_exchanged, cell, i, j) for i, j in combinations(range(len(order)), 2))
+        ports = [plan.cells.cells[cell].ports[k] for k in order]
+        alike = [(port.cell, port.pot is None) for port in ports]
+        for i, j in combinations(range(len(order)), 2):
+            if alike[i] != alike[j]:
+                yield partial(_exchanged, cell, i, j)
 
 
 def _in_lane(number: int, lane: int, plan: Plan) -> Plan:

@@ -13,7 +13,7 @@ from solver.derivation.mechanisms import Place
 from solver.figures.diagrams import CM, EDGE, SCALE, SHIFT
 from solver.figures.layout import Dot, Label
 from solver.figures.palette import FILL, INK, PAPER, SOFT
-from solver.figures.plot_svg import SETTINGS, svg_of
+from solver.figures.plot_svg import SETTINGS, math, svg_of
 from solver.figures.strokes import Line, Ring, Shape, Stroke, bounds_of, direction, moved
 
 LOOKS: dict[str, dict[str, Any]] = {
@@ -52,7 +52,7 @@ def _draw(axes: Any, stroke: Stroke, order: float) -> None:
             axes.add_patch(Circle((stroke.x, stroke.y), DOT, color=INK, zorder=order))
         case Label() if stroke.text:
             dx, dy, ha, va = SHIFT.get(stroke.anchor, (0, 0, "center", "center"))
-            axes.text(stroke.x + dx, stroke.y + dy, f"${stroke.text}$", ha=ha, va=va, zorder=5)
+            axes.text(stroke.x + dx, stroke.y + dy, math(stroke.text), ha=ha, va=va, zorder=5)
         case Line():
             look = LOOKS[stroke.style]
             xs, ys = zip(*stroke.points, strict=True)

@@ -60,7 +60,9 @@ def test_outputs_follow_from_the_readout_and_from_what_is_said():
     ("value", "text"),
     [(Integer(10), "10"), (Rational(7, 20), "0.35"), (Rational(1, 3), "0.3333"), (sqrt(2) / 2, "0.7071"),
      (-Rational(5, 2), "-2.5"), (Rational(1, 80000), r"1.25 \cdot 10^{-5}"), (Integer(0), "0"),
-     (Rational(24691, 2000), "12.3455"), (20 * sqrt(2), "28.28"), (Integer(12000), "12000"), (Integer(20), "20")],
+     (Rational(24691, 2000), "12.3455"), (20 * sqrt(2), "28.28"),
+     (196 * sqrt(2), "277.2"), (Rational(276999999, 1000003), "277"),
+     (Integer(12000), "12000"), (Integer(20), "20")],
 )  # fmt: skip
 def test_numbers_are_written_as_a_dial_shows_them(value, text):
     assert decimal(value) == text

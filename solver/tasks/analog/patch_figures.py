@@ -95,7 +95,8 @@ def decimal(value: Any) -> str:
     if isinstance(value, sp.Rational) and (10**EXACT * value).q == 1:
         shown = f"{float(value):.{EXACT}f}".rstrip("0").rstrip(".")
         return shown if value.q > 1 else str(value.p)
-    return str(sp.latex(sp.N(value, DIGITS)))
+    digits, times, power = str(sp.latex(sp.N(value, DIGITS))).partition(" ")
+    return "".join((digits.rstrip("0").rstrip(".") if "." in digits else digits, times, power))
 
 
 def _named(symbol: Expr) -> str:
