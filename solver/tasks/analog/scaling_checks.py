@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 
 SIMULATED = "scipy.linalg.expm, step by step"
 EVALUATED = "the equations at random points"
-NEAR = 3e-10
-"""What a simulation in doubles leaves of a largest size."""
 CLOSE = 1e-11
 """What doubles leave of coefficients where the largest sizes are given."""
 
@@ -63,10 +61,10 @@ class Truth:
         named = {f"X{i}": jet for i, jet in enumerate(self.states, 1)}
         return named | {name[0].upper() + name[1:]: jet for name, jet in self.jets.items() if jet not in self.states}
 
-    @property
+    @cached_property
     def near(self) -> float:
         """How near a value must be that rests on the largest sizes."""
-        return CLOSE if all(jet in self.given for jet in self.jets.values()) else NEAR
+        return CLOSE if all(jet in self.given for jet in self.jets.values()) else judges.accuracy(self.asked)
 
 
 def of_maxima(given: Given[Equations, MachineOptions], answer: Any) -> Iterator[Check]:
@@ -93,7 +91,7 @@ def _each(truth: Truth, answer: Any, wanted: Mapping[Jet, Any], label: str) -> I
             yield numeric.check_claim(Claim(found[name], quotient(wanted[jet], sp.S.One)), says)
         else:
             gap = abs(complex(sp.N(found[name] - wanted[jet], 17)))
-            yield Check.within(says, SIMULATED, gap / max(abs(float(wanted[jet])), 1e-300) if gap else 0.0, NEAR)
+            yield Check.within(says, SIMULATED, gap / max(abs(float(wanted[jet])), 1e-300) if gap else 0.0, truth.near)
 
 
 def of_equations(given: Given[Equations, MachineOptions], answer: Any) -> Iterator[Check]:

@@ -10,11 +10,12 @@ from solver.numeric.judges.analog.programs import (
     within_digits,
 )
 from solver.numeric.judges.analog.repairs import repair_of
-from solver.numeric.judges.analog.scaling import largest_sizes, scaled_residuals
+from solver.numeric.judges.analog.scaling import accuracy, largest_sizes, scaled_residuals
 from solver.numeric.judges.analog.stages import output_residual, transform_residual
 
 __all__ = [
     "Asked",
+    "accuracy",
     "expected_overload",
     "freed_gap",
     "largest_sizes",

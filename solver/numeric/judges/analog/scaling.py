@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from scipy.linalg import expm
+from scipy.linalg import expm, matrix_balance
 from scipy.optimize import brentq
 
 from solver.numeric.evaluation.arithmetic import Array
@@ -29,6 +29,8 @@ PER_FASTEST = 12.0
 LATEST = 30.0
 """In time constants of the slowest mode."""
 MOST = 150_000
+ROUNDED = 1e-14
+LEAST, MOST_LOST = 3e-10, 1e-6
 NEXT = 1e-9
 SMALL = 1e-7
 """What stays below that, relatively to the others, is no motion."""
@@ -46,6 +48,12 @@ def largest_sizes(asked: Asked) -> dict[Jet, float]:
         sizes = np.maximum(sizes, reached)
     sizes[sizes < SMALL * max(1e-300, float(np.max(sizes, initial=0.0)))] = 0.0
     return dict(zip(posed.states, (float(each) for each in sizes), strict=True))
+
+
+def accuracy(asked: Asked) -> float:
+    """What rounding leaves of a simulation, relatively: more where the modes are nearly alike."""
+    vectors = np.linalg.eig(matrix_balance(Posed(asked).A)[0])[1]
+    return float(np.clip(ROUNDED * np.linalg.cond(vectors), LEAST, MOST_LOST))
 
 
 def _intervals(posed: Posed) -> Iterator[tuple[float, float]]:
