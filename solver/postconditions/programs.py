@@ -66,7 +66,7 @@ def _fewest(found: Any, equations: Any) -> Iterator[Check]:
         least.append(len(turned))
     added = len(found.inverters) + len(found.collectors)
     yield Check.that(
-        "no more amplifiers than inverters would do", "all signs tried out", added <= min(least, default=0)
+        "no more amplifiers than inverters would do", "compared", added <= min(least, default=0)
     )
 
 
@@ -80,8 +80,8 @@ def of_first_overload(found: Any, _equations: Any, maxima: Mapping[Any, Any]) ->
         abs(complex(sp.N(motion.xreplace({TIME: sp.Float(last * i / SAMPLES)}), 15)).real) for i in range(SAMPLES + 1)
     ]
     limit = float(maxima[x])
-    yield Check.that("the size is reached then", "values", abs(sizes[-1] - limit) <= SEEN * limit)
-    yield Check.that("and not before", "values at samples", all(each <= limit * (1 + SEEN) for each in sizes[:-1]))
+    yield Check.that("the size is reached then", "sympy.N", abs(sizes[-1] - limit) <= SEEN * limit)
+    yield Check.that("and not before", "sympy.N", all(each <= limit * (1 + SEEN) for each in sizes[:-1]))
 
 
 def of_bound(found: Any, function: Any) -> Iterator[Check]:
@@ -91,4 +91,4 @@ def of_bound(found: Any, function: Any) -> Iterator[Check]:
         values = [
             abs(complex(sp.N(function.xreplace({symbols[0]: sp.Rational(3 * i, 7)}), 15))) for i in range(SAMPLES)
         ]
-        yield Check.that("a bound of a function", "values at samples", max(values) <= float(found) * (1 + SEEN))
+        yield Check.that("a bound of a function", "sympy.N", max(values) <= float(found) * (1 + SEEN))

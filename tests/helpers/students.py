@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from solver.patches import Program, data_of
 from solver.render.plain import sympy_text
 
 
@@ -24,6 +25,8 @@ def _data(value: Any) -> Any:
         return [_data(each) for each in value]
     if isinstance(value, sp.MatrixBase):
         return [[_data(entry) for entry in row] for row in value.tolist()]
+    if isinstance(value, Program):
+        return data_of(value, sympy_text, sympy_text)
     if value in (sp.true, sp.false):
         return "always" if value else "never"
     if isinstance(value, sp.And | sp.Or):

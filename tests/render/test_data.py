@@ -1,6 +1,7 @@
 """The result as JSON: readable by any program, the values by sympy, and never a number that JSON does not have."""
 
 import json
+from functools import partial
 
 import pytest
 import sympy as sp
@@ -10,6 +11,7 @@ from solver.derivation import Answers, Check, CheckStatus, PartResult, Status
 from solver.document.model import Presentation
 from solver.document.works import document_of
 from solver.engine import Solution, solve_problem
+from solver.patches import Program, program_of
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
 from solver.render.data import as_data, render_json
@@ -52,6 +54,8 @@ def test_every_answer_is_read_back_as_it_was(path):
             text = part["answers"][name]["value"]
             if isinstance(value, str):
                 assert text == value
+            elif isinstance(value, Program):
+                assert list(program_of(text, partial(sp.sympify, locals=names)).readout) == list(value.readout)
             else:
                 assert same(sp.sympify(text, locals=names), value)
 

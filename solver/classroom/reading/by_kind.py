@@ -49,7 +49,8 @@ class KindReader:
         if isinstance(ours, sp.MatrixBase):
             return self._matrix(node, ours)
         if isinstance(ours, Mapping):
-            return self._cases(node, ours) if all(isinstance(name, str) for name in ours) else self._mapping(node, ours)
+            cases = bool(ours) and all(isinstance(name, str) for name in ours)
+            return self._cases(node, ours) if cases else self._mapping(node, ours)
         return self._value(node, ours)
 
     def _cases(self, node: Node, ours: Mapping[str, Any]) -> Pair:
@@ -103,6 +104,8 @@ class KindReader:
 
     def _mapping(self, node: Node, ours: Mapping[Any, Any]) -> Pair:
         """Names with their values; a single one may be left out."""
+        if not ours and self._says_none(node):
+            return {}, {}
         if len(ours) == 1 and isinstance(node, ScalarNode) and mapped(node, typed(node)) is None:
             (name,) = ours
             value, form = self.texts.expression(node)

@@ -22,12 +22,19 @@ if TYPE_CHECKING:
     from solver.patches import Program
     from solver.systems import Equations, System
 
+GAINS = (1, 10)
+
 
 @dataclass(frozen=True, kw_only=True)
 class ProgramOptions(MachineOptions):
     """How the problem is put on the machine, and what the machine has."""
 
     gains: Any = option(ExpressionList(), "the gains of the inputs of the machine's amplifiers", default=[1, 10])
+
+    @property
+    def amplifications(self) -> list[Any]:
+        """The gains, also where they are the usual ones."""
+        return [sp.Integer(gain) if isinstance(gain, int) else gain for gain in self.gains or GAINS]
 
 
 analog_program: Task[Equations, ProgramOptions] = Task(
@@ -36,7 +43,7 @@ analog_program: Task[Equations, ProgramOptions] = Task(
     doc="The program that computes linear equations on an analog computer, with as few amplifiers as possible.",
     needs=("machine",),
     options=ProgramOptions,
-    example={"equations": "[\"x'' + 8 x' + 25 x = u\"]", "input": "{u: 500}", "initial": "{x: 40}"},
+    example={"equations": "[\"x'' + 8 x' + 25 x = 500\"]", "initial": "{x: 40}"},
     answers=[
         AnswerName("potentiometers", r"\text{potentiometers}", "the setting of each potentiometer, by its name",
                    free=True, principal=True, earned=("settings",)),
@@ -53,7 +60,7 @@ program_mistakes.register(analog_program)
 def wrong_question(system: System, options: ProgramOptions) -> Iterable[tuple[str, Reason]]:
     """Names, maxima and initial values that do not fit, and gains that no amplifier has."""
     yield from (each for each in faults_of(system, options) if each[1].kind != "machines/no_function")
-    if options.gains is not None and not all(gain.is_positive for gain in options.gains):
+    if not all(gain.is_positive for gain in options.amplifications):
         yield "gains", Reason("analog_program/gains")
 
 
@@ -64,7 +71,7 @@ def by_integrators(given: Given[Equations, ProgramOptions]) -> Derivation[Answer
     equations = yield from form_of(given)
     machine = yield from scaled_for_machine(model, equations, options)
     try:
-        found = exact.synthesized(machine.scaled, machine.readout, list(options.gains), machine.reference)
+        found = exact.synthesized(machine.scaled, machine.readout, options.amplifications, machine.reference)
     except exact.TooLarge as case:
         raise _too_large(case, machine) from None
     except exact.NoBound as case:

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from solver.systems import Equations
     from solver.tasks.analog.analog_program import ProgramOptions
 
-SIMULATED = "simulation of the program as it is patched"
-COMPARED = "the derivatives at the start, from any voltages"
+SIMULATED = "scipy.linalg.expm, step by step"
+COMPARED = "numpy.linalg.lstsq"
 NEAR = 1e-6
 """What roundings within the digits of a program leave of a comparison."""
 SOON = 1e-3
@@ -50,9 +50,7 @@ def asked_of(given: Given[Equations, ProgramOptions]) -> judges.Asked:
         str(model.symbol(jet)): value for jet, value in (options.maximum or {}).items() if jet in states_of(model)
     }
     start = initial if model is own else model.initial
-    return judges.Asked(
-        question_of(model), start, inputs, read, required, options.time_scale, options.reference, maxima
-    )
+    return judges.Asked(question_of(model), start, inputs, read, required, options.beta, options.volts, maxima)
 
 
 def _name_of(output: Any, model: Equations, i: int) -> str:
@@ -67,9 +65,9 @@ def of_program(given: Given[Equations, ProgramOptions], program: Any) -> Iterato
     if not isinstance(program, Program):
         yield Check.that("it is a program", SIMULATED, False, answer="program")
         return
-    wrong = {fault.kind for fault in faults_of(program, given.options.gains)}
+    wrong = {fault.kind for fault in faults_of(program, given.options.amplifications)}
     for kind, says in PATCHED.items():
-        yield Check.that(says, "the elements of the program", kind not in wrong, answer="program")
+        yield Check.that(says, "inspection", kind not in wrong, answer="program")
     if "loop" in wrong:
         return
     asked = asked_of(given)

@@ -93,7 +93,8 @@ def _settings(found: exact.Synthesis, machine: Machine) -> Step:
         before.append(wire.gain * wire.setting)
     shared = any(len(each) > 1 for each in made.values())
     unclaimed = "" if claims else "every coefficient is a gain of the machine"
-    return Step("settings", claims=claims, unclaimed=unclaimed, rows=rows, direct=direct, shared=shared,
+    lines = [(f"P_{{{pot[1:]}}}", claim.left, claim.right) for pot, claim in claims.items()]
+    return Step("settings", claims=claims, unclaimed=unclaimed, rows=rows, lines=lines, direct=direct, shared=shared,
                 scaled=any(L != 1 for L in machine.scaling.factors.values()), beta=machine.beta,
                 reference=machine.reference, sources=any(each.volts != 1 for each in found.wires),
                 through=any(each.through not in (None, 1) for each in found.wires))  # fmt: skip
