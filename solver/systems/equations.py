@@ -157,9 +157,9 @@ def _static(reader: Reader) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
     """
     sides, _ = reader.relations("equations", ())
     reader.conclude()
-    left = tuple(side.name for side, _ in sides if side.is_Symbol)
+    left = tuple(str(side) for side, _ in sides if side.is_Symbol)
     terms = [term for _, right in reader.written("equations", ()) for term in right]
-    named = dict.fromkeys(each.name for term in terms for each in sorted(term.free_symbols, key=str))
+    named = dict.fromkeys(str(each) for term in terms for each in sorted(term.free_symbols, key=str))
     others = tuple(name for name in named if name not in left)
     return (left, others) if len(left) == len(sides) and others else None
 
