@@ -136,14 +136,17 @@ class Scaling:
 
 def scale_factors(maxima: Mapping[sp.Symbol, sp.Expr], reference: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
     """L = reference/maximum; 1 for what stays zero; of a transcendental number in `DIGITS` decimals."""
+    return {
+        x: in_decimals(sp.cancel(reference / in_decimals(value))) if value != 0 else sp.S.One
+        for x, value in maxima.items()
+    }
 
-    def factor(value: sp.Expr) -> sp.Expr:
-        if value == 0:
-            return sp.S.One
-        L = sp.cancel(reference / value)
-        return sp.N(L, DIGITS) if value.is_number and value.atoms(sp.Function) else L
 
-    return {x: factor(value) for x, value in maxima.items()}
+def in_decimals(value: sp.Expr) -> sp.Expr:
+    """A number with functions or irrational powers in it in decimals; any other as it is."""
+    powers = any(not power.exp.is_Rational for power in value.atoms(sp.Pow))
+    found: sp.Expr = sp.N(value, DIGITS) if value.is_number and (powers or value.atoms(sp.Function)) else value
+    return found
 
 
 def scaled_symbols(equations: MachineEquations, scaling: Scaling) -> dict[Any, sp.Symbol]:

@@ -112,7 +112,7 @@ def _in_the_end(motion: sp.Expr, pieces: Sequence[tuple[sp.Expr, RationalMatrix]
         image = pieces[0][1]
         level = limit(image, discrete=False)
         exact = sp.Abs(level[0]) if level is not None else _swing(motion)
-        if exact is not None and sp.N(abs(exact - value) - 1e-20 * sp.Max(1, value), DIGITS) < 0:
+        if exact is not None and abs(sp.N(exact - value, DIGITS)) < 1e-20 * max(1.0, float(value)):
             return Largest(motion, kind, exact)
     return Largest(motion, kind, value)
 

@@ -78,7 +78,7 @@ def _maximum(equations: exact.MachineEquations, x: Symbol, largest: exact.Larges
                 claims[f"equation{i}"] = Claim(value_at(left, t, time), right, "equation at the zero of the slope")
             claims[f"zero{i}"] = Claim(value_at(flat.slope, t, time), sp.S.Zero, "slope at its zero")
             claims[f"value{i}"] = Claim(value_at(largest.motion, t, time), value, "value there")
-            claims[f"decimal{i}"] = Claim(value, _decimal(value), "value there in decimals")
+            claims[f"decimal{i}"] = Claim(value, exact.in_decimals(value), "value there in decimals")
     elif largest.kind == "peak" and not largest.motion.has(sp.Heaviside):
         claims["zero0"] = Claim(
             value_at(derivative(largest.motion, t), t, largest.time), sp.S.Zero, "slope at its zero"
@@ -93,10 +93,10 @@ def _maximum(equations: exact.MachineEquations, x: Symbol, largest: exact.Larges
         flat=flat,
         fading=largest.motion.has(sp.exp),
         decimals=[
-            (_decimal(time), _decimal(value))
+            (exact.in_decimals(time), exact.in_decimals(value))
             for time, value in zip(flat.times if flat else (), largest.values, strict=True)
         ],
-        size=_decimal(largest.value),
+        size=exact.in_decimals(largest.value),
         start=start,
     )
 
@@ -124,18 +124,13 @@ def used_range_of(
             found = exact.largest_size(equations, {x: sp.S.One})
         except (exact.Unbounded, exact.Undecided, exact.Unsearched, exact.NotExact):
             continue
-        size, L = _decimal(found.value), scaling.of(x)
+        size, L = exact.in_decimals(found.value), scaling.of(x)
         volts = L * size
         claims[f"volts{len(rows)}"] = Claim(product(L, size), volts, "the largest voltage")
         rows.append((x, size, volts, bool((volts - reference).is_positive)))
     if rows:
         yield Step("used", claims=claims, rows=rows, reference=reference, detail="full",
                    beyond=[x for x, *_, beyond in rows if beyond])  # fmt: skip
-
-
-def _decimal(value: Any) -> Any:
-    """A transcendental number in decimals; any other as it is, so that it is not repeated."""
-    return sp.N(value, 30) if value.atoms(sp.Function) else value
 
 
 @lemma("scaling")
@@ -148,7 +143,7 @@ def scaled_equations_of(
         "factors",
         claims={
             f"factor{i}": Claim(
-                quotient(reference, _decimal(maxima[x])), L, Phrase("the scale factor of ${x}$", x=formula(x))
+                quotient(reference, exact.in_decimals(maxima[x])), L, Phrase("the scale factor of ${x}$", x=formula(x))
             )
             for i, (x, L) in enumerate(factors.items())
             if maxima[x] != 0

@@ -28,7 +28,8 @@ PER_FASTEST = 12.0
 """Samples in 1/|λ| of the fastest mode."""
 LATEST = 30.0
 """In time constants of the slowest mode."""
-MOST = 150_000
+MOST = 60_000
+"""Steps of that length; what comes later is followed in as many longer ones."""
 ROUNDED = 1e-14
 LEAST, MOST_LOST = 3e-10, 1e-6
 NEXT = 1e-9
@@ -44,8 +45,11 @@ def largest_sizes(asked: Asked) -> dict[Jet, float]:
     sizes = np.zeros(len(posed.states))
     x = posed.start
     for start, end in _intervals(posed):
-        x, reached = _followed(posed, x, start, end)
-        sizes = np.maximum(sizes, reached)
+        fine = start + MOST / _fastest(posed) / PER_FASTEST
+        for a, b in ((start, min(fine, end)), (fine, end)):
+            if a < b:
+                x, reached = _followed(posed, x, a, b)
+                sizes = np.maximum(sizes, reached)
     sizes[sizes < SMALL * max(1e-300, float(np.max(sizes, initial=0.0)))] = 0.0
     return dict(zip(posed.states, (float(each) for each in sizes), strict=True))
 
@@ -73,6 +77,11 @@ def _intervals(posed: Posed) -> Iterator[tuple[float, float]]:
     yield from zip(ends, [*ends[1:], last], strict=True)
 
 
+def _fastest(posed: Posed) -> float:
+    """The fastest rate of the modes and of the inputs."""
+    return float(max([*np.abs(np.linalg.eigvals(posed.A)), *_changes(posed), 1e-9]))
+
+
 def _changes(posed: Posed) -> list[float]:
     """How fast the inputs change."""
     found = []
@@ -85,10 +94,10 @@ def _changes(posed: Posed) -> list[float]:
 
 def _followed(posed: Posed, x: Array, start: float, end: float) -> tuple[Array, Array]:
     """The states at the end of an interval without jumps, and the largest sizes within it."""
-    fastest = max([*np.abs(np.linalg.eigvals(posed.A)), *_changes(posed), 1.0 / (end - start)])
+    fastest = max(_fastest(posed), 1.0 / (end - start))
     steps = int(min(MOST, np.ceil((end - start) * fastest * PER_FASTEST))) + 1
     h = (end - start) / steps
-    roots, weights = np.polynomial.legendre.leggauss(4)
+    roots, weights = np.polynomial.legendre.leggauss(4 if fastest * h < 1.0 else 24)
     times = start + h * np.arange(steps + 1)
     inside = np.clip(times, start + NEXT * (end - start), end - NEXT * (end - start))
     nodes = times[:-1, None] + h * (1 + roots) / 2
