@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from solver.jets import jet_symbol
 from solver.lazy import sympy as sp
+from solver.symbols import RESERVED
 from solver.systems.kind import Component, Key, Keyed, Kind, MappingTo, OneOrMore, Reader, Value
 
 if TYPE_CHECKING:
@@ -238,7 +239,7 @@ def _check_names(readers: Sequence[Reader], system: OpAmp) -> None:
             if (name not in system.inputs and name != OUTPUT) or (i and not j):
                 continue
             capital = transform_name(name)
-            if name in ("s", "t", "k", "z"):
+            if name in RESERVED:
                 inner.complain(key, f"'{name}' cannot be an input: it is a variable", at_key=True)
             elif name == OUTPUT:
                 inner.complain(key, f"{OUTPUT} is the output; give the input another name", at_key=True)
