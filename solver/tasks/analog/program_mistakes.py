@@ -30,6 +30,15 @@ NO_TIME = Slip("time_scale", "the time scale is left out: the integrators run as
 FASTER = Slip("time_scale", "the time scale is upside down: the gains of the integrators are multiplied by it")
 NO_START = Slip("initial", "the initial values are left out")
 
+TOLD = {
+    "readout": Reason("programs/readout"),
+    "readout_sign": Reason("programs/readout_sign"),
+    "initial": Reason("programs/initial"),
+    "input": Reason("programs/input"),
+    "setting": Reason("programs/setting"),
+}
+"""What is said of the one change that would make a program right."""
+
 
 def register(task: Task[Equations, ProgramOptions]) -> None:
     """Register what goes wrong with programs."""
@@ -46,7 +55,7 @@ def changed_once(attempt: Attempt[Equations, ProgramOptions]) -> Reason | None:
     if not isinstance(attempt.value, Program) or algebraic_loop(attempt.value):
         return None
     repair = judges.repair_of(asked_of(attempt.given), attempt.value)
-    return None if repair is None else Reason(f"programs/{repair[0]}", {"element": repair[1], "fed": repair[2]})
+    return None if repair is None else replace(TOLD[repair[0]], values={"element": repair[1], "fed": repair[2]})
 
 
 def _started(system: Any, options: ProgramOptions, by: Any) -> tuple[System, ProgramOptions] | None:
