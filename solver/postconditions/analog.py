@@ -47,6 +47,11 @@ def of_scale_factors(found: Any, maxima: Any, reference: Any) -> Iterator[Claim 
     yield Check.that("the variables that are scaled", "compared", list(found) == list(maxima))
 
 
+def of_in_decimals(found: Any, value: Any) -> Iterator[Claim]:
+    """The number itself."""
+    yield Claim(value, found)
+
+
 def of_scaled_symbols(found: Any, equations: Any, scaling: Any) -> Iterator[Check]:
     """X1, X2, … of the states in their order, and capitals of what else is scaled."""
     states = [each.variable for each in equations.integrated]
