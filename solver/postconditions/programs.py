@@ -12,6 +12,8 @@ from solver.derivation import Check, Claim
 from solver.patches import faults_of
 
 TIME = sp.Symbol("t")
+ALL_TRIED = 9
+"""Up to so many amplifiers a program is said to be the best of all choices of signs."""
 TRIED_OUT = 6
 """Up to so many amplifiers all signs are tried out."""
 SAMPLES = 12
@@ -44,6 +46,9 @@ def of_synthesized(
         yield Check.that("what is read out", "compared", of == found.amplifiers[x] and by == signs[x] * factor)
     yield Check.that("it can be patched", "compared", not list(faults_of(program, gains)))
     yield Check.that("the reference", "compared", program.reference == reference)
+    amplifiers = len(found.amplifiers)
+    tried = not found.signs.exhaustive or found.signs.tried == 2**amplifiers
+    yield Check.that("all choices of signs", "counted", tried and found.signs.exhaustive == (amplifiers <= ALL_TRIED))
     yield from _fewest(found, equations)
 
 
@@ -65,9 +70,7 @@ def _fewest(found: Any, equations: Any) -> Iterator[Check]:
         }
         least.append(len(turned))
     added = len(found.inverters) + len(found.collectors)
-    yield Check.that(
-        "no more amplifiers than inverters would do", "compared", added <= min(least, default=0)
-    )
+    yield Check.that("no more amplifiers than inverters would do", "compared", added <= min(least, default=0))
 
 
 def of_first_overload(found: Any, _equations: Any, maxima: Mapping[Any, Any]) -> Iterator[Claim | Check]:

@@ -50,9 +50,10 @@ def scaled_for_machine(
     reference, beta = options.volts, options.beta
     given = {model.symbol(jet): value for jet, value in (options.maximum or {}).items()}
     kept, read = _read_off(equations)
+    variables = [*(each.variable for each in kept.integrated), *(each.variable for each in kept.summed)]
     free = [u for u, value in inputs_of(model, options).items() if value is None]
     if not kept.integrated:
-        known = {x: given[x] for x in kept.variables if x in given}
+        known = {x: given[x] for x in variables if x in given}
     elif free and any(each.variable not in given for each in kept.integrated):
         known = {each.variable: given.get(each.variable, _at_least(reference, each)) for each in kept.integrated}
         yield Step("unscaled", unclaimed="a choice", inputs=free, reference=reference,
@@ -69,14 +70,14 @@ def scaled_for_machine(
         scaling, scaled = yield from scaled_equations_of(kept, known, reference, beta)
         named = exact.scaled_symbols(kept, scaling)
     else:
-        scaling, scaled, named = exact.Scaling({}, sp.S.One), kept, {x: x for x in kept.variables}
+        scaling, scaled, named = exact.Scaling({}, sp.S.One), kept, {x: x for x in variables}
     told = {*map(model.symbol, states_of(model)), *(each.variable for each in kept.summed)}
-    readout = {str(x): (named[x], 1 / scaling.of(x)) for x in kept.variables if x in told}
+    readout = {str(x): (named[x], 1 / scaling.of(x)) for x in variables if x in told}
     readout |= {str(y): (named[x], c / scaling.of(x)) for y, (x, c) in read.items()}
     realized = machine_model(model, initial_of(model, options)).outputs
     readout |= {str(y): (named[x], 1 / scaling.of(x)) for y, x in zip(model.outputs, realized, strict=True)
                 if x != y and x in named and y in model.jets}  # fmt: skip
-    own = {x: value for x, value in given.items() if x in kept.variables}
+    own = {x: value for x, value in given.items() if x in variables}
     return Machine(kept, scaled, scaling, named, readout, own, reference, beta)
 
 
