@@ -41,6 +41,9 @@ def of_synthesized(
         yield Claim(sp.expand(-fed), sp.Add(*(sign * c * term for term, c in each.terms.items())))
         if element.kind == "integrator":
             yield Claim(element.initial, sign * each.initial)
+    for wire in found.wires:
+        yield Claim(given(wire.origin), wire.sign * wire.volts * wire.term)
+    yield from _as_told(found, equations)
     for name, (x, factor) in readout.items():
         of, by = program.readout[name]
         yield Check.that("what is read out", "compared", of == found.amplifiers[x] and by == signs[x] * factor)
@@ -50,6 +53,22 @@ def of_synthesized(
     tried = not found.signs.exhaustive or found.signs.tried == 2**amplifiers
     yield Check.that("all choices of signs", "counted", tried and found.signs.exhaustive == (amplifiers <= ALL_TRIED))
     yield from _fewest(found, equations)
+
+
+def _as_told(found: Any, equations: Any) -> Iterator[Check]:
+    """The rows are the equations, and each wire is one of the program."""
+    rows = [(each.variable, dict(each.terms)) for each in (*equations.integrated, *equations.summed)]
+    same = [(row.variable, dict(row.terms)) for row in found.rows] == rows
+    same = same and [row.initial for row in found.rows] == [
+        *(each.initial for each in equations.integrated), *(None for _ in equations.summed)
+    ]  # fmt: skip
+    yield Check.that("the equations of the amplifiers", "compared", same)
+    settings = found.program.potentiometers
+    for wire in found.wires:
+        fed = (wire.pot or wire.origin, wire.gain) in found.program[wire.into].inputs
+        own = settings[wire.pot] == wire.setting if wire.pot else wire.setting == 1
+        rows_of = dict(rows)[wire.variable]
+        yield Check.that("a wire", "compared", fed and own and rows_of[wire.term] == wire.coefficient)
 
 
 def _fewest(found: Any, equations: Any) -> Iterator[Check]:
