@@ -25,10 +25,9 @@ from solver.exact.analog.stages import (
     stage_response,
 )
 from solver.exact.analog.swings import Unbounded, Unsearched
-from solver.exact.analog.synthesis import MOST_INPUTS, NoBound, Row, Synthesis, TooLarge, Wire, bound, synthesized
+from solver.exact.analog.synthesis import NoBound, Row, Synthesis, TooLarge, Wire, bound, synthesized
 
 __all__ = [
-    "MOST_INPUTS",
     "ImpulseAtStartError",
     "Integrated",
     "Largest",

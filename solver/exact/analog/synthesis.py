@@ -26,6 +26,7 @@ class TooLarge(ValueError):  # noqa: N818 - a case, no mishap
     def __init__(self, variable: sp.Symbol, term: sp.Expr, coefficient: sp.Expr, most: sp.Expr) -> None:
         super().__init__(f"{coefficient} > {most}")
         self.variable, self.term, self.coefficient, self.most = variable, term, coefficient, most
+        self.inputs = MOST_INPUTS
 
 
 class NoBound(ValueError):  # noqa: N818 - a case, no mishap

@@ -92,7 +92,7 @@ def settings_of(program: Program) -> dict[Any, Any]:
 def _too_large(case: exact.TooLarge, machine: Machine) -> Unsolved:
     """What to change where a coefficient is too large: a slower machine, for a sum other maxima."""
     integrated = any(each.variable == case.variable for each in machine.scaled.integrated)
-    most = exact.MOST_INPUTS * case.most
+    most = case.inputs * case.most
     slower = _slow_enough(machine, most) if integrated else None
     return Unsolved(
         "analog_program/too_large",
@@ -101,7 +101,7 @@ def _too_large(case: exact.TooLarge, machine: Machine) -> Unsolved:
         coefficient=case.coefficient,
         gain=case.most,
         most=most,
-        inputs=exact.MOST_INPUTS,
+        inputs=case.inputs,
         slower=slower,
     )
 
