@@ -1,4 +1,4 @@
-"""The choice among the readings of a value: exactly one that is right counts, and where none is the value is wrong."""
+"""The choice among the readings of a value: exactly one that is right counts; otherwise the value is not judged."""
 
 from __future__ import annotations
 
@@ -22,33 +22,24 @@ def judged_by_readings(
     """Return the verdict of every value; of one with several readings that of the only right one.
 
     A reading is judged beside the values that have one reading. Where all are right, what was meant does not matter.
-    A value that none of them makes right is wrong, and keeps the entries of the reading with the most right ones.
+    A value that none of them makes right is not judged; the reason says so.
     """
     chosen = {name: each for name, each in submitted.items() if not each.others}
     unclear: dict[str, AnswerVerdict] = {}
     for name, each in submitted.items():
         readings = [replace(each, others=()), *each.others] if each.others else []
-        judged = [judge(question, {**chosen, name: read})[name] for read in readings]
-        verdicts = [each.verdict for each in judged]
+        verdicts = [judge(question, {**chosen, name: read})[name].verdict for read in readings]
         right = [read for read, verdict in zip(readings, verdicts, strict=True) if verdict is Verdict.CORRECT]
         if len(right) == 1 or (right and len(right) == len(readings)):
             chosen[name] = right[0]
         elif readings and all(verdict is Verdict.WRONG for verdict in verdicts):
             neither = Reason("marking/no_reading_right", {"readings": [_as_told(read.value) for read in readings]})
-            unclear[name] = replace(max(judged, key=_right_entries), value=None, reason=neither, note="")
+            unclear[name] = AnswerVerdict(name, Verdict.NOT_JUDGED, reason=neither)
         elif readings:
             reason = Reason("marking/several_readings", {"readings": [_as_told(read.value) for read in readings]})
             unclear[name] = AnswerVerdict(name, Verdict.NOT_JUDGED, reason=reason)
     found = {**unclear, **judge(question, {name: chosen[name] for name in submitted if name in chosen})}
     return {name: found[name] for name in submitted}
-
-
-def _right_entries(verdict: AnswerVerdict) -> int:
-    """How many entries of a value are right."""
-    entries = verdict.entries
-    rows = entries if isinstance(entries, list) else []
-    flat = [each for row in rows for each in (row if isinstance(row, list) else [row])]
-    return flat.count(str(Verdict.CORRECT))
 
 
 def _as_told(value: Any) -> Any:
