@@ -116,7 +116,7 @@ def _impulses_in_y(truth: Truth, y: Any) -> Iterable[Check]:
     """The impulses of the input come through D into y, and no others."""
     stated = dict(judges.impulses(y, truth.time))
     passing = dict(_impulses(truth)) if truth.system.D is not None else {}
-    for at in {*stated, *passing}:
+    for at in dict.fromkeys([*stated, *passing]):
         zero = sp.ImmutableMatrix(sp.zeros(y.rows, 1))
         expected = product(truth.system.D, passing[at]) if at in passing else zero
         label = Phrase("impulse in $y$ at $t = {at}$", at=formula(at))
