@@ -71,6 +71,16 @@ def noted_calls(steps: Sized) -> Iterator[list[Call]]:
         _KERNELS._note = before
 
 
+@contextmanager
+def unnoted_calls() -> Iterator[None]:
+    """Note no calls of kernels within it: what is kept from one question to the next is not to depend on the order."""
+    before, _KERNELS._note = _KERNELS._note, None
+    try:
+        yield
+    finally:
+        _KERNELS._note = before
+
+
 _KERNELS = Kernels("solver.exact")
 
 if TYPE_CHECKING:
@@ -84,4 +94,4 @@ else:
     systems = LazyModule("solver.systems")
     conditions = LazyModule("solver.conditions")
 
-__all__ = ["Call", "conditions", "exact", "noted_calls", "numeric", "sympy", "systems"]
+__all__ = ["Call", "conditions", "exact", "noted_calls", "numeric", "sympy", "systems", "unnoted_calls"]

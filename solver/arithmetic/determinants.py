@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from solver.arithmetic.exactness import where_exact
 from solver.derivation import Claim, Derivation, Step, lemma
-from solver.lazy import exact
+from solver.lazy import exact, unnoted_calls
 from solver.lazy import sympy as sp
 from solver.stated.algebra import product, total
 from solver.stated.matrices import determinant
@@ -90,7 +90,8 @@ def _products(M: ImmutableMatrix, x: Symbol | None = None) -> list[tuple[Any, ..
 
 @lru_cache(maxsize=1024)
 def _value(M: ImmutableMatrix, x: Symbol | None) -> Expr:
-    return exact.multiplied_out(exact.determinant(M), x)
+    with unnoted_calls():
+        return exact.multiplied_out(exact.determinant(M), x)
 
 
 def _sum(products: list[tuple[Any, ...]]) -> Stated:

@@ -5,7 +5,8 @@ A step earns the marks of an answer where it finds its value, or is of a kind th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,6 +18,8 @@ from solver.matrices import entry_alone
 from solver.render.displays import display
 from solver.render.wording import WordedStep, Wording
 from solver.stated import Stated
+
+DISPLAY = re.compile(r"\$\$\n.+?\n\$\$", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +46,17 @@ def key_of(
                 steps[i], formula = _without(step, line, wording)
                 derived |= {name: formula} if formula and len(line.sides) > 2 else {}
                 break
-    return Key(tuple(step for step in steps if _tells(step, values)), derived)
+    return Key(tuple(_news(step for step in steps if _tells(step, values))), derived)
+
+
+def _news(steps: Iterable[WordedStep]) -> Iterator[WordedStep]:
+    """Yield the steps but those whose lines have all been told: partial fractions of what is a single one."""
+    told: set[str] = set()
+    for step in steps:
+        lines = set(DISPLAY.findall(step.markdown))
+        if not lines or not lines <= told:
+            yield step
+        told |= lines
 
 
 class _Value:

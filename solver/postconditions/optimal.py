@@ -56,8 +56,8 @@ def of_riccati(found: Any, A: Any, B: Any, Q: Any, R: Any) -> Iterator[Claim | C
     yield Check.that("the Hamiltonian matrix", "compared", hamiltonian == H)
     yield Claim(product(B, inverse(R), transpose(B)), found.G)
     yield Claim(total(product(transpose(A), P), product(P, A), Q), product(P, found.G, P))
-    for each in (found.stabilizing, *(found.solutions if "solutions" in vars(found) else ())):
-        yield Check.that("exactness", "decimals", bool(each.P.has(sp.Float)) != bool(each.exact))
+    every = (found.stabilizing, *(found.solutions if "solutions" in vars(found) else ()))  # one check for all of them
+    yield Check.that("exactness", "decimals", all(bool(each.P.has(sp.Float)) != bool(each.exact) for each in every))
     if not P.free_symbols:
         yield Check.that("eigenvalues of the loop", "counted", len(found.eigenvalues) == A.rows)
     yield from _stable(A - found.G * P, lambda values: values.real)

@@ -11,10 +11,12 @@ from jinja2 import pass_context
 from jinja2.runtime import Context
 from jinja2.sandbox import ImmutableSandboxedEnvironment
 
+from solver.formula import latex
 from solver.matrices import entry_alone
 from solver.messages import environment
 from solver.render.prose import plain
 from solver.render.recording import Recorder
+from solver.render.symbols import named
 
 
 class Macros:
@@ -36,8 +38,13 @@ def environment_of(templates: Path | None) -> ImmutableSandboxedEnvironment:
     """Return the environment that finds wording files; compiled templates are shared by all wordings."""
     found = environment(templates)
     found.filters.update({name: _named(name) for name in ("tex", "latex", "operation", "say")})
-    found.filters.update(plain=plain, alone=entry_alone)
+    found.filters.update(plain=plain, alone=entry_alone, symbol=_symbol)
     return found
+
+
+def _symbol(name: str) -> str:
+    r"""Return the name of a variable as LaTeX: `x_dot` is \dot{x}."""
+    return str(latex(named(name)))
 
 
 def _named(name: str) -> Callable[[Context, Any], str]:

@@ -240,7 +240,7 @@ def has_variable(expression: Any) -> bool:
     return any(symbol.name in POLYNOMIAL or symbol.name == "t" for symbol in expression.free_symbols)
 
 
-_TRANSFORM = re.compile(r"[UVXY]_?[a-z]{0,3}\d*")
+_TRANSFORM = re.compile(r"[UVXY](?:_[a-z]{1,3})?\d*")
 """Transforms of signals, of which nothing is assumed: they stand behind s."""
 
 

@@ -57,12 +57,16 @@ def test_whether_it_stays_negative(modes, kept):
         assert all(f.rough(found + 200)[found:] <= 0)
 
 
-def test_where_the_slowest_modes_cancel_no_sign_is_told():
+def test_where_the_slowest_modes_cancel_the_others_decide():
     """The roots of z³ = 1/8, all of one size: the values over a period are 0, 0 and −3."""
     with mpmath.workdps(45):
         roots = [mpmath.mpf(1) / 2 * mpmath.expjpi(mpmath.mpf(2 * i) / 3) for i in range(3)]
+        alone = PowerSum(tuple((p, 1, mpmath.mpc(-1)) for p in roots))
+        found = alone.negative_from()
+        assert found is not None
+        assert all(alone.rough(found + 60)[found:] <= 1e-12)
         with pytest.raises(NotExact):
-            PowerSum(tuple((p, 1, mpmath.mpc(-1)) for p in roots)).negative_from()
+            PowerSum((*alone.modes, (mpmath.mpf(1) / 4, 1, mpmath.mpc(1)))).negative_from()
 
 
 def response(A, B, C, D):

@@ -122,8 +122,8 @@ EXACT = [
     (Heaviside(t - 2), r"\mathbf{1}(t - 2)"),
     (log(a), r"\ln(a)"),
     (Abs(a), r"\left|a\right|"),
-    (x(t).diff(t), r"\dot{x}(t)"),
-    (x(t).diff(t, 2) + x(t), r"\ddot{x}(t) + x(t)"),
+    (x(t).diff(t), r"\frac{dx}{dt}"),
+    (x(t).diff(t, 2) + x(t), r"x(t) + \frac{d^{2}x}{dt^{2}}"),
     # conditions and collections
     (a > 2, r"a > 2"),
     (And(a > 0, a < 6), r"0 < a < 6"),

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from solver.classroom.report.hundredths import marks_that_add_up
 from solver.classroom.report.words import number
-from solver.classroom.verdicts import Marking, Verdict
+from solver.classroom.verdicts import Marking
 from solver.messages import Messages
 
 Columns = Sequence[tuple[str, Sequence[str]]]
@@ -24,8 +24,7 @@ def columns_of(blank: Marking) -> Columns:
 def as_csv(rows: Iterable[tuple[str, Marking | None]], columns: Columns, messages: Messages | None = None) -> str:
     """Return a table of marks for files; one that cannot be read (None) has its name only.
 
-    What is not judged says so, and counts as nothing. Marks are in hundredths: those of the answers `a.K` add up to
-    those of their part, those of the parts to the total.
+    Marks are in hundredths: those of the answers `a.K` add up to those of their part, those of the parts to the total.
     """
     say = (messages or Messages()).say
     content = io.StringIO()
@@ -33,24 +32,18 @@ def as_csv(rows: Iterable[tuple[str, Marking | None]], columns: Columns, message
     parts = [name for id_, answers in columns for name in (*(f"{id_}.{answer}" for answer in answers), id_)]
     writer.writerow([say("file"), say("student"), *parts, say("total"), say("out of"), say("needs review")])
     for name, marking in rows:
-        cells = (
-            ["", *("" for _ in parts), say("not readable"), ""] if marking is None else _cells(marking, columns, say)
-        )
+        cells = ["", *("" for _ in parts), say("not readable"), ""] if marking is None else _cells(marking, columns)
         review = marking is None or marking.needs_review
         writer.writerow([_harmless(name), *cells, say("yes" if review else "no")])
     return content.getvalue()
 
 
-def _cells(marking: Marking, columns: Columns, say: Callable[[str], str]) -> Iterator[Any]:
+def _cells(marking: Marking, columns: Columns) -> Iterator[Any]:
     total, of_parts, of_answers = marks_that_add_up(marking)
-    undecided = {(part.id, name) for part in marking.parts for name, each in part.answers.items()
-                 if each.verdict is Verdict.NOT_JUDGED and not each.by_instructor}  # fmt: skip
     yield _harmless(marking.student)
     for id_, names in columns:
         there = id_ in of_parts
-        for name in names:
-            earned = of_answers.get((id_, name), total * 0)
-            yield "" if not there else say("not judged") if (id_, name) in undecided and not earned else number(earned)
+        yield from (number(of_answers.get((id_, name), total * 0)) if there else "" for name in names)
         yield number(of_parts[id_]) if there else ""
     yield from (number(total), number(marking.out_of))
 

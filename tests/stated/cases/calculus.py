@@ -70,7 +70,7 @@ PRINTED = [
     (time_derivative(denoted("x_1", a * x), MOVES), r"\frac{dx_1}{dt}"),
     (time_derivative(partial_derivative(denoted("L", x), x), MOVES), r"\frac{d}{dt}\frac{\partial L}{\partial x}"),
     (denoted("L", a * x), "L"),
-    (partial_derivative(q, SPEED), r"\frac{\partial}{\partial\dot{q}(t)}q(t)"),
+    (partial_derivative(q, SPEED), r"\frac{\partial}{\partial\frac{dq}{dt}}q(t)"),
     (convolution(exp(-t), t + 1, t), r"e^{-t} \ast (t + 1)"),
     (convolution_sum(a**k, k, k), r"a^{k} \ast k"),
 ]
