@@ -235,7 +235,8 @@ def freed_gap(asked: Asked, program: Program) -> float | None:
     C = np.array([posed.rows[name][:n] for name in names])
     scale = max(float(np.max(np.abs(np.linalg.eigvals(posed.A)), initial=0.0)), 1e-9)
     F, A = net.F * number(asked.time_scale) / scale, posed.A / scale
-    size = np.diag(np.maximum(np.abs(C), np.abs(H)).max(axis=1) ** -1.0 if names else [])
+    largest = np.maximum(np.abs(C), np.abs(H)).max(axis=1) if names else np.ones(0)
+    size = np.diag(1.0 / np.where(largest > 0, largest, 1.0))  # what is always zero is compared as it is
     mine, wanted = [size @ H], [size @ C]
     for _ in range(2 * n):
         mine.append(mine[-1] @ F)
