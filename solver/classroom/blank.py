@@ -34,18 +34,28 @@ WIDTH = 110
 
 def blank_answers(solution: Solution, problem: str = "", templates: Path | None = None) -> str:
     """Return the answer file to fill in, YAML with comments; `problem` is the file it names."""
-    marker = Marker(solution, Submission(Source("", ""), "", {}), templates)
+    marker = _marker(solution, templates)
+    say = marker.messages.say
+    lines = [*comment(solution.problem.title), *comment(say(HOW))]
+    lines += [" ".join(["problem:", quoted(problem)])] if problem else []
+    lines += ["student:", "answers:", *blank_parts(solution, templates)]
+    return "\n".join(lines) + "\n"
+
+
+def _marker(solution: Solution, templates: Path | None) -> Marker:
+    return Marker(solution, Submission(Source("", ""), "", {}), templates)
+
+
+def blank_parts(solution: Solution, templates: Path | None = None) -> list[str]:
+    """Return the lines of the parts, as they stand under `answers`."""
+    marker, lines = _marker(solution, templates), list[str]()
     paper = document_of(solution, Presentation("question", templates))
     works = {work.id: work for work in paper.parts}
-    say = marker.messages.say
-    lines = [*_comment(solution.problem.title, ""), *_comment(say(HOW), "")]
-    lines += [" ".join(["problem:", _quoted(problem)])] if problem else []
-    lines += ["student:", "answers:"]
     for part in solution.problem.parts:
         work = works[part.id]
-        lines += ["", *_comment(f"({work.letter}) {work.title}. {inline_as_text(work.question)}", "  ")]
-        lines += [f"  {_quoted(part.id)}:", *_answers(part, marker)]
-    return "\n".join(lines) + "\n"
+        lines += ["", *comment(f"({work.letter}) {work.title}. {inline_as_text(work.question)}", "  ")]
+        lines += [f"  {quoted(part.id)}:", *_answers(part, marker)]
+    return lines
 
 
 HOW = "Write each value after its name, in quotes where it has a colon or a brace; what is left blank is not answered."
@@ -61,7 +71,7 @@ def _answers(part: Part, marker: Marker) -> Iterator[str]:
         yield f"    {name + ':':{width + 2}} # {told}".rstrip(" #") if told else f"    {name}:"
     others = [name for name, answer in task.answers.items() if name not in asked and _given(answer, part)]
     if others:
-        yield from _comment(say(Phrase("judged too, without marks: {names}", names=", ".join(others))), "    ")
+        yield from comment(say(Phrase("judged too, without marks: {names}", names=", ".join(others))), "    ")
 
 
 def _given(answer: AnswerName, part: Part) -> bool:
@@ -79,11 +89,12 @@ def _how(value: Any, declared: AnswerName, determined: bool, say: Say) -> str:
     return say(Phrase("{kind}, for example {example}", kind=kind, example=example)) if example else kind
 
 
-def _comment(text: str, indent: str) -> list[str]:
+def comment(text: str, indent: str = "") -> list[str]:
+    """Return a text as lines of comment."""
     return [f"{indent}# {line}" for line in wrap(" ".join(text.split()), WIDTH - len(indent), break_on_hyphens=False)]
 
 
-def _quoted(text: str) -> str:
+def quoted(text: str) -> str:
     """Return a text as YAML reads it back."""
     plain = text[:1].isalpha() and all(sign.isalnum() or sign in "-_./" for sign in text)
     return text if plain and text.lower() not in WORDS else "'" + text.replace("'", "''") + "'"

@@ -11,6 +11,7 @@ import click
 from solver import __version__
 from solver.cli.bugs import report_bug
 from solver.cli.check import check
+from solver.cli.exam import exam
 from solver.cli.group import FileOrCommand, stop_writing
 from solver.cli.listing import models, new, schema, tasks
 from solver.cli.run import run
@@ -37,7 +38,7 @@ def cli() -> None:
     """
 
 
-for command in (run, check, sheet, variants, tasks, models, new, schema):
+for command in (run, check, sheet, variants, exam, tasks, models, new, schema):
     cli.add_command(command)
 
 

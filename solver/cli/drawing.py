@@ -68,7 +68,7 @@ def draw_members(order: Order) -> int:
         return INPUT_AT_FAULT
     settle()
     load_all_algebra()  # once, and not in each process
-    with _progress(order.count) as tell:
+    with progress(order.count) as tell:
         jobs = order.jobs or usable_cores()
         search = Search(source, family, order.seed, order.limits, order.draws, jobs, tell)
         wanted = Wanted(order.formats, order.presentation, order.limits, order.check)
@@ -120,7 +120,7 @@ def _table(difficulties: Sequence[Difficulty], names: Sequence[str]) -> str:
 
 
 @contextmanager
-def _progress(count: int) -> Iterator[Callable[[int, int], None]]:
+def progress(count: int) -> Iterator[Callable[[int, int], None]]:
     """Show how many draws were made and how many members found, on a terminal."""
     if not sys.stderr.isatty():
         yield lambda _draws, _found: None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from pathlib import PurePath
@@ -65,17 +65,19 @@ def family_of(problem: Problem) -> Family:
     return problem.family
 
 
-def members(search: Search, count: int, wanted: Wanted, name: str) -> Iterator[Member]:
+def members(
+    search: Search, count: int, wanted: Wanted, name: str, make: Callable[[str, str, Any], Made] | None = None
+) -> Iterator[Member]:
     """Yield members until there are as many as wanted, fewer where the search ends before.
 
-    `name` is what their names begin with.
+    `name` is what their names begin with; `make` is called in place of `made` where something else is made of them.
     """
     candidates, found, width = search.candidates(), 0, max(2, len(str(count)))
     while found < count and (some := list(islice(candidates, min(count - found, TOGETHER)))):
         calls = [(each.text, search.source.name, wanted) for each in some]
         parts = sum(len(part.methods) for part in some[0].problem.parts)
         limits = replace(wanted.limits, seconds=wanted.limits.seconds * parts)
-        results: dict[int, Any] = dict(calls_within(limits, made, calls, search.jobs))
+        results: dict[int, Any] = dict(calls_within(limits, make or made, calls, search.jobs))
         for place, candidate in enumerate(some):
             if (why := _wrong(results[place])) is not None:
                 search.take_back(why)

@@ -56,22 +56,36 @@ class Misshapen:
         return self.spoils(("find", name)) and self.path[:3] != ("find", name, "system")
 
 
-def check_shape(root: Node) -> list[Misshapen]:
-    """Return what is wrong with the shape of a problem."""
+def check_shape(
+    root: Node,
+    whole: type[BaseModel] = shape.ProblemShape,
+    what: str = "a problem",
+    within: Mapping[str | int, type[BaseModel]] = MODELS,
+) -> list[Misshapen]:
+    """Return what is wrong with the shape of a problem, or of what is told by another model.
+
+    `within` has the models of mappings inside it, by the keys under which they stand.
+    """
     try:
-        shape.ProblemShape.model_validate(root.plain())
+        whole.model_validate(root.plain())
     except ValidationError as error:
-        return [_explained(root, each) for each in error.errors(include_url=False)]
+        return [_explained(root, each, whole, what, within) for each in error.errors(include_url=False)]
     return []
 
 
-def _explained(root: Node, error: Mapping[str, Any]) -> Misshapen:
+def _explained(
+    root: Node,
+    error: Mapping[str, Any],
+    whole: type[BaseModel],
+    what: str,
+    within: Mapping[str | int, type[BaseModel]],
+) -> Misshapen:
     """Return one complaint in words, with the path to what it is about."""
     location, kind, context = error["loc"], error["type"], error.get("ctx", {})
     path, node, parent = _walk(root, location)
     if kind == "extra_forbidden":
         around = next((step for step in reversed(location[:-1]) if isinstance(step, str)), "")
-        model = MODELS.get(around, shape.ProblemShape)
+        model = within.get(around, whole)
         return Misshapen(path, _key(parent, path).diagnostic(*_unknown(str(path[-1]), model, parent)), surplus=True)
     if kind == "string_pattern_mismatch":
         message = f"'{str(path[-1])[:40]}' cannot name a part: at most 32 letters, digits, and - _ . ( )"
@@ -80,7 +94,7 @@ def _explained(root: Node, error: Mapping[str, Any]) -> Misshapen:
         at = _key(node, (*path, context["key"]))
         return Misshapen((*path, context["key"]), at.diagnostic(error["msg"], context.get("suggestion", "")))
     if kind == "missing":
-        return Misshapen((*path, location[-1]), _missing(node, path, str(location[-1])))
+        return Misshapen((*path, location[-1]), _missing(node, path, str(location[-1]), what))
     return Misshapen(path, node.diagnostic(*_words(error, node)))
 
 
@@ -111,9 +125,9 @@ def _unknown(key: str, model: type[BaseModel], parent: Node) -> tuple[str, str]:
     return f"unknown key '{key[:60]}'", did_you_mean(key, (name for name in model.model_fields if name not in present))
 
 
-def _missing(node: Node, path: Path, key: str) -> Diagnostic:
+def _missing(node: Node, path: Path, key: str, what: str) -> Diagnostic:
     if not path:
-        return Diagnostic(f"'{key}' is missing", note=f"a problem needs the key '{key}:'")
+        return Diagnostic(f"'{key}' is missing", note=f"{what} needs the key '{key}:'")
     return node.diagnostic(f"'{key}' is missing here")
 
 

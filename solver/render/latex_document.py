@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import FileSystemLoader, StrictUndefined
 from jinja2.sandbox import ImmutableSandboxedEnvironment
@@ -17,11 +17,13 @@ from jinja2.sandbox import ImmutableSandboxedEnvironment
 from solver import __version__, resources
 from solver.compiled import kept
 from solver.derivation.figures import Drawing
+from solver.messages import Messages
 from solver.problem.images import Image
 from solver.render import pointing
 from solver.render.prose import inline_latex, to_latex
 from solver.render.prose_latex import display_latex, picture_name
 from solver.render.tex_text import escaped
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.document.model import Document
@@ -29,11 +31,18 @@ if TYPE_CHECKING:
 
 def latex_document(document: Document) -> str:
     """Return the source of the whole document. The same document gives the same text: it holds no date."""
-    template = _environment(document.presentation.templates).get_template("document.tex.jinja")
-    pdf_title = escaped("".join(letter for letter in document.title if letter.isascii()))
-    return (
-        template.render(document=document, say=document.messages.say, version=__version__, pdf_title=pdf_title) + "\n"
+    return rendered_latex(
+        "document.tex.jinja", document.presentation.templates, document.messages, document.title, document=document
     )
+
+
+def rendered_latex(template: str, templates: Path | None, messages: Messages, title: str, **values: Any) -> str:
+    """Return a document made by one of the templates in `latex/`; `title` is what the PDF says of itself."""
+    pdf_title = escaped("".join(letter for letter in title if letter.isascii()))
+    page = _environment(templates).get_template(template)
+    fixed = {"version": __version__, "pdf_title": pdf_title}
+    say = messages.say
+    return page.render(**values, **fixed, say=say, phrase=lambda text, **of: say(Phrase(text, **of))) + "\n"
 
 
 @lru_cache(maxsize=8)

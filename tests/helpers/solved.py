@@ -15,7 +15,11 @@ from solver.resources import root
 from solver.tasks import catalogue
 from tests.helpers.shares import turn
 
-PROBLEMS = sorted(path for path in root("problems").rglob("*.yaml") if not path.name.endswith(".answers.yaml"))
+PROBLEMS = sorted(
+    path
+    for path in root("problems").rglob("*.yaml")
+    if not path.name.endswith(".answers.yaml") and path.parent.name != "exams"
+)
 EXAMPLES = [path for path in PROBLEMS if path.parent.name == "examples"]
 
 

@@ -34,13 +34,13 @@ def as_csv(rows: Iterable[tuple[str, Marking | None]], columns: Columns, message
     for name, marking in rows:
         cells = ["", *("" for _ in parts), say("not readable"), ""] if marking is None else _cells(marking, columns)
         review = marking is None or marking.needs_review
-        writer.writerow([_harmless(name), *cells, say("yes" if review else "no")])
+        writer.writerow([harmless(name), *cells, say("yes" if review else "no")])
     return content.getvalue()
 
 
 def _cells(marking: Marking, columns: Columns) -> Iterator[Any]:
     total, of_parts, of_answers = marks_that_add_up(marking)
-    yield _harmless(marking.student)
+    yield harmless(marking.student)
     for id_, names in columns:
         there = id_ in of_parts
         yield from (number(of_answers.get((id_, name), total * 0)) if there else "" for name in names)
@@ -48,6 +48,6 @@ def _cells(marking: Marking, columns: Columns) -> Iterator[Any]:
     yield from (number(total), number(marking.out_of))
 
 
-def _harmless(text: str) -> str:
-    """A text that no spreadsheet takes for a formula."""
+def harmless(text: str) -> str:
+    """Return a text that no spreadsheet takes for a formula."""
     return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r", "\n") else text

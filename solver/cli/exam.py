@@ -1,0 +1,70 @@
+"""`solve exam exam.yaml`: the options. The work is in `examining`, imported when it is wanted."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from solver.cli.language import LANGUAGE, NOTATION, known
+from solver.cli.run import DETAILS, FormatList, Seconds
+
+FORMATS = ("html", "pdf", "latex")
+
+
+class ExamFormatList(FormatList):
+    """Some of the formats of papers, separated by commas."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.known = FORMATS
+
+
+@click.command(short_help="Write the papers, keys and answer files of an exam.")
+@click.argument("exam")
+@click.option("-f", "--format", "formats", type=ExamFormatList(), default="html", show_default=True,
+              help="html, pdf, latex: one or more.")  # fmt: skip
+@click.option("-o", "--output", metavar="FOLDER", help="Where they are written. Default: EXAM-papers beside EXAM.")
+@click.option("--detail", type=click.Choice(DETAILS[1:]), default="key", show_default=True,
+              help="How much the key tells; full has the worked steps.")  # fmt: skip
+@click.option("--draws", type=click.IntRange(min=1, max=100_000_000), default=100_000, show_default=True,
+              help="So many draws are made at most for a family.")  # fmt: skip
+@click.option("--templates", metavar="DIR",
+              type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
+              help="Templates that take precedence over the program's own.")  # fmt: skip
+@LANGUAGE
+@NOTATION
+@click.option("--jobs", type=click.IntRange(min=1, max=256), help="How many processes work. Default: the cores.")
+@click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
+              show_default=True, help="For each part by each method.")  # fmt: skip
+@click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
+              help="For each question.")  # fmt: skip
+@click.pass_context
+def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
+    ctx: click.Context,
+    exam: str,
+    formats: tuple[str, ...],
+    output: str | None,
+    detail: str,
+    draws: int,
+    templates: Path | None,
+    language: str | None,
+    notation: str | None,
+    jobs: int | None,
+    time_limit: float,
+    memory_limit: int,
+) -> None:
+    """Write the papers of EXAM without answers, the keys with marks, and a file for each student to fill in.
+
+    There is one of each for a variant or a student; `variants.csv` tells who has which, with the values drawn. Questions
+    that tell a family have other numbers in each. Nothing is written unless all is solved and verified.
+    """
+    from solver.startup import quiet_threads
+
+    quiet_threads()  # before numpy is imported: processes will be forked
+    from solver.cli.examining import Order, write_exam
+    from solver.document.model import Presentation
+    from solver.limits import Limits
+
+    told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
+    ctx.exit(write_exam(Order(exam, formats, output, told, Limits(time_limit, memory_limit), draws, jobs)))

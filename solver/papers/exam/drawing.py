@@ -1,0 +1,100 @@
+"""What is asked in each variant: of a family a member each, drawn as everywhere; of other problems the same in all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from solver.derivation import Status
+from solver.document.model import Presentation
+from solver.limits import Exceeded, Limits, calls_within
+from solver.papers.exam.model import Exam, Question
+from solver.papers.exam.telling import Asked, QuestionMade, question_made
+from solver.papers.families import members
+from solver.papers.search import MOST_DRAWS, Search, Tell
+from solver.papers.telling import shortage
+from solver.problem.source import InputError
+
+
+@dataclass(frozen=True, slots=True)
+class Means:
+    """How papers are made: how the key is told, what a part may take, how many processes work, how many draws."""
+
+    presentation: Presentation = field(default_factory=lambda: Presentation("key"))
+    limits: Limits = field(default_factory=Limits)
+    jobs: int = 1
+    draws: int = MOST_DRAWS
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A question of a variant: the values drawn as they are written, the text of the problem, what was made of it."""
+
+    question: Question
+    values: Mapping[str, str]
+    text: str
+    made: QuestionMade
+
+
+def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) -> list[list[Drawn]]:
+    """Return for each variant its questions, all verified.
+
+    Raises InputError where there are fewer members of a family than variants, and where a question that is the same in
+    all of them is not verified.
+    """
+    count, found = len(exam.variants), dict[int, list[Drawn]]()
+    fixed = [each for each in exam.questions if each.problem.family is None]
+    for question, made in _alike(exam, fixed, means):
+        found[question.number] = [Drawn(question, {}, question.source.text, made)] * count
+    for question in exam.questions:
+        if question.problem.family is not None:
+            found[question.number] = _members(exam, question, count, means, tell)
+    return [[found[question.number][i] for question in exam.questions] for i in range(count)]
+
+
+def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tuple[Question, QuestionMade]]:
+    """Yield what was made of the questions that are the same in all variants; raises InputError."""
+    calls = [(each.source.text, each.source.name, _asked(each, means)) for each in questions]
+    parts = max((_parts(each) for each in questions), default=1)
+    results = dict[int, Any](calls_within(_limits(means, parts), question_made, calls, means.jobs))
+    wrong = []
+    for place, question in enumerate(questions):
+        result = results[place]
+        if isinstance(result, Exceeded):
+            wrong.append(question.node.diagnostic(f"question {question.number} cannot be solved: {result.reason}"))
+        elif result.status is not Status.VERIFIED:
+            message = f"question {question.number} is {result.status}: {result.reason}"
+            wrong.append(question.node.diagnostic(message))
+        else:
+            yield question, result
+    if wrong:
+        raise InputError(exam.source, wrong)
+
+
+def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tell) -> list[Drawn]:
+    """Return the members of a family for the variants in order; raises InputError where there are too few."""
+    family = question.problem.family
+    if family is None:
+        raise AssertionError("only a family has members")
+    search = Search(question.source, family, exam.seed_of(question), means.limits, means.draws, means.jobs, tell)
+    found: list[Drawn] = []
+    for each in members(search, count, _asked(question, means), f"question-{question.number}", question_made):
+        if not isinstance(each.made, QuestionMade):
+            raise AssertionError("`question_made` makes questions")
+        found.append(Drawn(question, each.values, each.text, each.made))
+    if len(found) < count:
+        raise shortage(search, question.told, count)
+    return found
+
+
+def _asked(question: Question, means: Means) -> Asked:
+    return Asked((), means.presentation, means.limits, False, question.number, question.marks)
+
+
+def _parts(question: Question) -> int:
+    return sum(len(part.methods) for part in question.problem.parts)
+
+
+def _limits(means: Means, parts: int) -> Limits:
+    return replace(means.limits, seconds=means.limits.seconds * parts)

@@ -1,0 +1,148 @@
+"""The files of an exam: papers, keys, files to fill in, and the table of who has which."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from solver.classroom.blank import HOW, comment, quoted
+from solver.classroom.report.table import harmless
+from solver.document.exam import ExamDocument, ExamQuestion
+from solver.document.model import Document, Presentation
+from solver.limits import Exceeded, Limits, calls_within
+from solver.papers.exam.drawing import Drawn, Means
+from solver.papers.exam.model import Exam, Variant
+from solver.papers.exam.scaling import scaled
+from solver.render.exam import EXAM_FORMATS
+from solver.render.numbers import NumberFormat
+from solver.words import Phrase
+
+PAPERS, KEYS, ANSWERS = "papers", "keys", "answers"
+"""The folders: who puts the papers where students find them puts no key there."""
+
+
+@dataclass(frozen=True, slots=True)
+class Files:
+    """The files of a variant by their paths below the folder of the exam, or why there are none."""
+
+    variant: Variant
+    contents: Mapping[str, bytes]
+    fault: str = ""
+
+
+def files_of(exam: Exam, variants: Sequence[Sequence[Drawn]], formats: Sequence[str], means: Means) -> Iterator[Files]:
+    """Yield the papers and the keys in all formats, in the order of the variants; they are written by processes."""
+    calls = [(paper_of(exam, *pair, means), key_of(exam, *pair, means), pair[0].label, tuple(formats))
+             for pair in zip(exam.variants, variants, strict=True)]  # fmt: skip
+    limits = Limits(means.limits.seconds * 2 * len(exam.questions), means.limits.megabytes)
+    waiting: dict[int, Any] = {}
+    papers = exam.variants
+    following = 0
+    for place, result in calls_within(limits, _written, calls, means.jobs):
+        waiting[place] = result
+        while following in waiting:
+            ready = waiting.pop(following)
+            is_there = not isinstance(ready, Exceeded | str)
+            fault = "" if is_there else getattr(ready, "reason", ready)
+            yield Files(papers[following], ready if is_there else {}, str(fault))
+            following += 1
+
+
+def _written(paper: ExamDocument, key: ExamDocument, label: str, formats: Sequence[str]) -> dict[str, bytes] | str:
+    """Return the files of a paper and its key, or what is wrong with the templates or TeX, in words."""
+    from jinja2 import TemplateError  # noqa: PLC0415 - only who writes needs it
+
+    from solver.render.pdf import PdfUnavailable  # noqa: PLC0415 - as above
+
+    files: dict[str, bytes] = {}
+    try:
+        for folder, stem, told in ((PAPERS, "paper", paper), (KEYS, "key", key)):
+            for name in formats:
+                format_ = EXAM_FORMATS[name]
+                files[f"{folder}/{stem}-{label}{format_.suffix}"] = format_.write(told)
+                files |= {f"{folder}/{each}": content for each, content in format_.beside(told).items()}
+    except (PdfUnavailable, TemplateError) as error:
+        return str(error)
+    return files
+
+
+def paper_of(exam: Exam, variant: Variant, questions: Sequence[Drawn], means: Means) -> ExamDocument:
+    """Return the paper of a variant: no answer is in it."""
+    told = replace(means.presentation, detail="question", checks="")
+    return _told(exam, variant, [(each, each.made.paper) for each in questions], told)
+
+
+def key_of(exam: Exam, variant: Variant, questions: Sequence[Drawn], means: Means) -> ExamDocument:
+    """Return the key of a variant, as much of it as the presentation tells."""
+    return _told(exam, variant, [(each, each.made.key) for each in questions], means.presentation)
+
+
+def _told(
+    exam: Exam, variant: Variant, questions: Sequence[tuple[Drawn, Document | None]], told: Presentation
+) -> ExamDocument:
+    carried = [_marks_of(each) for each, _ in questions]
+    shown = tuple(
+        ExamQuestion(each.question.number, _text(marks), document, each.question.page_break)
+        for (each, document), marks in zip(questions, carried, strict=True)
+        if document is not None
+    )
+    messages = shown[0].document.messages
+    return ExamDocument(
+        title=exam.title,
+        course=exam.course,
+        date=exam.date,
+        duration=exam.duration,
+        instructions=exam.instructions,
+        total=_text(sum(carried)),
+        questions=shown,
+        variant=str(variant.number) if len(exam.variants) > 1 else "",
+        student=variant.student,
+        presentation=told,
+        messages=messages,
+    )
+
+
+def _marks_of(each: Drawn) -> Any:
+    """Return the marks of a question."""
+    return sum(
+        part.marks for part in scaled(each.question.problem, each.question.marks).parts if part.marks is not None
+    )
+
+
+def _text(marks: Any) -> str:
+    return NumberFormat("decimal", 8).text(marks)
+
+
+def answer_file(exam: Exam, named: str, variant: Variant, questions: Sequence[Drawn]) -> str:
+    """Return the file that a student fills in; `named` is the exam as it is found from there."""
+    say = questions[0].made.paper.messages.say if questions[0].made.paper else str
+    lines = [*comment(exam.title), *comment(say(HOW))]
+    lines += [" ".join(["exam:", quoted(named)])] if named else []
+    lines += [f"variant: {variant.number}"]
+    lines += [f"student: {quoted(variant.student)}" if variant.student else "student:", "answers:"]
+    for each in questions:
+        number = each.question.number
+        title = each.made.paper.title if each.made.paper else ""
+        lines += ["", *comment(say(Phrase("Question {number}: {title}", number=number, title=title)), "  ")]
+        lines += [f"  {number}:", *(f"  {line}" if line else line for line in each.made.sheet)]
+    return "\n".join(lines) + "\n"
+
+
+def variants_table(exam: Exam, variants: Sequence[Sequence[Drawn]]) -> str:
+    """Return who has which variant, and the values drawn: CSV with a column for each name, as `1.a`."""
+    content = io.StringIO()
+    writer = csv.writer(content, lineterminator="\n")
+    names = [(each.question.number, name) for each in variants[0] for name in each.values]
+    writer.writerow(["student", "variant", *(f"{number}.{name}" for number, name in names)])
+    for variant, questions in zip(exam.variants, variants, strict=True):
+        values = {(each.question.number, name): text for each in questions for name, text in each.values.items()}
+        writer.writerow([harmless(variant.student), variant.number, *(_cell(values[name]) for name in names)])
+    return content.getvalue()
+
+
+def _cell(text: str) -> str:
+    """Return a value that was drawn: a plain number as it is, anything else as no formula of a spreadsheet."""
+    return text if text.removeprefix("-").replace(".", "", 1).isdecimal() else harmless(text)
