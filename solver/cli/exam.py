@@ -56,8 +56,8 @@ def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
 ) -> None:
     """Write the papers of EXAM without answers, the keys with marks, and a file for each student to fill in.
 
-    There is one of each for a variant or a student; `variants.csv` tells who has which, with the values drawn. Questions
-    that tell a family have other numbers in each. Nothing is written unless all is solved and verified.
+    There is one of each for a variant or a student; `variants.csv` tells who has which, with the values drawn. Where
+    a question tells a family it has other numbers in each. Nothing is written unless all is solved and verified.
     """
     from solver.startup import quiet_threads
 

@@ -8,16 +8,29 @@ from dataclasses import dataclass, field, replace
 from solver.document.model import ENGLISH_WORDS, Document, Presentation
 from solver.messages import Messages
 from solver.problem.images import Image
+from solver.words import Phrase
 
 
 @dataclass(frozen=True, slots=True)
 class ExamQuestion:
-    """A question by its number from 1, with its marks as text; `document` tells it, and maybe its solution."""
+    """A question by its number from 1, its title, "" where it has none, and its marks as text.
+
+    `document` tells it, and maybe its solution.
+    """
 
     number: int
+    title: str
     marks: str
     document: Document
     page_break: bool = False
+
+    @property
+    def heading(self) -> str:
+        """The number and the title: "2. Regulator", or "Question 2"."""
+        say = self.document.messages.say
+        return (
+            say(Phrase("Question {number}", number=self.number)) if not self.title else f"{self.number}. {self.title}"
+        )
 
     @property
     def within(self) -> str:

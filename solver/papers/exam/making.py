@@ -85,7 +85,7 @@ def _told(
 ) -> ExamDocument:
     carried = [_marks_of(each) for each, _ in questions]
     shown = tuple(
-        ExamQuestion(each.question.number, _text(marks), document, each.question.page_break)
+        ExamQuestion(each.question.number, each.question.title, _text(marks), document, each.question.page_break)
         for (each, document), marks in zip(questions, carried, strict=True)
         if document is not None
     )
@@ -125,8 +125,8 @@ def answer_file(exam: Exam, named: str, variant: Variant, questions: Sequence[Dr
     lines += [f"student: {quoted(variant.student)}" if variant.student else "student:", "answers:"]
     for each in questions:
         number = each.question.number
-        title = each.made.paper.title if each.made.paper else ""
-        lines += ["", *comment(say(Phrase("Question {number}: {title}", number=number, title=title)), "  ")]
+        heading = say(Phrase("Question {number}", number=number))
+        lines += ["", *comment(f"{heading}. {each.question.title}".removesuffix(" "), "  ")]
         lines += [f"  {number}:", *(f"  {line}" if line else line for line in each.made.sheet)]
     return "\n".join(lines) + "\n"
 

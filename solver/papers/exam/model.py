@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from solver.papers.exam.names import Names
 from solver.papers.generator import hashed
+from solver.problem.nodes import MappingNode
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -31,6 +32,12 @@ class Question:
     node: Node = field(repr=False)
     marks: sp.Rational | None = None
     page_break: bool = False
+
+    @property
+    def title(self) -> str:
+        """The title of the problem, "" where it stands in the exam and has none."""
+        untold = isinstance(self.node, MappingNode) and "title" not in self.node
+        return "" if untold else self.problem.title
 
 
 @dataclass(frozen=True, slots=True)

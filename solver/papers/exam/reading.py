@@ -149,7 +149,7 @@ class _ExamReader:
             if error.source.text:
                 raise
             found = error.diagnostics[0]
-            suggestion = Path(found.suggestion).name if found.suggestion else ""
+            suggestion = str(Path(name).with_name(Path(found.suggestion).name)) if found.suggestion else ""
             raise node.fault(f"'{name[:100]}': {found.message}", suggestion=suggestion) from None
 
     def variants(self) -> tuple[tuple[str, ...], int]:

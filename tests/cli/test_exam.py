@@ -1,0 +1,145 @@
+"""`solve exam`: papers without answers, keys with marks, files to fill in, the table of variants, and what is wrong."""
+
+import csv
+import io
+import re
+
+import pytest
+
+import solver
+from solver.papers.generator import hashed
+from solver.problem.source import Source
+from solver.problem.yaml_tree import parse_yaml
+from tests.papers.conftest import FAMILY
+from tests.papers.exams import EXAM, PROBLEM, write_exam
+
+
+def written(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def rows_of(folder):
+    return list(csv.reader(io.StringIO((folder / "variants.csv").read_text(encoding="utf-8"))))
+
+
+@pytest.fixture
+def exam(tmp_path):
+    """An exam in a folder."""
+    return write_exam(tmp_path)
+
+
+def test_papers_keys_and_answer_files_are_written(solve, exam, tmp_path):
+    done = solve("exam", exam, "-o", "build", "-f", "html,latex", "--jobs", 1)
+    assert done.code == 0, done.err
+    assert "3 questions, 2 variants, all verified" in done.out
+    files = written(tmp_path / "build")
+    told = [f"{kind}-{n}.{end}" for kind in ("key", "paper") for n in (1, 2) for end in ("html", "tex")]
+    assert sorted(name.split("/")[-1] for name in files) == sorted(
+        [*told, "answers-1.yaml", "answers-2.yaml", "variants.csv"]
+    )
+    paper, key = (files[f"{kind}s/{kind}-1.html"].decode() for kind in ("paper", "key"))
+    for text in (paper, key):
+        assert "Final &lt;exam&gt;" in text
+        assert "EE &amp; 451" in text
+        assert "50 marks" in text
+        names = re.findall(r'\bid="([^"]*)"', text)
+        assert len(names) == len(set(names))
+        assert set(re.findall(r'href="#([^"]*)"', text)) <= set(names)
+    assert "6.67 marks" in paper
+    assert "Answer <em>all</em>" in paper
+    assert 'class="answer' not in paper
+    assert 'class="badge' not in paper
+    assert key.count('class="answer') == 6
+    assert "Answer key" in key
+    assert re.search(r'<section class="exam-question new-page" aria-labelledby="question-2-title">', paper)
+    tex = files["papers/paper-2.tex"].decode()
+    assert r"EE \& 451" in tex
+    assert r"\clearpage" in tex
+    assert r"\boxed" not in tex
+    assert r"\boxed" in files["keys/key-2.tex"].decode()
+
+
+def test_members_are_those_of_the_documented_generator(solve, exam, tmp_path):
+    assert solve("exam", exam, "-o", "build", "--jobs", 2).code == 0
+    head, *rows = rows_of(tmp_path / "build")
+    assert head == ["student", "variant", "1.a", "1.b", "1.p"]
+    drawn = solver.variants(FAMILY, count=2, seed=hashed(2026, 1))
+    assert rows == [["", str(each.number), *each.values.values()] for each in drawn]
+
+
+def test_the_same_exam_is_written_in_the_same_bytes(solve, exam, tmp_path):
+    for jobs, folder in ((1, "one"), (2, "two")):
+        assert solve("exam", exam, "-o", folder, "-f", "html,latex", "--jobs", jobs).code == 0
+    assert written(tmp_path / "one") == written(tmp_path / "two")
+
+
+def test_each_student_has_a_paper(solve, tmp_path):
+    text = EXAM.replace("count: 2", "students: class.csv").replace("problem: family", "problem: step")
+    write_exam(tmp_path, text)
+    (tmp_path / "class.csv").write_text('student,id\n"Doe, <Jo>",1\n=cmd|x,2\n../up,3\nJO DOE,4\ndoe jo,5\n', "utf-8")
+    assert solve("exam", "exam.yaml", "-o", "build", "--jobs", 1).code == 0
+    files = written(tmp_path / "build")
+    labels = ["Doe-Jo", "cmd-x", "up", "JO-DOE", "doe-jo-2"]
+    assert {name for name in files if name.startswith("papers/")} == {f"papers/paper-{each}.html" for each in labels}
+    assert "Doe, &lt;Jo&gt;" in files["papers/paper-Doe-Jo.html"].decode()
+    assert [row[0] for row in rows_of(tmp_path / "build")] == [
+        "student", "Doe, <Jo>", "'=cmd|x", "../up", "JO DOE", "doe jo",
+    ]  # fmt: skip
+    sheet = parse_yaml(Source("a", files["answers/answers-Doe-Jo.yaml"].decode())).plain()
+    assert sheet["student"] == "Doe, <Jo>"
+    assert (sheet["exam"], sheet["variant"]) == ("../../exam.yaml", "1")
+    assert list(sheet["answers"]) == ["1", "2", "3"]
+    assert list(sheet["answers"]["2"]["b"]) == ["poles", "zeros"]
+
+
+def test_the_worked_steps_are_told_with_marks_where_they_are_asked_for(solve, tmp_path):
+    write_exam(tmp_path, EXAM.replace("problem: family", "problem: step").replace("count: 2", "count: 1"))
+    assert solve("exam", "exam.yaml", "--detail", "full", "--jobs", 1).code == 0
+    key = (tmp_path / "exam-papers" / "keys" / "key-1.html").read_text("utf-8")
+    assert 'class="checks"' in key
+    assert '<p class="marks">6.67 marks</p>' in key
+    names = re.findall(r'\bid="([^"]*)"', key)
+    assert len(names) == len(set(names))
+
+
+@pytest.mark.parametrize(
+    ("problem", "said"),
+    [
+        (PROBLEM.replace("stability", "stablity"), "step.yaml:4:13: error: there is no task 'stablity'"),
+        (PROBLEM.replace("a: {", "a: {x: 1, "), "step.yaml:4:"),
+    ],
+)
+def test_errors_in_a_question_stand_at_their_place_in_its_file(solve, tmp_path, problem, said):
+    write_exam(tmp_path, step=problem)
+    done = solve("exam", "exam.yaml", "-o", "build")
+    assert done.code == 2
+    assert said in done.err
+    assert not (tmp_path / "build").exists()
+
+
+def test_nothing_is_written_where_a_question_is_not_verified(solve, tmp_path):
+    unsolved = "system: {A: [[1, 0], [0, 2]], B: [1, 0]}\nfind: {a: {task: pole_placement, poles: [-1, -2]}}\n"
+    write_exam(tmp_path, EXAM.replace("problem: family", "problem: step"), step=unsolved)
+    done = solve("exam", "exam.yaml", "-o", "build")
+    assert done.code == 1
+    assert "exam.yaml:8:15: error: question 1 is unsolved: part a:" in done.err
+    assert "exam.yaml:9:15: error: question 2 is unsolved: part a:" in done.err
+    assert not (tmp_path / "build").exists()
+
+
+def test_too_few_members_are_an_error_of_the_family(solve, tmp_path):
+    write_exam(tmp_path, EXAM.replace("count: 2", "count: 3"), family=FAMILY.replace("a != 2", "a > 3"))
+    few = FAMILY.replace('["a != 2", controllable]', '["a > 3", "b > 1", "p < -3"]')
+    write_exam(tmp_path, family=few)
+    done = solve("exam", "exam.yaml", "-o", "build")
+    assert done.code == 1
+    assert "family.yaml:8:8: error: found 1 of 2 members" in done.err
+    assert not (tmp_path / "build").exists()
+
+
+def test_templates_can_be_replaced(solve, exam, tmp_path):
+    (tmp_path / "own" / "html").mkdir(parents=True)
+    (tmp_path / "own" / "html" / "exam.html.jinja").write_text("<p>{{ exam.title }}, {{ exam.total }}</p>", "utf-8")
+    write_exam(tmp_path, EXAM.replace("problem: family", "problem: step"))
+    assert solve("exam", exam, "-o", "build", "--templates", "own", "--jobs", 1).code == 0
+    assert (tmp_path / "build/papers/paper-1.html").read_text("utf-8") == "<p>Final &lt;exam&gt;, 50</p>"
