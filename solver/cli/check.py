@@ -14,7 +14,7 @@ FORMATS = ("text", "json", "html")
 
 
 @click.command(short_help="Mark students' answers to a problem.")
-@click.argument("files", nargs=-1, required=True, metavar="[PROBLEM] ANSWERS...")
+@click.argument("files", nargs=-1, required=True, metavar="[PROBLEM|EXAM] ANSWERS...")
 @click.option("-f", "--format", "format_", type=click.Choice(FORMATS), help="text (on the terminal), json, or html: "
               "a sheet to hand back.")  # fmt: skip
 @click.option("-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: "
@@ -59,7 +59,8 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
 ) -> None:
     """Mark each file of ANSWERS, or each in a folder, by what PROBLEM asks, not by likeness to a key.
 
-    Without PROBLEM the answer file names it by the key 'problem'. One bad file does not stop the rest.
+    Without PROBLEM the answer file names it by the key 'problem'. One bad file does not stop the rest. Answers to an
+    exam are marked against the variant of each student, with the marks of the exam.
     """
     if syntax and (output or table or changes or format_ == "html"):
         raise click.UsageError("--syntax prints text or, with -f json, data; it goes with no -o, --csv and --override.")

@@ -14,6 +14,7 @@ from solver.classroom.report.table import as_csv, columns_of
 from solver.cli.bugs import report_bug
 from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, AtFault, write_whole
+from solver.cli.grading import check_exam, exam_of, passed_over
 from solver.cli.papers import CheckRequest, Paper, Problems, files_in, told_apart
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
@@ -31,6 +32,8 @@ def check_files(request: CheckRequest) -> int:
     files = files_in(named, problem, request.changes)
     several = len(files) > 1 or any(Path(name).is_dir() for name in named)
     _refuse_to_overwrite(request, (*files, *filter(None, (problem, request.changes))))
+    if (exam := exam_of(problem, files)) is not None:
+        return check_exam(request, exam, files, passed_over(named, files))
     delivery = Delivery(request, files, several)
     meter = Meter(len(files))
     problems = Problems(request, meter)

@@ -6,7 +6,7 @@ nothing but itself: what nobody asked for is remarked, a value that cannot be re
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from solver.classroom.reading.quoting import quoted
@@ -34,35 +34,48 @@ class Submission:
 
 def problem_named_in(source: Source) -> str:
     """Return the problem file that an answer file names, or ""; raises InputError."""
-    root = _root(source)
+    root = root_of_answers(source)
     node = root.get("problem")
     return node.text.strip() if isinstance(node, ScalarNode) else ""
 
 
 def read_submission(source: Source, problem: Problem) -> Submission:
     """Return the answers of a file to a problem; raises InputError where it names no part of it."""
-    root = _root(source)
+    root = root_of_answers(source)
     report, shapeless = Report(), Report()
-    for entry in root:
-        if entry.key.text not in KEYS:
-            with report:
-                suggestion = did_you_mean(entry.key.text, KEYS)
-                raise entry.key.fault(f"unknown key '{entry.key.text[:60]}'", suggestion=suggestion)
-    answers: dict[str, Mapping[str, Node]] = {}
+    report_unknown(root, KEYS, report)
+    answers: Mapping[str, Mapping[str, Node]] = {}
     listed = root.get("answers")
     if not isinstance(listed, MappingNode):
         with shapeless:
             raise (listed or root).fault("'answers:' must list the answers of each part: a: {K: [1, 2]}")
     else:
-        for entry in listed:
-            with report:
-                answers[entry.key.text] = _part(entry.key, entry.value, problem, report)
+        answers = answers_in(listed, problem, report)
     if shapeless.diagnostics or not answers:
         raise InputError(source, [*report.diagnostics, *shapeless.diagnostics])
-    return Submission(source, _student(root), answers, tuple(report.diagnostics))
+    return Submission(source, student_in(root), answers, tuple(report.diagnostics))
 
 
-def _root(source: Source) -> MappingNode:
+def report_unknown(root: MappingNode, known: Sequence[str], report: Report) -> None:
+    """Report the keys of an answer file that mean nothing."""
+    for entry in root:
+        if entry.key.text not in known:
+            with report:
+                suggestion = did_you_mean(entry.key.text, known)
+                raise entry.key.fault(f"unknown key '{entry.key.text[:60]}'", suggestion=suggestion)
+
+
+def answers_in(listed: MappingNode, problem: Problem, report: Report) -> Mapping[str, Mapping[str, Node]]:
+    """Return the values submitted for each part of a problem; what names no part or answer of it is reported."""
+    answers: dict[str, Mapping[str, Node]] = {}
+    for entry in listed:
+        with report:
+            answers[entry.key.text] = _part(entry.key, entry.value, problem, report)
+    return answers
+
+
+def root_of_answers(source: Source) -> MappingNode:
+    """Return the tree of an answer file; raises InputError."""
     root = _tree(source)
     if not isinstance(root, MappingNode):
         raise InputError(source, [root.diagnostic("an answer file is a mapping with the key 'answers'")])
@@ -83,7 +96,8 @@ def _tree(source: Source) -> Node:
         return parse_yaml(source, colonless=True)  # told as it is
 
 
-def _student(root: MappingNode) -> str:
+def student_in(root: MappingNode) -> str:
+    """Return the student whom an answer file names, or ""."""
     node = root.get("student")
     return " ".join(node.text.split()) if isinstance(node, ScalarNode) else ""
 
@@ -95,7 +109,7 @@ def _part(key: ScalarNode, node: Node, problem: Problem, report: Report) -> Mapp
         note = f"its parts are: {', '.join(parts)}"
         message = f"the problem has no part '{key.text[:40]}'"
         raise key.fault(message, suggestion=did_you_mean(key.text, parts), note=note)
-    if _is_blank(node):
+    if is_blank(node):
         return {}
     task = catalogue()[parts[key.text].task]
     if not isinstance(node, MappingNode):
@@ -116,9 +130,9 @@ def _part(key: ScalarNode, node: Node, problem: Problem, report: Report) -> Mapp
 
 
 def _answers(entry: Entry, names: Collection[str]) -> bool:
-    return entry.key.text in names and not _is_blank(entry.value)
+    return entry.key.text in names and not is_blank(entry.value)
 
 
-def _is_blank(node: Node) -> bool:
+def is_blank(node: Node) -> bool:
     """Whether nothing is written there; an empty list is an answer, the empty set."""
     return isinstance(node, ScalarNode) and (node.is_null or not node.text.strip())

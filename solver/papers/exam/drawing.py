@@ -74,10 +74,7 @@ def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tupl
 
 def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tell) -> list[Drawn]:
     """Return the members of a family for the variants in order; raises InputError where there are too few."""
-    family = question.problem.family
-    if family is None:
-        raise AssertionError("only a family has members")
-    search = Search(question.source, family, exam.seed_of(question), means.limits, means.draws, means.jobs, tell)
+    search = search_of(exam, question, means, tell)
     found: list[Drawn] = []
     for each in members(search, count, _asked(question, means), f"question-{question.number}", question_made):
         if not isinstance(each.made, QuestionMade):
@@ -86,6 +83,14 @@ def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tel
     if len(found) < count:
         raise shortage(search, question.told, count)
     return found
+
+
+def search_of(exam: Exam, question: Question, means: Means, tell: Tell = lambda _draws, _found: None) -> Search:
+    """Return the search of the members of a question that tells a family; the same one for papers and for marking."""
+    family = question.problem.family
+    if family is None:
+        raise AssertionError("only a family has members")
+    return Search(question.source, family, exam.seed_of(question), means.limits, means.draws, means.jobs, tell)
 
 
 def _asked(question: Question, means: Means) -> Asked:

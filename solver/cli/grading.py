@@ -1,0 +1,191 @@
+"""The work of `solve check exam.yaml answers/`: each file against its own variant, reports, the table of grades."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from solver.classroom.report.data import as_data
+from solver.classroom.report.text import print_marking
+from solver.cli.destination import STANDARD, AtFault, write_whole
+from solver.cli.papers import CheckRequest
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, source_of
+from solver.messages import Messages
+from solver.problem.source import InputError
+from solver.problem.yaml_tree import parse_yaml
+
+if TYPE_CHECKING:
+    from solver.papers.exam.grades import Graded
+    from solver.papers.exam.model import Exam
+    from solver.papers.exam.submitted import ExamSubmission
+    from solver.problem.model import Problem
+
+
+def exam_of(problem: str | None, files: Sequence[str]) -> str | None:
+    """Return the exam that is named, or that the first answer file names; None where answers are to one problem."""
+    from solver.papers.exam.reading import is_exam
+    from solver.papers.exam.submitted import exam_named_in
+
+    if problem is not None:
+        if problem == STANDARD:
+            return None
+        try:
+            return problem if is_exam(parse_yaml(source_of(problem))) else None
+        except InputError:
+            return None  # what is wrong is told where it is read
+    for file in files:
+        try:
+            named = exam_named_in(source_of(file)) if file != STANDARD else ""
+        except InputError:
+            continue
+        return str(Path(file).parent / named) if named else None
+    return None
+
+
+def passed_over(named: Sequence[str], files: Sequence[str]) -> list[str]:
+    """Return the files of folders that are not read since they do not end in .yaml; hidden ones are none."""
+    read = {Path(file).resolve() for file in files if file != STANDARD}
+    inside = [path for name in named if Path(name).is_dir() for path in sorted(Path(name).iterdir())]
+    return [str(path) for path in inside if path.is_file() and path.resolve() not in read and path.name[0] != "."]
+
+
+def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: Sequence[str] = ()) -> int:
+    """Mark the answers to an exam; return the worst exit code: 1 where an answer is wrong, 2 where a file is at fault.
+
+    What is wrong with one file is told, and stops no other; `others` stand beside them and are only told.
+    """
+    if request.syntax or request.solution or request.changes or request.chosen_format == "html":
+        raise click.UsageError("answers to an exam are marked in text, JSON and a table: no --syntax, --solution, "
+                               "--override, -f html.")  # fmt: skip
+    from solver.limits.child import load_all_algebra
+    from solver.papers.exam.drawing import Means
+    from solver.papers.exam.marking import marked, solutions_of
+    from solver.papers.exam.reading import read_exam
+
+    try:
+        exam = read_exam(source_of(file))
+    except InputError as error:
+        click.echo(error.render(), err=True)
+        return INPUT_AT_FAULT
+    read = [_read(name, exam) for name in files]
+    papers = [each.submission for each in read if each.submission is not None]
+    load_all_algebra()  # once, and not in each process
+    means = Means(request.presentation, request.limits, request.processes)
+    try:
+        solutions = solutions_of(exam, {each.variant for each in papers}, means, partial(_prepared, request))
+    except InputError as error:
+        click.echo(error.render(), err=True)
+        return UNSOLVED
+    markings = marked(papers, solutions, request.limits, request.templates, request.processes)
+    graded = [each.graded(None if each.submission is None else next(markings)) for each in read]
+    _tell(request, graded)
+    if others:
+        click.echo(f"passed over, no answer files by their names: {', '.join(others)}", err=True)
+    return _conclude(request, exam, graded)
+
+
+def _prepared(request: CheckRequest, problem: Problem) -> Problem:
+    """Return a problem in the language asked for, and marked by the rule asked for."""
+    from solver.problem.partial import ruled
+    from solver.tasks import catalogue
+
+    told = request.presentation.of(problem)
+    return ruled(told, request.partial, catalogue()) if request.partial else told
+
+
+@dataclass(frozen=True)
+class _Read:
+    """An answer file and what it says, or why it cannot be read."""
+
+    name: str
+    submission: ExamSubmission | None = None
+    fault: str = ""
+
+    def graded(self, marking: Any) -> Graded:
+        """Return it with its marking."""
+        from solver.papers.exam.grades import Graded
+
+        if self.submission is None:
+            return Graded(self.name, fault=self.fault)
+        return Graded(self.name, self.submission.student, self.submission.variant, marking)
+
+
+def _read(name: str, exam: Exam) -> _Read:
+    """Read an answer file; what is wrong with it becomes words on standard error."""
+    from solver.papers.exam.submitted import read_exam_submission
+
+    try:
+        return _Read(name, read_exam_submission(source_of(name), exam))
+    except InputError as error:
+        fault = error.render()
+    except AtFault as error:
+        fault = f"{name}: error: {error.format_message()}"
+    click.echo(fault, err=True)
+    return _Read(name, fault=fault)
+
+
+def _tell(request: CheckRequest, graded: Sequence[Graded]) -> None:
+    """Write the markings, as text or as a list of data, where they are asked for."""
+    if request.chosen_format == "json":
+        items = [_data(each) for each in graded]
+        content = json.dumps(items, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+    else:
+        content = "".join(_text(request, each) for each in graded if each.marking is not None)
+    if request.output is None or request.output == STANDARD:
+        sys.stdout.write(content)
+        sys.stdout.flush()
+        return
+    place = Path(request.output)
+    if place.is_dir() or request.output.endswith("/"):
+        place /= "marked.json" if request.chosen_format == "json" else "marked.txt"
+    write_whole(place, content.encode())
+    click.echo(f"wrote {place}", err=True)
+
+
+def _data(each: Graded) -> dict[str, Any]:
+    if each.marking is None:
+        return {"file": each.file, "student": "", "error": each.fault}
+    return {"file": each.file, "variant": each.variant, "student": each.student, **as_data(each.marking)}
+
+
+def _text(request: CheckRequest, each: Graded) -> str:
+    from rich.console import Console
+
+    from solver.render.terminal import WIDTH
+
+    if each.marking is None:
+        return ""
+    messages = Messages(request.templates, request.presentation.language or "en")
+    console = Console(highlight=False, width=WIDTH, force_terminal=False)
+    with console.capture() as captured:
+        print_marking(each.marking, f"{each.file}, variant {each.variant}", console, messages)
+    return captured.get()
+
+
+def _conclude(request: CheckRequest, exam: Exam, graded: Sequence[Graded]) -> int:
+    """Write the table, say which files cannot be read and of whom there is none; return the worst exit code."""
+    from solver.papers.exam.grades import grades_table, missing
+
+    if request.table:
+        write_whole(Path(request.table), grades_table(exam, graded).encode())
+        click.echo(f"wrote {request.table}", err=True)
+    unread = [each.file for each in graded if each.marking is None]
+    markings = [each.marking for each in graded if each.marking is not None]
+    students = [each.student for each in graded if each.marking is not None and each.student]
+    for student in dict.fromkeys(each for each in students if students.count(each) > 1):
+        click.echo(f"several files of {student} were marked", err=True)
+    if unread:
+        click.echo(f"not readable: {', '.join(unread)}", err=True)
+    if absent := missing(exam, graded):
+        click.echo(f"no file of: {', '.join(absent)}", err=True)
+    click.echo(f"marked {len(markings)} of {len(graded)} files", err=True)
+    if unread:
+        return INPUT_AT_FAULT
+    return SOLVED if all(each.all_right for each in markings) else UNSOLVED

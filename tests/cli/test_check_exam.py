@@ -1,0 +1,160 @@
+"""`solve check exam.yaml answers/`: each student against the own variant, grades, and files that cannot be read."""
+
+import csv
+import io
+import json
+
+import pytest
+
+import solver
+from solver.papers.generator import hashed
+from tests.papers.conftest import FAMILY
+from tests.papers.exams import EXAM, write_exam
+
+CLASS = EXAM.replace("count: 2", "students: class.csv")
+
+
+@pytest.fixture(scope="module")
+def gains():
+    """The right gains of the first question in the first two variants."""
+    drawn = solver.variants(FAMILY, count=2, seed=hashed(2026, 1))
+    return [str(each.solve().answers["f"]["K"].tolist()[0]) for each in drawn]
+
+
+def answers(head, gain, verdict="asymptotically stable"):
+    return f"""\
+{head}
+answers:
+  1: {{f: {{K: {gain}}}}}
+  2:
+    a: {{verdict: {verdict}}}
+    b: {{poles: [-4], zeros: []}}
+  3: {{c: {{eigenvalues: [-1, -2]}}}}
+"""
+
+
+@pytest.fixture
+def hand_in(tmp_path):
+    """Write an exam and answer files in a folder."""
+
+    def of(files, exam=EXAM):
+        write_exam(tmp_path, exam)
+        (tmp_path / "class.csv").write_text("student\nAnna\n=Ben\nCleo\n", encoding="utf-8")
+        (tmp_path / "in").mkdir()
+        for name, text in files.items():
+            (tmp_path / "in" / name).write_text(text, encoding="utf-8")
+
+    return of
+
+
+def table(path):
+    return list(csv.DictReader(io.StringIO(path.read_text(encoding="utf-8"))))
+
+
+def test_each_is_marked_against_the_own_variant_with_the_marks_of_the_exam(solve, hand_in, gains, tmp_path):
+    hand_in({
+        "anna.yaml": answers("student: Anna\nvariant: 1", gains[0]),
+        "ben.yaml": answers("student: Ben\nvariant: 2", gains[0], "unstable"),
+        "cleo.yaml": answers("student: Cleo\nvariant: 2", gains[1]),
+    })  # fmt: skip
+    done = solve("check", "exam.yaml", "in", "--csv", "grades.csv", "--jobs", 1)
+    assert done.code == 1
+    anna, ben, cleo = table(tmp_path / "grades.csv")
+    assert list(anna) == [
+        "file", "student", "variant", "1.f", "1", "2.a", "2.b", "2", "3.a", "3.b", "3.c", "3",
+        "total", "out of", "needs review",
+    ]  # fmt: skip
+    assert [anna[name] for name in ("1", "2", "3", "total", "out of")] == ["10", "20", "6.66", "36.66", "50"]
+    assert cleo["1"] == "10"
+    assert float(ben["1"]) < 10
+    assert ben["2"] == "13.33"
+    assert "in/ben.yaml, variant 2 (Ben):" in done.out
+    assert "2.a  Stability: 0 of 6.67" in done.out
+    assert "marked 3 of 3 files" in done.err
+
+
+def test_a_student_of_a_class_needs_no_variant_and_no_file_is_lost(solve, hand_in, gains, tmp_path):
+    hand_in(
+        {
+            "anna.yaml": answers("student: anna", gains[0]),
+            "ben.yaml": answers("student: =Ben\nvariant: 1", gains[0]),
+            "bad.yaml": "answers: [",
+            "who.yaml": answers("student: Zoe", gains[0]),
+            "photo.jpg": "no answers",
+        },
+        CLASS,
+    )
+    done = solve("check", "exam.yaml", "in", "--csv", "grades.csv", "-f", "json", "--jobs", 1)
+    assert done.code == 2
+    assert "in/ben.yaml:2:10: error: =Ben has variant 2, not 1" in done.err
+    assert "in/who.yaml:1:10: error: 'Zoe' is no student of this class" in done.err
+    assert "in/bad.yaml:" in done.err
+    assert "not readable: in/bad.yaml, in/ben.yaml, in/who.yaml" in done.err
+    assert "in/photo.jpg" in done.err
+    assert "no file of: =Ben, Cleo" in done.err
+    data = json.loads(done.out)
+    assert [(each["file"], each["student"], "error" in each) for each in data] == [
+        ("in/anna.yaml", "Anna", False),
+        ("in/bad.yaml", "", True),
+        ("in/ben.yaml", "", True),
+        ("in/who.yaml", "", True),
+    ]
+    assert data[0]["parts"][0]["id"] == "1.f"
+    rows = table(tmp_path / "grades.csv")
+    assert [(row["file"], row["student"], row["total"]) for row in rows] == [
+        ("in/anna.yaml", "Anna", "36.66"),
+        ("in/bad.yaml", "", "not readable"),
+        ("in/ben.yaml", "", "not readable"),
+        ("in/who.yaml", "", "not readable"),
+        ("", "'=Ben", "no file"),
+        ("", "Cleo", "no file"),
+    ]
+
+
+def test_the_file_to_fill_in_finds_its_exam_and_variant(solve, hand_in, gains, tmp_path):
+    hand_in({}, EXAM)
+    assert solve("exam", "exam.yaml", "-o", "build", "--jobs", 1).code == 0
+    sheet = tmp_path / "build" / "answers" / "answers-2.yaml"
+    text = sheet.read_text(encoding="utf-8")
+    assert "      K:  #" in text
+    sheet.write_text(text.replace("      K:  #", f"      K: {gains[1]}  #"), encoding="utf-8")
+    done = solve("check", "build/answers/answers-2.yaml", "--jobs", 1)
+    assert done.code == 0
+    assert "variant 2: 10 of 50" in done.out
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            "student: A\nanswers: {1: {f: {K: [1, 2]}}}\n",
+            "in/a.yaml:1:1: error: it does not say which of the 2",
+        ),
+        ("variant: 3\nanswers: {1: {}}\n", "in/a.yaml:1:10: error: variant must be a whole number"),
+        ("variant: 1\nanswers: {9: {f: {K: 1}}}\n", "in/a.yaml:2:11: error: the exam has no question '9'"),
+        ("variant: 1\nanswers: 5\n", "in/a.yaml:2:10: error: 'answers:' must list the questions"),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_said_at_its_place(solve, hand_in, text, said):
+    hand_in({"a.yaml": text})
+    done = solve("check", "exam.yaml", "in")
+    assert done.code == 2
+    assert said in done.err
+    assert "marked 0 of 1 files" in done.err
+
+
+def test_what_is_strange_costs_nothing_but_itself(solve, hand_in, gains):
+    text = answers("variant: 1\nmood: good", gains[0]) + "  4: {a: {K: 1}}\n"
+    hand_in({"a.yaml": text.replace("  3: {c:", "  3: {z: {K: 1}, c:")})
+    done = solve("check", "exam.yaml", "in", "-f", "json", "--jobs", 1)
+    (data,) = json.loads(done.out)
+    assert data["marks"] == 36.66
+    assert data["needs_review"]
+    assert len(data["remarks"]) == 3
+
+
+def test_one_that_is_at_fault_itself_is_told(solve, hand_in):
+    hand_in({"a.yaml": "variant: 1\nanswers: {1: {f: {K: 1}}}\n"}, EXAM.replace("seed: 2026", "seed: x"))
+    done = solve("check", "exam.yaml", "in")
+    assert done.code == 2
+    assert "exam.yaml:15:7: error: seed must be a whole number" in done.err
