@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -56,7 +56,7 @@ def _parts(question: int, exam: Exam) -> list[str]:
     return [f"{question}.{part.id}" for part in exam.questions[question - 1].problem.parts]
 
 
-def _cells(exam: Exam, of_parts: dict[str, Fraction]) -> Iterator[object]:
+def _cells(exam: Exam, of_parts: Mapping[str, Fraction]) -> Iterator[object]:
     for each in exam.questions:
         marks = [of_parts[name] for name in _parts(each.number, exam)]
         yield from map(number, marks)
