@@ -20,6 +20,8 @@ FORMATS = ("text", "json", "html")
 @click.option("-o", "--output", metavar="PATH", help="A file, a folder, or - for standard output. Default: "
               "sheets beside the answers, text and json on standard output.")  # fmt: skip
 @click.option("--csv", "table", metavar="FILE", help="Also write a table of marks, one line for each answer file.")
+@click.option("--report", metavar="FILE", help="Also write what the marks of an exam say: a page with their spread, "
+              "how hard each question was, and the mistakes made most.")  # fmt: skip
 @click.option("--partial", type=click.Choice(RULES), help="What wrong answers earn, whatever the problem says: in "
               "proportion to right entries, nothing, or what named mistakes leave.")  # fmt: skip
 @click.option("--answers", "key", is_flag=True, help="Show the right values on the sheet.")
@@ -44,6 +46,7 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     format_: str | None,
     output: str | None,
     table: str | None,
+    report: str | None,
     partial: str | None,
     key: bool,
     changes: str | None,
@@ -71,5 +74,6 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
 
     told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
     limits = Limits(time_limit, memory_limit)
-    marked = CheckRequest(files, format_, output, table, solution, told, limits, partial, key, syntax, changes, jobs)
+    rules = partial, key, syntax, changes, jobs, report
+    marked = CheckRequest(files, format_, output, table, solution, told, limits, *rules)
     ctx.exit(check_files(marked))

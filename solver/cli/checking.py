@@ -34,6 +34,8 @@ def check_files(request: CheckRequest) -> int:
     _refuse_to_overwrite(request, (*files, *filter(None, (problem, request.changes))))
     if (exam := exam_of(problem, files)) is not None:
         return check_exam(request, exam, files, passed_over(named, files))
+    if request.report:
+        raise click.UsageError("--report is about an exam: solve check EXAM ANSWERS.")
     delivery = Delivery(request, files, several)
     meter = Meter(len(files))
     problems = Problems(request, meter)
@@ -56,7 +58,7 @@ def check_files(request: CheckRequest) -> int:
 
 def _refuse_to_overwrite(request: CheckRequest, files: Sequence[str]) -> None:
     read = {Path(file).resolve() for file in files if file != STANDARD}
-    for path in (request.output, request.table):
+    for path in (request.output, request.table, request.report):
         if path and path != STANDARD and Path(path).resolve() in read:
             raise click.UsageError(f"{path} is one of the files that are read; it is not overwritten.")
 

@@ -16,7 +16,7 @@ from solver.classroom.report.data import as_data
 from solver.classroom.report.text import print_marking
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.papers import CheckRequest
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, source_of
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, source_of
 from solver.messages import Messages
 from solver.problem.source import InputError
 from solver.problem.yaml_tree import parse_yaml
@@ -88,6 +88,13 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     _tell(request, graded)
     if others:
         click.echo(f"passed over, no answer files by their names: {', '.join(others)}", err=True)
+    if request.report:
+        from solver.papers.exam.report import report_page
+
+        with in_words("the report"):
+            page = report_page(exam, graded, solutions, request.templates)
+        write_whole(Path(request.report), page.encode())
+        click.echo(f"wrote {request.report}", err=True)
     return _conclude(request, exam, graded)
 
 

@@ -31,7 +31,8 @@ ENDINGS = (".yaml", ".yml")
 class CheckRequest:
     """What the command line asks for; `limits` are those of each part, `partial` the rule for all wrong answers.
 
-    With `key` a sheet has the right values too, `syntax` asks only how values are read, `changes` is a file of changes.
+    With `key` a sheet has the right values too, `syntax` asks only how values are read, `changes` is a file of changes,
+    `report` a page of what the marks of a class say.
     """
 
     files: tuple[str, ...]
@@ -46,6 +47,7 @@ class CheckRequest:
     syntax: bool = False
     changes: str | None = None
     jobs: int | None = None
+    report: str | None = None
 
     @property
     def templates(self) -> Path | None:

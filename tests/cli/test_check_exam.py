@@ -158,3 +158,22 @@ def test_one_that_is_at_fault_itself_is_told(solve, hand_in):
     done = solve("check", "exam.yaml", "in")
     assert done.code == 2
     assert "exam.yaml:15:7: error: seed must be a whole number" in done.err
+
+
+def test_the_report_is_written_beside_the_grades(solve, hand_in, gains, tmp_path):
+    files = {f"{n}.yaml": answers(f"student: S{n}\nvariant: {1 + n % 2}", gains[0]) for n in range(4)}
+    hand_in({**files, "bad.yaml": "answers: ["})
+    done = solve("check", "exam.yaml", "in", "--report", "report.html", "--jobs", 1)
+    assert done.code == 2
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Final &lt;exam&gt;" in page
+    assert "Not readable: in/bad.yaml" in page
+    foreign = page.split('id="answers-of-another-variant"')[1].split("</table>")[0]
+    assert "<td>1.f.K</td><td>1</td><td>2: S1, S3</td>" in foreign
+
+
+def test_a_report_is_about_an_exam(solve, good, tmp_path):
+    (tmp_path / "a.yaml").write_text("answers: {a: {}}\n", encoding="utf-8")
+    done = solve("check", good, "a.yaml", "--report", "report.html")
+    assert done.code == 2
+    assert "--report is about an exam" in done.err

@@ -1,0 +1,28 @@
+"""The report of a class as a page; `html/report.html.jinja` is its layout."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from solver.classroom.report.words import number
+from solver.papers.exam.grades import Graded, missing
+from solver.papers.exam.marking import Solutions
+from solver.papers.exam.model import Exam
+from solver.papers.exam.statistics import statistics_of
+from solver.render.page import rendered
+
+
+def report_page(exam: Exam, graded: Sequence[Graded], solutions: Solutions, templates: Path | None = None) -> str:
+    """Return the page: marks, questions, mistakes, equal answers, grades, and what must be looked at first."""
+    return rendered(
+        "report.html.jinja",
+        templates,
+        exam=exam,
+        graded=graded,
+        statistics=statistics_of(exam, graded, solutions),
+        marked=sum(each.marking is not None for each in graded),
+        unread=[each for each in graded if each.marking is None],
+        missing=missing(exam, graded),
+        number=number,
+    )
