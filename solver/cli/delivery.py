@@ -59,7 +59,7 @@ class Delivery:
             sys.stdout.write(content)
             sys.stdout.flush()
             return
-        path = self._path(paper.name)
+        path = self.path_of(paper.name)
         write_whole(path, content.encode())
         total = Phrase("{marks} of {out_of} marks", marks=number(marking.marks), out_of=number(marking.out_of))
         said = (say(total), say(Phrase("wrote {path}", path=path)), to_be_reviewed(marking, say))
@@ -98,7 +98,7 @@ class Delivery:
             print_marking(marking, paper.name, console, self.messages)
         return captured.get()
 
-    def _path(self, file: str) -> Path:
+    def path_of(self, file: str) -> Path:
         """Where the marking of a file goes: as named, into the folder named, or beside the answers."""
         if self.request.output is None:
             beside = Path("answers") if file == STANDARD else Path(file)

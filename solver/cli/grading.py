@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,6 +14,8 @@ import click
 
 from solver.classroom.report.data import as_data
 from solver.classroom.report.text import print_marking
+from solver.classroom.report.words import number
+from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.papers import CheckRequest
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, source_of
@@ -22,7 +24,9 @@ from solver.problem.source import InputError
 from solver.problem.yaml_tree import parse_yaml
 
 if TYPE_CHECKING:
+    from solver.classroom import Marking
     from solver.papers.exam.grades import Graded
+    from solver.papers.exam.marking import Solutions
     from solver.papers.exam.model import Exam
     from solver.papers.exam.submitted import ExamSubmission
     from solver.problem.model import Problem
@@ -61,9 +65,8 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
 
     What is wrong with one file is told, and stops no other; `others` stand beside them and are only told.
     """
-    if request.syntax or request.solution or request.changes or request.chosen_format == "html":
-        raise click.UsageError("answers to an exam are marked in text, JSON and a table: no --syntax, --solution, "
-                               "--override, -f html.")  # fmt: skip
+    if request.syntax or request.solution or request.changes:
+        raise click.UsageError("answers to an exam are marked without --syntax, --solution and --override.")
     from solver.limits.child import load_all_algebra
     from solver.papers.exam.drawing import Means
     from solver.papers.exam.marking import marked, solutions_of
@@ -84,8 +87,11 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
         click.echo(error.render(), err=True)
         return UNSOLVED
     markings = marked(papers, solutions, request.limits, request.templates, request.processes)
-    graded = [each.graded(None if each.submission is None else next(markings)) for each in read]
-    _tell(request, graded)
+    graded = [each.graded(markings) for each in read]
+    if request.chosen_format == "html":
+        _write_sheets(request, exam, graded, solutions)
+    else:
+        _tell(request, graded)
     if others:
         click.echo(f"passed over, no answer files by their names: {', '.join(others)}", err=True)
     if request.report:
@@ -115,13 +121,16 @@ class _Read:
     submission: ExamSubmission | None = None
     fault: str = ""
 
-    def graded(self, marking: Any) -> Graded:
-        """Return it with its marking."""
+    def graded(self, markings: Iterator[tuple[Marking, ...]]) -> Graded:
+        """Return it with its marking, the next one where it could be read."""
         from solver.papers.exam.grades import Graded
+        from solver.papers.exam.marking import together
 
         if self.submission is None:
             return Graded(self.name, fault=self.fault)
-        return Graded(self.name, self.submission.student, self.submission.variant, marking)
+        student, of_questions = self.submission.student, next(markings)
+        whole = together(student, of_questions)
+        return Graded(self.name, student, self.submission.variant, whole, of_questions=of_questions)
 
 
 def _read(name: str, exam: Exam) -> _Read:
@@ -154,6 +163,20 @@ def _tell(request: CheckRequest, graded: Sequence[Graded]) -> None:
         place /= "marked.json" if request.chosen_format == "json" else "marked.txt"
     write_whole(place, content.encode())
     click.echo(f"wrote {place}", err=True)
+
+
+def _write_sheets(request: CheckRequest, exam: Exam, graded: Sequence[Graded], solutions: Solutions) -> None:
+    """Write a sheet for each file that was marked, beside it or into the folder named."""
+    from solver.papers.exam.sheet import exam_sheet
+
+    delivery = Delivery(request, [each.file for each in graded], several=len(graded) > 1)
+    for each in graded:
+        if each.marking is not None:
+            with in_words("the sheet"):
+                page = exam_sheet(exam, each, solutions[each.variant], request.templates, key=request.key)
+            path = delivery.path_of(each.file)
+            write_whole(path, page.encode())
+            click.echo(f"{each.file}: {number(each.marking.marks)} of {number(each.marking.out_of)}; wrote {path}")
 
 
 def _data(each: Graded) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 
 import pytest
 
@@ -177,3 +178,20 @@ def test_a_report_is_about_an_exam(solve, good, tmp_path):
     done = solve("check", good, "a.yaml", "--report", "report.html")
     assert done.code == 2
     assert "--report is about an exam" in done.err
+
+
+def test_sheets_to_hand_back_are_written_for_all_that_can_be_read(solve, hand_in, gains, tmp_path):
+    hand_in({
+        "anna.yaml": answers("student: <i>Anna</i>\nvariant: 1", gains[0], "unstable"),
+        "bad.yaml": "answers: [",
+    })  # fmt: skip
+    done = solve("check", "exam.yaml", "in", "-f", "html", "-o", "sheets/", "--answers", "--jobs", 1)
+    assert done.code == 2
+    assert [path.name for path in (tmp_path / "sheets").iterdir()] == ["anna.marked.html"]
+    page = (tmp_path / "sheets" / "anna.marked.html").read_text(encoding="utf-8")
+    assert "Marked answers of &lt;i&gt;Anna&lt;/i&gt;, Variant 1" in page
+    assert page.count('<section class="exam-question"') == 3
+    assert "of 50 marks" in page
+    assert "The right value:" in page
+    names = re.findall(r'\bid="([^"]*)"', page)
+    assert len(names) == len(set(names))

@@ -64,9 +64,7 @@ def render_sheet(
     key: bool = False,
 ) -> str:
     """Return the page to hand back; with `key` the right values too, with a document the worked solution below."""
-    sections = _Sections(solution, templates, key)
-    paper = document_of(solution, Presentation("question", templates))
-    works = {work.id: work for work in reversed(paper.parts)}
+    sections, paper = marked_sections(solution, marking, templates, key=key)
     return rendered(
         "sheet.html.jinja",
         templates,
@@ -75,11 +73,21 @@ def render_sheet(
         marking=marking,
         number=number,
         review=to_be_reviewed(marking, paper.messages.say),
-        sections=[sections.section(part, works[part.id]) for part in marking.parts],
+        sections=sections,
         paper=paper,
         worked=document is not None,
         document=replace(document, statement="", given="") if document else paper,  # the sheet has the problem already
     )
+
+
+def marked_sections(
+    solution: Solution, marking: Marking, templates: Path | None = None, *, key: bool = False
+) -> tuple[list[Section], Document]:
+    """Return the parts of a sheet, and the document of the question, which it shows above them."""
+    sections = _Sections(solution, templates, key)
+    paper = document_of(solution, Presentation("question", templates))
+    works = {work.id: work for work in reversed(paper.parts)}
+    return [sections.section(part, works[part.id]) for part in marking.parts], paper
 
 
 class _Sections:

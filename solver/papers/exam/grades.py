@@ -17,13 +17,17 @@ from solver.papers.exam.model import Exam
 
 @dataclass(frozen=True, slots=True)
 class Graded:
-    """An answer file by its name, with its variant and marking, or `fault`: why it cannot be read."""
+    """An answer file by its name, with its variant and marking, or `fault`: why it cannot be read.
+
+    `marking` is that of all questions together, `of_questions` are those of each.
+    """
 
     file: str
     student: str = ""
     variant: int = 0
     marking: Marking | None = None
     fault: str = ""
+    of_questions: tuple[Marking, ...] = ()
 
 
 def missing(exam: Exam, graded: Sequence[Graded]) -> list[str]:

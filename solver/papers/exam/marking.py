@@ -55,16 +55,17 @@ def _texts(exam: Exam, question: Question, count: int, means: Means) -> list[str
 
 def marked(
     papers: Sequence[ExamSubmission], solutions: Solutions, limits: Limits, templates: Path | None, jobs: int
-) -> Iterator[Marking]:
-    """Yield the marking of each paper: its parts are called `2.a`, and carry the marks of the exam."""
+) -> Iterator[tuple[Marking, ...]]:
+    """Yield the markings of each paper, one for each question."""
     pairs = [pair for paper in papers for pair in zip(solutions[paper.variant], paper.answers, strict=True)]
     markings = mark_each(pairs, limits, templates, jobs)
     for paper in papers:
-        of_questions = [next(markings) for _ in paper.answers]
-        parts = tuple(
-            replace(part, id=f"{number}.{part.id}")
-            for number, each in enumerate(of_questions, 1)
-            for part in each.parts
-        )
-        remarks = tuple(remark for each in of_questions for remark in each.remarks)
-        yield Marking(paper.student, parts, remarks)
+        yield tuple(next(markings) for _ in paper.answers)
+
+
+def together(student: str, of_questions: Sequence[Marking]) -> Marking:
+    """Return the marking of a paper: its parts are called `2.a`, and carry the marks of the exam."""
+    parts = tuple(
+        replace(part, id=f"{number}.{part.id}") for number, each in enumerate(of_questions, 1) for part in each.parts
+    )
+    return Marking(student, parts, tuple(remark for each in of_questions for remark in each.remarks))
