@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from solver.classroom.reading.answer_file import is_blank, root_of_answers
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
 from solver.cli.drawing import progress
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of, usable_cores
@@ -19,6 +20,7 @@ from solver.papers.exam.drawing import Drawn, Means, drawn
 from solver.papers.exam.making import ANSWERS, answer_file, files_of, variants_table
 from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
+from solver.problem.nodes import MappingNode
 from solver.problem.source import InputError
 
 
@@ -78,6 +80,9 @@ def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means:
         f"{ANSWERS}/answers-{variant.label}.yaml": answer_file(exam, named, variant, questions).encode()
         for variant, questions in zip(exam.variants, variants, strict=True)
     }
+    for name in [name for name in sheets if is_filled(order.folder / name)]:
+        click.echo(f"kept {order.folder / name}: there are answers in it", err=True)
+        del sheets[name]
     _write_all(order, {**sheets, "variants.csv": variants_table(exam, variants).encode()})
     whose = f"{len(exam.students)} students" if exam.students else f"{exam.count} variants"
     click.echo(f"{len(exam.questions)} questions, {whose if len(variants) > 1 else 'one paper'}, all verified")
@@ -92,6 +97,25 @@ def _write_all(order: Order, contents: Mapping[str, bytes]) -> None:
         if path.resolve() == read:
             raise AtFault(f"{path} is the exam itself; it is not overwritten")
         write_whole(path, content)
+
+
+def is_filled(path: Path) -> bool:
+    """Whether a file holds answers, or what nobody but a person has written: it is not to be overwritten."""
+    if not path.exists():
+        return False
+    try:
+        answers = root_of_answers(source_of(str(path))).get("answers")
+    except InputError:
+        return True
+    left = [answers] if answers is not None else []
+    while left:
+        node = left.pop()
+        if not isinstance(node, MappingNode):
+            if not is_blank(node):
+                return True
+            continue
+        left += [entry.value for entry in node]
+    return False
 
 
 def _seen_from(folder: Path, file: Path) -> str:

@@ -143,3 +143,20 @@ def test_templates_can_be_replaced(solve, exam, tmp_path):
     write_exam(tmp_path, EXAM.replace("problem: family", "problem: step"))
     assert solve("exam", exam, "-o", "build", "--templates", "own", "--jobs", 1).code == 0
     assert (tmp_path / "build/papers/paper-1.html").read_text("utf-8") == "<p>Final &lt;exam&gt;, 50</p>"
+
+
+def test_a_rerun_keeps_what_students_wrote(solve, tmp_path):
+    write_exam(tmp_path, EXAM.replace("problem: family", "problem: step"))
+    assert solve("exam", "exam.yaml", "-o", "build", "--jobs", 1).code == 0
+    first, second = (tmp_path / "build" / "answers" / f"answers-{n}.yaml" for n in (1, 2))
+    filled = first.read_text("utf-8").replace("verdict:", "verdict: unstable", 1)
+    first.write_text(filled, "utf-8")
+    second.write_text(second.read_text("utf-8").replace("exam:", "# old\nexam:"), "utf-8")
+    done = solve("exam", "exam.yaml", "-o", "build", "--jobs", 1, "--language", "de", "-f", "html,latex")
+    assert done.code == 0
+    assert "kept build/answers/answers-1.yaml: there are answers in it" in done.err
+    assert first.read_text("utf-8") == filled
+    assert "# old" not in second.read_text("utf-8")
+    paper = (tmp_path / "build" / "papers" / "paper-1.html").read_text("utf-8")
+    assert '<html lang="de">' in paper
+    assert "Variante" in paper
