@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from solver.formula import latex, read
 from solver.formula.building import row, separated
 from solver.formula.nodes import Fenced, Node, Operator, Row, Scripts, Space, Symbol, Table
 from solver.formula.width import LINE, broken, width
@@ -79,3 +80,19 @@ def _lines(side: Row, relation: Node, room: float) -> list[Row]:
 def aligned(lines: Iterable[tuple[Row, ...]]) -> Row:
     """Return lines, each in cells between which it is aligned, as one block."""
     return row(Table("aligned", tuple(lines)))
+
+
+TALLEST = 28
+"""Rows of aligned equations that fit on a page; more are several displays, since no page breaks one of ours."""
+
+
+def on_pages(formula: str) -> list[tuple[Row, str]]:
+    """Return LaTeX of a displayed formula as trees that fit on a page each, with their LaTeX."""
+    found = read(formula)
+    match found.items:
+        case (Table("aligned", rows),) if len(rows) > TALLEST:
+            count = -(-len(rows) // TALLEST)
+            size = -(-len(rows) // count)
+            blocks = [aligned(rows[i : i + size]) for i in range(0, len(rows), size)]
+            return [(block, latex(block)) for block in blocks]
+    return [(found, formula)]

@@ -11,9 +11,8 @@ from collections.abc import Callable, Sequence
 from markdown_it.token import Token
 
 from solver.formula import find_problem, latex, read
-from solver.formula.nodes import Table
 from solver.markup import address_of
-from solver.render.displays import aligned
+from solver.render.displays import on_pages
 from solver.render.tex_text import escaped
 
 _FIXED = {
@@ -83,19 +82,9 @@ def formula_latex(formula: str, displayed: bool) -> str:
     return display_latex(formula) if displayed else f"${formula}$"
 
 
-TALLEST = 28
-"""Rows of aligned equations that fit on a page; more are several displays, since TeX breaks none of ours."""
-
-
 def display_latex(formula: str, around: str = "") -> str:
     r"""Return a displayed formula, in the command `around` (`\boxed`); a long list of equations as several."""
-    match read(formula).items:
-        case (Table("aligned", rows),) if len(rows) > TALLEST:
-            count = -(-len(rows) // TALLEST)
-            size = -(-len(rows) // count)
-            blocks = (aligned(rows[i : i + size]) for i in range(0, len(rows), size))
-            return "".join(_display(latex(block), around) for block in blocks)
-    return _display(formula, around)
+    return "".join(_display(block, around) for _, block in on_pages(formula))
 
 
 def _display(formula: str, around: str) -> str:
