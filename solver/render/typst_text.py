@@ -1,0 +1,35 @@
+"""Plain text for typst: a literal string of its code, in which no sign means anything; a missing letter is named."""
+
+from __future__ import annotations
+
+import unicodedata
+
+_LETTERS = ((0x20, 0x7E), (0xA0, 0x17F), (0x391, 0x3A1), (0x3A3, 0x3A9), (0x3B1, 0x3C9), (0x410, 0x44F))
+_SIGNS = frozenset("–—‘’“”‚„†‡•…‰‹›€™≤≥≠≈→←↔⇒⇔−·×÷±∞√∈∫∑∏∂∇⋯ℒ⁻⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ₀₁₂₃₄₅₆₇₈₉′″ϕϑϵЁё✓✗")
+"""What the fonts within typst have for certain; where one lacks a letter, a PDF cannot be read to the blind."""
+
+_NEAR = {"ℒ": "L", "𝒵": "Z", "ᵀ": "T", "\t": " ", "\n": " ", "\u00ad": ""}
+
+
+def quoted(text: str) -> str:
+    """Return a text as a string of typst's code."""
+    letters = "".join(map(_letter, unicodedata.normalize("NFC", text)))
+    return '"' + letters.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def bare(text: str) -> str:
+    """Return a text in one line as typst's markup."""
+    return f"#{quoted(' '.join(text.split()))}"
+
+
+def _letter(letter: str) -> str:
+    if letter in _NEAR:
+        return _NEAR[letter]
+    if letter in _SIGNS or any(first <= ord(letter) <= last for first, last in _LETTERS):
+        return letter
+    base = unicodedata.normalize("NFKD", letter)[0]
+    if base != letter and base.isascii() and base.isprintable():
+        return base
+    if unicodedata.category(letter)[0] in "CM":
+        return ""
+    return f"[{unicodedata.name(letter, f'U+{ord(letter):04X}').lower()}]"
