@@ -13,6 +13,8 @@ from solver.document.formats import FORMATS
 
 DETAILS = ("question", "key", "brief", "full", "tutor")
 CHECKS = ("none", "summary", "table")
+PDF_ENGINE = click.option("--pdf-engine", type=click.Choice(["tex", "typst"]),
+                          help="What makes a PDF. Default: TeX where it is installed, else typst.")  # fmt: skip
 
 
 class FormatList(click.ParamType[tuple[str, ...]]):
@@ -63,6 +65,7 @@ class Seconds(click.FloatRange):
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much is written.")
 @click.option("--checks", type=click.Choice(CHECKS), help="How checks are told. Default: none in a question or a key, "
               "else a summary.")  # fmt: skip
+@PDF_ENGINE
 @click.option("--no-sources", is_flag=True, help="Do not name the literature.")
 @click.option("--templates", metavar="DIR",
               type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
@@ -83,6 +86,7 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     output: str | None,
     detail: str,
     checks: str | None,
+    pdf_engine: str | None,
     no_sources: bool,
     templates: Path | None,
     language: str | None,
@@ -102,6 +106,6 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
 
     destination = Destination.named(output, formats, files)
     told = ("json" in destination.formats, checks or "", not no_sources, known(language, templates, ctx), notation)
-    presentation = Presentation(detail, templates, *told)
+    presentation = Presentation(detail, templates, *told, pdf_engine=pdf_engine)
     request = Request(files, destination, presentation, open_page, time_limit, memory_limit, verbose)
     ctx.exit(solve_files(request))

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, FormatList, Seconds
+from solver.cli.run import DETAILS, PDF_ENGINE, FormatList, Seconds
 
 
 @click.command(short_help="Draw members of a family of problems.")
@@ -21,6 +21,7 @@ from solver.cli.run import DETAILS, FormatList, Seconds
 @click.option("--draws", type=click.IntRange(min=1, max=100_000_000), default=100_000, show_default=True,
               help="So many draws are made at most.")  # fmt: skip
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much is written.")
+@PDF_ENGINE
 @click.option("--templates", metavar="DIR",
               type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
               help="Templates that take precedence over the program's own.")  # fmt: skip
@@ -42,6 +43,7 @@ def variants(  # noqa: PLR0913, PLR0917 - a parameter for each option of the com
     check: bool,
     draws: int,
     detail: str,
+    pdf_engine: str | None,
     templates: Path | None,
     language: str | None,
     notation: str | None,
@@ -62,7 +64,12 @@ def variants(  # noqa: PLR0913, PLR0917 - a parameter for each option of the com
     from solver.limits import Limits
 
     told = Presentation(
-        detail, templates, "json" in formats, language=known(language, templates, ctx), notation=notation
+        detail,
+        templates,
+        "json" in formats,
+        language=known(language, templates, ctx),
+        notation=notation,
+        pdf_engine=pdf_engine,
     )
     limits = Limits(time_limit, memory_limit)
     ctx.exit(draw_members(Order(problem, count, seed, formats, output, told, limits, check, draws, jobs)))

@@ -41,9 +41,13 @@ def _images(document: Document) -> Mapping[str, bytes]:
 
 
 def _pdf(document: Document) -> bytes:
-    from solver.render.pdf import pdf_of  # noqa: PLC0415 - as above
+    from solver.render import pdf  # noqa: PLC0415 - as above
 
-    return pdf_of(_latex(document).decode(), files=_images(document))
+    if pdf.chosen(document.presentation.pdf_engine) == pdf.TEX:
+        return pdf.pdf_of(_latex(document).decode(), files=_images(document))
+    from solver.render import typst_document  # noqa: PLC0415 - as above
+
+    return pdf.pdf_by_typst(typst_document.typst_document(document), files=typst_document.files_beside(document))
 
 
 def _markdown(document: Document) -> bytes:

@@ -29,7 +29,8 @@ class Presentation:
     The levels are "question" (a paper), "key" (what earns the marks), "brief", "full" and "tutor". `checks` is "none",
     "summary" or "table"; empty is what the level of detail means. `sources` says whether the literature is named.
     `data` asks for the values of answers and steps as texts and numbers, which only JSON shows.
-    A language or notation wins over the one that the problem asks for.
+    A language or notation wins over the one that the problem asks for. `pdf_engine` is "tex" or "typst"; None is the
+    one that is installed.
     """
 
     detail: str = "full"
@@ -39,6 +40,7 @@ class Presentation:
     sources: bool = True
     language: str | None = None
     notation: str | None = None
+    pdf_engine: str | None = None
 
     def messages(self, display: Display) -> Messages:
         """Return how reasons and phrases are worded for a problem with this display."""
@@ -153,6 +155,10 @@ class Document:
     def latex(self, **presentation: Any) -> str:
         """Return a whole LaTeX document."""
         return self.told(**presentation).rendered("latex").decode()
+
+    def pdf(self, **presentation: Any) -> bytes:
+        """Return a PDF; raises `solver.render.pdf.PdfUnavailable` where nothing is installed that makes one."""
+        return self.told(**presentation).rendered("pdf")
 
     def markdown(self, **presentation: Any) -> str:
         """Return Markdown with `$math$`."""

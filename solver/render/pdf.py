@@ -1,4 +1,4 @@
-"""LaTeX to PDF by a TeX that is installed: no shell, no files outside a scratch folder, a time limit, no dates."""
+"""PDF by a TeX that is installed, or by typst: no shell, no files outside a scratch folder, a time limit, no dates."""
 
 from __future__ import annotations
 
@@ -6,20 +6,69 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 from collections.abc import Mapping
+from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import MappingProxyType
 
 LIMIT = 60.0
-"""Seconds for all runs of TeX together."""
+"""Seconds for all runs together."""
 
 RUNS = 3
 """Runs of pdflatex at most; a longtable needs two or three to know its columns."""
 
 
+TEX, TYPST = ENGINES = ("tex", "typst")
+"""What makes a PDF, by the names of the option `--pdf-engine`."""
+
+PROGRAM = Path(__file__).with_name("typst_program.py")
+
+
 class PdfUnavailable(Exception):  # noqa: N818 - mostly not an error of ours: there is no TeX here
     """There is no PDF; the message says why and what to do."""
+
+
+def chosen(wanted: str | None = None) -> str:
+    """Return the engine that is wanted, or else TeX where there is one, or else typst.
+
+    Raises PdfUnavailable if it is not installed, or none is.
+    """
+    if wanted == TYPST and not _has_typst():
+        raise PdfUnavailable("typst is not installed: pip install 'solve-control[pdf]' installs it")
+    if wanted == TYPST or (not wanted and _has_typst() and not _tex()):
+        return TYPST
+    engine()
+    return TEX
+
+
+def _has_typst() -> bool:
+    found = find_spec("typst")
+    return found is not None and found.origin is not None  # a folder of this name is no package of ours
+
+
+def pdf_by_typst(source: str, seconds: float = LIMIT, files: Mapping[str, bytes] = MappingProxyType({})) -> bytes:
+    """Return the tagged PDF (PDF/UA-1) of a typst document; `files` are the images that it includes, by name.
+
+    Raises PdfUnavailable if typst stops with an error, or takes longer than `seconds`. It runs in a process of its own,
+    reads its scratch folder only and has neither packages nor a network. The same document gives the same bytes.
+    """
+    with TemporaryDirectory(prefix="solve-typst-") as folder:
+        scratch = Path(folder)
+        _write(scratch, {"solution.typ": source.encode(), **files})
+        closed = dict.fromkeys(("HTTP_PROXY", "HTTPS_PROXY", "ALL_PROXY", "http_proxy", "https_proxy", "all_proxy"),
+                               "http://127.0.0.1:9")  # fmt: skip
+        command = [sys.executable, "-P", str(PROGRAM)]  # without our folder, whose `numbers` is not Python's
+        output = _run(command, scratch, seconds, {**os.environ, **closed}, "typst")
+        if not (scratch / "solution.pdf").is_file():
+            raise PdfUnavailable(f"typst stopped: {output.strip() or 'without a message'}")
+        return (scratch / "solution.pdf").read_bytes()
+
+
+def _write(scratch: Path, files: Mapping[str, bytes]) -> None:
+    for name, content in files.items():
+        (scratch / name).write_bytes(content)
 
 
 def pdf_of(latex: str, seconds: float = LIMIT, files: Mapping[str, bytes] = MappingProxyType({})) -> bytes:
@@ -31,12 +80,12 @@ def pdf_of(latex: str, seconds: float = LIMIT, files: Mapping[str, bytes] = Mapp
     command = engine()
     with TemporaryDirectory(prefix="solve-tex-") as folder:
         scratch = Path(folder)
-        (scratch / "solution.tex").write_text(latex, encoding="utf-8")
-        for name, content in files.items():
-            (scratch / name).write_bytes(content)
+        _write(scratch, {"solution.tex": latex.encode(), **files})
         before = ""
         for _ in range(RUNS if "pdflatex" in command[0] else 1):
-            _run(command, scratch, seconds)
+            output = _run(command, scratch, seconds, _environment(scratch), "TeX")
+            if not (scratch / "solution.pdf").is_file():
+                raise PdfUnavailable(f"TeX stopped: {_complaint(output)}")
             auxiliary = _text(scratch / "solution.aux")
             if auxiliary == before:
                 break
@@ -46,21 +95,33 @@ def pdf_of(latex: str, seconds: float = LIMIT, files: Mapping[str, bytes] = Mapp
 
 def engine() -> list[str]:
     """Return the command of the TeX to use; raises PdfUnavailable if there is none."""
+    if found := _tex():
+        return found
+    if _has_typst():
+        raise PdfUnavailable(
+            "there is no TeX on this machine (pdflatex or tectonic); there is typst: --pdf-engine typst"
+        )
+    raise PdfUnavailable(
+        "there is neither TeX (pdflatex or tectonic) nor typst on this machine. The least to install is typst: "
+        "pip install 'solve-control[pdf]'. TeX is, for example, the packages texlive-latex-recommended, "
+        "texlive-pictures and lmodern. Without them write HTML (-f html) and print it from a browser"
+    )
+
+
+def _tex() -> list[str]:
     if found := shutil.which("pdflatex"):
         return [found, "-no-shell-escape", "-halt-on-error", "-interaction=nonstopmode", "solution.tex"]
     if found := shutil.which("tectonic"):
         return [found, "--untrusted", "--keep-intermediates", "solution.tex"]
-    raise PdfUnavailable(
-        "there is no TeX on this machine (pdflatex or tectonic). Install one, for example the packages "
-        "texlive-latex-recommended, texlive-pictures and lmodern, or write HTML (-f html) and print it from a browser"
-    )
+    return []
 
 
-def _run(command: list[str], scratch: Path, seconds: float) -> None:
+def _run(command: list[str], scratch: Path, seconds: float, environment: Mapping[str, str], name: str) -> str:
+    """Run an engine to its end and return what it says; of one that fails there is no PDF in the folder."""
     process = subprocess.Popen(  # noqa: S603 - our own command; the document is in a file
         command,
         cwd=scratch,
-        env=_environment(scratch),
+        env=environment,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -70,9 +131,10 @@ def _run(command: list[str], scratch: Path, seconds: float) -> None:
         output, _ = process.communicate(timeout=seconds)
     except subprocess.TimeoutExpired as error:
         _stop(process)
-        raise PdfUnavailable(f"TeX took longer than {seconds:g} s and was stopped") from error
-    if process.returncode or not (scratch / "solution.pdf").is_file():
-        raise PdfUnavailable(f"TeX stopped: {_complaint(output.decode('utf-8', 'replace'))}")
+        raise PdfUnavailable(f"{name} took longer than {seconds:g} s and was stopped") from error
+    if process.returncode:
+        (scratch / "solution.pdf").unlink(missing_ok=True)
+    return output.decode("utf-8", "replace")
 
 
 def _environment(scratch: Path) -> dict[str, str]:
