@@ -7,6 +7,7 @@ Profiles of hypothesis, chosen by `--hypothesis-profile`: `fast` tries a quarter
 import gc
 import os
 import shutil
+from importlib.util import find_spec
 
 import pytest
 from hypothesis import HealthCheck, Phase, settings
@@ -41,3 +42,10 @@ def tex() -> None:
     """TeX is installed: where it is missing the test is skipped, and fails in CI."""
     if shutil.which("pdflatex") is None:
         (pytest.fail if IN_CI else pytest.skip)("pdflatex is not installed")
+
+
+@pytest.fixture
+def typst() -> None:
+    """Typst is installed: where it is missing the test is skipped, and fails in CI."""
+    if find_spec("typst") is None:
+        (pytest.fail if IN_CI else pytest.skip)("typst is not installed")

@@ -6,6 +6,7 @@ since next to words typst would print them. The document that holds a formula be
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from solver.formula import vocabulary as v
@@ -64,6 +65,9 @@ CLASSES = {"/": "normal", ".": "normal", r"\colon": "punctuation"}
 LONG = {r"\iff": "⟺", r"\implies": "⟹"}
 NOTHING = '""'
 
+
+_MARKUP = re.compile(r"[!-/:-@\[-`{-~⟨⟩⌊⌋⌈⌉]")
+"""Signs of ASCII, and brackets, of which typst looks for partners."""
 
 THIN = "#h(0.1667em)"
 
@@ -272,8 +276,8 @@ def _is_inner(node: Node) -> bool:
 
 
 def _sign(letter: str) -> str:
-    """Return a character as itself: what typst could read as its own markup after a backslash."""
-    return letter if letter.isalnum() or not letter.isascii() else f"\\{letter}"
+    """Return a character as itself: what typst could read as its own markup, or pair, after a backslash."""
+    return f"\\{letter}" if _MARKUP.match(letter) else letter
 
 
 def _quoted(words: str) -> str:
