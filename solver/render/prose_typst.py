@@ -84,7 +84,7 @@ def inline_formula(formula: str) -> str:
 
 def _words(formula: str) -> str:
     """Return what is read aloud of a formula."""
-    return " ".join(flat(formula).split())
+    return " ".join(flat(formula).split()) or "…"
 
 
 def _write(token: Token, found: Sequence[Token], index: int) -> str:

@@ -39,6 +39,7 @@ def typst_document(document: Document) -> str:
         say=document.messages.say,
         version=__version__,
         prelude=PRELUDE,
+        title=document.title if document.title.strip() else document.messages.say("Worked solution"),
         language=language if _LANGUAGE.fullmatch(language) else "en",
     )
 

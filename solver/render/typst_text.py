@@ -27,7 +27,7 @@ def _letter(letter: str) -> str:
         return _NEAR[letter]
     if letter in _SIGNS or any(first <= ord(letter) <= last for first, last in _LETTERS):
         return letter
-    base = unicodedata.normalize("NFKD", letter)[0]
+    base = "".join(each for each in unicodedata.normalize("NFKD", letter) if not unicodedata.combining(each))
     if base != letter and base.isascii() and base.isprintable():
         return base
     if unicodedata.category(letter)[0] in "CM":

@@ -172,11 +172,12 @@ def test_a_bug_in_one_file_does_not_stop_the_rest(solve, good, tmp_path, monkeyp
     assert (tmp_path / "second.html").is_file()
 
 
-def test_no_tex_is_said_and_the_page_is_still_written(solve, good, tmp_path, monkeypatch):
+def test_neither_tex_nor_typst_is_said_and_the_page_is_still_written(solve, good, tmp_path, monkeypatch):
     monkeypatch.setattr("shutil.which", lambda *_, **__: None)
+    monkeypatch.setattr("solver.render.pdf.find_spec", lambda _: None)
     done = solve("good.yaml", "-f", "pdf,html")
     assert done.code == 2
-    assert "there is no TeX" in done.err
+    assert "there is neither TeX" in done.err
     assert "wrote good.html" in done.out
     assert not (tmp_path / "good.pdf").exists()
 

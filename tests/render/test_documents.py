@@ -17,6 +17,7 @@ from solver.problem.model import Display, Part, Problem
 from solver.render import pdf
 from solver.render.latex_document import latex_document
 from solver.render.markdown import markdown_of
+from solver.render.typst_document import typst_document
 from solver.systems import StateSpace
 from solver.words import Reason
 
@@ -161,6 +162,14 @@ def test_hostile_texts_wide_matrices_and_failures_compile(troubled, tmp_path):
     assert latex.count(r"\display{\boxed{\begin{aligned}") == 3  # 64 entries
 
 
+@pytest.mark.usefixtures("typst")
+def test_hostile_texts_wide_matrices_and_failures_are_typeset(troubled):
+    source = typst_document(document_of(troubled, Presentation(checks="table")))
+    assert pdf.pdf_by_typst(source).startswith(b"%PDF")
+    assert source.count("framed: true, $Φ") == 1
+    assert "Do not rely on this answer:" in source
+
+
 @pytest.mark.usefixtures("tex")
 def test_the_same_solution_gives_the_same_pdf(solution):
     latex = latex_document(document_of(solution))
@@ -196,6 +205,7 @@ def test_an_error_of_tex_is_told_in_one_line():
 
 def test_without_tex_the_message_says_what_to_do(monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda _name: None)
+    monkeypatch.setattr(pdf, "find_spec", lambda _name: None)
     with pytest.raises(pdf.PdfUnavailable, match="texlive-latex-recommended"):
         pdf.pdf_of("x")
 
