@@ -37,7 +37,7 @@ _FIXED = {
     "hr": "#line(length: 100%, stroke: 0.4pt)\n\n",
     "link_close": "]",
     "thead_open": "table.header(",
-    "thead_close": "),\n",
+    "thead_close": "table.hline(stroke: 0.5pt)),\n",
     "tbody_open": "",
     "tbody_close": "",
     "tr_open": "",
