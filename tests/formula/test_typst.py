@@ -81,8 +81,8 @@ def test_the_deepest_formula_is_typeset():
 @pytest.mark.usefixtures("typst")
 @tried(40)
 @given(TREES, TREES, TREES)
-def test_any_tree_is_typeset(*trees):
-    assert compiled(*trees)
+def test_any_trees_are_typeset(one, another, third):
+    assert compiled(one, another, third)
 
 
 @given(TREES)
