@@ -16,12 +16,11 @@ from markupsafe import Markup
 
 from solver import __version__, resources
 from solver.compiled import kept
-from solver.derivation.figures import Drawing, DrawnPanels, DrawnPlot
+from solver.derivation.figures import Drawing
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
-from solver.formula.terminal import flat
 from solver.messages import Messages
-from solver.render import pointing
+from solver.render import pictures, pointing
 from solver.render.prose import inline_html, to_html
 from solver.words import Phrase
 
@@ -38,7 +37,6 @@ NARROW = 14.0
 SIZE, SHRUNK = re.compile(r'<svg[^>]* width="([\d.]+)pt"'), 480
 """The width of a drawing in points; one that is wider scrolls on a phone, as shrunk to it it could not be read."""
 
-IN_TEXT = re.compile(r"\$([^$]*)\$")
 FORMULA = 'aria-label="Formula"'
 """What a screen reader says of a formula in its box, before the page is put into its language."""
 
@@ -120,23 +118,11 @@ def pointed(says: Callable[..., str]) -> Callable[..., Markup]:
     return html
 
 
-def _svg(data: Drawing) -> str:
-    from solver import figures  # noqa: PLC0415 - only a page that has a figure needs matplotlib
-
-    return figures.svg(data)
-
-
-_plotted = lru_cache(maxsize=64)(_svg)
-"""Plots are dear, and a page at another level of detail has the same ones."""
-
-
 def figure(data: Drawing) -> Markup:
     """Return a figure with its caption; the drawing is an image, so its names can't meet those of the page."""
-    drawing = _plotted(data) if isinstance(data, DrawnPlot | DrawnPanels) else _svg(data)
+    drawing = pictures.svg_of(data)
     image = base64.b64encode(drawing.encode("utf-8")).decode("ascii")
-    caption = IN_TEXT.sub(lambda found: flat(found[1]), data.caption)
-    words = escape(" ".join(f"{caption.rstrip('.')}. {data.alt}".split()))
-    picture = f'<img alt="{words}" src="data:image/svg+xml;base64,{image}">'
+    picture = f'<img alt="{escape(pictures.words_of(data))}" src="data:image/svg+xml;base64,{image}">'
     width = SIZE.search(drawing)
     if width and float(width[1]) > SHRUNK:
         picture = f'<div class="scroll wide" tabindex="0">{picture}</div>'

@@ -19,8 +19,7 @@ from solver import __version__, resources
 from solver.compiled import kept
 from solver.derivation.figures import Drawing
 from solver.formula.typst import PRELUDE
-from solver.render import pointing
-from solver.render.prose import inline_as_text
+from solver.render import pictures, pointing
 from solver.render.prose_typst import display_typst, inline_formula, inline_typst, to_typst
 from solver.render.typst_text import quoted
 
@@ -77,10 +76,8 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
 
 def _figure(data: Drawing) -> str:
     """Return a figure with its caption, and in words."""
-    from solver import figures  # noqa: PLC0415 - only a document that has a figure needs them
-
-    words = " ".join(f"{inline_as_text(data.caption).rstrip('.')}. {data.alt}".split())
-    return f"#drawing(({_literal(figures.svg(data))}, {quoted(words)}), [{inline_typst(data.caption)}])"
+    image = f"({_literal(pictures.svg_of(data))}, {quoted(pictures.words_of(data))})"
+    return f"#drawing({image}, [{inline_typst(data.caption)}])"
 
 
 def _literal(content: str) -> str:
