@@ -138,6 +138,8 @@ class Document:
         wanted = replace(self.presentation, **presentation)
         if wanted == self.presentation:
             return self
+        if replace(wanted, pdf_engine=self.presentation.pdf_engine) == self.presentation:  # the same words
+            return replace(self, presentation=wanted)
         if self.retell is None:
             raise ValueError("what is solved within limits is told once: give detail and templates to `solve`")
         return self.retell(wanted)

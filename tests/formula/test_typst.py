@@ -3,13 +3,15 @@ r"""Formulas as typst: what is written, and that typst takes all of it and does 
 from __future__ import annotations
 
 import re
+from collections import Counter
 
 import pytest
 from hypothesis import given
 
 from solver.formula import read
 from solver.formula import vocabulary as v
-from solver.formula.nodes import Row
+from solver.formula.building import walk
+from solver.formula.nodes import Number, Row
 from solver.formula.reader import DEEPEST
 from solver.formula.typst import PRELUDE, typst
 from tests.helpers.formula_trees import TREES
@@ -83,6 +85,15 @@ def test_the_deepest_formula_is_typeset():
 @given(TREES, TREES, TREES)
 def test_any_trees_are_typeset(one, another, third):
     assert compiled(one, another, third)
+
+
+@given(TREES)
+def test_no_number_is_lost_or_added(tree):
+    code = r'#\w+\([^)]*\)|#\d[\w.%]*|#"[^"]*"|[hv]line: \([^)]*\)|stroke: 0.5pt|#0.8em'
+    written = re.sub(r"#text\(weight: 700, (\"[^\"]*\")\)", r"\1", typst(tree))
+    numbers = "".join(each.digits for each in walk(tree) if isinstance(each, Number))
+    found = re.sub(code, "", written)
+    assert Counter(re.findall(r"\d", found)) == Counter(re.findall(r"\d", numbers))
 
 
 @given(TREES)

@@ -3,6 +3,7 @@
 import re
 import shutil
 import zlib
+from dataclasses import replace
 
 import pytest
 
@@ -89,6 +90,11 @@ def test_every_formula_figure_and_table_is_typeset_and_has_words(path):
 def test_the_same_solution_gives_the_same_pdf():
     document = document_of(solution_of(an_example("dc-gain")))
     assert document.told(pdf_engine="typst").rendered("pdf") == document.pdf(pdf_engine="typst")
+
+
+def test_a_solution_that_cannot_be_told_anew_can_have_another_engine():
+    document = replace(document_of(solution_of(an_example("dc-gain"))), retell=None)
+    assert document.told(pdf_engine="typst").presentation.pdf_engine == "typst"
 
 
 @pytest.mark.usefixtures("typst")
