@@ -23,6 +23,13 @@ RUNS = 3
 TEX, TYPST = ENGINES = ("tex", "typst")
 """What makes a PDF, by the names of the option `--pdf-engine`."""
 
+_CLOSED = {
+    **dict.fromkeys(("HTTPS_PROXY", "https_proxy", "ALL_PROXY", "all_proxy"), "http://127.0.0.1:9"),
+    **dict.fromkeys(("NO_PROXY", "no_proxy"), ""),
+}
+"""What leaves typst no way to a network, from which it would fetch packages: nothing listens there."""
+
+_BY_HAND = "Without one, write HTML (-f html) and print it from a browser"
 PROGRAM = Path(__file__).with_name("typst_program.py")
 
 
@@ -36,7 +43,7 @@ def chosen(wanted: str | None = None) -> str:
     Raises PdfUnavailable if it is not installed, or none is.
     """
     if wanted == TYPST and not _has_typst():
-        raise PdfUnavailable("typst is not installed: pip install 'solve-control[pdf]' installs it")
+        raise PdfUnavailable(f"typst is not installed: pip install 'solve-control[pdf]' installs it. {_BY_HAND}")
     if wanted == TYPST or (not wanted and _has_typst() and not _tex()):
         return TYPST
     engine()
@@ -57,10 +64,8 @@ def pdf_by_typst(source: str, seconds: float = LIMIT, files: Mapping[str, bytes]
     with TemporaryDirectory(prefix="solve-typst-") as folder:
         scratch = Path(folder)
         _write(scratch, {"solution.typ": source.encode(), **files})
-        closed = dict.fromkeys(("HTTP_PROXY", "HTTPS_PROXY", "ALL_PROXY", "http_proxy", "https_proxy", "all_proxy"),
-                               "http://127.0.0.1:9")  # fmt: skip
         command = [sys.executable, "-P", str(PROGRAM)]  # without our folder, whose `numbers` is not Python's
-        output = _run(command, scratch, seconds, {**os.environ, **closed}, "typst")
+        output = _run(command, scratch, seconds, {**os.environ, **_CLOSED}, "typst")
         if not (scratch / "solution.pdf").is_file():
             raise PdfUnavailable(f"typst stopped: {output.strip() or 'without a message'}")
         return (scratch / "solution.pdf").read_bytes()
@@ -104,7 +109,7 @@ def engine() -> list[str]:
     raise PdfUnavailable(
         "there is neither TeX (pdflatex or tectonic) nor typst on this machine. The least to install is typst: "
         "pip install 'solve-control[pdf]'. TeX is, for example, the packages texlive-latex-recommended, "
-        "texlive-pictures and lmodern. Without them write HTML (-f html) and print it from a browser"
+        f"texlive-pictures and lmodern. {_BY_HAND}"
     )
 
 

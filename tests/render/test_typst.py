@@ -12,6 +12,8 @@ from solver.cli.run import PDF_ENGINE
 from solver.document.model import Document
 from solver.document.work import Work
 from solver.document.works import document_of
+from solver.formula import read
+from solver.formula.typst import typst
 from solver.render import pdf
 from solver.render.prose_typst import inline_typst, to_typst
 from solver.render.typst_document import files_beside, typst_document
@@ -143,8 +145,9 @@ def test_nothing_outside_of_its_folder_is_read(body, tmp_path):
 
 
 @pytest.mark.usefixtures("typst")
-def test_no_package_is_fetched():
-    with pytest.raises(pdf.PdfUnavailable, match=r"typst stopped: .*(download|package)"):
+def test_no_package_is_fetched_though_there_is_a_network(monkeypatch):
+    monkeypatch.setenv("NO_PROXY", "*")
+    with pytest.raises(pdf.PdfUnavailable, match=r"failed to download package .*[Rr]efused"):
         pdf.pdf_by_typst(HEAD + '#import "@preview/cetz:0.3.0": *')
 
 
@@ -168,3 +171,12 @@ def test_images_of_the_problem_are_shown_with_their_words(tmp_path):
     assert said.count(b"/Figure") >= 2
     assert b"first" in said
     assert b"second" in said
+
+
+@pytest.mark.usefixtures("typst")
+def test_the_fonts_have_every_letter_that_is_passed_on():
+    passed = "".join(sign for sign in map(chr, range(0x20, 0x3000)) if quoted(sign) == f'"{sign}"')
+    text = quoted(passed.replace('"', ""))
+    shown = [f"#{text}", f"#emph({text})", f"#strong({text})", f"#raw({text})"]
+    shown.append(f'#math.equation(alt: "x", ${typst(read(r"\operatorname{a-b}"))}$)')
+    assert pdf.pdf_by_typst("\n\n".join((HEAD, '#set text(font: "New Computer Modern")', *shown)))
