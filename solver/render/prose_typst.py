@@ -93,8 +93,10 @@ def _write(token: Token, found: Sequence[Token], index: int) -> str:
     return _WRITERS.get(token.type, _text)(token, found, index)
 
 
-def _text(token: Token, _found: Sequence[Token], _index: int) -> str:
-    return f"#{quoted(token.content)}" if token.content else ""
+def _text(token: Token, found: Sequence[Token], index: int) -> str:
+    begins = index and found[index - 1].type == "math_inline_double"  # a line, below the formula
+    content = token.content.lstrip() if begins else token.content
+    return f"#{quoted(content)}" if content else ""
 
 
 def _inline(token: Token, _found: Sequence[Token], _index: int) -> str:

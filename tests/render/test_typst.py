@@ -178,5 +178,6 @@ def test_the_fonts_have_every_letter_that_is_passed_on():
     passed = "".join(sign for sign in map(chr, range(0x20, 0x3000)) if quoted(sign) == f'"{sign}"')
     text = quoted(passed.replace('"', ""))
     shown = [f"#{text}", f"#emph({text})", f"#strong({text})", f"#raw({text})"]
-    shown.append(f'#math.equation(alt: "x", ${typst(read(r"\operatorname{a-b}"))}$)')
+    formula = typst(read(r"\operatorname{a-b}"))
+    shown.append(f'#math.equation(alt: "x", ${formula}$)')
     assert pdf.pdf_by_typst("\n\n".join((HEAD, '#set text(font: "New Computer Modern")', *shown)))
