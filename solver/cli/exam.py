@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, FormatList, Seconds
+from solver.cli.run import DETAILS, JOBS, TEMPLATES, TIME_LIMIT, FormatList
 
 FORMATS = ("html", "pdf", "latex")
 
@@ -29,14 +29,11 @@ class ExamFormatList(FormatList):
               help="How much the key tells; full has the worked steps.")  # fmt: skip
 @click.option("--draws", type=click.IntRange(min=1, max=100_000_000), default=100_000, show_default=True,
               help="So many draws are made at most for a family.")  # fmt: skip
-@click.option("--templates", metavar="DIR",
-              type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
-              help="Templates that take precedence over the program's own.")  # fmt: skip
+@TEMPLATES
 @LANGUAGE
 @NOTATION
-@click.option("--jobs", type=click.IntRange(min=1, max=256), help="How many processes work. Default: the cores.")
-@click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
-              show_default=True, help="For each part by each method.")  # fmt: skip
+@JOBS
+@TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each question.")  # fmt: skip
 @click.pass_context

@@ -15,6 +15,10 @@ DETAILS = ("question", "key", "brief", "full", "tutor")
 CHECKS = ("none", "summary", "table")
 PDF_ENGINE = click.option("--pdf-engine", type=click.Choice(["tex", "typst"]),
                           help="What makes a PDF. Default: TeX where it is installed, else typst.")  # fmt: skip
+TEMPLATES = click.option("--templates", metavar="DIR",
+                         type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
+                         help="Templates that take precedence over the program's own.")  # fmt: skip
+JOBS = click.option("--jobs", type=click.IntRange(min=1, max=256), help="How many processes work. Default: the cores.")
 
 
 class FormatList(click.ParamType[tuple[str, ...]]):
@@ -56,6 +60,10 @@ class Seconds(click.FloatRange):
         return number
 
 
+TIME_LIMIT = click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60, show_default=True,
+                          help="For each part by each method.")  # fmt: skip
+
+
 @click.command(short_help="Solve problem files (what `solve problem.yaml` does).")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...")
 @click.option("-f", "--format", "formats", type=FormatList(), help="html, latex, pdf, md, json, text: one or more.")
@@ -67,14 +75,11 @@ class Seconds(click.FloatRange):
               "else a summary.")  # fmt: skip
 @PDF_ENGINE
 @click.option("--no-sources", is_flag=True, help="Do not name the literature.")
-@click.option("--templates", metavar="DIR",
-              type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
-              help="Templates that take precedence over the program's own.")  # fmt: skip
+@TEMPLATES
 @LANGUAGE
 @NOTATION
 @click.option("--open", "open_page", is_flag=True, help="Open the page in a browser.")
-@click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
-              show_default=True, help="For each part by each method.")  # fmt: skip
+@TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part by each method.")  # fmt: skip
 @click.option("-v", "--verbose", is_flag=True, help="List every check.")

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, PDF_ENGINE, FormatList, Seconds
+from solver.cli.run import DETAILS, JOBS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
 
 
 @click.command(short_help="Draw members of a family of problems.")
@@ -22,14 +22,11 @@ from solver.cli.run import DETAILS, PDF_ENGINE, FormatList, Seconds
               help="So many draws are made at most.")  # fmt: skip
 @click.option("--detail", type=click.Choice(DETAILS), default="full", show_default=True, help="How much is written.")
 @PDF_ENGINE
-@click.option("--templates", metavar="DIR",
-              type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
-              help="Templates that take precedence over the program's own.")  # fmt: skip
+@TEMPLATES
 @LANGUAGE
 @NOTATION
-@click.option("--jobs", type=click.IntRange(min=1, max=256), help="How many processes work. Default: the cores.")
-@click.option("--time-limit", metavar="SECONDS", type=Seconds(), default=60,
-              show_default=True, help="For each part by each method.")  # fmt: skip
+@JOBS
+@TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each member.")  # fmt: skip
 @click.pass_context

@@ -78,6 +78,18 @@ def address_of(token: Token) -> str:
     return unquote(str(token.attrGet("src")))
 
 
+def alignments(found: Sequence[Token], index: int) -> list[str]:
+    """Return "left", "center" or "right" for each column of the table whose token is at an index."""
+    aligns = []
+    for token in found[index:]:
+        if token.type == "th_open":
+            style = str(token.attrGet("style") or "")
+            aligns.append("right" if "right" in style else "center" if "center" in style else "left")
+        elif token.type == "thead_close":
+            break
+    return aligns
+
+
 def _flat(found: Sequence[Token]) -> Iterator[Token]:
     for token in found:
         yield token

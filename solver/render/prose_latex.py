@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from markdown_it.token import Token
 
 from solver.formula import find_problem, latex, read
-from solver.markup import address_of
+from solver.markup import address_of, alignments
 from solver.render.displays import on_pages
 from solver.render.tex_text import escaped
 
@@ -144,14 +144,8 @@ def _address(address: str) -> str:
 
 
 def _table(_token: Token, tokens: Sequence[Token], index: int) -> str:
-    aligns = []
-    for token in tokens[index:]:
-        if token.type == "th_open":
-            style = str(token.attrGet("style") or "")
-            aligns.append("r" if "right" in style else "c" if "center" in style else "l")
-        elif token.type == "thead_close":
-            break
-    return f"\\begin{{center}}\\begin{{tabular}}{{{''.join(aligns)}}}\n"
+    columns = "".join(each[0] for each in alignments(tokens, index))
+    return f"\\begin{{center}}\\begin{{tabular}}{{{columns}}}\n"
 
 
 def _cell(_token: Token, tokens: Sequence[Token], index: int) -> str:

@@ -13,7 +13,7 @@ from markdown_it.token import Token
 from solver.formula import find_problem, read
 from solver.formula.terminal import flat
 from solver.formula.typst import typst
-from solver.markup import address_of, tokens
+from solver.markup import address_of, alignments, tokens
 from solver.render.displays import on_pages
 from solver.render.prose_text import inline_text
 from solver.render.typst_text import quoted
@@ -153,14 +153,7 @@ def _picture(token: Token, _found: Sequence[Token], _index: int) -> str:
 
 
 def _table(_token: Token, found: Sequence[Token], index: int) -> str:
-    aligns = []
-    for token in found[index:]:
-        if token.type == "th_open":
-            style = str(token.attrGet("style") or "")
-            aligns.append("right" if "right" in style else "center" if "center" in style else "left")
-        elif token.type == "thead_close":
-            break
-    return f"#rows(({', '.join(aligns)},),\n"
+    return f"#rows(({', '.join(alignments(found, index))},),\n"
 
 
 _WRITERS: dict[str, Callable[[Token, Sequence[Token], int], str]] = {
