@@ -170,7 +170,9 @@ class TypstWriter(Visitor[str]):
         rows = "; ".join(", ".join(row + [NOTHING] * (width - len(row))) for row in cells)
         delimiters = FENCES.get(node.environment)
         around = "#none" if delimiters is None else f"#({quoted(delimiters[0])}, {quoted(delimiters[1])})"
-        options = [f"delim: {around}", *self._lines(node)]
+        lines = self._lines(node)
+        roomy = lines or any(_is_tall(part) for row in node.rows for cell in row for part in walk(cell))
+        options = [f"delim: {around}", *lines, *["row-gap: #0.8em"] * bool(roomy)]
         written = f"mat({', '.join(options)}, {rows})"
         if node.environment == "cases":
             return call("lr", joined((classed("opening", r"\{"), call("display", written), "#h(0pt)")))
@@ -208,7 +210,7 @@ class TypstWriter(Visitor[str]):
         if not beside and not above:
             return []
         drawn = [f"{name}: ({', '.join(map(str, at))},)" for name, at in (("hline", above), ("vline", beside)) if at]
-        return [f"augment: #({', '.join([*drawn, 'stroke: 0.5pt'])})", "row-gap: #0.8em"]
+        return [f"augment: #({', '.join([*drawn, 'stroke: 0.5pt'])})"]
 
     def accent(self, node: Accent) -> str:
         body = self.argument(node.body)
