@@ -131,6 +131,18 @@ def test_a_crossover_is_met(a, b, crossover):
         assert "No lead section is needed" in str(result.reason)
 
 
+def test_a_lag_section_for_a_crossover_is_told_before_it_is_rounded():
+    asked = {"velocity_constant": sp.Integer(5), "phase_margin": sp.Integer(40), "crossover": r(1, 2)}
+    result = ask("lag_compensator", OGATA_LAG, **asked)
+    assert result.status is Status.VERIFIED, result.reason
+    step = next(step for step in result.steps if step.kind == "crossing").values
+    a, exactly = float(step["a"]), float(step["exactly"])
+    assert a == pytest.approx(float(result.answers["T"]) / 2)
+    size = 5 * abs(1 / (0.5j * (1 + 0.5j) * (1 + 0.25j)))
+    assert size * abs((1 + 1j * a) / (1 + 1j * exactly * a)) == pytest.approx(1)
+    assert float(step["alpha"]) == pytest.approx(exactly, rel=2e-2)
+
+
 def test_a_dead_time_takes_phase():
     text = """
 title: A dead time
