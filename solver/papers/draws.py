@@ -78,8 +78,8 @@ def _compared(difference: sp.Expr, sign: str) -> bool:
     if difference.has(sp.zoo, sp.nan, sp.oo):
         return False
     value = difference if difference.is_Rational else sp.N(difference, 40, chop=True)
-    if sign == "!=":
-        return bool(value != 0)
+    if sign in {"!=", "="}:
+        return bool(value != 0) is (sign == "!=")
     if not value.is_real:
         return False
     return bool({"<": value < 0, "<=": value <= 0, ">": value > 0, ">=": value >= 0}[sign])

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 MOST = 20
 SIGN = re.compile(r"<=|>=|!=|==|=<|=>|<>|[<>=≤≥≠]")
 SIGNS = {"<": "<", "<=": "<=", "≤": "<=", ">": ">", ">=": ">=", "≥": ">=", "!=": "!=", "≠": "!="}
+EQUATION = {"=": "=", "==": "="}
 INSTEAD = {"=<": "<=", "=>": ">=", "<>": "!="}
 
 
@@ -55,24 +56,24 @@ def check_occurring(lexicon: Lexicon, found: Collection[str], report: Report) ->
                 report.diagnostics.append(sided.node.diagnostic(message, suggestion))
 
 
-def split(node: Node, report: Report) -> list[Sided]:
-    """Return the conditions of a list, in their sides. What is none goes to the report."""
+def split(node: Node, report: Report, *, equations: bool = False) -> list[Sided]:
+    """Return the conditions of a list, in their sides; `equations` are some too. What is none goes to the report."""
     items = node.items if isinstance(node, SequenceNode) else (node,)
     found: list[Sided] = []
     if len(items) > MOST:
         report.diagnostics.append(node.diagnostic(f"there are {len(items)} conditions; at most {MOST} can be read"))
     for item in items[:MOST]:
         with report:
-            found.append(_sided(scalar(item)))
+            found.append(_sided(scalar(item), SIGNS | EQUATION if equations else SIGNS))
     return found
 
 
-def _sided(node: ScalarNode) -> Sided:
-    """A condition cut at its signs; each side keeps its place in the text."""
+def _sided(node: ScalarNode, known: Mapping[str, str]) -> Sided:
+    """A condition cut at its signs, those known; each side keeps its place in the text."""
     text, sides, signs, start = node.text, [], [], 0
     for sign in SIGN.finditer(text):
         sides.append((start, sign.start()))
-        signs.append(_sign(node, sign))
+        signs.append(_sign(node, sign, known))
         start = sign.end()
     sides.append((start, len(text)))
     if not signs:
@@ -91,10 +92,10 @@ def _sided(node: ScalarNode) -> Sided:
     return Sided(node, padded, tuple(signs))
 
 
-def _sign(node: ScalarNode, sign: re.Match[str]) -> str:
+def _sign(node: ScalarNode, sign: re.Match[str], known: Mapping[str, str]) -> str:
     written = sign.group()
-    if written in SIGNS:
-        return SIGNS[written]
+    if written in known:
+        return known[written]
     if written in INSTEAD:
         raise node.fault_inside(f"'{written}' is no relation", sign.start(), 2, suggestion=INSTEAD[written])
     note = "a value is given under 'parameters'; conditions are relations with <, <=, >, >= or !="
@@ -104,7 +105,7 @@ def _sign(node: ScalarNode, sign: re.Match[str]) -> str:
 def chain_of(sided: Sided, sides: Sequence[sp.Expr]) -> Chain:
     """Return a condition with its sides read; raises Fault where they cannot be compared."""
     strange = [symbol.name for symbol in symbols_of(*sides) if not symbol.is_real]
-    if sided.signs != ("!=",) and (strange or any(side.has(sp.I) for side in sides)):
+    if not {"!=", "="} & set(sided.signs) and (strange or any(side.has(sp.I) for side in sides)):
         what = f"{strange[0]} is complex" if strange else "one side is complex"
         raise sided.node.fault(f"only real quantities can be compared, and {what}")
     if not re.search(r"[^\W\d_]", sided.node.text):
@@ -119,7 +120,7 @@ def chain_of(sided: Sided, sides: Sequence[sp.Expr]) -> Chain:
 def _check_number(sided: Sided, difference: sp.Expr, relation: str) -> None:
     """Refuse a relation of numbers that does not hold; one that holds says nothing."""
     value = sp.N(difference, 30)
-    if not {">": value > 0, ">=": value >= 0, "!=": difference != 0}[relation]:
+    if not {">": value > 0, ">=": value >= 0, "!=": difference != 0, "=": value == 0}[relation]:
         raise sided.node.fault("this condition never holds")
 
 
@@ -129,8 +130,8 @@ def differences(chain: Chain) -> Iterator[Condition]:
         between = chain.signs[i:j]
         left, right = chain.sides[i], chain.sides[j]
         strict = any(len(sign) == 1 for sign in between)
-        if between[0] == "!=":
-            yield Condition(left - right, "!=")
+        if between[0] in {"!=", "="}:
+            yield Condition(left - right, between[0])
         else:
             larger, smaller = (right, left) if between[0][0] == "<" else (left, right)
             yield Condition(larger - smaller, ">" if strict else ">=")

@@ -222,7 +222,7 @@ def _required(node: Node, lexicon: Lexicon, names: Collection[str], report: Repo
 
 def _word(node: ScalarNode) -> Required:
     if node.text.strip() not in WORDS:
-        note = f'a condition on what is drawn, such as "a != 2", or one of {", ".join(WORDS)}'
+        note = f'a condition on what is drawn, "a != 2" or "a b = 6", or one of {", ".join(WORDS)}'
         message = f"'{node.text[:40]}' cannot be required"
         raise node.fault(message, suggestion=did_you_mean(node.text, WORDS), note=note)
     return Required(node.text.strip(), None, node.place)
@@ -231,7 +231,7 @@ def _word(node: ScalarNode) -> Required:
 def _condition(node: ScalarNode, lexicon: Lexicon, names: Collection[str]) -> Required:
     """Return a condition on what is drawn; raises Fault for one on something else."""
     report = Report()
-    sided = split(node, report)
+    sided = split(node, report, equations=True)
     report.conclude()
     sides = [lexicon.expression(side) for side in sided[0].sides]
     strangers = sorted({x.name for x in symbols_of(*sides)} - set(names))

@@ -276,7 +276,7 @@ class ProblemShape(Shape):
     assume: dict[str, Assumption] = optional("what is known of symbols without a value")
     conditions: Values = optional('relations that hold between symbols: ["0 < zeta < 1", "a != b"]')
     vary: dict[str, Drawn] = optional("what names of the parameters are drawn from, in the other members of a family")
-    require: Values = optional('what must hold of a member: "a != 2", controllable, observable, stable, minimal')
+    require: Values = optional('what must hold of a member: "a != 2", "a b = 6", controllable, stable')
     nice: dict[str, Niceness] = optional("what must come out, by part and answer: {b.K: integers}")
     display: Display = optional("how numbers are shown")
     digits: Value = optional("significant digits that a student's decimals must have, 2 if nothing is said")

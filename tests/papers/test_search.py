@@ -111,6 +111,21 @@ def test_words_about_the_system(search_of, word, holds):
     assert {each["a"] for each in drawn(search_of(text))} == holds
 
 
+@pytest.mark.parametrize(
+    ("written", "members"),
+    [
+        ("a b = 6", {(2, 3), (3, 2)}),
+        ("a^2 = 4b", {(2, 1), (4, 4)}),
+        ("1 < a < b", {(2, 3), (2, 4), (3, 4)}),
+        ("sqrt(a) = b", {(1, 1), (4, 2)}),
+    ],
+)
+def test_equations_and_chains_hold_of_each_member(search_of, written, members):
+    text = "parameters: {a: 2, b: 3}\nvary: {a: {from: 1, to: 4}, b: {from: 1, to: 4}}\nsystem: {A: [[0, 1], [a, b]]}\n"
+    search = search_of(text + f'find: {{f: stability}}\nrequire: ["{written}"]\n')
+    assert {(int(each["a"]), int(each["b"])) for each in drawn(search)} == members
+
+
 def test_formulas_in_letters_leave_all_that_is_nice_and_little_else(search_of):
     search = search_of(LQR)
     formulas = Formulas.of(search.source, search.family)

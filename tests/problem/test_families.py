@@ -52,6 +52,21 @@ def test_a_condition_may_be_about_what_follows_from_what_is_drawn(read):
 
 
 @pytest.mark.parametrize(
+    ("written", "signs"),
+    [
+        ("a b = 6", ("=",)),
+        ("a == b", ("=",)),
+        ("0 < a <= b", ("<", "<=")),
+        ("a^2 = 4b = 4", ("=", "=")),
+        ("a ≠ b", ("!=",)),
+    ],
+)
+def test_equations_and_chains_are_conditions(read, written, signs):
+    family = read(of(f'vary: {{a: {{from: 1, to: 9}}, b: {{from: 1, to: 9}}}}\nrequire: ["{written}"]')).family
+    assert [each.chain.signs for each in family.required] == [signs]
+
+
+@pytest.mark.parametrize(
     ("text", "wrong"),
     [
         ("vary: {a: {frm: 1, to: 9}}", ["4:11-26 'from' is missing here", "4:12-15 unknown key 'frm'"]),
@@ -71,6 +86,10 @@ def test_a_condition_may_be_about_what_follows_from_what_is_drawn(read):
         ("vary: {a: {from: 1, to: 9}}\nrequire: [3 > 2]",
          ["5:11-16 a condition is about parameters, and there is none here"]),
         ("vary: {a: {from: 1, to: 9}}\nrequire: [b > 5]", ["5:11-16 this condition never holds"]),
+        ("vary: {a: {from: 1, to: 9}}\nrequire: [b = 5]", ["5:11-16 this condition never holds"]),
+        ("vary: {a: {from: 1, to: 9}}\nrequire: [a =]", ["5:13-14 an expression is expected on both sides of the relation"]),
+        ("vary: {a: {from: 1, to: 9}}\nrequire: [0 < a = b]", ["5:11-20 all signs of a chain point the same way"]),
+        ("vary: {a: {from: 1, to: 9}}\nrequire: [a => 2]", ["5:13-15 '=>' is no relation"]),
         ("vary: {a: {from: 1, to: 9}}\nrequire: [x > 2]",
          ["5:11-16 'x' is not drawn: 'require' is about the names under 'vary'"]),
         ("vary: {a: {from: 1, to: 9}}\nnice: {b.KK: integers}", ["5:8-12 placement has no answer 'KK'"]),
