@@ -37,13 +37,23 @@ __all__ = [
 Math = Callable[[str, bool], str]
 """Draws a formula (LaTeX, displayed or not) as HTML."""
 
+Address = Callable[[Image], str]
+"""Where an image is found."""
+
 _MARKDOWN_SIGNS = re.compile(r"([\\`*_\[\]|$<>~&])")
 _AT_LINE_START = re.compile(r"^()([#+\-=])|^(\d+)([.)])(?=\s|$)")
 
 
-def to_html(markdown: str, math: Math, images: Mapping[str, Image] = MappingProxyType({})) -> str:
+def within(image: Image) -> str:
+    """Return the address of an image with its bytes in it."""
+    return f"data:{image.media_type};base64,{b64encode(image.content).decode('ascii')}"
+
+
+def to_html(
+    markdown: str, math: Math, images: Mapping[str, Image] = MappingProxyType({}), address: Address = within
+) -> str:
     """Return HTML; everything is escaped but the formulas, which `math` draws. Images are those of the mapping only."""
-    return _html(tokens(markdown), math, images)
+    return _html(tokens(markdown), math, images, address)
 
 
 def inline_html(markdown: str, math: Math) -> str:
@@ -99,16 +109,17 @@ def _drawer(displayed: bool) -> Callable[..., str]:
 
 
 def _shown_image(_renderer: Any, found: Sequence[Token], index: int, _options: Any, env: dict[str, Any]) -> str:
-    """Return an image with its bytes in it; of one that is not known the words."""
+    """Return an image, of one that is not known the words."""
     words = inline_text(found[index].children or [])
     image: Image | None = env["images"].get(address_of(found[index]))
     if image is None:
         return escape(words)
-    content = b64encode(image.content).decode("ascii")
-    return f'<img class="given" alt="{escape(words)}" src="data:{image.media_type};base64,{content}">'
+    return f'<img class="given" alt="{escape(words)}" src="{escape(env["address"](image))}" />'
 
 
-def _html(found: list[Token], math: Math, images: Mapping[str, Image] = MappingProxyType({})) -> str:
-    writer = _parser()
-    rendered: str = writer.renderer.render(glued(found), writer.options, {"math": math, "images": images})
+def _html(
+    found: list[Token], math: Math, images: Mapping[str, Image] = MappingProxyType({}), address: Address = within
+) -> str:
+    writer, shown = _parser(), {"math": math, "images": images, "address": address}
+    rendered: str = writer.renderer.render(glued(found), writer.options, shown)
     return rendered
