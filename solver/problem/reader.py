@@ -16,6 +16,7 @@ from solver.problem.lexicon import Declarations, Lexicon, check_used, read_lexic
 from solver.problem.model import DIGITS, Display, Part, Problem, Show
 from solver.problem.model_declarations import with_model
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar, whole_number
+from solver.problem.other_files import PROBLEM, mistaken
 from solver.problem.partial import Said, read_partial, slips_of
 from solver.problem.parts import PartReader, PlantOf, Usual, read_show
 from solver.problem.shape_check import check_shape
@@ -37,6 +38,8 @@ def read_problem(source: Source, catalogue: Mapping[str, Task[Any, Any]]) -> Pro
     if not isinstance(root, MappingNode):
         message = f"a problem is a mapping with the keys 'system' and 'find', not {_what(root)}"
         raise InputError(source, [root.diagnostic(message)])
+    if other := mistaken(source, root, PROBLEM):
+        raise InputError(source, [other])
     return problem_of(source, root, catalogue)
 
 

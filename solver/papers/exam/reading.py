@@ -13,6 +13,7 @@ from solver.problem.files import load
 from solver.problem.lexicon import exact_number
 from solver.problem.members import written
 from solver.problem.nodes import TRUE, MappingNode, Node, ScalarNode, SequenceNode, whole_number
+from solver.problem.other_files import EXAM, mistaken
 from solver.problem.reader import problem_of, read_problem
 from solver.problem.source import Fault, InputError, Report, Source
 from solver.problem.yaml_tree import parse_yaml
@@ -46,6 +47,8 @@ def read_exam(source: Source) -> Exam:
     if not isinstance(root, MappingNode):
         message = f"an exam is a mapping with the keys 'exam' and 'questions', not {root.what[:40]}"
         raise InputError(source, [root.diagnostic(message)])
+    if other := mistaken(source, root, EXAM):
+        raise InputError(source, [other])
     if misshapen := check_exam_shape(root):
         raise InputError(source, [each.diagnostic for each in misshapen])
     return _ExamReader(source, root).exam()
