@@ -153,7 +153,8 @@ class Item:
 
     A part of which only some answers have fields is two items. `identifier` is unique among all items and the same in
     each export, `[a-z][a-z0-9-]*`; `name` (plain) tells the exam's question, part and variant. `question` is what is
-    asked but the fields; `feedback` the worked solution. `tags` are plain, `marks` those of all its answers.
+    asked but the fields; `feedback` the worked solution. `tags` are plain, `marks` those of all its answers. `variant`
+    is the label of whom it is for, "" where it is the same for all: a student gets all parts in one variant.
     """
 
     identifier: str
@@ -164,6 +165,7 @@ class Item:
     answers: tuple[Asked, ...] = ()
     essay: Essay | None = None
     tags: tuple[str, ...] = ()
+    variant: str = ""
 
     @property
     def fields(self) -> tuple[Field, ...]:
