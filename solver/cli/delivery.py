@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,7 @@ from solver.classroom.report.words import number, to_be_reviewed
 from solver.cli.destination import STANDARD, write_whole
 from solver.cli.papers import CheckRequest, Paper, Problems
 from solver.cli.solving import in_words
+from solver.cli.stems import stems_of
 from solver.messages import Messages
 from solver.words import Phrase
 
@@ -30,7 +31,7 @@ class Delivery:
     def __init__(self, request: CheckRequest, files: Sequence[str], several: bool) -> None:
         self.request = request
         self.several = several
-        self.stems = _stems(files)
+        self.stems = stems_of(files, "answers")
         self.format = request.chosen_format
         self.items: list[dict[str, Any]] = []
         self.to_review: list[str] = []
@@ -112,21 +113,3 @@ def _data(paper: Paper, marking: Marking | None) -> dict[str, Any]:
     if marking is None:
         return {"student": "", "error": paper.fault}
     return {"student": marking.student, **as_data(marking)}
-
-
-def _stems(files: Iterable[str]) -> dict[str, str]:
-    """Return what the sheets of the files are named in one folder: where names are alike, with the folders before."""
-    whole = {file: ("answers",) if file == STANDARD else _names(Path(file).resolve()) for file in files}
-    found: dict[str, str] = {}
-    for file, names in whole.items():
-        others = [other for each, other in whole.items() if each != file]
-        count = next((k for k in range(1, len(names)) if all(other[-k:] != names[-k:] for other in others)), len(names))
-        stem = "-".join(names[-count:])
-        number = next(n for n in range(1, len(whole) + 1) if (stem if n == 1 else f"{stem}-{n}") not in found.values())
-        found[file] = stem if number == 1 else f"{stem}-{number}"
-    return found
-
-
-def _names(path: Path) -> tuple[str, ...]:
-    """The folders of a file, and its name without the ending."""
-    return (*path.parts[1:-1], path.stem)

@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import sys
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
 
+from solver.cli.stems import stem_of, stems_of
 from solver.document.formats import FORMATS
 
 STANDARD = "-"
@@ -31,17 +33,25 @@ class Destination:
     folder: Path | None = None
     file: Path | None = None
     standard_output: bool = False
+    stems: Mapping[str, str] = field(default_factory=dict)
+    """What is written to the folder is called so, by the problem."""
 
     @staticmethod
-    def named(output: str | None, formats: tuple[str, ...] | None, problems: tuple[str, ...]) -> Destination:
-        """Return what -o and -f mean for these problem files; raises click.UsageError if they don't fit together."""
+    def named(
+        output: str | None, formats: tuple[str, ...] | None, problems: tuple[str, ...], *, several: bool = False
+    ) -> Destination:
+        """Return what -o and -f mean for these problem files; raises click.UsageError if they don't fit together.
+
+        `several` says that more than one is meant, even if there is one.
+        """
+        several = several or len(problems) > 1
         if output == STANDARD:
-            return _to_standard_output(formats or ("html",), problems)
+            return _to_standard_output(formats or ("html",), several=several)
         place = Path(output) if output else None
         if place is None or output is None:
             destination = Destination(formats or ("html",))
-        elif _is_folder(output, place) or len(problems) > 1 or len(formats or ()) > 1:
-            destination = Destination(formats or ("html",), folder=place)
+        elif _is_folder(output, place) or several or len(formats or ()) > 1:
+            destination = Destination(formats or ("html",), folder=place, stems=stems_of(problems, NAMELESS))
         else:
             destination = Destination(formats or (_format_of(place),), file=place)
         destination._refuse_collisions(problems)
@@ -54,7 +64,7 @@ class Destination:
         if self.file is not None:
             return {self.formats[0]: self.file}
         source = Path(NAMELESS) if problem == STANDARD else Path(problem)
-        stem = source.stem if source.suffix.lower() in (".yaml", ".yml") else source.name
+        stem = self.stems.get(problem) or stem_of(source)
         folder = self.folder if self.folder is not None else source.parent
         return {each: folder / (stem + FORMATS[each].suffix) for each in self.formats}
 
@@ -70,8 +80,8 @@ class Destination:
                     raise click.UsageError(f"{other} and the solution of {problem} would both be written to {path}.")
 
 
-def _to_standard_output(formats: tuple[str, ...], problems: tuple[str, ...]) -> Destination:
-    if len(formats) > 1 or len(problems) > 1:
+def _to_standard_output(formats: tuple[str, ...], *, several: bool) -> Destination:
+    if len(formats) > 1 or several:
         raise click.UsageError("-o - writes one problem in one format: name one FILE and one format.")
     if formats == ("pdf",) and sys.stdout.isatty():
         raise click.UsageError("a PDF is not for a terminal: name a file with -o, or send the output to one.")

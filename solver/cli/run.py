@@ -103,14 +103,18 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
 ) -> None:
     """Solve each FILE and write the worked solution, beside the file unless -o says where.
 
-    FILE may be - for standard input. One bad file does not stop the rest; the worst exit code is returned.
+    FILE may be a folder, a pattern ('ch1/*.yaml', '**/*.yaml') or - for standard input. One bad file does not stop the
+    rest; the worst exit code is returned.
     """
     from solver.cli.destination import Destination
+    from solver.cli.inputs import problems_in, tell
     from solver.cli.solving import Request, solve_files
     from solver.document.model import Presentation
 
-    destination = Destination.named(output, formats, files)
+    inputs = problems_in(files)
+    code = tell(inputs)
+    destination = Destination.named(output, formats, inputs.files, several=inputs.several)
     told = ("json" in destination.formats, checks or "", not no_sources, known(language, templates, ctx), notation)
     presentation = Presentation(detail, templates, *told, pdf_engine=pdf_engine)
-    request = Request(files, destination, presentation, open_page, time_limit, memory_limit, verbose)
-    ctx.exit(solve_files(request))
+    request = Request(inputs.files, destination, presentation, open_page, time_limit, memory_limit, verbose)
+    ctx.exit(max(code, solve_files(request)) if inputs.files else code)

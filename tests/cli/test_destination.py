@@ -31,6 +31,10 @@ def folder(tmp_path, monkeypatch):
         ("out", None, ("a.yaml",), {"out/a.html"}),
         ("new/", ("json",), ("a.yaml",), {"new/a.json"}),
         ("new", None, ("a.yaml", "b.yaml"), {"new/a.html", "new/b.html"}),
+        ("out", None, ("x/a.yaml", "y/a.yaml", "y/b.yaml"), {"out/x-a.html", "out/y-a.html", "out/b.html"}),
+        ("out", None, ("x/a.yaml", "y/A.yaml"), {"out/x-a.html", "out/y-A.html"}),
+        ("out", None, ("1/x/a.yaml", "2/x/a.yaml"), {"out/1-x-a.html", "out/2-x-a.html"}),
+        ("out", None, ("x/a.yaml", "x/a.yml"), {"out/a.html", "out/a-2.html"}),
         ("new", ("html", "json"), ("a.yaml",), {"new/a.html", "new/a.json"}),
         ("new", None, ("a.yaml",), {"new"}),
         ("x.tex", None, ("a.yaml",), {"x.tex"}),
@@ -53,7 +57,7 @@ def test_the_files_that_are_written(output, formats, problems, written):
         ("-", None, ("a.yaml", "b.yaml"), "one problem in one format"),
         ("a.yaml", ("html",), ("a.yaml",), "a.yaml is a problem file"),
         ("b.yaml", ("html",), ("b.yaml",), "b.yaml is a problem file"),
-        ("out", None, ("x/a.yaml", "y/a.yaml"), "the solution of x/a.yaml and the solution of y/a.yaml would both"),
+        (None, None, ("x/a.yaml", "x/a.yml"), "the solution of x/a.yaml and the solution of x/a.yml would both"),
     ],
 )
 def test_what_does_not_fit_together_is_refused(output, formats, problems, message):
