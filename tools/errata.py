@@ -18,7 +18,7 @@ from typing import Any
 import sympy as sp
 
 from solver.classroom import Verdict, mark, read_submission
-from solver.classroom.reading.answer_file import problem_named_in
+from solver.classroom.reading.answer_file import node_naming
 from solver.classroom.report.words import wrong_places
 from solver.classroom.verdicts import AnswerVerdict
 from solver.engine import Solution, solve_problem
@@ -62,7 +62,8 @@ class Line:
 
 def problem_of(path: Path) -> Path:
     """Return the file of the problem that an answer file is about."""
-    return (path.parent / problem_named_in(load(path))).resolve()
+    named = node_naming(load(path), "problem")
+    return (path.parent / (named.text.strip() if named else "")).resolve()
 
 
 def solved(path: Path) -> Solution:

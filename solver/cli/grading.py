@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -12,16 +13,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from solver.classroom.reading.answer_file import root_of_answers
 from solver.classroom.report.data import as_data
 from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number
 from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, AtFault, write_whole
-from solver.cli.papers import CheckRequest
+from solver.cli.named import named_in
+from solver.cli.papers import CheckRequest, submitted
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, source_of
 from solver.messages import Messages
 from solver.problem.source import InputError
 from solver.problem.yaml_tree import parse_yaml
+
+NO_EXAM = "-"
+"""Stands for answers to one problem among what answer files name."""
 
 if TYPE_CHECKING:
     from solver.classroom import Marking
@@ -33,9 +39,8 @@ if TYPE_CHECKING:
 
 
 def exam_of(problem: str | None, files: Sequence[str]) -> str | None:
-    """Return the exam that is named, or that the first answer file names; None where answers are to one problem."""
+    """Return the exam that is named, or that most answer files name; None where answers are to one problem."""
     from solver.papers.exam.reading import is_exam
-    from solver.papers.exam.submitted import exam_named_in
 
     if problem is not None:
         if problem == STANDARD:
@@ -44,13 +49,18 @@ def exam_of(problem: str | None, files: Sequence[str]) -> str | None:
             return problem if is_exam(parse_yaml(source_of(problem))) else None
         except InputError:
             return None  # what is wrong is told where it is read
-    for file in files:
-        try:
-            named = exam_named_in(source_of(file)) if file != STANDARD else ""
-        except InputError:
-            continue
-        return str(Path(file).parent / named) if named else None
-    return None
+    named = Counter(filter(None, map(_exam_named_in, files)))
+    found, _ = named.most_common(1)[0] if named else (NO_EXAM, 0)
+    return found if found != NO_EXAM else None
+
+
+def _exam_named_in(file: str) -> str:
+    """Return the exam that an answer file names, `NO_EXAM` where it names none, "" where that cannot be known."""
+    try:
+        named = named_in(submitted(file), "exam", file) if file != STANDARD else ""
+    except InputError:  # it is told where the file is read
+        return ""
+    return named or NO_EXAM
 
 
 def passed_over(named: Sequence[str], files: Sequence[str]) -> list[str]:
@@ -77,7 +87,7 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     except InputError as error:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
-    read = [_read(name, exam) for name in files]
+    read = [_read(name, exam, "" if file in request.files else file) for name in files]
     papers = [each.submission for each in read if each.submission is not None]
     load_all_algebra()  # once, and not in each process
     means = Means(request.presentation, request.limits, request.processes)
@@ -133,12 +143,19 @@ class _Read:
         return Graded(self.name, student, self.submission.variant, whole, of_questions=of_questions)
 
 
-def _read(name: str, exam: Exam) -> _Read:
-    """Read an answer file; what is wrong with it becomes words on standard error."""
+def _read(name: str, exam: Exam, followed: str) -> _Read:
+    """Read an answer file; what is wrong with it becomes words on standard error.
+
+    Where the exam is `followed`, and not named on the command line, a file that names another one is at fault.
+    """
     from solver.papers.exam.submitted import read_exam_submission
 
     try:
-        return _Read(name, read_exam_submission(source_of(name), exam))
+        source = submitted(name)
+        if followed and named_in(source, "exam", name) not in {"", followed}:
+            message = f"it names another exam than most files, which answer {followed}"
+            raise InputError(source, [root_of_answers(source)["exam"].diagnostic(message)])
+        return _Read(name, read_exam_submission(source, exam))
     except InputError as error:
         fault = error.render()
     except AtFault as error:

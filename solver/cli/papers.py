@@ -9,8 +9,8 @@ from pathlib import Path
 import click
 
 from solver.classroom import Submission, read_submission
-from solver.classroom.reading.answer_file import problem_named_in
 from solver.cli.destination import STANDARD, AtFault
+from solver.cli.named import ENDINGS, leads_out, named_in
 from solver.cli.progress import Meter
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of, usable_cores
 from solver.document.model import Document, Presentation
@@ -20,11 +20,9 @@ from solver.messages import Messages
 from solver.problem.nodes import MappingNode
 from solver.problem.partial import ruled
 from solver.problem.reader import read_problem
-from solver.problem.source import InputError, Source
+from solver.problem.source import Diagnostic, InputError, Source
 from solver.problem.yaml_tree import parse_yaml
 from solver.tasks import catalogue
-
-ENDINGS = (".yaml", ".yml")
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,7 +124,7 @@ class Problems:
     def paper(self, file: str, problem: str | None) -> Paper:
         """Read an answer file; what is wrong with it becomes words on standard error, and a code."""
         try:
-            source = source_of(file)
+            source = submitted(file)
             name = problem or _named(source, file)
             return Paper(file, name, read_submission(source, self.solution(name).problem))
         except InputError as error:
@@ -158,9 +156,18 @@ class Problems:
         return Messages(self.request.templates, display.language, display.notation)
 
 
+def submitted(file: str) -> Source:
+    """Return the text of an answer file; raises InputError. A link that leads out of its folder is not followed."""
+    if file != STANDARD and leads_out(Path(file)):
+        message = "it is a link that leads out of its folder, and is not followed"
+        raise InputError(Source(file, ""), [Diagnostic(message, note="put the file itself there")])
+    return source_of(file)
+
+
 def _named(source: Source, file: str) -> str:
-    """Return the problem that an answer file names, found beside it."""
-    name = problem_named_in(source)
+    """Return the problem that an answer file names; raises InputError where it is not to be followed."""
+    name = named_in(source, "problem", file)
     if not name:
+        named_in(source, "exam", file)  # what is wrong with it is the reason
         raise AtFault("it names no problem; call solve check PROBLEM ANSWERS, or add the key 'problem'")
-    return str(Path(file).parent / name)
+    return name

@@ -32,11 +32,10 @@ class Submission:
     strange: tuple[Diagnostic, ...] = ()
 
 
-def problem_named_in(source: Source) -> str:
-    """Return the problem file that an answer file names, or ""; raises InputError."""
-    root = root_of_answers(source)
-    node = root.get("problem")
-    return node.text.strip() if isinstance(node, ScalarNode) else ""
+def node_naming(source: Source, key: str) -> ScalarNode | None:
+    """Return where an answer file names its problem (or exam) by a key, None where it does not; raises InputError."""
+    node = root_of_answers(source).get(key)
+    return node if isinstance(node, ScalarNode) and not node.is_null and node.text.strip() else None
 
 
 def read_submission(source: Source, problem: Problem) -> Submission:

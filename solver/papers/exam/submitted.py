@@ -14,7 +14,7 @@ from solver.classroom.reading.answer_file import (
     student_in,
 )
 from solver.papers.exam.model import Exam
-from solver.problem.nodes import MappingNode, ScalarNode, whole_number
+from solver.problem.nodes import MappingNode, whole_number
 from solver.problem.source import Fault, InputError, Report, Source, did_you_mean
 
 KEYS = ("exam", "variant", "student", "answers")
@@ -27,12 +27,6 @@ class ExamSubmission:
     student: str
     variant: int
     answers: tuple[Submission, ...]
-
-
-def exam_named_in(source: Source) -> str:
-    """Return the exam file that an answer file names, or ""; raises InputError."""
-    node = root_of_answers(source).get("exam")
-    return node.text.strip() if isinstance(node, ScalarNode) and not node.is_null else ""
 
 
 def read_exam_submission(source: Source, exam: Exam) -> ExamSubmission:
