@@ -1,4 +1,4 @@
-"""A paper or a key of an exam as a page and as LaTeX: its cover, and its questions as pages of problems have them."""
+"""A paper or a key of an exam as a page, as LaTeX and as typst: its cover, and its questions as those of pages."""
 
 from __future__ import annotations
 
@@ -28,11 +28,22 @@ def exam_images(exam: ExamDocument) -> dict[str, bytes]:
     return {name: content for each in exam.questions for name, content in files_beside(each.document).items()}
 
 
-def exam_pdf(exam: ExamDocument) -> bytes:
-    """Return the PDF of an exam; raises PdfUnavailable."""
-    from solver.render.pdf import pdf_of  # noqa: PLC0415 - each format imports its own libraries
+def exam_typst(exam: ExamDocument) -> str:
+    """Return typst of an exam; `typst/exam.typ.jinja` is its layout."""
+    from solver.render.typst_document import rendered_typst  # noqa: PLC0415 - each format imports its own libraries
 
-    return pdf_of(exam_latex(exam), files=exam_images(exam))
+    return rendered_typst("exam.typ.jinja", exam.presentation.templates, exam.messages, exam.title, exam=exam)
+
+
+def exam_pdf(exam: ExamDocument) -> bytes:
+    """Return the PDF of an exam by the engine that it asks for; raises PdfUnavailable."""
+    from solver.render import pdf, typst_document  # noqa: PLC0415 - as above
+
+    if pdf.chosen(exam.presentation.pdf_engine) == pdf.TEX:
+        return pdf.pdf_of(exam_latex(exam), files=exam_images(exam))
+    beside = [typst_document.files_beside(each.document) for each in exam.questions]
+    images = {name: content for files in beside for name, content in files.items()}
+    return pdf.pdf_by_typst(exam_typst(exam), files=images)
 
 
 def _nothing(_: ExamDocument) -> Mapping[str, bytes]:

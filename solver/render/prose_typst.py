@@ -16,7 +16,7 @@ from solver.formula.typst import typst
 from solver.markup import address_of, alignments, tokens
 from solver.render.displays import on_pages
 from solver.render.prose_text import inline_text
-from solver.render.typst_text import quoted
+from solver.render.typst_text import heard, quoted
 
 _FIXED = {
     "em_open": "#emph[",
@@ -70,7 +70,7 @@ def inline_typst(markdown: str) -> str:
 def display_typst(formula: str, *, framed: bool = False) -> str:
     """Return a displayed formula, shrunk when it is wider than the line; a long list of equations as several."""
     return "".join(
-        f"#formula({quoted(_words(latex))}, framed: {str(framed).lower()}, ${typst(tree)}$)\n\n"
+        f"#formula({heard(_words(latex))}, framed: {str(framed).lower()}, ${typst(tree)}$)\n\n"
         for tree, latex in on_pages(formula)
     )
 
@@ -79,7 +79,7 @@ def inline_formula(formula: str) -> str:
     """Return a formula within a line; one that is not of our dialect as the text it is."""
     if find_problem(formula) is not None:
         return f"#raw({quoted(formula)})"
-    return f"#eq({quoted(_words(formula))}, ${typst(read(formula), in_line=True)}$)"
+    return f"#eq({heard(_words(formula))}, ${typst(read(formula), in_line=True)}$)"
 
 
 def _words(formula: str) -> str:
@@ -149,7 +149,7 @@ def _link(token: Token, _found: Sequence[Token], _index: int) -> str:
 
 
 def _picture(token: Token, _found: Sequence[Token], _index: int) -> str:
-    return f"#given({quoted(address_of(token))}, {quoted(inline_text(token.children or []))})"
+    return f"#given({quoted(address_of(token))}, {heard(inline_text(token.children or []))})"
 
 
 def _table(_token: Token, found: Sequence[Token], index: int) -> str:

@@ -1,7 +1,7 @@
 """A solution as a typst document that uses no package and reads no file but the images of the problem.
 
-The layout is `templates/typst/page.typ.jinja`. Texts pass the filters `quoted` (plain), `line` (one line of Markdown)
-and `prose` (Markdown); figures stand in the document as SVG, each with its words.
+The layout is `templates/typst/page.typ.jinja`, with what it includes. Texts pass the filters `quoted` (plain), `line`
+(one line of Markdown) and `prose` (Markdown); figures stand in the document as SVG, each with its words.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import FileSystemLoader, StrictUndefined
 from jinja2.sandbox import ImmutableSandboxedEnvironment
@@ -19,9 +19,11 @@ from solver import __version__, resources
 from solver.compiled import kept
 from solver.derivation.figures import Drawing
 from solver.formula.typst import PRELUDE
+from solver.messages import Messages
 from solver.render import pictures, pointing
 from solver.render.prose_typst import display_typst, inline_formula, inline_typst, to_typst
-from solver.render.typst_text import quoted
+from solver.render.typst_text import heard, quoted
+from solver.words import Phrase
 
 if TYPE_CHECKING:
     from solver.document.model import Document
@@ -31,15 +33,27 @@ _LANGUAGE = re.compile(r"[a-z]{2,3}")
 
 def typst_document(document: Document) -> str:
     """Return the source of the whole document. The same document gives the same text."""
-    template = _environment(document.presentation.templates).get_template("page.typ.jinja")
-    language = document.messages.language
-    return template.render(
-        document=document,
-        say=document.messages.say,
-        version=__version__,
-        prelude=PRELUDE,
-        title=document.title if document.title.strip() else document.messages.say("Worked solution"),
-        language=language if _LANGUAGE.fullmatch(language) else "en",
+    title = document.title if document.title.strip() else document.messages.say("Worked solution")
+    return rendered_typst(
+        "page.typ.jinja", document.presentation.templates, document.messages, title, document=document
+    )
+
+
+def rendered_typst(template: str, templates: Path | None, messages: Messages, title: str, **values: Any) -> str:
+    """Return a document made by one of the templates in `typst/`; `title` is what the PDF says of itself."""
+    say, language = messages.say, messages.language
+    return (
+        _environment(templates)
+        .get_template(template)
+        .render(
+            **values,
+            say=say,
+            phrase=lambda text, **of: say(Phrase(text, **of)),
+            version=__version__,
+            prelude=PRELUDE,
+            title=title,
+            language=language if _LANGUAGE.fullmatch(language) else "en",
+        )
     )
 
 
@@ -76,7 +90,7 @@ def _environment(templates: Path | None) -> ImmutableSandboxedEnvironment:
 
 def _figure(data: Drawing) -> str:
     """Return a figure with its caption, and in words."""
-    image = f"({_literal(pictures.svg_of(data))}, {quoted(pictures.words_of(data))})"
+    image = f"({_literal(pictures.svg_of(data))}, {heard(pictures.words_of(data))})"
     return f"#drawing({image}, [{inline_typst(data.caption)}])"
 
 

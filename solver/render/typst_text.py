@@ -17,6 +17,17 @@ def quoted(text: str) -> str:
     return '"' + letters.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
+def heard(text: str) -> str:
+    """Return words that stand for a picture or a formula, and are read aloud: no font needs their letters."""
+    letters = "".join(each for each in unicodedata.normalize("NFC", text) if each.isprintable())
+    return '"' + letters.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def shows(text: str) -> bool:
+    """Whether the fonts within typst have all letters of a text."""
+    return all(_letter(letter) == letter for letter in unicodedata.normalize("NFC", text))
+
+
 def bare(text: str) -> str:
     """Return a text in one line as typst's markup."""
     return f"#{quoted(' '.join(text.split()))}"

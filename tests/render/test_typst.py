@@ -17,7 +17,7 @@ from solver.formula.typst import typst
 from solver.render import pdf
 from solver.render.prose_typst import inline_typst, to_typst
 from solver.render.typst_document import files_beside, typst_document
-from solver.render.typst_text import quoted
+from solver.render.typst_text import heard, quoted, shows
 from tests.document.test_images import PNG, SVG
 from tests.helpers.solved import EXAMPLES, by_problem, document_of_problem, solution_of
 from tests.render.test_documents import HOSTILE
@@ -181,3 +181,9 @@ def test_the_fonts_have_every_letter_that_is_passed_on():
     formula = typst(read(r"\operatorname{a-b}"))
     shown.append(f'#math.equation(alt: "x", ${formula}$)')
     assert pdf.pdf_by_typst("\n\n".join((HEAD, '#set text(font: "New Computer Modern")', *shown)))
+
+
+def test_what_is_heard_needs_no_glyph():
+    assert heard('ẋ "1"\\\x07\n中') == '"ẋ \\"1\\"\\\\中"'
+    assert [shows(each) for each in ("Doe, #Jo", "Müller", "Žižek", "李明", "🙂")] == [True, True, True, False, False]
+    assert inline_typst(r"$\dot x$").startswith('#eq("ẋ"')
