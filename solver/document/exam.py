@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from solver.document.model import ENGLISH_WORDS, Document, Presentation
+from solver.document.work import Work
 from solver.messages import Messages
 from solver.problem.images import Image
 from solver.words import Phrase
+
+LEAST_ROOM = Fraction(20)
+"""Millimetres of space for the answer of a part that carries hardly any marks."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +48,7 @@ class ExamDocument:
     """A paper or a key. All is plain text but the instructions, which are Markdown. `total` are the marks of all.
 
     `variant` names the paper, "" where there is only one; `student` is whose it is, "" where a name is to be filled in.
+    `space` are the millimetres that a paper leaves blank for each mark of a part; where it is None there is no space.
     """
 
     title: str
@@ -56,11 +62,19 @@ class ExamDocument:
     student: str = ""
     presentation: Presentation = field(default_factory=Presentation)
     messages: Messages = ENGLISH_WORDS
+    space: Fraction | None = None
 
     @property
     def is_paper(self) -> bool:
         """Whether only the questions are told."""
         return self.presentation.is_paper
+
+    def room(self, document: Document, part: Work) -> int:
+        """Return how many millimetres are left blank below a part; several methods of a part share them."""
+        if self.space is None or not self.is_paper:
+            return 0
+        shared = sum(each.letter == part.letter for each in document.parts)
+        return round(max(LEAST_ROOM, self.space * Fraction(part.marks or 0) / shared))
 
     @property
     def illustrated(self) -> bool:

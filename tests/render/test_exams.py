@@ -1,7 +1,10 @@
 """Papers and keys by TeX and by typst: hostile names stand as they are, space for answers, templates of one's own."""
 
+import re
+import shutil
 import subprocess
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
 
@@ -51,7 +54,9 @@ def told(tmp_path_factory):
 def words_of(content, path):
     """Return the words that a PDF shows."""
     path.write_bytes(content)
-    done = subprocess.run(["pdftotext", "-layout", path, "-"], capture_output=True, check=True)
+    done = subprocess.run(
+        [shutil.which("pdftotext") or "pdftotext", "-layout", path, "-"], capture_output=True, check=True
+    )
     return " ".join(done.stdout.decode().split())
 
 
@@ -111,3 +116,23 @@ def test_what_a_layout_includes_can_be_replaced_alone(told, tmp_path, kind, endi
     written = write(told(own=tmp_path))
     assert written.count("own parts") == 2
     assert "stability" not in written.lower()
+
+
+def test_space_for_answers_goes_by_the_marks_and_stands_in_papers_only(told):
+    paper, key = told(space=Fraction(15, 2)), told("key", space=Fraction(30))
+    assert [paper.room(each.document, part) for each in paper.questions for part in each.document.parts] == [20, 22] * 2
+    assert [told(space=Fraction(0)).room(paper.questions[0].document, paper.questions[0].document.parts[0])] == [20]
+    for write, sign in ((exam_page, '<div class="room"'), (exam_latex, r"\answerroom{"), (exam_typst, "mm)\n")):
+        assert (write(paper).count(sign), write(key).count(sign), write(told()).count(sign)) == (4, 0, 0)
+
+
+@pytest.mark.usefixtures("typst", "tex")
+@pytest.mark.parametrize("engine", pdf.ENGINES)
+def test_space_goes_on_overleaf(told, tmp_path, engine):
+    """Two questions of 5 marks at 100 mm a mark are a metre of paper: four pages and what is asked."""
+    content = exam_pdf(told(space=Fraction(100), engine=engine))
+    (tmp_path / "a.pdf").write_bytes(content)
+    said = subprocess.run(
+        [shutil.which("pdfinfo") or "pdfinfo", tmp_path / "a.pdf"], capture_output=True, check=True, text=True
+    )
+    assert 5 <= int(re.search(r"Pages: +(\d+)", said.stdout)[1]) <= 7
