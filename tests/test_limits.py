@@ -1,7 +1,5 @@
 """A part that takes too long, too much memory, or the process down costs nothing but itself."""
 
-import multiprocessing
-import os
 import resource
 import signal
 import subprocess
@@ -18,7 +16,7 @@ from solver.document.model import Presentation
 from solver.document.works import document_of
 from solver.engine import solve_problem
 from solver.limits import Child, Limits, Supervision, in_child, solve_within
-from solver.limits.call import Exceeded, call_within, calls_within
+from solver.limits.call import Exceeded, call_within
 from solver.limits.child import cause_of_death, restrict
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
@@ -316,35 +314,3 @@ def test_a_call_has_the_limits_of_one_unit():
 def test_the_default_limits_are_those_of_the_guide():
     guide = (ROOT / "docs" / "user-guide.md").read_text(encoding="utf-8")
     assert f"{Limits().seconds:g} s and {Limits().megabytes} MB by default" in guide
-
-
-def process_after(seconds):
-    """Sleep, and tell which process this is; a negative time is waited for without end."""
-    time.sleep(seconds if seconds >= 0 else 1000)
-    return os.getpid()
-
-
-def test_many_calls_are_shared_by_a_few_processes_that_go_on():
-    found = dict(calls_within(Limits(20, 2000), process_after, [(0.05,)] * 8, 2))
-    assert sorted(found) == list(range(8))
-    assert len(set(found.values())) == 2
-    assert os.getpid() not in found.values()
-
-
-def test_a_call_that_meets_a_limit_costs_only_itself():
-    found = dict(calls_within(Limits(1.0, 2000), process_after, [(0,), (-1,), (0,), (0,)], 1))
-    assert isinstance(found[1], Exceeded)
-    assert "time limit of 1 s" in str(found[1].reason)
-    assert all(isinstance(found[place], int) for place in (0, 2, 3))
-
-
-def test_a_call_that_dies_is_followed_by_the_others():
-    found = dict(calls_within(Limits(20, 2000), os._exit, [(3,), (3,)], 2))
-    assert all(isinstance(each, Exceeded) for each in found.values())
-
-
-def test_processes_end_with_whoever_waits_for_them():
-    calls = calls_within(Limits(60, 2000), process_after, [(0,), (-1,)], 2)
-    next(calls)
-    calls.close()
-    assert not multiprocessing.active_children()

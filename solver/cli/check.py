@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
 from solver.cli.run import DETAILS, Seconds
 from solver.problem.model import RULES
@@ -37,8 +38,7 @@ FORMATS = ("text", "json", "html")
               show_default=True, help="For each part, solved or marked.")  # fmt: skip
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part, solved or marked.")  # fmt: skip
-@click.option("--jobs", metavar="N", type=click.IntRange(min=1, max=256), help="How many files are marked at once. "
-              "Default: one for each core.")  # fmt: skip
+@executing
 @click.pass_context
 def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     ctx: click.Context,
@@ -58,7 +58,7 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
     notation: str | None,
     time_limit: float,
     memory_limit: int,
-    jobs: int | None,
+    workers: Workers,
 ) -> None:
     """Mark each file of ANSWERS, or each in a folder, by what PROBLEM asks, not by likeness to a key.
 
@@ -74,6 +74,6 @@ def check(  # noqa: PLR0913, PLR0917 - a parameter for each option of the comman
 
     told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
     limits = Limits(time_limit, memory_limit)
-    rules = partial, key, syntax, changes, jobs, report
+    rules = partial, key, syntax, changes, workers, report
     marked = CheckRequest(files, format_, output, table, solution, told, limits, *rules)
     ctx.exit(check_files(marked))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext
 from pathlib import Path
 
 import click
@@ -90,21 +91,18 @@ class _Desk:
         codes = [SOLVED]
         read = [paper for paper in papers if paper.submission is not None]
         pairs = [(self.problems.solutions[each.problem], each.submission) for each in read if each.submission]
-        if len(pairs) > 1:
-            from solver.limits.child import load_all_algebra
-
-            load_all_algebra()  # once, and not in each process
-        markings = mark_each(pairs, self.request.limits, self.request.templates, self.request.processes)
-        for paper in papers:
-            codes.append(paper.code)
-            marking = None
-            if paper.submission is not None:
-                with meter.file(paper.name):
-                    marking, code = self._with_changes(paper, next(markings))
-                codes.append(code)
-            meter.next_file()
-            self.rows.append((paper.name, marking))
-            codes.append(self._hand_back(paper, marking))
+        with self.request.workers.executor() if len(pairs) > 1 else nullcontext() as executor:
+            markings = mark_each(pairs, self.request.limits, self.request.templates, executor)
+            for paper in papers:
+                codes.append(paper.code)
+                marking = None
+                if paper.submission is not None:
+                    with meter.file(paper.name):
+                        marking, code = self._with_changes(paper, next(markings))
+                    codes.append(code)
+                meter.next_file()
+                self.rows.append((paper.name, marking))
+                codes.append(self._hand_back(paper, marking))
         return max(codes)
 
     def _hand_back(self, paper: Paper, marking: Marking | None) -> int:

@@ -11,10 +11,10 @@ from pathlib import Path
 import click
 
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of, usable_cores
+from solver.cli.executing import Workers
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
 from solver.document.model import Presentation
 from solver.limits import Limits
-from solver.limits.child import load_all_algebra
 from solver.papers.difficulty import Difficulty, spread_of
 from solver.papers.families import YAML, Member, Wanted, family_of, members
 from solver.papers.search import Search
@@ -38,7 +38,7 @@ class Order:
     limits: Limits
     check: bool
     draws: int
-    jobs: int | None
+    workers: Workers
 
     @property
     def stem(self) -> str:
@@ -67,10 +67,8 @@ def draw_members(order: Order) -> int:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
     settle()
-    load_all_algebra()  # once, and not in each process
-    with progress(order.count) as tell:
-        jobs = order.jobs or usable_cores()
-        search = Search(source, family, order.seed, order.limits, order.draws, jobs, tell)
+    with order.workers.executor() as executor, progress(order.count) as tell:
+        search = Search(source, family, order.seed, order.limits, order.draws, executor, tell)
         wanted = Wanted(order.formats, order.presentation, order.limits, order.check)
         found: list[Member] = []
         for member in members(search, order.count, wanted, order.stem):

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import click
 
+from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, JOBS, TEMPLATES, TIME_LIMIT, FormatList
+from solver.cli.run import DETAILS, TEMPLATES, TIME_LIMIT, FormatList
 
 FORMATS = ("html", "pdf", "latex")
 
@@ -32,7 +33,7 @@ class ExamFormatList(FormatList):
 @TEMPLATES
 @LANGUAGE
 @NOTATION
-@JOBS
+@executing
 @TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each question.")  # fmt: skip
@@ -47,7 +48,7 @@ def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     templates: Path | None,
     language: str | None,
     notation: str | None,
-    jobs: int | None,
+    workers: Workers,
     time_limit: float,
     memory_limit: int,
 ) -> None:
@@ -58,10 +59,10 @@ def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     """
     from solver.startup import quiet_threads
 
-    quiet_threads()  # before numpy is imported: processes will be forked
+    quiet_threads()  # before numpy is imported
     from solver.cli.examining import Order, write_exam
     from solver.document.model import Presentation
     from solver.limits import Limits
 
     told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
-    ctx.exit(write_exam(Order(exam, formats, output, told, Limits(time_limit, memory_limit), draws, jobs)))
+    ctx.exit(write_exam(Order(exam, formats, output, told, Limits(time_limit, memory_limit), draws, workers)))

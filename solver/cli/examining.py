@@ -12,10 +12,10 @@ import click
 from solver.classroom.reading.answer_file import is_blank, root_of_answers
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
 from solver.cli.drawing import progress
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of, usable_cores
+from solver.cli.executing import Workers
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
 from solver.document.model import Presentation
 from solver.limits import Limits
-from solver.limits.child import load_all_algebra
 from solver.papers.exam.drawing import Drawn, Means, drawn
 from solver.papers.exam.making import ANSWERS, answer_file, files_of, variants_table
 from solver.papers.exam.model import Exam
@@ -34,7 +34,7 @@ class Order:
     presentation: Presentation
     limits: Limits
     draws: int
-    jobs: int | None
+    workers: Workers
 
     @property
     def folder(self) -> Path:
@@ -56,8 +56,12 @@ def write_exam(order: Order) -> int:
     except InputError as error:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
-    load_all_algebra()  # once, and not in each process
-    means = Means(order.presentation, order.limits, order.jobs or usable_cores(), order.draws)
+    with order.workers.executor() as executor:
+        return _make(order, exam, Means(order.presentation, order.limits, executor, order.draws))
+
+
+def _make(order: Order, exam: Exam, means: Means) -> int:
+    """Draw the variants and write them; return the exit code."""
     try:
         with progress(len(exam.variants)) as tell:
             variants = drawn(exam, means, tell)

@@ -77,7 +77,6 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     """
     if request.syntax or request.solution or request.changes:
         raise click.UsageError("answers to an exam are marked without --syntax, --solution and --override.")
-    from solver.limits.child import load_all_algebra
     from solver.papers.exam.drawing import Means
     from solver.papers.exam.marking import marked, solutions_of
     from solver.papers.exam.reading import read_exam
@@ -89,15 +88,15 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
         return INPUT_AT_FAULT
     read = [_read(name, exam, "" if file in request.files else file) for name in files]
     papers = [each.submission for each in read if each.submission is not None]
-    load_all_algebra()  # once, and not in each process
-    means = Means(request.presentation, request.limits, request.processes)
-    try:
-        solutions = solutions_of(exam, {each.variant for each in papers}, means, partial(_prepared, request))
-    except InputError as error:
-        click.echo(error.render(), err=True)
-        return UNSOLVED
-    markings = marked(papers, solutions, request.limits, request.templates, request.processes)
-    graded = [each.graded(markings) for each in read]
+    with request.workers.executor() as executor:
+        means = Means(request.presentation, request.limits, executor)
+        try:
+            solutions = solutions_of(exam, {each.variant for each in papers}, means, partial(_prepared, request))
+        except InputError as error:
+            click.echo(error.render(), err=True)
+            return UNSOLVED
+        markings = marked(papers, solutions, request.limits, request.templates, executor)
+        graded = [each.graded(markings) for each in read]
     if request.chosen_format == "html":
         _write_sheets(request, exam, graded, solutions)
     else:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import click
 
 from solver.classroom import Submission, read_submission
 from solver.cli.destination import STANDARD, AtFault
+from solver.cli.executing import Workers
 from solver.cli.named import ENDINGS, leads_out, named_in
 from solver.cli.progress import Meter
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of, usable_cores
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, source_of
 from solver.document.model import Document, Presentation
 from solver.engine import Solution
 from solver.limits import Limits, Solved, Supervision, solve_within
@@ -44,7 +45,7 @@ class CheckRequest:
     key: bool = False
     syntax: bool = False
     changes: str | None = None
-    jobs: int | None = None
+    workers: Workers = field(default_factory=Workers)
     report: str | None = None
 
     @property
@@ -57,11 +58,6 @@ class CheckRequest:
         """The format asked for, meant by the ending of the output, or text."""
         endings = {".html": "html", ".json": "json"}
         return self.format or endings.get(Path(self.output or "").suffix.lower(), "html" if self.solution else "text")
-
-    @property
-    def processes(self) -> int:
-        """How many processes mark: those asked for, or one for each core that this one may use."""
-        return self.jobs or usable_cores()
 
 
 @dataclass(frozen=True, slots=True)

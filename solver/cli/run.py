@@ -18,7 +18,6 @@ PDF_ENGINE = click.option("--pdf-engine", type=click.Choice(["tex", "typst"]),
 TEMPLATES = click.option("--templates", metavar="DIR",
                          type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
                          help="Templates that take precedence over the program's own.")  # fmt: skip
-JOBS = click.option("--jobs", type=click.IntRange(min=1, max=256), help="How many processes work. Default: the cores.")
 
 
 class FormatList(click.ParamType[tuple[str, ...]]):

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import click
 
+from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, JOBS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
+from solver.cli.run import DETAILS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
 
 
 @click.command(short_help="Draw members of a family of problems.")
@@ -25,7 +26,7 @@ from solver.cli.run import DETAILS, JOBS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, For
 @TEMPLATES
 @LANGUAGE
 @NOTATION
-@JOBS
+@executing
 @TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each member.")  # fmt: skip
@@ -44,7 +45,7 @@ def variants(  # noqa: PLR0913, PLR0917 - a parameter for each option of the com
     templates: Path | None,
     language: str | None,
     notation: str | None,
-    jobs: int | None,
+    workers: Workers,
     time_limit: float,
     memory_limit: int,
 ) -> None:
@@ -55,7 +56,7 @@ def variants(  # noqa: PLR0913, PLR0917 - a parameter for each option of the com
     """
     from solver.startup import quiet_threads
 
-    quiet_threads()  # before numpy is imported: processes will be forked
+    quiet_threads()  # before numpy is imported
     from solver.cli.drawing import Order, draw_members
     from solver.document.model import Presentation
     from solver.limits import Limits
@@ -69,4 +70,4 @@ def variants(  # noqa: PLR0913, PLR0917 - a parameter for each option of the com
         pdf_engine=pdf_engine,
     )
     limits = Limits(time_limit, memory_limit)
-    ctx.exit(draw_members(Order(problem, count, seed, formats, output, told, limits, check, draws, jobs)))
+    ctx.exit(draw_members(Order(problem, count, seed, formats, output, told, limits, check, draws, workers)))

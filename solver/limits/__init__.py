@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from solver.limits.call import Exceeded, call_within, calls_within
+from solver.limits.call import Exceeded, call_within
 from solver.limits.child import Child, Limits, Reply, Unit
 from solver.limits.supervisor import Notify, Progress, Supervision, Supervisor
 
@@ -31,7 +31,6 @@ __all__ = [
     "Solved",
     "Supervision",
     "call_within",
-    "calls_within",
     "in_child",
     "solve_within",
 ]

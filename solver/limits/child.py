@@ -14,6 +14,7 @@ from importlib import import_module
 from multiprocessing.connection import Connection
 from pathlib import Path
 from pkgutil import iter_modules
+from time import process_time
 from types import ModuleType
 from typing import TYPE_CHECKING
 
@@ -254,11 +255,11 @@ def as_bug(bug: Exception) -> str:
 
 
 def restrict(limits: Limits, units: int) -> None:
-    """Limit this process's memory, and its time in case the parent is gone and can't end it."""
+    """Limit this process's memory, and its time from now in case the parent is gone and can't end it."""
     if resource is None:
         return
     with suppress(OSError, ValueError):  # where a system has no such limits, time still ends the child
-        seconds = 10 + math.ceil(2 * limits.seconds * units)
+        seconds = 10 + math.ceil(process_time() + 2 * limits.seconds * units)
         _lower(resource.RLIMIT_CPU, seconds)
         _lower(resource.RLIMIT_AS, _address_space() + limits.megabytes * 2**20)
 

@@ -13,7 +13,7 @@ from solver.document.formats import FORMATS
 from solver.document.model import Presentation
 from solver.document.works import document_of
 from solver.engine import solve_problem
-from solver.limits import Exceeded, Limits, calls_within
+from solver.limits import Exceeded, Limits
 from solver.papers.difficulty import Difficulty, difficulty_of
 from solver.papers.judging import Rejection
 from solver.papers.search import TOGETHER, Candidate, Search
@@ -77,7 +77,7 @@ def members(
         calls = [(each.text, search.source.name, wanted) for each in some]
         parts = sum(len(part.methods) for part in some[0].problem.parts)
         limits = replace(wanted.limits, seconds=wanted.limits.seconds * parts)
-        results: dict[int, Any] = dict(calls_within(limits, make or made, calls, search.jobs))
+        results: dict[int, Any] = dict(search.executor.calls(limits, make or made, calls))
         for place, candidate in enumerate(some):
             if (why := _wrong(results[place])) is not None:
                 search.take_back(why)

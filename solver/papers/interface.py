@@ -14,8 +14,8 @@ from typing import Any
 
 from solver.api import solve, source_of
 from solver.document.model import Document
+from solver.executors import Processes
 from solver.limits import Limits
-from solver.limits.child import load_all_algebra
 from solver.papers.families import Wanted, family_of, members
 from solver.papers.search import MOST_DRAWS, Search
 from solver.papers.telling import shortage
@@ -47,9 +47,9 @@ def variants(
     """
     source = source_of(problem)
     family = family_of(read_problem(source, catalogue()))
-    load_all_algebra()  # once, and not in each process
-    search = Search(source, family, seed, Limits(**limits), draws, jobs)
-    found = list(members(search, count, Wanted(limits=Limits(**limits)), file_stem(source.name)))
+    with Processes(jobs) as executor:
+        search = Search(source, family, seed, Limits(**limits), draws, executor)
+        found = list(members(search, count, Wanted(limits=Limits(**limits)), file_stem(source.name)))
     if len(found) < count:
         raise shortage(search, source, count)
     return [Variant(member.number, member.values, member.text) for member in found]

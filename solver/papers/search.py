@@ -12,7 +12,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from solver.limits import Exceeded, Limits, calls_within
+from solver.executors import Executor, Processes
+from solver.limits import Exceeded, Limits
 from solver.papers.draws import Draw, Draws, holds
 from solver.papers.formulas import Formulas
 from solver.papers.judging import Rejection, judged
@@ -53,7 +54,7 @@ class Search:
     seed: int
     limits: Limits = field(default_factory=Limits)
     most: int = MOST_DRAWS
-    jobs: int = 1
+    executor: Executor = field(default_factory=Processes)
     tell: Tell = lambda _draws, _found: None
     draws: int = 0
     found: int = 0
@@ -107,7 +108,7 @@ class Search:
         """Judge some draws in processes; yield them in their order."""
         texts = [member_text(self.source, draw.texts) for _, draw, _ in pending]
         calls = [(text, self.source.name, self.family.required, self.family.nice) for text in texts]
-        results: dict[int, Any] = dict(calls_within(self.limits, judged, calls, self.jobs))
+        results: dict[int, Any] = dict(self.executor.calls(self.limits, judged, calls))
         for place, (number, draw, before) in enumerate(pending):
             self.rejections += before
             result = results[place]

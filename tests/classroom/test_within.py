@@ -7,6 +7,7 @@ import pytest
 
 from solver.classroom import mark, mark_each, read_submission, within
 from solver.classroom.marking import Marker
+from solver.executors import Processes
 from solver.limits import Limits
 from solver.problem.source import Source
 from tests.helpers.marked import solved
@@ -43,23 +44,28 @@ def stuck_part(marker, part):
 JUDGED = Marker.part
 
 
+def forked(jobs):
+    """Return processes that know of patches; one after the other for one."""
+    return Processes(jobs, "fork") if jobs > 1 else None
+
+
 @pytest.mark.parametrize("jobs", [1, 3])
 def test_the_markings_are_those_of_one_after_the_other(jobs):
     expected = [mark(*paper) for paper in papers()]
-    assert list(mark_each(papers(), Limits(60), jobs=jobs)) == expected
+    assert list(mark_each(papers(), Limits(60), executor=forked(jobs))) == expected
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_a_file_that_meets_the_limit_is_marked_part_by_part(monkeypatch, jobs):
     monkeypatch.setattr(within, "mark", stuck_marking)
-    found = list(mark_each(papers(), Limits(5), jobs=jobs))
+    found = list(mark_each(papers(), Limits(5), executor=forked(jobs)))
     assert [marking.student for marking in found] == list(STUDENTS)
     assert {marking.marks for marking in found} == {found[0].marks}
 
 
 def test_a_part_that_meets_the_limit_is_not_judged_and_the_other_is(monkeypatch):
     monkeypatch.setattr(Marker, "part", stuck_part)
-    _, stuck, bob, _ = mark_each(papers(), Limits(3), jobs=2)
+    _, stuck, bob, _ = mark_each(papers(), Limits(3), executor=forked(2))
     assert stuck.parts[0].answers["polynomial"].verdict == "correct"
     assert stuck.parts[1].answers["K"].verdict == "not judged"
     assert "time limit of 3 s" in stuck.parts[1].note

@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 
 from solver.engine import solve_problem
+from solver.executors import Processes
 from solver.papers.constructed import Constructed, matrix_with_integer_eigenvalues
 from solver.papers.draws import Draws
 from solver.papers.formulas import Formulas
@@ -50,8 +51,9 @@ def test_an_exhausted_family_has_exactly_the_members_that_hold(search_of):
 
 def test_a_seed_draws_the_same_however_it_is_looked_at(search_of):
     first = drawn(search_of())[:6]
-    for jobs in (1, 3):
-        assert [dict(each.draw.texts) for each in islice(search_of(jobs=jobs).candidates(), 6)] == first
+    with Processes(3) as executor:
+        search = search_of(executor=executor)
+        assert [dict(each.draw.texts) for each in islice(search.candidates(), 6)] == first
     assert [each["a"] + each["b"] + each["p"] for each in first] == FIRST
     assert drawn(search_of(seed=8))[:6] != first
 

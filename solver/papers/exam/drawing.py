@@ -8,7 +8,8 @@ from typing import Any
 
 from solver.derivation import Status
 from solver.document.model import Presentation
-from solver.limits import Exceeded, Limits, calls_within
+from solver.executors import Executor, Processes
+from solver.limits import Exceeded, Limits
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.telling import Asked, QuestionMade, question_made
 from solver.papers.families import members
@@ -19,11 +20,11 @@ from solver.problem.source import InputError
 
 @dataclass(frozen=True, slots=True)
 class Means:
-    """How papers are made: how the key is told, what a part may take, how many processes work, how many draws."""
+    """How papers are made: how the key is told, what a part may take, who makes the calls, how many draws."""
 
     presentation: Presentation = field(default_factory=lambda: Presentation("key"))
     limits: Limits = field(default_factory=Limits)
-    jobs: int = 1
+    executor: Executor = field(default_factory=Processes)
     draws: int = MOST_DRAWS
 
 
@@ -57,7 +58,7 @@ def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tupl
     """Yield what was made of the questions that are the same in all variants; raises InputError."""
     calls = [(each.source.text, each.source.name, _asked(each, means)) for each in questions]
     parts = max((_parts(each) for each in questions), default=1)
-    results = dict[int, Any](calls_within(_limits(means, parts), question_made, calls, means.jobs))
+    results = dict[int, Any](means.executor.calls(_limits(means, parts), question_made, calls))
     wrong = []
     for place, question in enumerate(questions):
         result = results[place]
@@ -90,7 +91,7 @@ def search_of(exam: Exam, question: Question, means: Means, tell: Tell = lambda 
     family = question.problem.family
     if family is None:
         raise AssertionError("only a family has members")
-    return Search(question.source, family, exam.seed_of(question), means.limits, means.draws, means.jobs, tell)
+    return Search(question.source, family, exam.seed_of(question), means.limits, means.draws, means.executor, tell)
 
 
 def _asked(question: Question, means: Means) -> Asked:

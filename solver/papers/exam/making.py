@@ -12,7 +12,7 @@ from solver.classroom.blank import HOW, comment, quoted
 from solver.classroom.report.table import harmless
 from solver.document.exam import ExamDocument, ExamQuestion
 from solver.document.model import Document, Presentation
-from solver.limits import Exceeded, Limits, calls_within
+from solver.limits import Exceeded, Limits
 from solver.papers.exam.drawing import Drawn, Means
 from solver.papers.exam.model import Exam, Variant
 from solver.papers.exam.scaling import scaled
@@ -38,17 +38,10 @@ def files_of(exam: Exam, variants: Sequence[Sequence[Drawn]], formats: Sequence[
     calls = [(paper_of(exam, *pair, means), key_of(exam, *pair, means), pair[0].label, tuple(formats))
              for pair in zip(exam.variants, variants, strict=True)]  # fmt: skip
     limits = Limits(means.limits.seconds * 2 * len(exam.questions), means.limits.megabytes)
-    waiting: dict[int, Any] = {}
-    papers = exam.variants
-    following = 0
-    for place, result in calls_within(limits, _written, calls, means.jobs):
-        waiting[place] = result
-        while following in waiting:
-            ready = waiting.pop(following)
-            is_there = not isinstance(ready, Exceeded | str)
-            fault = "" if is_there else getattr(ready, "reason", ready)
-            yield Files(papers[following], ready if is_there else {}, str(fault))
-            following += 1
+    for variant, result in zip(exam.variants, means.executor.in_order(limits, _written, calls), strict=True):
+        is_there = not isinstance(result, Exceeded | str)
+        fault = "" if is_there else getattr(result, "reason", result)
+        yield Files(variant, result if is_there else {}, str(fault))
 
 
 def _written(paper: ExamDocument, key: ExamDocument, label: str, formats: Sequence[str]) -> dict[str, bytes] | str:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from solver.classroom import Marking, mark_each
 from solver.engine import Solution
+from solver.executors import Executor
 from solver.limits import Limits, solve_within
 from solver.papers.exam.drawing import Means, search_of
 from solver.papers.exam.model import Exam, Question
@@ -54,11 +55,15 @@ def _texts(exam: Exam, question: Question, count: int, means: Means) -> list[str
 
 
 def marked(
-    papers: Sequence[ExamSubmission], solutions: Solutions, limits: Limits, templates: Path | None, jobs: int
+    papers: Sequence[ExamSubmission],
+    solutions: Solutions,
+    limits: Limits,
+    templates: Path | None,
+    executor: Executor,
 ) -> Iterator[tuple[Marking, ...]]:
     """Yield the markings of each paper, one for each question."""
     pairs = [pair for paper in papers for pair in zip(solutions[paper.variant], paper.answers, strict=True)]
-    markings = mark_each(pairs, limits, templates, jobs)
+    markings = mark_each(pairs, limits, templates, executor)
     for paper in papers:
         yield tuple(next(markings) for _ in paper.answers)
 
