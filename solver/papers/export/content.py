@@ -43,8 +43,8 @@ def images_of(content: Content) -> list[Image]:
     return list(found)
 
 
-def with_tex(write: Callable[[Math], str]) -> str:
-    r"""Return the HTML that `write` makes, its formulas between `\( \)` and `\[ \]` for systems that draw TeX.
+def with_tex(write: Callable[[Math], str], display: tuple[str, str] = (r"\[", r"\]")) -> str:
+    r"""Return the HTML that `write` makes, its formulas between `\( \)`, or `display`, for systems that draw TeX.
 
     Such signs in a text that is no formula are kept from beginning one.
     """
@@ -52,7 +52,7 @@ def with_tex(write: Callable[[Math], str]) -> str:
 
     def kept(latex: str, displayed: bool) -> str:
         text = escape(latex.strip(), quote=False)
-        formulas.append(rf"\[{text}\]" if displayed else rf"\({text}\)")
+        formulas.append(text.join(display) if displayed else rf"\({text}\)")
         return f"\ue000{len(formulas) - 1}\ue001"
 
     html = _DELIMITER.sub(lambda found: f"{found[0]}\u2060", write(kept))

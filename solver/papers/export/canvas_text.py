@@ -1,0 +1,93 @@
+r"""Texts for Canvas: HTML with TeX, which it draws where it finds `\( \)` or `$$ $$`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from html import escape
+
+from solver.papers.export.content import html_of, line_of, with_tex
+from solver.papers.export.quiz import Asked, Content, Essay, Field, Fixed, Wrong
+from solver.problem.images import Image
+from solver.render.prose import Math
+
+IMAGES = "images"
+ROOT = "%24IMS-CC-FILEBASE%24"
+"""What Canvas puts the address of the files of the package for."""
+
+DISPLAY = "$$", "$$"
+LARGEST = 16_000
+r"""Signs of the text of a question. Canvas imports no longer one than 16384, and its own marks are added."""
+
+HERE, ELSEWHERE = r"\boxed{?}", r"\square"
+"""What is asked for, and what another question asks for."""
+
+
+def fits(html: str) -> bool:
+    """Return whether a text can be that of a question."""
+    return len(html) <= LARGEST
+
+
+def told(content: Content, *more: str) -> str:
+    """Return content as HTML, with what comes behind it."""
+    html = with_tex(lambda math: html_of(content, math, _address), DISPLAY)
+    return "\n".join(filter(None, [html, *more]))
+
+
+def parts_of(content: Content) -> Iterator[str]:
+    """Yield content in pieces that fit, most often one."""
+    piece: list[str] = []
+    for block in content.blocks:
+        html = told(Content((block,), content.images))
+        if piece and not fits("\n".join([*piece, html])):
+            yield "\n".join(piece)
+            piece = []
+        piece.append(html)
+    if piece:
+        yield "\n".join(piece)
+
+
+def asks(asked: Asked, field: Field) -> str:
+    """Return what a field asks for: the answer, what of it is wanted, and how it is typed."""
+
+    def write(math: Math) -> str:
+        lines = [f"{math(asked.symbol, False)}: {escape(asked.meaning)}", math(placed(asked, field), False)]
+        form = [line_of(asked.form, math)] if asked.form else []
+        return "\n".join(f"<p>{line}</p>" for line in [*lines, *form])
+
+    return with_tex(write, DISPLAY)
+
+
+def placed(asked: Asked, field: Field) -> str:
+    """Return the LaTeX of an answer with a box where the field is."""
+    if asked.grid:
+        rows = [" & ".join(HERE if cell == field else r"\cdot" for cell in line) for line in asked.lines]
+        entries = r" \\ ".join(rows)
+        return rf"{asked.symbol} = \begin{{bmatrix}} {entries} \end{{bmatrix}}"
+    line = next(line for line in asked.lines if field in line)
+    return " ".join(cell.latex if isinstance(cell, Fixed) else HERE if cell == field else ELSEWHERE for cell in line)
+
+
+def asks_essay(essay: Essay) -> str:
+    """Return the answers that an essay is to give."""
+
+    def write(math: Math) -> str:
+        items = [f"<li>{math(latex, False)}: {escape(meaning)}</li>" for latex, meaning in essay.asked]
+        return f"<ul>{''.join(items)}</ul>" if items else ""
+
+    return with_tex(write, DISPLAY)
+
+
+def hints(wrong: tuple[Wrong, ...]) -> str:
+    """Return the wrong values of usual mistakes, each with its hint: Canvas cannot tell them apart."""
+
+    def write(math: Math) -> str:
+        lines = [
+            f"<li>{math(f'{each.value:f}', False)}: {line_of(each.hint, math)}</li>" for each in wrong if each.hint
+        ]
+        return f"<ul>{''.join(lines)}</ul>" if lines else ""
+
+    return with_tex(write, DISPLAY)
+
+
+def _address(image: Image) -> str:
+    return f"{ROOT}/{IMAGES}/{image.file_name}"
