@@ -8,7 +8,7 @@ import click
 
 from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, TEMPLATES, TIME_LIMIT, FormatList
+from solver.cli.run import DETAILS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
 
 FORMATS = ("html", "pdf", "latex")
 
@@ -30,6 +30,9 @@ class ExamFormatList(FormatList):
               help="How much the key tells; full has the worked steps.")  # fmt: skip
 @click.option("--draws", type=click.IntRange(min=1, max=100_000_000), default=100_000, show_default=True,
               help="So many draws are made at most for a family.")  # fmt: skip
+@click.option("--space", metavar="MM", type=click.FloatRange(0, 100),
+              help="Leave so many millimetres blank for each mark of a part, at least 20 for each part.")  # fmt: skip
+@PDF_ENGINE
 @TEMPLATES
 @LANGUAGE
 @NOTATION
@@ -45,6 +48,8 @@ def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     output: str | None,
     detail: str,
     draws: int,
+    space: float | None,
+    pdf_engine: str | None,
     templates: Path | None,
     language: str | None,
     notation: str | None,
@@ -64,5 +69,6 @@ def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     from solver.document.model import Presentation
     from solver.limits import Limits
 
-    told = Presentation(detail, templates, language=known(language, templates, ctx), notation=notation)
-    ctx.exit(write_exam(Order(exam, formats, output, told, Limits(time_limit, memory_limit), draws, workers)))
+    spoken = known(language, templates, ctx)
+    told = Presentation(detail, templates, language=spoken, notation=notation, pdf_engine=pdf_engine)
+    ctx.exit(write_exam(Order(exam, formats, output, told, Limits(time_limit, memory_limit), draws, workers, space)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 
 import click
@@ -13,7 +14,7 @@ from solver.classroom.reading.answer_file import is_blank, root_of_answers
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
 from solver.cli.drawing import progress
 from solver.cli.executing import Workers
-from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
+from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
 from solver.document.model import Presentation
 from solver.limits import Limits
 from solver.papers.exam.drawing import Drawn, Means, drawn
@@ -22,6 +23,7 @@ from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
 from solver.problem.nodes import MappingNode
 from solver.problem.source import InputError
+from solver.render import pdf
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +37,7 @@ class Order:
     limits: Limits
     draws: int
     workers: Workers
+    space: float | None = None
 
     @property
     def folder(self) -> Path:
@@ -51,13 +54,17 @@ def write_exam(order: Order) -> int:
     if order.output == STANDARD or order.folder.is_file():
         raise click.UsageError("an exam is several files: name a folder with -o.")
     settle()
+    if "pdf" in order.formats:
+        with in_words("PDF"):  # before anything is solved for nothing
+            pdf.chosen(order.presentation.pdf_engine)
     try:
         exam = read_exam(source_of(order.file))
     except InputError as error:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
     with order.workers.executor() as executor:
-        return _make(order, exam, Means(order.presentation, order.limits, executor, order.draws))
+        space = None if order.space is None else Fraction(str(order.space))
+        return _make(order, exam, Means(order.presentation, order.limits, executor, order.draws, space))
 
 
 def _make(order: Order, exam: Exam, means: Means) -> int:
@@ -89,9 +96,18 @@ def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means:
         del sheets[name]
     _write_all(order, {**sheets, "variants.csv": variants_table(exam, variants).encode()})
     whose = f"{len(exam.students)} students" if exam.students else f"{exam.count} variants"
-    click.echo(f"{len(exam.questions)} questions, {whose if len(variants) > 1 else 'one paper'}, all verified")
+    asked = "1 question" if len(exam.questions) == 1 else f"{len(exam.questions)} questions"
+    click.echo(f"{asked}, {whose if len(variants) > 1 else 'one paper'}, all verified")
+    if "pdf" in order.formats and (named := _without_glyphs(exam, order.presentation.pdf_engine)):
+        click.echo(f"the fonts of the PDFs lack letters of {named}; they are named there, and HTML has them", err=True)
     click.echo(f"wrote papers, keys ({', '.join(order.formats)}), answer files and variants.csv to {order.folder}")
     return code
+
+
+def _without_glyphs(exam: Exam, wanted: str | None) -> str:
+    """Return the students whose names a PDF cannot show as they are written."""
+    lacking = [each for each in exam.students if not pdf.shows(each, wanted)]
+    return ", ".join(lacking[:5]) + (f" and {len(lacking) - 5} more" if lacking[5:] else "")
 
 
 def _write_all(order: Order, contents: Mapping[str, bytes]) -> None:

@@ -13,6 +13,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import MappingProxyType
 
+from solver.render import tex_text, typst_text
+
 LIMIT = 60.0
 """Seconds for all runs together."""
 
@@ -48,6 +50,11 @@ def chosen(wanted: str | None = None) -> str:
         return TYPST
     engine()
     return TEX
+
+
+def shows(text: str, wanted: str | None = None) -> bool:
+    """Whether the fonts of an engine have all letters of a text; a letter that they lack is named in its place."""
+    return typst_text.shows(text) if chosen(wanted) == TYPST else tex_text.shows(text)
 
 
 def _has_typst() -> bool:

@@ -54,16 +54,22 @@ def escaped(text: str) -> str:
     return letters.replace("--", "-{}-")  # not a dash
 
 
+def shows(text: str) -> bool:
+    """Whether TeX prints all letters of a text, and names none."""
+    return all(_is_known(letter) for letter in unicodedata.normalize("NFC", text))
+
+
+def _is_known(letter: str) -> bool:
+    known = letter in SPECIAL or letter in _PUNCTUATION or letter in MATH or " " <= letter <= "~"
+    return known or ("\u00a1" <= letter <= "\u017f" and letter not in _WITHOUT_GLYPH)
+
+
 def _letter(letter: str) -> str:
     if letter in SPECIAL:
         return SPECIAL[letter]
-    if " " <= letter <= "~" or letter in _PUNCTUATION:
-        return letter
     if letter in MATH:
         return f"\\ensuremath{{{MATH[letter]}}}"
-    if "\u00a1" <= letter <= "\u017f" and letter not in _WITHOUT_GLYPH:
-        return letter
-    return _replacement(letter)
+    return letter if _is_known(letter) else _replacement(letter)
 
 
 def _replacement(letter: str) -> str:

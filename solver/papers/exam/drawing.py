@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any
 
 from solver.derivation import Status
@@ -20,12 +21,16 @@ from solver.problem.source import InputError
 
 @dataclass(frozen=True, slots=True)
 class Means:
-    """How papers are made: how the key is told, what a part may take, who makes the calls, how many draws."""
+    """How papers are made: how the key is told, what a part may take, who makes the calls, how many draws.
+
+    `space` are the millimetres left blank for each mark of a part; None leaves no space for answers.
+    """
 
     presentation: Presentation = field(default_factory=lambda: Presentation("key"))
     limits: Limits = field(default_factory=Limits)
     executor: Executor = field(default_factory=Processes)
     draws: int = MOST_DRAWS
+    space: Fraction | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,7 +65,8 @@ def _written(paper: ExamDocument, key: ExamDocument, label: str, formats: Sequen
 def paper_of(exam: Exam, variant: Variant, questions: Sequence[Drawn], means: Means) -> ExamDocument:
     """Return the paper of a variant: no answer is in it."""
     told = replace(means.presentation, detail="question", checks="")
-    return _told(exam, variant, [(each, each.made.paper) for each in questions], told)
+    paper = _told(exam, variant, [(each, each.made.paper) for each in questions], told)
+    return replace(paper, space=means.space)
 
 
 def key_of(exam: Exam, variant: Variant, questions: Sequence[Drawn], means: Means) -> ExamDocument:
