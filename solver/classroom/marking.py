@@ -172,7 +172,7 @@ class Marker:
         if not values:
             return {}
         earlier = self.own.earlier()
-        question = self._question(part, earlier, ours)
+        question = self.question_of(part, earlier, ours)
         verdicts = followed(part, question, values, judge(question, values), self.own)
         found = by_convention(Judged(part, question, verdicts), values, self.own)
         wrong = Wrong(found.part, found.question, values, self.results[part.id], earlier)
@@ -181,7 +181,8 @@ class Marker:
             for name, verdict in found.verdicts.items()
         }
 
-    def _question(self, part: Part, earlier: Mapping[str, PartResult], ours: Mapping[str, Any]) -> Question:
+    def question_of(self, part: Part, earlier: Mapping[str, PartResult], ours: Mapping[str, Any]) -> Question:
+        """Return what a part asks, with our own answers."""
         return Question(catalogue()[part.task], given_of(part, part.methods[0], earlier), ours, part.digits)
 
 

@@ -41,10 +41,10 @@ def by_convention(judged: Judged, values: Mapping[str, Submitted], own: OwnResul
     Of equal numbers ours stays. A part that names its conventions has no other ones.
     """
     best = judged
-    for name, typed in _others(judged.part):
+    for name, typed in other_conventions(judged.part):
         if best.right == len(values):
             break
-        part, question = _asked(judged.part, name, typed, own.earlier())
+        part, question = asked_by(judged.part, name, typed, own.earlier())
         if question is None:
             continue
         verdicts = followed(part, question, values, judge(question, values), own)
@@ -54,13 +54,13 @@ def by_convention(judged: Judged, values: Mapping[str, Submitted], own: OwnResul
     return best
 
 
-def _others(part: Part) -> Iterator[tuple[str, str]]:
+def other_conventions(part: Part) -> Iterator[tuple[str, str]]:
     """Yield each option that is a convention and not given, with each other usual value as it is typed."""
     for name, values in part.conventions.items():
         yield from ((name, typed) for typed in values)
 
 
-def _asked(part: Part, name: str, typed: str, earlier: Earlier) -> tuple[Part, Question | None]:
+def asked_by(part: Part, name: str, typed: str, earlier: Earlier) -> tuple[Part, Question | None]:
     """The part by another convention, and its question; None where it has no meaning there."""
     return _found(part, name, typed, earlier) if part.sources else _remembered(SamePart(part), name, typed)
 

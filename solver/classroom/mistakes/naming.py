@@ -46,7 +46,7 @@ def what_went_wrong(
 
 def _found(case: Case, submitted: Submitted) -> Iterator[Slip]:
     """Yield the mistakes that lead to the value: the task's own values, what can be undone, then those of any task."""
-    yield from _leading_to(case, submitted, _values_of(case))
+    yield from _leading_to(case, submitted, values_of(case))
     if isinstance(submitted.value, Boolean):
         return
     for slip, each in undone(case.question, case.name, submitted):
@@ -61,7 +61,7 @@ def _found(case: Case, submitted: Submitted) -> Iterator[Slip]:
             yield slip
 
 
-def _values_of(case: Case) -> Iterator[tuple[Slip, Callable[[], Iterable[Any]]]]:
+def values_of(case: Case) -> Iterator[tuple[Slip, Callable[[], Iterable[Any]]]]:
     """Yield the mistakes that the task declares for the answer, with their values."""
     attempt: Attempt[Any, Any] = Attempt(case.question.given, case.name, case.question.ours)
     for mistake in case.question.task.mistakes:
@@ -74,7 +74,7 @@ def _leading_to(
 ) -> Iterator[Slip]:
     """Yield the mistakes one of whose values is the one submitted, and wrong."""
     for slip, values in mistakes:
-        for value in _careful(values):
+        for value in careful(values):
             if _reproduces(submitted, value) and not _is_right(case.question, case.name, Submitted(value, value)):
                 yield slip
                 break
@@ -110,7 +110,7 @@ def _relations(condition: Any) -> frozenset[Any]:
     return frozenset(each.canonical if isinstance(each, sp.Rel) else each for each in sp.And.make_args(condition))
 
 
-def _careful(values: Callable[[], Iterable[Any]]) -> Iterator[Any]:
+def careful(values: Callable[[], Iterable[Any]]) -> Iterator[Any]:
     """Yield the values of a mistake that can be made here."""
     try:
         yield from values()

@@ -1,0 +1,178 @@
+"""Which answers become fields: those of which one value only is right, each value judged by our own marking first."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+
+from solver.classroom.kinds import kind_of
+from solver.classroom.verdicts import Verdict
+from solver.papers.export.bench import Answer, Bench
+from solver.papers.export.decimals import tolerance_of, typed, value_of
+from solver.papers.export.quiz import Asked, Choice, Fixed, Number, Spelling, Wrong
+from solver.papers.export.scalars import VARIABLES
+from solver.papers.export.shapes import Shape, shape_of
+from solver.render.prose import plain
+from solver.words import Phrase
+
+MOST_WRONG = 4
+"""Wrong values of a field: more make a question long, and are made by few."""
+
+WRONG_DIGITS = 6
+"""Digits to which a wrong value is typed where our marking is asked about it."""
+
+INFINITE = ("inf", "oo", "infinity", "∞", "unendlich")
+EMPTY = ("none", "[]", "{}", "keine")
+
+MANY = "several values are right, by what the question asks of them"
+LETTERS = "it is a formula in letters"
+OF_TIME = "it is a function"
+NOT_OURS = "the value, rounded as it is asked for, is not right by the marking of answer files"
+FORM = "its form is what is asked"
+OTHERS = "it is {kind}"
+CONVENTION = "The {option} is {value}."
+
+
+class NoField(Exception):  # noqa: N818 - it is no error: a person marks the answer
+    """No field can ask for an answer; the message says why, a phrase."""
+
+
+def asked_of_answer(bench: Bench, answer: Answer, symbol: str, meaning: str) -> Asked:
+    """Return the fields that ask for an answer of ours; raises NoField."""
+    part, name = answer
+    value, declared = bench.blank.ours(part.id)[name], bench.declared(answer)
+    say = bench.blank.messages.say
+    if not bench.blank.is_determined(part, name) or declared.any_size or declared.intervals or declared.zero:
+        raise NoField(MANY)
+    marks = bench.marks[part.id][name]
+    whole = name in part.partial and part.partial[name].rule == "none"
+    asked = Asked(name, symbol, meaning, "", marks, (), whole=whole)
+    if isinstance(value, bool | sp.logic.boolalg.BooleanAtom):
+        found = _choice(bench, answer, asked, ("yes", "no"), "yes" if value else "no")
+    elif isinstance(value, str) and value in declared.words:
+        found = _choice(bench, answer, asked, declared.words, value)
+    elif value in (sp.oo, []):
+        found = _spelling(bench, answer, asked, INFINITE if value == sp.oo else EMPTY)
+    else:
+        shape = shape_of(value, symbol, ordered=declared.ordered)
+        if shape is None:
+            raise NoField(_why(value))
+        found = _numbers(bench, answer, asked, shape)
+    told = [say(each) for each in found.form.split("\n") if each]
+    for option, ours in bench.conventions(answer).items():
+        told.append(say(Phrase(CONVENTION, option=bench.blank.messages.named(option), value=plain(ours))))
+    return replace(found, form=" ".join(told))
+
+
+def _choice(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str], right: str) -> Asked:
+    say = bench.blank.messages.say
+    if not bench.is_right(answer, right) or any(bench.is_right(answer, each) for each in words if each != right):
+        raise NoField(NOT_OURS)
+    field = Choice(
+        _key(asked.name), _label(bench, asked), tuple(map(say, words)), list(words).index(right), asked.marks
+    )
+    return replace(asked, lines=((_lead(asked), field),))
+
+
+def _spelling(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str]) -> Asked:
+    right = tuple(each for each in words if bench.is_right(answer, each))
+    if not right:
+        raise NoField(NOT_OURS)
+    form = "An empty list is written as `none`." if words is EMPTY else "Infinity is written as `inf`."
+    field = Spelling(_key(asked.name), _label(bench, asked), right, asked.marks)
+    return replace(asked, form=form, lines=((_lead(asked), field),))
+
+
+def _lead(asked: Asked) -> Fixed:
+    return Fixed(f"{asked.symbol} =") if asked.symbol else Fixed("")
+
+
+def _numbers(bench: Bench, answer: Answer, asked: Asked, shape: Shape) -> Asked:
+    """Return the fields for numbers; the rounded values are right by our marking."""
+    part, name = answer
+    numbers = shape.numbers(bench.blank.ours(part.id)[name]) or []
+    texts = [typed(number, part.digits) for number in numbers]
+    if not bench.is_right(answer, shape.typed(texts)):
+        raise NoField(NOT_OURS)
+    wrong = _wrong_values(bench, answer, shape, numbers)
+    marks = asked.marks / len(numbers)
+    fields = [
+        Number(f"{_key(name)}-{i}", _label(bench, asked, place), value_of(number),
+               tolerance_of(number, part.digits), marks, text, tuple(wrong[i - 1]))
+        for i, (number, text, place) in enumerate(zip(numbers, texts, shape.places, strict=True), 1)
+    ]  # fmt: skip
+    whole = asked.whole or (len(numbers) > 1 and shape.kind in {"scalar", "bounds"})
+    form = "\n".join(shape.told)
+    return replace(asked, form=form, lines=shape.lines(fields), grid=shape.is_grid, whole=whole)
+
+
+def _wrong_values(bench: Bench, answer: Answer, shape: Shape, right: Sequence[Fraction]) -> list[list[Wrong]]:
+    """Return for each field the values that usual mistakes lead to, each wrong by our marking and with its share."""
+    part, _ = answer
+    found: list[list[Wrong]] = [[] for _ in right]
+    marks = bench.marks[part.id][answer[1]]
+    seen: set[tuple[Fraction, ...]] = {tuple(right)}
+    for value, _words in bench.mistakes(answer):
+        numbers = shape.numbers(value)
+        if numbers is None or tuple(numbers) in seen:
+            continue
+        seen.add(tuple(numbers))
+        if all(len(each) >= MOST_WRONG for each in found):
+            break
+        verdict = bench.verdict(answer, shape.typed([typed(each, WRONG_DIGITS) for each in numbers]))
+        if verdict.verdict is not Verdict.WRONG or not verdict.mistake:
+            continue
+        off = [i for i, pair in enumerate(zip(numbers, right, strict=True)) if pair[0] != pair[1]]
+        named = part.partial.get(answer[1])
+        share = _share(verdict.marks / marks, len(right), len(off)) if named and named.rule == "named" and marks else 0
+        hint = f"{bench.blank.messages.told(verdict.reason).rstrip('.')}."
+        for i in off:
+            wrong = Wrong(value_of(numbers[i]), tolerance_of(numbers[i], part.digits), Fraction(share), _sentence(hint))
+            if len(found[i]) < MOST_WRONG and _stands_apart(wrong, right[i], part.digits, found[i]):
+                found[i].append(wrong)
+    return found
+
+
+def _share(earned: Fraction, count: int, off: int) -> Fraction:
+    """Return what each wrong field earns so that all earn what the mistake leaves of the marks."""
+    return min(Fraction(1), max(Fraction(0), (earned * count - (count - off)) / off))
+
+
+def _stands_apart(wrong: Wrong, right: Fraction, digits: int, others: Sequence[Wrong]) -> bool:
+    """Whether no number is taken for this value and for the right one, or for another wrong one."""
+    taken = [(value_of(right), tolerance_of(right, digits)), *((each.value, each.tolerance) for each in others)]
+    return all(abs(wrong.value - value) > wrong.tolerance + tolerance for value, tolerance in taken)
+
+
+def _why(value: Any) -> str:
+    """Return why an answer that is determined has no field, a phrase."""
+    symbols = {symbol.name for symbol in getattr(value, "free_symbols", ())}
+    of = getattr(value, "atoms", lambda *_: ())
+    if symbols & {"t", "k"} or of(sp.core.function.AppliedUndef):
+        return OF_TIME
+    if symbols - set(VARIABLES):
+        return LETTERS
+    if symbols:
+        return FORM
+    return Phrase(OTHERS, kind=kind_of(value))
+
+
+def _key(name: str) -> str:
+    """Return a name for a field: letters, digits and hyphens, a letter first."""
+    return "f-" + re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
+
+
+def _label(bench: Bench, asked: Asked, place: tuple[str, Mapping[str, Any]] = ("", {})) -> str:
+    pattern, values = place
+    say: Callable[[str], str] = bench.blank.messages.say
+    told = [bench.blank.messages.named(asked.name), say(Phrase(pattern, **values)) if pattern else ""]
+    return ", ".join(filter(None, told))
+
+
+def _sentence(words: str) -> str:
+    return words[:1].upper() + words[1:]

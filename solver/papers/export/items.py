@@ -1,0 +1,119 @@
+"""A question of the exam, solved and verified, as items for a learning system.
+
+There is one for each part, two where some of its answers have fields and others do not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import PurePath
+
+from solver.derivation import Status
+from solver.document.model import Document, WorkAnswer
+from solver.document.works import document_of
+from solver.engine import solve_problem
+from solver.papers.exam.scaling import scaled
+from solver.papers.exam.telling import Asked as Wanted
+from solver.papers.export.bench import Bench
+from solver.papers.export.fields import NoField, asked_of_answer
+from solver.papers.export.quiz import Asked, Essay, Item, Number, Text
+from solver.papers.export.told import NUMBERS, key_of, question_of, solution_of
+from solver.problem.model import Part
+from solver.problem.reader import read_problem
+from solver.problem.source import Source
+from solver.tasks import catalogue
+from solver.words import Phrase
+
+ONLY = "Here only this is asked: {names}."
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A question in words: as on a paper, as it is worked, as a key has it."""
+
+    paper: Document
+    worked: Document
+    key: Document
+
+
+@dataclass(frozen=True, slots=True)
+class ItemsMade:
+    """The items of each part of a question, with the part's letter and title; why there are none, if it failed."""
+
+    parts: tuple[tuple[str, str, tuple[Item, ...]], ...] = ()
+    fault: str = ""
+
+
+def items_made(text: str, source: str, asked: Wanted) -> ItemsMade:
+    """Solve, verify and tell a question, in this process. Identifiers and names are still those of its parts."""
+    told = asked.presentation
+    problem = told.of(scaled(read_problem(Source(source, text), catalogue()), asked.marks))
+    solution = solve_problem(problem, messages=told.messages(problem.display))
+    name = PurePath(source).name
+    worked = document_of(solution, told, name)
+    if worked.status is not Status.VERIFIED:
+        part = next(part for part in worked.parts if part.status is not Status.VERIFIED)
+        return ItemsMade(fault=f"part {part.letter}: {part.reason}")
+    paper, key = (worked.told(detail=detail, checks="") for detail in ("question", "key"))
+    bench, words = Bench(solution), Told(paper, worked, key)
+    letters = {work.id: (work.letter, work.title) for work in paper.parts if not work.case}
+    return ItemsMade(tuple((*letters[part.id], tuple(_Parted(bench, part, words).items())) for part in problem.parts))
+
+
+@dataclass(frozen=True)
+class _Parted:
+    """A part of a question: what it asks, told and marked."""
+
+    bench: Bench
+    part: Part
+    told: Told
+
+    def items(self) -> Iterator[Item]:
+        """Yield the item with the answers that have fields, and the one with the others."""
+        marks, part = self.bench.marks[self.part.id], self.part
+        works = [work for work in self.told.worked.parts if work.id == part.id and not work.case]
+        shown = {answer.name: answer for work in reversed(works) for answer in work.answers}
+        names = [name for name in marks if name in shown]
+        fields, reasons = dict[str, Asked](), dict[str, str]()
+        for name in names:
+            try:
+                fields[name] = asked_of_answer(self.bench, (part, name), _symbol(shown[name]), shown[name].doc)
+            except NoField as why:
+                reasons[name] = self.bench.blank.messages.say(why.args[0])
+        if fields:
+            item = self._item({name: marks[name] for name in fields}, shown, only=bool(reasons))
+            item = replace(item, answers=tuple(fields.values()))
+            if any(isinstance(each, Number) for each in item.fields):
+                told = Text(self.bench.blank.messages.say(Phrase(NUMBERS, digits=part.digits)))
+                item = replace(item, question=replace(item.question, blocks=(*item.question.blocks, told)))
+            yield item
+        if reasons:
+            item = self._item({name: marks[name] for name in reasons}, shown, only=bool(fields))
+            asked = tuple((_symbol(shown[name]), shown[name].doc) for name in reasons)
+            yield replace(item, essay=Essay(asked, key_of(self.told.key, part.id, reasons), reasons))
+
+    def _item(self, marks: Mapping[str, Fraction], shown: Mapping[str, WorkAnswer], *, only: bool) -> Item:
+        """Return an item that asks for the answers that carry these marks, still without fields."""
+        say = self.told.paper.messages.say
+        last = [say(Phrase(ONLY, names=", ".join(_named(shown[name]) for name in marks)))] if only else []
+        return Item(
+            identifier="",
+            name="",
+            question=question_of(self.told.paper, self.bench.problem, self.part, last),
+            feedback=solution_of(self.told.worked, self.part.id),
+            marks=sum(marks.values(), Fraction(0)),
+            tags=(say(catalogue()[self.part.task].title),),
+        )
+
+
+def _symbol(answer: WorkAnswer) -> str:
+    r"""Return the LaTeX of an answer's symbol; of one without a symbol its name, \text{rank}."""
+    words = answer.name.replace("_", " ")
+    return answer.symbol or rf"\text{{{words}}}"
+
+
+def _named(answer: WorkAnswer) -> str:
+    """Return what an answer is, with its symbol (Markdown)."""
+    return f"{answer.doc} ${answer.symbol}$" if answer.symbol else answer.doc
