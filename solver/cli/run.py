@@ -78,6 +78,8 @@ TIME_LIMIT = click.option("--time-limit", metavar="SECONDS", type=Seconds(), def
 @LANGUAGE
 @NOTATION
 @click.option("--open", "open_page", is_flag=True, help="Open the page in a browser.")
+@click.option("--watch", is_flag=True, help="Go on: write again whenever a FILE changes, and let the open page reload.")
+@click.option("--port", type=click.IntRange(min=1, max=65535), help="Of the pages that --watch shows. Default: any.")
 @TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part by each method.")  # fmt: skip
@@ -96,6 +98,8 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     language: str | None,
     notation: str | None,
     open_page: bool,
+    watch: bool,
+    port: int | None,
     time_limit: float,
     memory_limit: int,
     verbose: bool,
@@ -113,7 +117,22 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     inputs = problems_in(files)
     code = tell(inputs)
     destination = Destination.named(output, formats, inputs.files, several=inputs.several)
+    _refuse_to_watch(inputs.files, standard_output=destination.standard_output, port=port, watch=watch)
     told = ("json" in destination.formats, checks or "", not no_sources, known(language, templates, ctx), notation)
     presentation = Presentation(detail, templates, *told, pdf_engine=pdf_engine)
     request = Request(inputs.files, destination, presentation, open_page, time_limit, memory_limit, verbose)
+    if watch:
+        from solver.cli.watching import watch_problems
+
+        ctx.exit(watch_problems(request, port or 0) if inputs.files else code)
     ctx.exit(max(code, solve_files(request)) if inputs.files else code)
+
+
+def _refuse_to_watch(files: tuple[str, ...], *, standard_output: bool, port: int | None, watch: bool) -> None:
+    """Raise click.UsageError where there is nothing that --watch could look at or write."""
+    if not watch:
+        if port is not None:
+            raise click.UsageError("--port is that of the pages of --watch.")
+        return
+    if "-" in files or standard_output:
+        raise click.UsageError("--watch looks at files and writes files: name a FILE, and with -o a file or a folder.")
