@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -18,7 +19,7 @@ from solver.document.model import Document, Presentation, Work, WorkAnswer, Work
 from solver.document.questions import given, given_with, method_title, question_of, reason_in_print, source_of, title_of
 from solver.document.values import as_written, functions_of, numbers_of, symbols_of, texts_of, values_of
 from solver.engine import Earlier, Solution, resolved
-from solver.problem.asked import asked_of, marks_of
+from solver.problem.asked import asked_of, marks_shown
 from solver.problem.model import Display, Part, Problem
 from solver.render.numbers import NumberFormat
 from solver.render.plain import sympy_text
@@ -220,7 +221,7 @@ def _answers(
     data: bool,
 ) -> Iterator[WorkAnswer]:
     declared = catalogue()[result.task].answers
-    marks = marks_of(part, catalogue()[result.task])
+    marks = marks_shown(part, catalogue()[result.task], result.answers)
     asked = asked_of(part, catalogue()[result.task])
     for name, value in answers.items():
         symbol = wording.symbol(declared[name])
@@ -232,7 +233,7 @@ def _answers(
             as_written(value) if data else "",
             wording.equation(symbol, value, zero=declared[name].zero),
             wording.equation(symbol, value, narrow=True, zero=declared[name].zero),
-            marks=NumberFormat("decimal", 3).text(marks[name]) if name in marks else "",
+            marks=_marks(marks[name]) if name in marks else "",
             numeric=numbers_of(value) if data else None,
             asked=name in asked,
             given=name not in part.asked and name in part.options and bool(part.options[name] == value),
@@ -246,7 +247,7 @@ def _equations(
 ) -> Iterator[WorkAnswer]:
     """Yield the answers that are told as equations: where all of them are told, and none has a line of its own."""
     task = catalogue()[result.task]
-    marks = marks_of(part, task)
+    marks = marks_shown(part, task, result.answers)
     for each in task.equations:
         found = {name: result.answers[name] for name in each.answers if name in result.answers}
         if not found or not found.keys() <= answers.keys() - derived.keys():
@@ -257,10 +258,14 @@ def _equations(
         discrete = part.system.discrete or any(task.answers[name].discrete for name in found)
         tex = wording.equations(each, found, discrete=discrete, moved=moved)
         narrow = wording.equations(each, found, discrete=discrete, moved=moved, narrow=True) or tex
-        earned = sum(marks.get(name, 0) for name in each.instead if name in found)
-        told = NumberFormat("decimal", 3).text(earned) if earned else ""
+        earned = sum(marks.get(name, Fraction(0)) for name in each.instead if name in found)
+        told = _marks(earned) if earned else ""
         if tex:
             yield WorkAnswer("", "", tex, wording.say(each.doc), "", tex, narrow, marks=told, instead=each.instead)
+
+
+def _marks(marks: Fraction | int) -> str:
+    return NumberFormat("decimal", 8).text(sp.Rational(marks))
 
 
 def _number(marks: Any) -> float:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from fractions import Fraction
 from typing import Any
 
 from solver.derivation import Task
+from solver.problem.hundredths import HUNDRED, dealt
 from solver.problem.model import Part
 from solver.problem.nodes import TRUE, MappingNode, ScalarNode, SequenceNode, scalar, whole_number
 from solver.problem.source import Report, did_you_mean
@@ -79,3 +81,18 @@ def marks_of(part: Part, task: Task[Any, Any]) -> dict[str, Any]:
         return dict(part.answer_marks)
     asked = asked_of(part, task)
     return dict.fromkeys(asked, part.marks / len(asked))
+
+
+def marks_shown(part: Part, task: Task[Any, Any], found: Collection[str]) -> dict[str, Fraction]:
+    """Return the marks of each answer as they are printed: in hundredths that add up, where those of all are some.
+
+    Where the part does not say what is asked for, answers that this question has not (they are not `found`) carry none.
+    """
+    told = marks_of(part, task)
+    if not (part.answer_marks or part.asked) and (there := [name for name in told if name in found]):
+        told = dict.fromkeys(there, sum(told.values()) / len(there))
+    exact = {name: Fraction(int(each.p), int(each.q)) for name, each in told.items()}
+    whole = sum(exact.values(), Fraction(0))
+    if (whole * HUNDRED).denominator != 1:
+        return exact
+    return dict(zip(exact, dealt(whole, list(exact.values())), strict=True))

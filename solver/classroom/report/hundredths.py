@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from fractions import Fraction
 
 from solver.classroom.verdicts import Marking
-
-HUNDRED = 100
+from solver.problem.hundredths import HUNDRED, dealt
 
 
 def marks_that_add_up(marking: Marking) -> tuple[Fraction, Mapping[str, Fraction], Mapping[tuple[str, str], Fraction]]:
@@ -22,15 +21,6 @@ def marks_that_add_up(marking: Marking) -> tuple[Fraction, Mapping[str, Fraction
         of_answers = dealt(marks, [answer.marks for answer in part.answers.values()])
         answers |= {(part.id, name): each for name, each in zip(part.answers, of_answers, strict=True)}
     return total, {part.id: each for part, each in zip(marking.parts, of_parts, strict=True)}, answers
-
-
-def dealt(whole: Fraction, shares: Sequence[Fraction]) -> list[Fraction]:
-    """Return shares in hundredths whose sum is the whole, by the largest remainders; of equal ones the first."""
-    down = [share * HUNDRED // 1 for share in shares]
-    left = int(whole * HUNDRED) - sum(down)
-    by_loss = sorted(range(len(shares)), key=lambda i: (down[i] - shares[i] * HUNDRED, i))
-    raised = set(by_loss[:left])
-    return [Fraction(each + (i in raised), HUNDRED) for i, each in enumerate(down)]
 
 
 def _rounded(marks: Fraction) -> Fraction:

@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from solver.classroom.report.hundredths import HUNDRED, dealt
+from solver.problem.hundredths import HUNDRED, dealt
 from solver.problem.model import Part, Partial, Problem
 
 
