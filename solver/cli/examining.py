@@ -14,10 +14,11 @@ from solver.classroom.reading.answer_file import is_blank, root_of_answers
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
 from solver.cli.drawing import progress
 from solver.cli.executing import Workers
+from solver.cli.exporting import write_exports
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
 from solver.document.model import Presentation
 from solver.limits import Limits
-from solver.papers.exam.drawing import Drawn, Means, drawn
+from solver.papers.exam.drawing import Drawn, Means, drawn, shared
 from solver.papers.exam.making import ANSWERS, answer_file, files_of, variants_table
 from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
@@ -38,6 +39,7 @@ class Order:
     draws: int
     workers: Workers
     space: float | None = None
+    exports: tuple[str, ...] = ()
 
     @property
     def folder(self) -> Path:
@@ -76,7 +78,7 @@ def _make(order: Order, exam: Exam, means: Means) -> int:
         click.echo(error.render(), err=True)
         click.echo("nothing was written: every question of every variant must be verified", err=True)
         return UNSOLVED
-    return _write(order, exam, variants, means)
+    return write_exports(order, exam, variants, means) if order.exports else _write(order, exam, variants, means)
 
 
 def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means: Means) -> int:
@@ -98,6 +100,9 @@ def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means:
     whose = f"{len(exam.students)} students" if exam.students else f"{exam.count} variants"
     asked = "1 question" if len(exam.questions) == 1 else f"{len(exam.questions)} questions"
     click.echo(f"{asked}, {whose if len(variants) > 1 else 'one paper'}, all verified")
+    for number, members in shared(variants).items():
+        whose = "all students have its only member" if members == 1 else f"students have its {members} members in turn"
+        click.echo(f"question {number}: {whose}, as variants.csv tells", err=True)
     if "pdf" in order.formats and (named := _without_glyphs(exam, order.presentation.pdf_engine)):
         click.echo(f"the fonts of the PDFs lack letters of {named}; they are named there, and HTML has them", err=True)
     click.echo(f"wrote papers, keys ({', '.join(order.formats)}), answer files and variants.csv to {order.folder}")

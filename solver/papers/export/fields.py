@@ -89,7 +89,7 @@ def _spelling(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str]) 
 
 
 def _lead(asked: Asked) -> Fixed:
-    return Fixed(f"{asked.symbol} =") if asked.symbol else Fixed("")
+    return Fixed("" if asked.symbol.startswith(r"\text") else f"{asked.symbol} =")
 
 
 def _numbers(bench: Bench, answer: Answer, asked: Asked, shape: Shape) -> Asked:

@@ -83,7 +83,8 @@ def _question_html(item: Item, gaps: dict[str, str]) -> str:
 def _asked_html(asked: Asked, gaps: dict[str, str]) -> str:
     """Return what an answer is, its fields, and how they are filled in."""
     form = with_tex(lambda math: line_of(asked.form, math)) if asked.form else ""
-    heading = f"<p><strong>{escape(_sentence(asked.meaning))}</strong></p>"
+    meaning = with_tex(lambda math: line_of(_sentence(asked.meaning), math))
+    heading = f"<p><strong>{meaning}</strong></p>"
     told = f"<p><small>{form}</small></p>" if form else ""
     if not asked.grid:
         lines = "\n".join(f"<p>{' '.join(_cell(cell, gaps) for cell in line)}</p>" for line in asked.lines)

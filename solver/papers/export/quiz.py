@@ -112,8 +112,8 @@ class Fixed:
 class Asked:
     """An answer that is asked for by fields.
 
-    `name` is that of the catalogue, `symbol` its LaTeX, `meaning` says what it is (plain), `form` how it is typed
-    (Markdown, maybe of several sentences). It is laid out in `lines`: where it is a `grid`, a matrix, each is a row of
+    `name` is that of the catalogue, `symbol` its LaTeX, `meaning` says what it is, `form` how it is typed (both
+    Markdown of one line). It is laid out in `lines`: where it is a `grid`, a matrix, each is a row of
     fields only, and `symbol =` stands before all of them; else each line is read from left to right, and its first cell
     says what it is (`K =`). All fields carry its `marks` together, in equal shares; with `whole` its marks are earned
     only where all fields are right, if the system can say so.
@@ -137,7 +137,7 @@ class Asked:
 
 @dataclass(frozen=True, slots=True)
 class Essay:
-    """What a person marks: the answers that are asked for, each with its LaTeX and its meaning, and the key.
+    """What a person marks: the answers that are asked for, each with its LaTeX and its meaning (Markdown), and the key.
 
     `reasons` say of each answer (by its name) why no field can ask for it, plain.
     """

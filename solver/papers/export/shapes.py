@@ -23,7 +23,6 @@ COMPLEX_ORDER = "Their order is that of the real parts, of equal ones that of th
 IN_ORDER = "The values are asked for in their order."
 POINTS = "The points are asked for in ascending order of the first value, of equal ones of the next."
 BOUNDS = "The fields are the bounds."
-ENTRIES = "Each field is an entry."
 
 TIE = 20
 """Digits to which values are ordered: what differs less is the same number computed in two ways."""
@@ -196,7 +195,7 @@ def _matrix(value: sp.MatrixBase, symbol: str) -> Shape | None:
         f"{max(i, j)}" if single else f"{i}{j}" for i in range(1, value.rows + 1) for j in range(1, value.cols + 1)
     ]
     leads = [_entry(symbol, place) for place in places] if len(places) > 1 else [symbol]
-    shape = _of_scalars("matrix", value.flat(), leads, (ENTRIES,) if len(places) > 1 else ())
+    shape = _of_scalars("matrix", value.flat(), leads)
     return shape and replace(shape, rows=value.rows)
 
 
