@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from solver.classroom.report.hundredths import HUNDRED, dealt
 from solver.papers.export.quiz import Asked, Field, Group, Item, Quiz
+from solver.problem.hundredths import HUNDRED, dealt
 
 
 @dataclass(frozen=True, slots=True)
