@@ -3,7 +3,6 @@ r"""Texts for Canvas: HTML with TeX, which it draws where it finds `\( \)` or `$
 from __future__ import annotations
 
 from collections.abc import Iterator
-from html import escape
 
 from solver.papers.export.content import html_of, line_of, with_tex
 from solver.papers.export.quiz import Asked, Content, Essay, Field, Fixed, Wrong
@@ -50,7 +49,7 @@ def asks(asked: Asked, field: Field) -> str:
     """Return what a field asks for: the answer, what of it is wanted, and how it is typed."""
 
     def write(math: Math) -> str:
-        lines = [f"{math(asked.symbol, False)}: {escape(asked.meaning)}", math(placed(asked, field), False)]
+        lines = [_named(asked.symbol, asked.meaning, math), math(placed(asked, field), False)]
         form = [line_of(asked.form, math)] if asked.form else []
         return "\n".join(f"<p>{line}</p>" for line in [*lines, *form])
 
@@ -71,10 +70,16 @@ def asks_essay(essay: Essay) -> str:
     """Return the answers that an essay is to give."""
 
     def write(math: Math) -> str:
-        items = [f"<li>{math(latex, False)}: {escape(meaning)}</li>" for latex, meaning in essay.asked]
+        items = [f"<li>{_named(latex, meaning, math)}</li>" for latex, meaning in essay.asked]
         return f"<ul>{''.join(items)}</ul>" if items else ""
 
     return with_tex(write, DISPLAY)
+
+
+def _named(symbol: str, meaning: str, math: Math) -> str:
+    """Return what an answer is, behind its symbol where it has one."""
+    told = line_of(meaning, math)
+    return f"{math(symbol, False)}: {told}" if symbol else told
 
 
 def hints(wrong: tuple[Wrong, ...]) -> str:

@@ -39,6 +39,15 @@ def append_text(parent: Element, text: str) -> None:
         parent.text = (parent.text or "") + text
 
 
+def contents_of(element: Element) -> list[Element | str]:
+    """Return what is in an element, texts and elements in order."""
+    found: list[Element | str] = [element.text or ""]
+    for each in element:
+        found += [each, each.tail or ""]
+        each.tail = None
+    return [each for each in found if isinstance(each, Element) or each]
+
+
 def legal(text: str) -> str:
     """Return a text without the signs that XML cannot hold."""
     return _ILLEGAL.sub("", text)

@@ -12,7 +12,7 @@ from xml.etree.ElementTree import Element
 from solver.formula import MathProblem
 from solver.formula.mathml import mathml
 from solver.papers.export.content import html_of, line_of
-from solver.papers.export.packages import append_text, node, read, read_line
+from solver.papers.export.packages import append_text, contents_of, node, read, read_line
 from solver.papers.export.quiz import Asked, Choice, Content, Essay, Field, Fixed, Item
 from solver.problem.images import Image
 
@@ -105,13 +105,19 @@ def _block(element: Element) -> Element:
 
 def _answer(asked: Asked) -> Iterator[Element]:
     """Yield what is asked, how it is typed, and the fields."""
-    yield node("p", formula(asked.symbol), f": {asked.meaning}")
+    yield _named("p", asked.symbol, asked.meaning)
     if asked.form:
         yield line(asked.form)
     if asked.grid:
         yield _grid(asked)
     else:
         yield from map(_line, asked.lines)
+
+
+def _named(tag: str, symbol: str, meaning: str) -> Element:
+    """Return what an answer is, behind its symbol where it has one."""
+    named = [formula(symbol), ": "] if symbol else []
+    return node(tag, *named, *contents_of(line(meaning)))
 
 
 def _grid(asked: Asked) -> Element:
@@ -131,8 +137,10 @@ def _line(cells: Sequence[Field | Fixed]) -> Element:
 
 
 def _spaced(parent: Element, cells: Sequence[Field | Fixed]) -> Element:
-    for i, cell in enumerate(cells):
-        if i:
+    for cell in cells:
+        if cell == Fixed(""):
+            continue
+        if len(parent):
             append_text(parent, " ")
         parent.append(_inline(cell))
     return parent
@@ -158,7 +166,7 @@ def word_of(index: int) -> str:
 
 
 def _essay(essay: Essay) -> Iterator[Element]:
-    items = [node("li", formula(latex), f": {meaning}") for latex, meaning in essay.asked]
+    items = [_named("li", latex, meaning) for latex, meaning in essay.asked]
     if items:
         yield node("ul", *items)
     yield node("rubricBlock", *blocks(essay.key), view="scorer")

@@ -53,7 +53,7 @@ ATTRIBUTES = {
     "displayfeedback": "feedbacktype linkrefid", "itemfeedback": "ident",
     "varequal": "respident", "vargte": "respident", "varlte": "respident",
 }  # fmt: skip
-OPTIONAL = {"section": {"title"}, "render_fib": {"fibtype"}}
+OPTIONAL = {"section": {"title"}, "render_fib": {"fibtype"}, "response_label": {"rshuffle"}}
 
 
 def faults(root):
