@@ -137,6 +137,43 @@ def test_too_few_members_are_an_error_of_the_family(solve, tmp_path):
     assert not (tmp_path / "build").exists()
 
 
+PAIR = """\
+title: Two members
+parameters: {p: -2}
+vary: {p: {choose: [-2, -3]}}
+system: {A: [[0, 1], [-4, 2]], B: [0, 1]}
+find: {f: {task: pole_placement, poles: [p, -1]}}
+"""
+SHARED = "exam: E\nquestions: [{problem: family.yaml}]\nvariants: {students: class.csv}\nseed: 3\n"
+
+
+def test_students_share_the_members_of_a_small_family_in_turn(solve, tmp_path):
+    """Two members for five students: neighbours have different ones, and marking finds the same."""
+    write_exam(tmp_path, SHARED, family=PAIR)
+    (tmp_path / "class.csv").write_text("Ann\nBen\nCem\nDan\nEva\n", "utf-8")
+    done = solve("exam", "exam.yaml", "-o", "build", "--jobs", 1)
+    assert done.code == 0, done.err
+    assert "question 1: students have its 2 members in turn, as variants.csv tells" in done.err
+    drawn = [row[-1] for row in rows_of(tmp_path / "build")[1:]]
+    assert drawn == [drawn[0], drawn[1], drawn[0], drawn[1], drawn[0]]
+    assert sorted(set(drawn)) == ["-2", "-3"]
+    own = PAIR.replace("{p: -2}", f"{{p: {drawn[0]}}}").replace("vary: {p: {choose: [-2, -3]}}\n", "")
+    key = solver.solve(own).answers["f"]["K"].tolist()[0]
+    for name, expected in (("Eva", 0), ("Dan", 1), ("Ann", 0)):
+        (tmp_path / "in.yaml").write_text(f"student: {name}\nanswers: {{1: {{f: {{K: {key}}}}}}}\n", "utf-8")
+        assert solve("check", "exam.yaml", "in.yaml", "--jobs", 1).code == expected
+
+
+@pytest.mark.parametrize("class_", [None, "Ann\nBen\nCem\n"])
+def test_members_are_shared_only_in_a_class_and_where_all_were_looked_through(solve, tmp_path, class_):
+    text = SHARED if class_ else SHARED.replace("students: class.csv", "count: 3")
+    write_exam(tmp_path, text, family=PAIR)
+    (tmp_path / "class.csv").write_text(class_ or "", "utf-8")
+    done = solve("exam", "exam.yaml", "-o", "build", "--jobs", 1, *(("--draws", 1) if class_ else ()))
+    assert done.code == 1
+    assert f"found {1 if class_ else 2} of 3 members" in done.err
+
+
 def test_templates_can_be_replaced(solve, exam, tmp_path):
     (tmp_path / "own" / "html").mkdir(parents=True)
     (tmp_path / "own" / "html" / "exam.html.jinja").write_text("<p>{{ exam.title }}, {{ exam.total }}</p>", "utf-8")

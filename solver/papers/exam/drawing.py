@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 from solver.derivation import Status
 from solver.document.model import Presentation
@@ -46,8 +46,8 @@ class Drawn:
 def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) -> list[list[Drawn]]:
     """Return for each variant its questions, all verified.
 
-    Raises InputError where there are fewer members of a family than variants, and where a question that is the same in
-    all of them is not verified.
+    Raises InputError where there are too few members of a family (but see `in_turn`), and where a question that is the
+    same in all of them is not verified.
     """
     count, found = len(exam.variants), dict[int, list[Drawn]]()
     fixed = [each for each in exam.questions if each.problem.family is None]
@@ -79,15 +79,37 @@ def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tupl
 
 
 def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tell) -> list[Drawn]:
-    """Return the members of a family for the variants in order; raises InputError where there are too few."""
+    """Return the members of a family for the variants in order, as `in_turn` does."""
     search = search_of(exam, question, means, tell)
     found: list[Drawn] = []
     for each in members(search, count, _asked(question, means), f"question-{question.number}", question_made):
         if not isinstance(each.made, QuestionMade):
             raise AssertionError("`question_made` makes questions")
         found.append(Drawn(question, each.values, each.text, each.made))
-    if len(found) < count:
+    return in_turn(exam, question, search, found, count)
+
+
+Drew = TypeVar("Drew")
+
+
+def in_turn(exam: Exam, question: Question, search: Search, found: Sequence[Drew], count: int) -> list[Drew]:
+    """Return as many members as wanted, of a smaller family in turn for the students of a class.
+
+    Raises InputError where there are too few of them without a class, and where not all choices were looked through
+    within the usual number of draws: who marks later must find the same.
+    """
+    if len(found) < count and not (found and exam.students and search.is_exhausted and search.count <= MOST_DRAWS):
         raise shortage(search, question.told, count)
+    return [found[i % len(found)] for i in range(count)]
+
+
+def shared(variants: Sequence[Sequence[Drawn]]) -> dict[int, int]:
+    """Return the questions whose members several students share, with how many members there are."""
+    found: dict[int, int] = {}
+    for questions in zip(*variants, strict=True):
+        members = len({each.text for each in questions})
+        if questions[0].values and members < len(questions):
+            found[questions[0].question.number] = members
     return found
 
 

@@ -10,12 +10,11 @@ from solver.classroom import Marking, mark_each
 from solver.engine import Solution
 from solver.executors import Executor
 from solver.limits import Limits, solve_within
-from solver.papers.exam.drawing import Means, search_of
+from solver.papers.exam.drawing import Means, in_turn, search_of
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.scaling import scaled
 from solver.papers.exam.submitted import ExamSubmission
 from solver.papers.families import Wanted, members
-from solver.papers.telling import shortage
 from solver.problem.model import Problem
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
@@ -49,9 +48,7 @@ def _texts(exam: Exam, question: Question, count: int, means: Means) -> list[str
         return [question.source.text] * count
     search = search_of(exam, question, means)
     found = [each.text for each in members(search, count, Wanted(limits=means.limits), "member")]
-    if len(found) < count:
-        raise shortage(search, question.told, count)
-    return found
+    return in_turn(exam, question, search, found, count)
 
 
 def marked(

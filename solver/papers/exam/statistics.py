@@ -1,7 +1,8 @@
 """What the marks of a class say: how they are spread, how hard each question was, and which mistakes were made most.
 
-Facility is the mean share of the marks. Separation is the correlation of the marks of a question with those of all
-others (item-rest): near 1 who does well elsewhere does well here; near 0 or below it tells nobody apart.
+Facility is the mean share of the marks. Separation is Pearson's correlation of the marks of a question with those of
+the rest of the exam (the corrected item-total correlation; where all have all marks or none it is the corrected
+point-biserial one): near 1 who does well elsewhere does well here; near 0 or below it tells nobody apart.
 """
 
 from __future__ import annotations
@@ -12,11 +13,10 @@ from fractions import Fraction
 from statistics import StatisticsError, correlation, fmean, median, pstdev
 
 from solver.classroom import Marking
-from solver.classroom.verdicts import AnswerVerdict, PartVerdict, Verdict
 from solver.papers.exam.grades import Graded
 from solver.papers.exam.marking import Solutions
 from solver.papers.exam.model import Exam
-from solver.render.plain import sympy_text
+from solver.papers.exam.wrong import Common, Pair, equal_values, mistakes_made, of_another_variant, pairs_of, wrong_of
 
 BARS = 10
 FEWEST = 5
@@ -39,15 +39,6 @@ class Item:
 
 
 @dataclass(frozen=True, slots=True)
-class Common:
-    """Something in an answer that several students share, in words (Markdown), with those students."""
-
-    answer: str
-    words: str
-    students: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class Statistics:
     """Of all papers: the marks, how many fall into each tenth of those there are, items, mistakes, equal answers."""
 
@@ -61,6 +52,7 @@ class Statistics:
     items: tuple[Item, ...]
     mistakes: tuple[Common, ...]
     equal: tuple[Common, ...]
+    pairs: tuple[Pair, ...]
     foreign: tuple[Common, ...]
 
 
@@ -70,6 +62,7 @@ def statistics_of(exam: Exam, graded: Sequence[Graded], solutions: Solutions) ->
     markings = [marking for _, marking in there]
     if not markings:
         return None
+    wrong = wrong_of(exam, there, solutions)
     totals, out_of = [float(each.marks) for each in markings], markings[0].out_of
     return Statistics(
         out_of=float(out_of),
@@ -80,11 +73,11 @@ def statistics_of(exam: Exam, graded: Sequence[Graded], solutions: Solutions) ->
         most=max(totals),
         bars=_bars([each.marks for each in markings], out_of),
         items=tuple(_items(exam, markings)),
-        mistakes=_common((part, answer, answer.mistake, answer.reason, each) for each, part, answer in _wrong(there)
-                         if answer.mistake),
-        equal=_equal(there),
-        foreign=_foreign(exam, there, solutions),
-    )  # fmt: skip
+        mistakes=mistakes_made(wrong),
+        equal=equal_values(exam, there, solutions),
+        pairs=pairs_of(wrong),
+        foreign=of_another_variant(exam, wrong, solutions),
+    )
 
 
 def _bars(marks: Sequence[Fraction], out_of: Fraction) -> tuple[tuple[float, float, int], ...]:
@@ -130,57 +123,3 @@ def _separation(marks: Sequence[Fraction], rest: Sequence[Fraction]) -> float | 
         return round(correlation([*map(float, marks)], [*map(float, rest)]), 2) + 0.0
     except StatisticsError:
         return None
-
-
-Wrong = tuple[Graded, PartVerdict, AnswerVerdict]
-
-
-def _wrong(there: Sequence[tuple[Graded, Marking]]) -> Iterator[Wrong]:
-    """Yield the wrong answers."""
-    for each, marking in there:
-        for part in marking.parts:
-            for answer in part.answers.values():
-                if answer.verdict is Verdict.WRONG:
-                    yield each, part, answer
-
-
-def _common(found: Iterator[tuple[PartVerdict, AnswerVerdict, str, object, Graded]]) -> tuple[Common, ...]:
-    """Return what is alike, by part, answer and a word for it: what most students share comes first."""
-    groups: dict[tuple[str, str], tuple[str, list[str]]] = {}
-    for part, answer, alike, words, each in found:
-        name = f"{part.id}.{answer.name}"
-        groups.setdefault((name, alike), (str(words), []))[1].append(each.student or each.file)
-    ordered = sorted(groups.items(), key=lambda item: (-len(item[1][1]), item[0]))
-    return tuple(Common(name, words, tuple(dict.fromkeys(students))) for (name, _), (words, students) in ordered)
-
-
-def _equal(there: Sequence[tuple[Graded, Marking]]) -> tuple[Common, ...]:
-    """Return wrong values that students of one variant share and no usual mistake explains."""
-    found = (
-        (part, answer, f"{each.variant}: {text}", answer.typed or text, each)
-        for each, part, answer in _wrong(there)
-        if not answer.mistake and (text := _text(answer.value))
-    )
-    return tuple(each for each in _common(found) if len(each.students) > 1)
-
-
-def _foreign(exam: Exam, there: Sequence[tuple[Graded, Marking]], solutions: Solutions) -> tuple[Common, ...]:
-    """Return wrong values that are those of another variant."""
-    right: dict[tuple[str, str], dict[str, int]] = {}
-    for variant, of_questions in solutions.items():
-        for question, solution in zip(exam.questions, of_questions, strict=True):
-            for part in reversed(solution.parts):
-                for name, value in part.answers.items():
-                    key = f"{question.number}.{part.id}", name
-                    right.setdefault(key, {}).setdefault(_text(value), variant)
-    found = (
-        (part, answer, str(other), str(other), each)
-        for each, part, answer in _wrong(there)
-        if (text := _text(answer.value)) and (other := right.get((part.id, answer.name), {}).get(text)) is not None
-    )
-    return _common(found)
-
-
-def _text(value: object) -> str:
-    """Return a value as text, "" for words and verdicts, of which there are too few to tell anybody apart."""
-    return "" if value is None or isinstance(value, bool | str) else sympy_text(value)
