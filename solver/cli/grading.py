@@ -106,8 +106,9 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
     if request.report:
         from solver.papers.exam.report import report_page
 
+        messages = request.presentation.messages(exam.questions[0].problem.display)
         with in_words("the report"):
-            page = report_page(exam, graded, solutions, request.templates)
+            page = report_page(exam, graded, solutions, request.templates, messages)
         write_whole(Path(request.report), page.encode())
         click.echo(f"wrote {request.report}", err=True)
     return _conclude(request, exam, graded)

@@ -169,7 +169,7 @@ def test_the_report_is_written_beside_the_grades(solve, hand_in, gains, tmp_path
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "Final &lt;exam&gt;" in page
     assert "Not readable: in/bad.yaml" in page
-    foreign = page.split('id="answers-of-another-variant"')[1].split("</table>")[0]
+    foreign = page.split('id="foreign"')[1].split("</table>")[0]
     assert "<td>1.f.K</td><td>1</td><td>2: S1, S3</td>" in foreign
 
 

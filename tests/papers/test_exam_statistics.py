@@ -1,15 +1,22 @@
 """What is told of the marks of a class: facility, separation, mistakes, equal answers."""
 
+import re
+from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from solver.classroom import Marking
 from solver.classroom.verdicts import AnswerVerdict, PartVerdict, Verdict
+from solver.messages import Messages
 from solver.papers.exam.grades import Graded
 from solver.papers.exam.reading import read_exam
 from solver.papers.exam.report import report_page
 from solver.papers.exam.statistics import statistics_of
+from solver.papers.exam.wrong import equal_values
 from solver.problem.source import Source
 
 EXAM = """\
@@ -73,3 +80,84 @@ def test_the_page_tells_all_and_escapes_names(exam):
     assert "&lt;b&gt;Jo&lt;/b&gt;" in page
     assert "<b>Jo" not in page
     assert "Not readable: bad.yaml" in page
+
+
+def test_whole_classes_agree_with_numpy(exam):
+    """The corrected item-total correlation, point-biserial where all have all marks or none, by another way."""
+
+    @given(st.lists(st.tuples(st.sampled_from([0, 10]), st.integers(0, 40)), min_size=5, max_size=40))
+    def of(class_):
+        marks = [(first, Fraction(second, 4)) for first, second in class_]
+        told = statistics_of(exam, [graded(f"s{i}", each) for i, each in enumerate(marks)], {})
+        matrix = np.array(marks, dtype=float)
+        assert told.mean == pytest.approx(matrix.sum(axis=1).mean())
+        assert told.deviation == pytest.approx(matrix.sum(axis=1).std())
+        assert told.median == pytest.approx(np.median(matrix.sum(axis=1)))
+        for place, item in enumerate(told.items):
+            own, rest = matrix[:, place], matrix.sum(axis=1) - matrix[:, place]
+            assert item.facility == pytest.approx(own.mean() / 10)
+            if own.std() == 0 or rest.std() == 0:
+                assert item.separation is None
+                continue
+            assert item.separation == pytest.approx(np.corrcoef(own, rest)[0, 1], abs=0.00501)
+        right, rest = matrix[:, 0] == 10, matrix[:, 1]
+        if told.items[0].separation is not None:
+            apart = (rest[right].mean() - rest[~right].mean()) / rest.std() * np.sqrt(right.mean() * (~right).mean())
+            assert told.items[0].separation == pytest.approx(apart, abs=0.00501)
+
+    of()
+
+
+def answered(student, variant=1, **values):
+    """Return a paper with wrong values by the parts `q1`, `q2`, and what goes with them."""
+    parts = []
+    for n in (1, 2):
+        value, facts = values.get(f"q{n}"), values.get(f"with{n}", {})
+        answer = AnswerVerdict("eigenvalues", Verdict.WRONG, value, "", typed=str(value), **facts)
+        told = {} if value is None else {"eigenvalues": answer}
+        parts.append(PartVerdict(f"{n}.a", "eigenstructure", told, Fraction(0), Fraction(10)))
+    return Graded(f"{student}.yaml", student, variant, Marking(student, tuple(parts)))
+
+
+def test_students_of_different_variants_may_have_been_asked_the_same(exam):
+    one, two, other = object(), object(), object()
+    files = [answered("Anna", 1, q1=5, q2=7), answered("Ben", 2, q1=5, q2=7), answered("Cleo", 3, q1=6, q2=None)]
+    solutions = {1: [one, two], 2: [one, other], 3: [one, two]}
+    told = equal_values(exam, [(each, each.marking) for each in files], solutions)
+    assert [(each.answer, each.students, each.wrong, each.asked) for each in told] == [
+        ("1.a.eigenvalues", ("Anna", "Ben"), 3, 3)
+    ]
+
+
+def test_what_is_explained_is_not_suspicious(exam):
+    usual, followed = {"mistake": "sign"}, {"follows": True}
+    files = [answered(name, q1=5, with1=usual, q2=7, with2=followed) for name in ("Anna", "Ben")]
+    told = statistics_of(exam, files, {})
+    assert (told.equal, told.pairs) == ((), ())
+    assert [each.students for each in told.mistakes] == [("Anna", "Ben")]
+
+
+def test_pairs_share_two_values_or_more(exam):
+    files = [
+        answered("Anna", q1=5, q2=7),
+        answered("Ben", q1=5, q2=7),
+        answered("Cleo", q1=5, q2=8),
+        answered("Dan", 2, q1=5, q2=7),
+        replace(answered("Anna", q1=5, q2=7), file="again.yaml"),
+    ]
+    told = statistics_of(exam, files, {})
+    assert [(each.students, each.answers, each.both_wrong) for each in told.pairs] == [
+        (("Anna", "Ben"), ("1.a.eigenvalues", "2.a.eigenvalues"), 2)
+    ]
+
+
+def test_a_german_report_has_no_english_word(exam):
+    files = [answered(name, 1, q1=5, q2=7) for name in ("Xaver", "Yvonne")]
+    files += [graded("Zoe", (0, 0), 7, "sign", words="Vorzeichen"), Graded("bad.yaml", fault="x")]
+    page = report_page(replace(exam, count=2), files, {}, None, Messages(None, "de"))
+    body = re.sub(r"<[^>]*>", " ", page.split("<header", 1)[1])
+    words = set(re.findall(r"[A-Za-zäöüÄÖÜß]+", body))
+    english = {"of", "the", "Students", "Marks", "Grades", "None", "yes", "no", "file", "Question", "report", "Papers"}
+    assert not words & english
+    assert {"Trennschärfe", "Gemeinsame", "Lösungsquote"} <= words
+    assert '<html lang="de">' in page
