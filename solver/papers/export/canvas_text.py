@@ -49,20 +49,22 @@ def asks(asked: Asked, field: Field) -> str:
     """Return what a field asks for: the answer, what of it is wanted, and how it is typed."""
 
     def write(math: Math) -> str:
-        lines = [_named(asked.symbol, asked.meaning, math), math(placed(asked, field), False)]
-        form = [line_of(asked.form, math)] if asked.form else []
-        return "\n".join(f"<p>{line}</p>" for line in [*lines, *form])
+        where, form = placed(asked, field), asked.form
+        lines = [_named(asked.symbol, asked.meaning, math), where and math(where, False), form and line_of(form, math)]
+        return "\n".join(f"<p>{line}</p>" for line in lines if line)
 
     return with_tex(write, DISPLAY)
 
 
 def placed(asked: Asked, field: Field) -> str:
-    """Return the LaTeX of an answer with a box where the field is."""
+    """Return the LaTeX of an answer with a box where the field is, "" where there is nothing else."""
     if asked.grid:
         rows = [" & ".join(HERE if cell == field else r"\cdot" for cell in line) for line in asked.lines]
         entries = r" \\ ".join(rows)
         return rf"{asked.symbol} = \begin{{bmatrix}} {entries} \end{{bmatrix}}"
-    line = next(line for line in asked.lines if field in line)
+    line = [cell for cell in next(line for line in asked.lines if field in line) if cell != Fixed("")]
+    if line == [field]:
+        return ""
     return " ".join(cell.latex if isinstance(cell, Fixed) else HERE if cell == field else ELSEWHERE for cell in line)
 
 

@@ -50,7 +50,8 @@ def feedback(outcome: str, identifier: str, *content: Element) -> Element:
 
 def blocks(content: Content) -> list[Element]:
     """Return content as blocks of QTI."""
-    return [_block(each) for each in map(_known, read(html_of(content, drawn, _address)))]
+    known = map(_known, read(html_of(content, drawn, _address)))
+    return [block for each in known for block in _blocks(each)]
 
 
 def line(markdown: str) -> Element:
@@ -99,8 +100,28 @@ def _aligned(math: Element) -> Element:
     return math
 
 
-def _block(element: Element) -> Element:
-    return node("div", element) if element.tag == "math" else element
+def _blocks(element: Element) -> Iterator[Element]:
+    """Yield an element as blocks that keep apart: displayed formulas one below the other in paragraphs of their own."""
+    if element.tag == "math":
+        yield node("p", element)
+    elif element.tag != "p":
+        yield element
+    else:
+        paragraph, last = node("p"), None
+        for each in contents_of(element):
+            if _is_displayed(each) and last is not None and _is_displayed(last):
+                yield paragraph
+                paragraph = node("p")
+            if isinstance(each, Element):
+                paragraph.append(each)
+            else:
+                append_text(paragraph, each)
+            last = each if isinstance(each, Element) or each.strip() else last
+        yield paragraph
+
+
+def _is_displayed(content: Element | str) -> bool:
+    return isinstance(content, Element) and content.tag == "math" and content.get("display") == "block"
 
 
 def _answer(asked: Asked) -> Iterator[Element]:
@@ -132,7 +153,8 @@ def _line(cells: Sequence[Field | Fixed]) -> Element:
     fields = [cell for cell in cells if not isinstance(cell, Fixed)]
     last = cells[-1]
     if len(fields) == 1 and isinstance(last, Choice):
-        return _choice(last, _spaced(node("prompt"), cells[:-1]))
+        prompt = _spaced(node("prompt"), cells[:-1])
+        return _choice(last, [prompt] if len(prompt) else [])
     return _spaced(node("p"), cells)
 
 
@@ -155,9 +177,9 @@ def _inline(cell: Field | Fixed) -> Element:
     return node("textEntryInteraction", responseIdentifier=cell.key, expectedLength=str(WIDTH), label=cell.label)
 
 
-def _choice(field: Choice, prompt: Element) -> Element:
+def _choice(field: Choice, prompt: list[Element]) -> Element:
     words = [node("simpleChoice", word, identifier=word_of(i)) for i, word in enumerate(field.words)]
-    return node("choiceInteraction", prompt, *words, responseIdentifier=field.key, shuffle="false", maxChoices="1")
+    return node("choiceInteraction", *prompt, *words, responseIdentifier=field.key, shuffle="false", maxChoices="1")
 
 
 def word_of(index: int) -> str:

@@ -203,3 +203,9 @@ def test_any_text_makes_a_question_that_canvas_reads(name, text, hint):
     (entry,) = of_one(replace(item("one", (asked,)), name=name, question=content(text, hostile=name))).entries
     etree.fromstring(f"<div>{entry.text}{entry.neutral}{entry.incorrect}</div>")
     assert entry.marks("1") == 1
+
+
+def test_a_word_that_stands_alone_has_no_place_to_be_shown():
+    bare = replace(CONTROLLABLE, symbol="", lines=((Fixed(""), CONTROLLABLE.lines[0][1]),))
+    (entry,) = of_one(replace(item("one", (bare,)), question=Content())).entries
+    assert entry.text == "<p>whether it is controllable</p>"

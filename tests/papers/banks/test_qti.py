@@ -313,3 +313,17 @@ def test_a_line_of_fields_has_words_to_choose_in_it():
     assert faults(root) == []
     (choice,) = root.iter(f"{QTI}inlineChoiceInteraction")
     assert [each.text for each in choice] == ["yes", "no & <never>"]
+
+
+def test_displayed_formulas_stand_in_paragraphs_of_their_own():
+    text = "First\n$$a = 1$$ $$b = 2$$\nthen\n$$c = 3$$\n\n$$d = 4$$"
+    body = written(replace(item("one", (GAIN,)), question=Content((Text(text),)))).find(f"{QTI}itemBody")
+    shown = [[each.get("alttext") for each in block.iter(f"{MATH}math")] for block in body.findall(f"{QTI}p")]
+    assert shown[:3] == [["a = 1"], ["b = 2", "c = 3"], ["d = 4"]]
+
+
+def test_words_without_a_symbol_have_no_prompt():
+    bare = replace(STABLE, symbol="", lines=((Fixed(""), STABLE.lines[0][1]),))
+    root = written(item("one", (bare,)))
+    assert faults(root) == []
+    assert [each.tag for each in root.iter(f"{QTI}choiceInteraction", f"{QTI}prompt")] == [f"{QTI}choiceInteraction"]
