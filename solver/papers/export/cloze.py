@@ -65,8 +65,9 @@ def hint(markdown: str) -> str:
 
 
 def _text(word: str) -> str:
-    """Return a plain text that ends no answer; its entities are signs when it is shown and compared."""
-    return _entities(word.replace("&", "&amp;").replace("<", "&lt;"))
+    """Return a plain text that ends no answer and has no share; its entities are signs when it is shown."""
+    text = _entities(word.replace("&", "&amp;").replace("<", "&lt;"))
+    return f"&#{ord(text[0])};{text[1:]}" if text[:1] in {"=", "%"} else text
 
 
 def _entities(html: str) -> str:

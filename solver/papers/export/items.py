@@ -23,6 +23,7 @@ from solver.papers.export.told import NUMBERS, key_of, question_of, solution_of
 from solver.problem.model import Part
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
+from solver.render.prose import plain
 from solver.tasks import catalogue
 from solver.words import Phrase
 
@@ -79,7 +80,8 @@ class _Parted:
         fields, reasons = dict[str, Asked](), dict[str, str]()
         for name in names:
             try:
-                fields[name] = asked_of_answer(self.bench, (part, name), _symbol(shown[name]), shown[name].doc)
+                meaning = self._meaning(shown[name])
+                fields[name] = asked_of_answer(self.bench, (part, name), _symbol(shown[name]), meaning)
             except NoField as why:
                 reasons[name] = self.bench.blank.messages.say(why.args[0])
         if fields:
@@ -91,13 +93,22 @@ class _Parted:
             yield item
         if reasons:
             item = self._item({name: marks[name] for name in reasons}, shown, only=bool(fields))
-            asked = tuple((_symbol(shown[name]), shown[name].doc) for name in reasons)
+            asked = tuple((_symbol(shown[name]), self._meaning(shown[name])) for name in reasons)
             yield replace(item, essay=Essay(asked, key_of(self.told.key, part.id, reasons), reasons))
+
+    def _meaning(self, answer: WorkAnswer) -> str:
+        """Return what an answer is; one without a symbol is named: "controllable: whether the rank is n"."""
+        named = plain(self.bench.blank.messages.named(answer.name))
+        return answer.doc if answer.symbol or named in answer.doc.lower() else f"{named}: {answer.doc}"
+
+    def _named(self, answer: WorkAnswer) -> str:
+        """Return what an answer is, with its symbol (Markdown)."""
+        return f"${answer.symbol}$ ({answer.doc})" if answer.symbol else self._meaning(answer)
 
     def _item(self, marks: Mapping[str, Fraction], shown: Mapping[str, WorkAnswer], *, only: bool) -> Item:
         """Return an item that asks for the answers that carry these marks, still without fields."""
         say = self.told.paper.messages.say
-        last = [say(Phrase(ONLY, names=", ".join(_named(shown[name]) for name in marks)))] if only else []
+        last = [say(Phrase(ONLY, names=", ".join(map(self._named, (shown[name] for name in marks)))))] if only else []
         return Item(
             identifier="",
             name="",
@@ -112,8 +123,3 @@ def _symbol(answer: WorkAnswer) -> str:
     r"""Return the LaTeX of an answer's symbol; of one without a symbol its name, \text{rank}."""
     words = answer.name.replace("_", " ")
     return answer.symbol or rf"\text{{{words}}}"
-
-
-def _named(answer: WorkAnswer) -> str:
-    """Return what an answer is, with its symbol (Markdown)."""
-    return f"{answer.doc} ${answer.symbol}$" if answer.symbol else answer.doc

@@ -87,7 +87,8 @@ def _asked_html(asked: Asked, gaps: dict[str, str]) -> str:
     heading = f"<p><strong>{meaning}</strong></p>"
     told = f"<p><small>{form}</small></p>" if form else ""
     if not asked.grid:
-        lines = "\n".join(f"<p>{' '.join(_cell(cell, gaps) for cell in line)}</p>" for line in asked.lines)
+        cells = (" ".join(filter(None, (_cell(cell, gaps) for cell in line))) for line in asked.lines)
+        lines = "\n".join(f"<p>{line}</p>" for line in cells if line)
         return without_gaps(f"{heading}\n{told}\n").replace("\n\n", "\n") + lines
     rows = [[f"<td>{_cell(cell, gaps)}</td>" for cell in line] for line in asked.lines]
     name = without_gaps(_cell(Fixed(f"{asked.symbol} ="), gaps))
