@@ -3,6 +3,7 @@ r"""Texts for Canvas: HTML with TeX, which it draws where it finds `\( \)` or `$
 from __future__ import annotations
 
 from collections.abc import Iterator
+from decimal import Context, Decimal
 
 from solver.papers.export.content import html_of, line_of, with_tex
 from solver.papers.export.quiz import Asked, Content, Essay, Field, Fixed, Wrong
@@ -17,6 +18,7 @@ DISPLAY = "$$", "$$"
 LARGEST = 16_000
 r"""Signs of the text of a question. Canvas imports no longer one than 16384, and its own marks are added."""
 
+DIGITS = Context(prec=5)
 HERE, ELSEWHERE = r"\boxed{?}", r"\square"
 """What is asked for, and what another question asks for."""
 
@@ -88,12 +90,16 @@ def hints(wrong: tuple[Wrong, ...]) -> str:
     """Return the wrong values of usual mistakes, each with its hint: Canvas cannot tell them apart."""
 
     def write(math: Math) -> str:
-        lines = [
-            f"<li>{math(f'{each.value:f}', False)}: {line_of(each.hint, math)}</li>" for each in wrong if each.hint
-        ]
+        told = [(math(few(each.value), False), line_of(each.hint, math)) for each in wrong if each.hint]
+        lines = [f"<li>{value}: {hint}</li>" for value, hint in told]
         return f"<ul>{''.join(lines)}</ul>" if lines else ""
 
     return with_tex(write, DISPLAY)
+
+
+def few(value: Decimal) -> str:
+    """Return a value with no more digits than are needed to know it again."""
+    return f"{value if value == value.to_integral_value() else DIGITS.create_decimal(value).normalize():f}"
 
 
 def _address(image: Image) -> str:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from lxml import etree
 
 from solver.papers.export.canvas import canvas_package
+from solver.papers.export.canvas_text import few
 from solver.papers.export.quiz import Asked, Content, Fixed, Group, Quiz, Text
 from tests.papers.banks.canvas_reader import CP, LARGEST, QTI, Draw, faults, quizzes_of
 from tests.papers.banks.quizzes import CONTROLLABLE, content, item, number, quiz, single_questions
@@ -98,6 +99,13 @@ def test_hints_are_told_for_wrong_answers(read):
     assert r"<li>\(-3\): The law is" in gain.incorrect
     assert r"<li>\(8\): no</li>" in gain.incorrect
     assert not read[0].entries[3].incorrect
+
+
+@pytest.mark.parametrize(("value", "told"), [
+    ("3.66666666667", "3.6667"), ("-12", "-12"), ("123456789", "123456789"), ("0.00123456", "0.0012346"), ("2.50", "2.5"),
+])  # fmt: skip
+def test_a_wrong_value_is_told_in_few_digits(value, told):
+    assert few(Decimal(value)) == told
 
 
 def test_questions_that_are_one_in_canvas_are_drawn():
