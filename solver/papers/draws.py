@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from solver.conditions import symbols_of
-from solver.papers.constructed import Constructed, Pattern
+from solver.papers.constructions import Construction
 from solver.papers.generator import Permutation
 from solver.problem.family import Family, Required
-
-LARGE = 4
-"""Of a matrix with so many rows hardly any has rational eigenvalues."""
 
 Values = Mapping[str, sp.Expr]
 
@@ -34,23 +31,35 @@ class Draw:
 class Draws:
     """All choices of values; number 0 is the first that is drawn.
 
-    Where the eigenvalues of a large matrix must be nice, every other draw is made so that they are (see `constructed`).
+    Where there are constructions, every other draw is made by one of them in turn (see `constructions`), as long as
+    choices are left; then they have no number of their own, and the family is through when all choices were drawn.
     """
 
-    def __init__(self, family: Family, seed: int, pattern: Pattern = ()) -> None:
+    def __init__(self, family: Family, seed: int, constructions: Sequence[Construction] = ()) -> None:
         self.family = family
         self.order = Permutation(family.size, seed)
-        self.constructed = Constructed(family, pattern, seed) if len(pattern) >= LARGE else None
+        self.constructions = constructions
+
+    @property
+    def count(self) -> int:
+        """So many draws there are."""
+        return self.family.size * (2 if self.constructions else 1)
 
     def places(self, number: int) -> list[int]:
         """Return which of its values each name has in a draw: the digits of its number, the first name the slowest."""
-        if self.constructed is not None and number % 2 == 0 and (places := self.constructed.at(number)) is not None:
-            return places
+        if self.constructions:
+            number, turn = divmod(number, 2)
+            if turn == 0 and (places := self._constructed(number)) is not None:
+                return places
         rest, found = self.order.at(number), list[int]()
         for each in reversed(self.family.varied):
             rest, place = divmod(rest, len(each.values))
             found.append(place)
         return found[::-1]
+
+    def _constructed(self, number: int) -> list[int] | None:
+        number, turn = divmod(number, len(self.constructions))
+        return self.constructions[turn].at(number)
 
     def at(self, places: list[int]) -> Draw:
         """Return the draw of these places."""

@@ -17,12 +17,14 @@ import sympy as sp
 
 from solver.conditions import symbols_of
 from solver.derivation import PartResult, Unsolved
+from solver.engine import given_of
 from solver.lazy import exact
 from solver.limits import Exceeded, Limits, call_within
 from solver.numeric.judges.modelling.compiled import compiled
-from solver.papers.constructed import Pattern
+from solver.papers.constructions.eigenvalues import Pattern
 from solver.papers.judging import answers_of
-from solver.papers.niceness import Array, leaves, may_be_nice
+from solver.papers.niceness import Array, Numbers, leaves, may_be_nice
+from solver.papers.regulators import GAINS, numbers_of, weighed
 from solver.problem.family import Family, Nice
 from solver.problem.members import root_of, with_letters
 from solver.problem.model import Problem
@@ -40,14 +42,14 @@ OF_THE_SYSTEM = ("eigenstructure", "stability", "phase_portrait")
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """An answer in letters: its entries or, where it is `eigenvalues`, those of the matrix that has them, row by row.
+    """An answer in letters: its entries or, with `numbers`, those of the matrices from which it is found in decimals.
 
-    A matrix of names and integers is a `pattern` too.
+    A matrix of names and integers whose eigenvalues are asked for is a `pattern` too.
     """
 
     nice: Nice
     entries: tuple[sp.Expr, ...]
-    eigenvalues: bool = False
+    numbers: Numbers | None = None
     pattern: Pattern = ()
 
 
@@ -64,7 +66,7 @@ class Formulas:
     def of(source: Source, family: Family) -> Formulas:
         """Solve the family with letters, within limits."""
         nice = [each for each in family.nice if each.kind != "exact"]
-        problem = _with_letters(source, family) if nice else None
+        problem = lettered(source, family) if nice else None
         if problem is None:
             return Formulas(family, ())
         names = {each.name for each in family.varied}
@@ -79,12 +81,18 @@ class Formulas:
         found = np.full(len(places), "", dtype=object)
         if self.compiled:
             columns = np.array(places).T
-            at = {name: values[column] for name, values, column in zip(self.names, self.values, columns, strict=True)}
+            drawn = {
+                name: values[column] for name, values, column in zip(self.names, self.values, columns, strict=True)
+            }
             for formula, functions in self.compiled:
+                left = np.flatnonzero(found == "")
+                if not left.size:
+                    break
+                at = {name: values[left] for name, values in drawn.items()}
                 with np.errstate(all="ignore"):
-                    values = np.array([np.broadcast_to(function(at), len(places)) for function in functions])
-                    values = _eigenvalues(values) if formula.eigenvalues else values
-                found[(found == "") & ~may_be_nice(values, formula.nice.kind).all(axis=0)] = formula.nice.text
+                    values = np.array([np.broadcast_to(function(at), len(left)) for function in functions])
+                    values = formula.numbers(values) if formula.numbers else values
+                found[left[~may_be_nice(values, formula.nice.kind).all(axis=0)]] = formula.nice.text
         return list(found)
 
 
@@ -95,7 +103,7 @@ def _function(entry: sp.Expr) -> Any:
     return lambda at: inner({x: at[x.name] for x in letters})
 
 
-def _eigenvalues(entries: Array) -> Array:
+def eigenvalues(entries: Array) -> Array:
     """Return the eigenvalues of matrices, in columns: of their entries, row by row."""
     count, order = entries.shape[1], isqrt(entries.shape[0])
     matrices = entries.T.reshape(count, order, order)
@@ -108,14 +116,14 @@ def _eigenvalues(entries: Array) -> Array:
 
 def formulas_of(source: Source, family: Family, nice: Sequence[Nice]) -> list[Formula]:
     """Return the answers in letters, without those of which there is no formula."""
-    problem = _with_letters(source, family)
+    problem = lettered(source, family)
     known: dict[str, PartResult] = {}
     names = {each.name for each in family.varied}
     found = [_formula(each, problem, known, names) for each in nice] if problem is not None else []
     return [each for each in found if each is not None]
 
 
-def _with_letters(source: Source, family: Family) -> Problem | None:
+def lettered(source: Source, family: Family) -> Problem | None:
     """Return the family with letters for what is drawn, None where numbers must stand there."""
     root = with_letters(root_of(source), {each.name for each in family.varied}, _signs(family))
     with suppress(InputError):
@@ -140,6 +148,22 @@ def _formula(nice: Nice, problem: Problem, known: dict[str, PartResult], names: 
         value = answers_of(nice.part, problem, known).get(nice.answer)
         if entries := tuple(each for each in leaves(value) if _is_formula(each, names)):
             return Formula(nice, entries)
+    return _of_regulator(nice, problem, known, names)
+
+
+def _of_regulator(nice: Nice, problem: Problem, known: dict[str, PartResult], names: Collection[str]) -> Formula | None:
+    """Return the matrices of a regulator or a filter; nothing is solved but the parts before it."""
+    part = next(part for part in problem.parts if part.id == nice.part)
+    if part.task not in GAINS:
+        return None
+    with suppress(Unsolved, exact.NotExact):
+        for source in part.sources:
+            answers_of(source, problem, known)
+        found = weighed(part.task, given_of(part, part.methods[0], known))
+        entries = tuple(entry for matrix in found.matrices for entry in matrix.flat())
+        numbers = numbers_of(part.task, nice.answer, found)
+        if numbers is not None and all(_is_formula(each, names) for each in entries):
+            return Formula(nice, entries, numbers)
     return None
 
 
@@ -161,7 +185,7 @@ def _of_eigenvalues(nice: Nice, problem: Problem, names: Collection[str]) -> For
     entries = tuple(matrix.flat())
     if not all(_is_formula(each, names) for each in entries):
         return None
-    return Formula(nice, entries, eigenvalues=True, pattern=_pattern(matrix, names))
+    return Formula(nice, entries, eigenvalues, pattern=_pattern(matrix, names))
 
 
 def _pattern(matrix: sp.MatrixBase, names: Collection[str]) -> Pattern:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,9 @@ NEAR = 1e-6
 """What lies as near to a nice number, in parts of its size, may be it: an exact look will tell."""
 
 Array = np.ndarray[Any, Any]
+
+Numbers = Callable[[Array], Array]
+"""What an answer is, draws in columns, as it follows from what is given, draws in columns."""
 
 
 def is_nice(value: Any, kind: str) -> bool:

@@ -14,6 +14,7 @@ from typing import Any
 
 from solver.executors import Executor, Processes
 from solver.limits import Exceeded, Limits
+from solver.papers.constructions.building import constructions_of
 from solver.papers.draws import Draw, Draws, holds
 from solver.papers.formulas import Formulas
 from solver.papers.judging import Rejection, judged
@@ -31,6 +32,8 @@ FIRST, LARGEST = 64, 4096
 TOGETHER = 16
 """So many draws are judged exactly between two looks at how many are wanted."""
 
+BEFORE = Rejection("it was drawn before", own=True)
+
 Tell = Callable[[int, int], None]
 """Is told how many draws were made and how many members were found."""
 
@@ -47,7 +50,7 @@ class Candidate:
 
 @dataclass
 class Search:
-    """A search of the members of a family; `draws` and `rejections` tell what it took so far."""
+    """A search of the members of a family; `draws` and `rejections` tell what it took so far, of `count` draws."""
 
     source: Source
     family: Family
@@ -58,12 +61,13 @@ class Search:
     tell: Tell = lambda _draws, _found: None
     draws: int = 0
     found: int = 0
+    count: int = 0
     rejections: Counter[Rejection] = field(default_factory=Counter)
 
     @property
     def is_exhausted(self) -> bool:
         """Whether all choices of values were drawn."""
-        return self.draws >= self.family.size
+        return self.draws >= self.count > 0
 
     def candidates(self) -> Iterator[Candidate]:
         """Yield the draws for which all holds, in their order; whoever takes one may reject it."""
@@ -81,7 +85,7 @@ class Search:
             seen.add(asked)
             self.found += 1
             yield Candidate(number, draw, text, problem)
-        self.draws = min(self.most, self.family.size)
+        self.draws = min(self.most, self.count)
 
     def reject(self, rejection: Rejection) -> None:
         """Count a draw that is no member."""
@@ -122,13 +126,19 @@ class Search:
         The last ones, behind which there is none, are counted at the end.
         """
         formulas = Formulas.of(self.source, self.family)
-        draws = Draws(self.family, self.seed, formulas.pattern)
+        draws = Draws(self.family, self.seed, constructions_of(self.source, self.family, self.seed, formulas.pattern))
+        self.count = draws.count
         conditions = [each for each in self.family.required if each.chain is not None]
         rejected: Counter[Rejection] = Counter()
-        start, size, end = 0, FIRST, min(self.most, self.family.size)
+        seen: set[tuple[int, ...]] = set()
+        start, size, end = 0, FIRST, min(self.most, self.count)
         while start < end:
             places = [draws.places(number) for number in range(start, min(start + size, end))]
             for number, (at, far) in enumerate(zip(places, formulas.rejected(places), strict=True), start + 1):
+                if draws.constructions and tuple(at) in seen:
+                    rejected[BEFORE] += 1
+                    continue
+                seen.add(tuple(at))
                 draw = draws.at(at)
                 broken = (each.text for each in conditions if not holds(each, draw.values))
                 if why := far or next(broken, ""):

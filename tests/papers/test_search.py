@@ -10,9 +10,9 @@ import sympy as sp
 
 from solver.engine import solve_problem
 from solver.executors import Processes
-from solver.papers.constructed import Constructed, matrix_with_integer_eigenvalues
+from solver.papers.constructions.eigenvalues import FromEigenvalues, matrix_with_integer_eigenvalues
 from solver.papers.draws import Draws
-from solver.papers.formulas import Formulas
+from solver.papers.formulas import Formulas, eigenvalues
 from solver.papers.generator import stream
 from solver.papers.judging import Rejection
 from solver.papers.niceness import is_nice, may_be_nice
@@ -147,7 +147,7 @@ def _square(number):
 def test_eigenvalues_need_no_formula(search_of):
     search = search_of(EIGENVALUES)
     (formula,) = [each for each, _ in Formulas.of(search.source, search.family).compiled]
-    assert formula.eigenvalues
+    assert formula.numbers is eigenvalues
     assert [len(row) for row in formula.pattern] == [3, 3, 3]
     for each in islice(search.candidates(), 3):
         (result,) = solve_problem(each.problem).parts
@@ -163,7 +163,7 @@ system: {A: [[0, 1], [2, a]], B: [0, 1]}
 find: {f: {task: stability, gain: [1, b]}}
 """
     search = search_of(text)
-    assert not any(each.eigenvalues for each, _ in Formulas.of(search.source, search.family).compiled)
+    assert not any(each.numbers is eigenvalues for each, _ in Formulas.of(search.source, search.family).compiled)
     assert {(each["a"], each["b"]) for each in drawn(search)} == {(a, a) for a in "01"}
 
 
@@ -180,7 +180,7 @@ def test_matrices_of_integer_eigenvalues_are_constructed():
 def test_constructed_draws_fit_the_values_and_the_fixed_entries(search_of):
     family = search_of(EIGENVALUES).family
     pattern = (("a", "b", "c"), ("d", "f", "g"), (0, "k", "l"))
-    constructed, draws = Constructed(family, pattern, 7), Draws(family, 7)
+    constructed, draws = FromEigenvalues(family, pattern, 7), Draws(family, 7)
     made = [constructed.at(number) for number in range(5)]
     assert made == [constructed.at(number) for number in range(5)]
     for places in made:

@@ -7,6 +7,7 @@ from solver.numeric.judges.optimal.regulator import (
     control_residual,
     current_gain_residual,
     loop_residual,
+    optimum_in_floats,
 )
 from solver.numeric.judges.optimal.riccati import (
     equations_residual,
@@ -40,6 +41,7 @@ __all__ = [
     "loop_residual",
     "none_missing",
     "number_of_solutions",
+    "optimum_in_floats",
     "riccati_residual",
     "riccati_sides",
     "stabilizes",

@@ -140,22 +140,33 @@ def _optimum(weights: Weights, point: Mapping[Any, Any]) -> Optimum | None:
 @lru_cache(maxsize=64)
 def _known_optimum(weights: Weights, discrete: bool, items: tuple[Any, ...]) -> Optimum | None:
     """Return it; the checks of one part ask for the same one."""
-    from scipy.linalg import solve_continuous_are, solve_discrete_are  # noqa: PLC0415
-
     point = dict(items)
     try:
-        parametric = any(map(free_symbols, (weights.Q, weights.R, weights.N)))
-        A, B, Q, R, N = (_real(evaluate(M, point)) for M in weights)
+        matrices = [_real(evaluate(M, point)) for M in weights]
+    except Undefined:
+        return None
+    parametric = any(map(free_symbols, (weights.Q, weights.R, weights.N)))
+    return optimum_in_floats(matrices, discrete=discrete, point=point, definite=parametric)
+
+
+def optimum_in_floats(
+    matrices: Sequence[Array], *, discrete: bool, point: Point | None = None, definite: bool = True
+) -> Optimum | None:
+    """Return scipy's solution for A, B, Q, R, N; None where R or (if asked) Q is not definite, or no loop is stable."""
+    from scipy.linalg import solve_continuous_are, solve_discrete_are  # noqa: PLC0415
+
+    A, B, Q, R, N = matrices
+    try:
         if np.linalg.eigvalsh(R)[0] <= (-1e-12 if discrete else 0):
             return None
         P = (solve_discrete_are if discrete else solve_continuous_are)(A, B, Q, R, s=N)
-        found = Optimum(point, A, B, Q, R, N, P, P, discrete)
-        if parametric and np.linalg.eigvalsh(found.without_products()[1])[0] < -1e-9 * (1 + np.abs(Q).max()):
+        found = Optimum(point or {}, A, B, Q, R, N, P, P, discrete)
+        if definite and np.linalg.eigvalsh(found.without_products()[1])[0] < -1e-9 * (1 + np.abs(Q).max()):
             return None
         if np.linalg.eigvalsh(found.weight(P))[0] <= 0:
             return None
         found = found._replace(K=found.gain_of(P))
-    except (LinAlgError, ValueError, Undefined):
+    except (LinAlgError, ValueError):
         return None
     return found if stable(found.closed_loop, discrete=discrete) else None
 

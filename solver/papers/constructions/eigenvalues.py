@@ -27,7 +27,7 @@ CONSTRUCTED = 1
 """Tells the numbers that are used here from those that order the draws of a seed."""
 
 
-class Constructed:
+class FromEigenvalues:
     """Draws of a family whose matrix has integer eigenvalues; `at` gives the places of the values of one."""
 
     def __init__(self, family: Family, pattern: Pattern, seed: int) -> None:
