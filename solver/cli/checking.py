@@ -34,7 +34,7 @@ def check_files(request: CheckRequest) -> int:
     several = len(files) > 1 or any(Path(name).is_dir() for name in named)
     _refuse_to_overwrite(request, (*files, *filter(None, (problem, request.changes))))
     if (exam := exam_of(problem, files)) is not None:
-        return check_exam(request, exam, files, passed_over(named, files))
+        return check_exam(request, exam, files, passed_over(named, (*files, *filter(None, (request.changes,)))))
     if request.report:
         raise click.UsageError("--report is about an exam: solve check EXAM ANSWERS.")
     delivery = Delivery(request, files, several)
@@ -70,7 +70,8 @@ def _fit(changes: Changes, papers: Sequence[Paper], problems: Problems) -> int:
     for paper in papers:
         found = changes.of(*_names(paper))
         if found is not None and paper.submission is not None:
-            changes.refuse_unknown(found, problems.solutions[paper.problem].problem)
+            parts = problems.solutions[paper.problem].problem.parts
+            changes.refuse_unknown(found, {part.id: part for part in parts})
     if strangers:
         click.echo(InputError(changes.source, strangers).render(), err=True)
     return INPUT_AT_FAULT if strangers else SOLVED

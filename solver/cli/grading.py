@@ -17,22 +17,28 @@ from solver.classroom.reading.answer_file import root_of_answers
 from solver.classroom.report.data import as_data
 from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number
+from solver.classroom.syntax import Readings
 from solver.cli.delivery import Delivery
 from solver.cli.destination import STANDARD, AtFault, write_whole
 from solver.cli.named import named_in
+from solver.cli.overriding import overriding
 from solver.cli.papers import CheckRequest, submitted
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, source_of
+from solver.cli.syntax import Told, tell
 from solver.messages import Messages
 from solver.problem.source import InputError
 from solver.problem.yaml_tree import parse_yaml
+from solver.words import Phrase
 
 NO_EXAM = "-"
 """Stands for answers to one problem among what answer files name."""
 
 if TYPE_CHECKING:
     from solver.classroom import Marking
+    from solver.executors import Executor
+    from solver.limits import Exceeded
     from solver.papers.exam.grades import Graded
-    from solver.papers.exam.marking import Solutions
+    from solver.papers.exam.marking import Solutions, Worked
     from solver.papers.exam.model import Exam
     from solver.papers.exam.submitted import ExamSubmission
     from solver.problem.model import Problem
@@ -75,10 +81,8 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
 
     What is wrong with one file is told, and stops no other; `others` stand beside them and are only told.
     """
-    if request.syntax or request.solution or request.changes:
-        raise click.UsageError("answers to an exam are marked without --syntax, --solution and --override.")
     from solver.papers.exam.drawing import Means
-    from solver.papers.exam.marking import marked, solutions_of
+    from solver.papers.exam.marking import marked, solutions_of, worked_of
     from solver.papers.exam.reading import read_exam
 
     try:
@@ -88,6 +92,12 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
         return INPUT_AT_FAULT
     read = [_read(name, exam, "" if file in request.files else file) for name in files]
     papers = [each.submission for each in read if each.submission is not None]
+    try:
+        named = [(each.name, each.submission.student if each.submission else "") for each in read]
+        override = overriding(request.changes, exam, named)
+    except InputError as error:
+        click.echo(error.render(), err=True)
+        return INPUT_AT_FAULT
     with request.workers.executor() as executor:
         means = Means(request.presentation, request.limits, executor)
         try:
@@ -95,23 +105,43 @@ def check_exam(request: CheckRequest, file: str, files: Sequence[str], others: S
         except InputError as error:
             click.echo(error.render(), err=True)
             return UNSOLVED
+        if request.syntax:
+            return _tell_readings(request, read, solutions, executor)
         markings = marked(papers, solutions, request.limits, request.templates, executor)
-        graded = [each.graded(markings) for each in read]
+        graded = [override.applied(each.graded(markings)) for each in read]
+        wanted = request.solution and request.chosen_format == "html"
+        worked = worked_of(solutions, request.presentation, request.limits, executor) if wanted else {}
     if request.chosen_format == "html":
-        _write_sheets(request, exam, graded, solutions)
+        _write_sheets(request, exam, graded, solutions, worked)
     else:
         _tell(request, graded)
     if others:
         click.echo(f"passed over, no answer files by their names: {', '.join(others)}", err=True)
-    if request.report:
-        from solver.papers.exam.report import report_page
+    _write_report(request, exam, graded, solutions)
+    return max(override.code, _conclude(request, exam, graded))
 
-        messages = request.presentation.messages(exam.questions[0].problem.display)
-        with in_words("the report"):
-            page = report_page(exam, graded, solutions, request.templates, messages)
-        write_whole(Path(request.report), page.encode())
-        click.echo(f"wrote {request.report}", err=True)
-    return _conclude(request, exam, graded)
+
+def _write_report(request: CheckRequest, exam: Exam, graded: Sequence[Graded], solutions: Solutions) -> None:
+    """Write what the marks say, where it is asked for."""
+    if not request.report:
+        return
+    from solver.papers.exam.report import report_page
+
+    messages = request.presentation.messages(exam.questions[0].problem.display)
+    with in_words("the report"):
+        page = report_page(exam, graded, solutions, request.templates, messages)
+    write_whole(Path(request.report), page.encode())
+    click.echo(f"wrote {request.report}", err=True)
+
+
+def _tell_readings(request: CheckRequest, read: Sequence[_Read], solutions: Solutions, executor: Executor) -> int:
+    """Say how the values of each file are read; return the worst exit code."""
+    from solver.papers.exam.marking import read_as
+
+    there = [each.submission for each in read if each.submission is not None]
+    found = read_as(there, solutions, request.limits, request.templates, executor)
+    told = (each.told(request, found, solutions) for each in read)
+    return tell(told, len(read), as_json=request.format == "json")
 
 
 def _prepared(request: CheckRequest, problem: Problem) -> Problem:
@@ -141,6 +171,20 @@ class _Read:
         student, of_questions = self.submission.student, next(markings)
         whole = together(student, of_questions)
         return Graded(self.name, student, self.submission.variant, whole, of_questions=of_questions)
+
+    def told(self, request: CheckRequest, found: Iterator[Readings | Exceeded], solutions: Solutions) -> Told:
+        """Return how its values are read, the next ones where it could be read."""
+        if self.submission is None:
+            return Told(self.name, fault=self.fault, code=INPUT_AT_FAULT)
+        readings = next(found)
+        display = solutions[self.submission.variant][0].problem.display
+        messages = Messages(request.templates, display.language, display.notation)
+        name = f"{self.name}, {messages.say(Phrase('Variant {number}', number=self.submission.variant))}"
+        if isinstance(readings, Readings):
+            return Told.of(self.name if request.format == "json" else name, readings, messages)
+        fault = messages.say(readings.reason)
+        click.echo(f"{self.name}: error: {fault}", err=True)
+        return Told(self.name, fault=fault, code=UNSOLVED)
 
 
 def _read(name: str, exam: Exam, followed: str) -> _Read:
@@ -182,15 +226,22 @@ def _tell(request: CheckRequest, graded: Sequence[Graded]) -> None:
     click.echo(f"wrote {place}", err=True)
 
 
-def _write_sheets(request: CheckRequest, exam: Exam, graded: Sequence[Graded], solutions: Solutions) -> None:
+def _write_sheets(
+    request: CheckRequest, exam: Exam, graded: Sequence[Graded], solutions: Solutions, worked: Worked
+) -> None:
     """Write a sheet for each file that was marked, beside it or into the folder named."""
+    for (variant, number_), document in worked.items():
+        if document is None:
+            click.echo(f"question {number_} of variant {variant}: its worked solution met the limit", err=True)
     from solver.papers.exam.sheet import exam_sheet
 
     delivery = Delivery(request, [each.file for each in graded], several=len(graded) > 1)
     for each in graded:
         if each.marking is not None:
             with in_words("the sheet"):
-                page = exam_sheet(exam, each, solutions[each.variant], request.templates, key=request.key)
+                page = exam_sheet(
+                    exam, each, solutions[each.variant], request.templates, key=request.key, worked=worked
+                )
             path = delivery.path_of(each.file)
             write_whole(path, page.encode())
             click.echo(f"{each.file}: {number(each.marking.marks)} of {number(each.marking.out_of)}; wrote {path}")

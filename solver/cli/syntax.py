@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
-from dataclasses import asdict
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import click
@@ -18,30 +18,55 @@ from solver.render.prose import inline_as_text
 from solver.words import Phrase
 
 
+@dataclass(frozen=True, slots=True)
+class Told:
+    """A file with how its values are read, or why that cannot be said; `code` is the exit code that it leads to."""
+
+    name: str
+    found: Readings | None = None
+    fault: str = ""
+    code: int = SOLVED
+    messages: Messages = field(default_factory=Messages)
+
+    @staticmethod
+    def of(name: str, found: Readings, messages: Messages) -> Told:
+        """Return what is told of a file that was read."""
+        return Told(name, found, code=SOLVED if found.all_clear else UNSOLVED, messages=messages)
+
+
 def tell_readings(papers: Sequence[Paper], problems: Problems) -> int:
     """Say how the values of each paper are read; return 1 where one is not, or in several ways."""
-    as_json = problems.request.format == "json"
+    return tell((_told(paper, problems) for paper in papers), len(papers), as_json=problems.request.format == "json")
+
+
+def _told(paper: Paper, problems: Problems) -> Told:
+    if paper.submission is None:
+        return Told(paper.name, fault=paper.fault, code=paper.code)
+    solution, messages = problems.solutions[paper.problem], problems.messages(paper.problem)
+    try:
+        found: Readings = call_within(
+            problems.request.limits, readings, solution, paper.submission, problems.request.templates
+        )
+    except Exceeded as limit:
+        fault = messages.say(limit.reason)
+        click.echo(f"{paper.name}: error: {fault}", err=True)
+        return Told(paper.name, fault=fault, code=UNSOLVED)
+    return Told.of(paper.name, found, messages)
+
+
+def tell(papers: Iterable[Told], count: int, *, as_json: bool) -> int:
+    """Print the readings of so many papers, or their data; return the worst exit code."""
     codes, items = [SOLVED], list[dict[str, Any]]()
-    for paper in papers:
-        codes.append(paper.code)
-        if paper.submission is None:
-            items.append({"file": paper.name, "student": "", "error": paper.fault})
+    for each in papers:
+        codes.append(each.code)
+        if each.found is None:
+            items.append({"file": each.name, "student": "", "error": each.fault})
             continue
-        solution, messages = problems.solutions[paper.problem], problems.messages(paper.problem)
-        try:
-            found: Readings = call_within(
-                problems.request.limits, readings, solution, paper.submission, problems.request.templates
-            )
-        except Exceeded as limit:
-            click.echo(f"{paper.name}: error: {messages.say(limit.reason)}", err=True)
-            codes.append(UNSOLVED)
-            continue
-        codes.append(SOLVED if found.all_clear else UNSOLVED)
-        items.append({"file": paper.name, **asdict(found)})
+        items.append({"file": each.name, **asdict(each.found)})
         if not as_json:
-            _print(paper.name, found, messages)
+            _print(each.name, each.found, each.messages)
     if as_json:
-        click.echo(json.dumps(items if len(papers) > 1 else items[0], ensure_ascii=False, indent=1))
+        click.echo(json.dumps(items if count > 1 else items[0], ensure_ascii=False, indent=1))
     return max(codes)
 
 

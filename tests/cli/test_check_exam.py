@@ -195,3 +195,83 @@ def test_sheets_to_hand_back_are_written_for_all_that_can_be_read(solve, hand_in
     assert "The right value:" in page
     names = re.findall(r'\bid="([^"]*)"', page)
     assert len(names) == len(set(names))
+
+
+def test_how_the_values_are_read_is_told_without_marks(solve, hand_in, gains):
+    text = answers("student: Anna\nvariant: 1", "[[1, 2x")
+    hand_in({"a.yaml": text.replace("[[1, 2x}}", "'[1, 1/2'}}"), "b.yaml": "answers: ["})
+    done = solve("check", "exam.yaml", "in", "--syntax", "--jobs", 1)
+    assert done.code == 2
+    assert "in/a.yaml, Variant 1 (Anna)" in done.out
+    assert "  2.b.poles (a list): [-4]\n    read as −4" in done.out
+    assert "1.f.K" in done.out
+    assert "marks" not in done.out
+    data = json.loads(solve("check", "exam.yaml", "in", "--syntax", "-f", "json", "--jobs", 1).out)
+    assert [(each["file"], "error" in each) for each in data] == [("in/a.yaml", False), ("in/b.yaml", True)]
+    assert [each["part"] for each in data[0]["values"]] == ["1.f", "2.a", "2.b", "2.b", "3.c"]
+
+
+CHANGES = """\
+changes:
+  Anna:
+    comment: Come and see me.
+    2.a: {verdict: {verdict: correct, marks: 4, comment: As in the lecture.}}
+    3.c: {comment: Well done.}
+"""
+
+
+@pytest.mark.parametrize("named", ["Anna", "anna.yaml", "anna"])
+def test_an_instructor_changes_the_marks_of_an_exam(solve, hand_in, gains, tmp_path, named):
+    hand_in({
+        "anna.yaml": answers("student: Anna\nvariant: 1", gains[0], "unstable"),
+        "changes.yaml": CHANGES.replace("Anna", named),
+    })  # fmt: skip
+    told = ("--override", "in/changes.yaml", "--csv", "grades.csv", "--jobs", 1)
+    done = solve("check", "exam.yaml", "in", "-f", "html", "-o", "sheets/", "--report", "r.html", *told)
+    assert done.code == 0, done.err  # nothing is wrong any more
+    (row,) = table(tmp_path / "grades.csv")
+    assert [row[name] for name in ("1.f", "2.a", "2.b", "2", "3.c", "total")] == [
+        "10", "4", "13.33", "17.33", "6.66", "33.99",
+    ]  # fmt: skip
+    assert "passed over" not in done.err
+    page = (tmp_path / "sheets" / "anna.marked.html").read_text(encoding="utf-8")
+    for words in ("Come and see me.", "As in the lecture.", "Well done.", "by the instructor"):
+        assert words in page
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("  2.a:", "  2.z:", "ch.yaml:4:5: error: the exam has no part '2.z'"),
+        ("  2.a:", "  a:", "ch.yaml:4:5: error: the exam has no part 'a'"),
+        ("{verdict: {", "{vredict: {", "ch.yaml:4:11: error: stability has no answer 'vredict'"),
+        ("marks: 4", "marks: 9", "ch.yaml:4:46: error: verdict carries 6.67 marks, no more"),
+        ("Anna", "Zoe", "ch.yaml:2:3: error: no answer file is of 'Zoe'"),
+        ("marks: 4", "marks: -4", "ch.yaml:4:46: error: marks are a number such as 2.5"),
+    ],
+)
+def test_what_is_wrong_with_changes_is_said_at_its_place(solve, hand_in, gains, tmp_path, old, new, said):
+    hand_in({"anna.yaml": answers("student: Anna\nvariant: 1", gains[0], "unstable")})
+    (tmp_path / "ch.yaml").write_text(CHANGES.replace(old, new, 1), encoding="utf-8")
+    done = solve("check", "exam.yaml", "in", "--override", "ch.yaml", "--jobs", 1)
+    assert done.code == 2
+    assert said in done.err
+
+
+def test_the_worked_solution_of_the_own_variant_stands_on_the_sheet(solve, hand_in, gains, tmp_path):
+    hand_in({
+        "anna.yaml": answers("student: Anna\nvariant: 1", gains[1]),
+        "ben.yaml": answers("student: Ben\nvariant: 2", gains[0]),
+    })  # fmt: skip
+    done = solve("check", "exam.yaml", "in", "-f", "html", "-o", "sheets/", "--solution", "--jobs", 1)
+    assert done.code == 1, done.err
+    pages = [(tmp_path / "sheets" / f"{name}.marked.html").read_text("utf-8") for name in ("anna", "ben")]
+    for page, gain in zip(pages, gains, strict=True):
+        first, *_ = page.split('id="question-1-solution"')[1].split('<section class="exam-question"')
+        entries = re.findall(r"-?\d+", gain)
+        shown = re.sub(r"<[^>]*>| ", "", first.split('class="answer')[1]).replace("−", "-")
+        assert all(entry in shown for entry in entries)
+        assert page.count("Worked solution") == 3
+        names = re.findall(r'\bid="([^"]*)"', page)
+        assert len(names) == len(set(names))
+        assert set(re.findall(r'href="#([^"]*)"', page)) <= set(names)

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from solver.classroom.verdicts import Verdict
-from solver.problem.model import Problem
+from solver.problem.model import Part
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode, scalar
 from solver.problem.source import Diagnostic, InputError, Report, Source, did_you_mean
 from solver.problem.yaml_tree import parse_yaml
@@ -69,12 +69,12 @@ class Changes:
         """Return the changes for a student that goes by any of these names."""
         return next((self.students[name] for name in names if name in self.students), None)
 
-    def refuse_unknown(self, of: StudentChanges, problem: Problem) -> None:
-        """Raise InputError where changes name a part or an answer that the problem has not."""
-        report, parts = Report(), {part.id: part for part in problem.parts}
+    def refuse_unknown(self, of: StudentChanges, parts: Mapping[str, Part], what: str = "problem") -> None:
+        """Raise InputError where changes name a part or an answer that there is not; `parts` are known by name."""
+        report = Report()
         for id_, changed in of.parts.items():
             if id_ not in parts:
-                report.diagnostics.append(_no_such(changed.key, f"the problem has no part '{id_[:40]}'", parts))
+                report.diagnostics.append(_no_such(changed.key, f"the {what} has no part '{id_[:40]}'", parts))
                 continue
             task = catalogue()[parts[id_].task]
             for name, change in changed.answers.items():

@@ -7,9 +7,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from solver.classroom import Marking, mark_each
+from solver.classroom.syntax import Readings, readings
+from solver.document.exam import as_question
+from solver.document.model import Document, Presentation
+from solver.document.works import document_of
 from solver.engine import Solution
 from solver.executors import Executor
-from solver.limits import Limits, solve_within
+from solver.limits import Exceeded, Limits, solve_within
 from solver.papers.exam.drawing import Means, in_turn, search_of
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.scaling import scaled
@@ -22,6 +26,9 @@ from solver.tasks import catalogue
 
 Solutions = Mapping[int, Sequence[Solution]]
 """The solutions of the questions, in their order, by the number of a variant."""
+
+Worked = Mapping[tuple[int, int], Document | None]
+"""The worked solutions by variant and question."""
 
 
 def solutions_of(
@@ -71,3 +78,39 @@ def together(student: str, of_questions: Sequence[Marking]) -> Marking:
         replace(part, id=f"{number}.{part.id}") for number, each in enumerate(of_questions, 1) for part in each.parts
     )
     return Marking(student, parts, tuple(remark for each in of_questions for remark in each.remarks))
+
+
+def read_as(
+    papers: Sequence[ExamSubmission], solutions: Solutions, limits: Limits, templates: Path | None, executor: Executor
+) -> Iterator[Readings | Exceeded]:
+    """Yield how the values of each paper are read; their parts are called `2.a`."""
+    calls = [
+        (solution, submission, templates)
+        for paper in papers
+        for solution, submission in zip(solutions[paper.variant], paper.answers, strict=True)
+    ]
+    found = executor.in_order(limits, readings, calls)
+    for paper in papers:
+        of_questions: list[Readings | Exceeded] = [next(found) for _ in paper.answers]
+        stopped = next((each for each in of_questions if isinstance(each, Exceeded)), None)
+        read = [each for each in of_questions if isinstance(each, Readings)]
+        values = [replace(value, part=f"{n}.{value.part}") for n, each in enumerate(read, 1) for value in each.values]
+        remarks = tuple(remark for each in read for remark in each.remarks)
+        yield stopped or Readings(paper.student, tuple(values), remarks)
+
+
+def worked_of(solutions: Solutions, presentation: Presentation, limits: Limits, executor: Executor) -> Worked:
+    """Return the worked solutions, each worded once however many variants have it; None where it met its limit."""
+    places: dict[int, list[tuple[int, int]]] = {}
+    for variant, of_questions in solutions.items():
+        for number, solution in enumerate(of_questions, 1):
+            places.setdefault(id(solution), []).append((variant, number))
+    calls = [(solutions[variant][number - 1], presentation, number) for (variant, number), *_ in places.values()]
+    found = executor.in_order(limits, _worked, calls)
+    told = [(each, document) for each, document in zip(places.values(), found, strict=True)]
+    return {place: None if isinstance(document, Exceeded) else document for each, document in told for place in each}
+
+
+def _worked(solution: Solution, presentation: Presentation, number: int) -> Document:
+    """Return the worked solution of a question, without what is asked."""
+    return as_question(replace(document_of(solution, presentation), statement="", given=""), number)

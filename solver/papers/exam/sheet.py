@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 from solver.classroom import Marking
 from solver.classroom.report.sheet import Section, marked_sections
@@ -13,32 +14,44 @@ from solver.document.exam import ExamQuestion
 from solver.document.model import Document
 from solver.engine import Solution
 from solver.papers.exam.grades import Graded
+from solver.papers.exam.marking import Worked
 from solver.papers.exam.model import Exam
 from solver.render.page import rendered
 
 
 @dataclass(frozen=True, slots=True)
 class _Marked:
-    """A question on the sheet: its heading, what names for links begin with, its parts and its document."""
+    """A question on the sheet: its heading, what names for links begin with, its parts, its documents."""
 
     heading: str
     within: str
     marking: Marking
     sections: Sequence[Section]
     paper: Document
+    worked: Document | None
 
 
 def exam_sheet(
-    exam: Exam, graded: Graded, solutions: Sequence[Solution], templates: Path | None = None, *, key: bool = False
+    exam: Exam,
+    graded: Graded,
+    solutions: Sequence[Solution],
+    templates: Path | None = None,
+    *,
+    key: bool = False,
+    worked: Worked = MappingProxyType({}),
 ) -> str:
-    """Return the page to hand back for a file that was marked; with `key` it shows the right values too."""
+    """Return the page to hand back for a file that was marked.
+
+    With `key` it shows the right values too, and the worked solutions that there are below the questions.
+    """
     if graded.marking is None:
         raise ValueError("a file that cannot be read has no sheet")
     questions: list[_Marked] = []
     for question, marking, solution in zip(exam.questions, graded.of_questions, solutions, strict=True):
         sections, paper = marked_sections(solution, marking, templates, key=key)
         told = ExamQuestion(question.number, question.title, "", paper)
-        questions.append(_Marked(told.heading, told.within, marking, sections, paper))
+        own = worked.get((graded.variant, question.number))
+        questions.append(_Marked(told.heading, told.within, marking, sections, paper, own))
     messages = questions[0].paper.messages
     return rendered(
         "exam-sheet.html.jinja",
