@@ -1,7 +1,7 @@
 """Print the tables of speed targets: `python -m benchmarks [--quick] [GROUP]`.
 
 The groups are exponential, placement, mechanics, circuits, horizons, multivariable, transforms, classical,
-analog, command, class and growth.
+analog, command, class and growth; and, only where it is named, desk: a class of sixty from an empty folder to grades.
 
 `--quick` leaves out the entrywise inverse Laplace transform, which takes seconds at n = 10, and the table of growth.
 `--write` puts the tables that were measured into docs/performance.md.
@@ -19,6 +19,7 @@ from pathlib import Path
 from benchmarks import (
     analog,
     circuits,
+    class_of_sixty,
     classroom,
     command_line,
     finite_horizons,
@@ -107,11 +108,14 @@ def main() -> int:
         "analog",
         "command",
         "class",
+        "desk",
         "growth",
     )
     parser.add_argument("group", nargs="?", choices=groups)
     parser.add_argument("task", nargs="?", help="of the table of growth, one task only")
     chosen = parser.parse_args()
+    if chosen.group == "desk":
+        return class_of_sixty.main()
     print("times in ms: the least processor time (of whole processes: wall time), caches emptied before each run")
     print(f"load of the machine: {os.getloadavg()[0]:.1f}\n")
     met = True
