@@ -17,13 +17,18 @@ def check_texts(root: MappingNode, source: Source, report: Report) -> dict[str, 
     """Return the images of the statement and the prompts; report what is wrong with them and with formulas."""
     images: dict[str, Image] = {}
     for node in _texts(root):
-        for offset, message in math_problems(node.text):
-            with report:
-                raise _fault(node, offset, f"in a formula: {message}", source, ADVICE)
+        check_formulas(node, source, report)
         for address in images_in(node.text):
             with report:
                 images[address] = _image(address, node, source)
     return images
+
+
+def check_formulas(node: ScalarNode, source: Source, report: Report) -> None:
+    """Report what is wrong with the formulas of a text."""
+    for offset, message in math_problems(node.text):
+        with report:
+            raise _fault(node, offset, f"in a formula: {message}", source, ADVICE)
 
 
 def _image(address: str, node: ScalarNode, source: Source) -> Image:

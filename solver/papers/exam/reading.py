@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import re
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from solver.markup import images_in
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.scaling import marks_told
 from solver.papers.exam.shape import check_exam_shape
 from solver.papers.exam.students import read_students
 from solver.problem.files import load
+from solver.problem.hundredths import HUNDRED
 from solver.problem.lexicon import exact_number
 from solver.problem.members import written
 from solver.problem.nodes import TRUE, MappingNode, Node, ScalarNode, SequenceNode, whole_number
 from solver.problem.other_files import EXAM, mistaken
 from solver.problem.reader import problem_of, read_problem
 from solver.problem.source import Fault, InputError, Report, Source
+from solver.problem.texts import check_formulas
 from solver.problem.yaml_tree import parse_yaml
 from solver.tasks import catalogue
 
@@ -26,6 +31,8 @@ if TYPE_CHECKING:
 
 MOST_QUESTIONS = 60
 MOST_VARIANTS = 10_000
+MOST_MARKS = 10_000
+_DAY = re.compile(r"\d{4}-\d{1,2}-\d{1,2}")
 TEXTS = ("course", "date", "duration", "instructions")
 
 
@@ -80,6 +87,7 @@ class _ExamReader:
         questions = [self.question(number, item) for number, item in enumerate(items, 1)]
         students, count = self.variants()
         seed = self.whole("seed", self.root, 1, None, None)
+        self.cover()
         if self.report.diagnostics:
             self.others.insert(0, InputError(self.source, self.report.diagnostics))
         if self.others:
@@ -91,7 +99,28 @@ class _ExamReader:
     def text(self, key: str) -> str:
         """Return a text of the cover, or ""."""
         node = self.root.get(key)
-        return node.text.strip() if isinstance(node, ScalarNode) else ""
+        text = node.text.strip() if isinstance(node, ScalarNode) else ""
+        return text if key == "instructions" else " ".join(text.split())
+
+    def cover(self) -> None:
+        """Report what is wrong with the texts of the cover."""
+        with self.report:
+            if not self.text("exam"):
+                raise self.root["exam"].fault("the exam has no title")
+        day = self.text("date")
+        if _DAY.fullmatch(day):
+            with self.report:
+                try:
+                    date.fromisoformat(day)
+                except ValueError:
+                    raise self.root["date"].fault(f"there is no {day}: it is written year-month-day") from None
+        node = self.root.get("instructions")
+        if isinstance(node, ScalarNode):
+            check_formulas(node, self.source, self.report)
+            if images_in(node.text):
+                with self.report:
+                    note = "put them into the statement of a question"
+                    raise node.fault("the instructions of an exam have no images", note=note)
 
     def whole(self, key: str, holder: MappingNode, usual: int, least: int | None, most: int | None) -> int:
         """Return a whole number, the usual one where there is none or it is wrong."""
@@ -123,8 +152,10 @@ class _ExamReader:
             return None
         with self.report:
             value = exact_number(node)
-            if value <= 0:
-                raise node.fault("marks are a number greater than zero")
+            if not 0 < value <= MOST_MARKS:
+                raise node.fault(f"marks are a number greater than zero, and at most {MOST_MARKS}")
+            if (value * HUNDRED).q != 1:
+                raise node.fault("marks are told in hundredths at most", note="6.67, not 20/3")
             return value
         return None
 
@@ -166,7 +197,7 @@ class _ExamReader:
                 raise node.fault("either 'count' or 'students' is expected here", note="variants: {count: 4}")
         if named == ["students"]:
             try:
-                students = read_students(self.file(node["students"]))
+                students = read_students(self.file(_table(node["students"])))
                 return students, len(students)
             except InputError as error:
                 self.others.append(error)
@@ -174,6 +205,16 @@ class _ExamReader:
                 self.report.diagnostics.extend(fault.diagnostics)
             return (), 1
         return (), self.whole("count", node, 1, 1, MOST_VARIANTS)
+
+
+def _table(node: Node) -> Node:
+    """Return where a table is named; raises Fault for files that are none by their names."""
+    ending = Path(node.text.strip()).suffix.lower() if isinstance(node, ScalarNode) else ""
+    if ending in (".xlsx", ".xls", ".ods", ".numbers"):
+        raise node.fault("this is a spreadsheet: save it as CSV in UTF-8, and name that", note="students: class.csv")
+    if ending in (".yaml", ".yml", ".json"):
+        raise node.fault("a table (CSV) is expected here, its first column the students", note="students: class.csv")
+    return node
 
 
 __all__ = ["SeveralAtFault", "is_exam", "read_exam"]

@@ -21,7 +21,7 @@ def read_students(source: Source) -> tuple[str, ...]:
 
     Lines without a student are passed over. A student who is there twice is an error: who would get which paper?
     """
-    rows = csv.reader(io.StringIO(source.text, newline=""), delimiter=_delimiter(source.text))
+    rows = csv.reader(io.StringIO(source.text, newline=""), delimiter=_delimiter(source.text), strict=True)
     report, found, line = Report(), dict[str, int](), 1
     try:
         for row in rows:
@@ -31,7 +31,8 @@ def read_students(source: Source) -> tuple[str, ...]:
                 with report:
                     _add(name, first, found)
     except csv.Error as error:
-        raise InputError(source, [Diagnostic(f"it cannot be read as CSV: {error}", line, 1)]) from None
+        note = "a quote that is opened is closed; within quotes it is written twice"
+        raise InputError(source, [Diagnostic(f"it cannot be read as CSV: {error}", line, 1, note=note)]) from None
     if not report.diagnostics and not found:
         raise InputError(source, [Diagnostic("there is no student in the first column")])
     if not report.diagnostics and len(found) > MOST:
