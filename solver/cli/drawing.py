@@ -12,6 +12,7 @@ import click
 
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
 from solver.cli.executing import Workers
+from solver.cli.progress import same_screen
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, settle, source_of
 from solver.document.model import Presentation
 from solver.limits import Limits
@@ -127,6 +128,6 @@ def progress(count: int) -> Iterator[Callable[[int, int], None]]:
     from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
     columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bars:
+    with Progress(*columns, console=Console(stderr=True), transient=True, redirect_stdout=same_screen()) as bars:
         bar = bars.add_task("drawing", total=count)
         yield lambda draws, found: bars.update(bar, description=f"{draws} draws, {found} found", completed=found)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
 import click
+
+from solver.cli.destination import AtFault
 
 if TYPE_CHECKING:
     from solver.executors import Executor
@@ -42,7 +45,9 @@ class Workers:
         from solver.executors import Processes
 
         if self.engine == "dask":
-            raise click.UsageError("--engine dask is not there yet.")
+            from solver.executors.cluster import Cluster
+
+            return Cluster(self.scheduler, self.processes)
         return Processes(self.processes)
 
     def refuse_contradictions(self) -> None:
@@ -67,9 +72,24 @@ def executing(command: Callable[..., Any]) -> Callable[..., Any]:
     def with_workers(*arguments: Any, jobs: int | None, engine: str, scheduler: str | None, **options: Any) -> Any:
         workers = Workers(jobs, engine, scheduler)
         workers.refuse_contradictions()
-        return command(*arguments, workers=workers, **options)
+        with _in_words(engine):
+            return command(*arguments, workers=workers, **options)
 
     return with_workers
+
+
+@contextmanager
+def _in_words(engine: str) -> Iterator[None]:
+    """Turn what keeps a cluster from working into an error in words."""
+    if engine != "dask":
+        yield
+        return
+    from solver.executors import Unavailable
+
+    try:
+        yield
+    except Unavailable as error:
+        raise AtFault(str(error)) from None
 
 
 def usable_cores() -> int:

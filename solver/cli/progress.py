@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -33,7 +33,9 @@ class Meter:
         from rich.progress import Progress as Bars
 
         columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), BarColumn(), TimeElapsedColumn())
-        with Bars(*columns, console=Console(stderr=True), transient=True, auto_refresh=False) as bars:
+        with Bars(
+            *columns, console=Console(stderr=True), transient=True, auto_refresh=False, redirect_stdout=same_screen()
+        ) as bars:
             bar = bars.add_task(name, total=self.files)
 
             def notify(progress: Progress) -> None:
@@ -43,3 +45,24 @@ class Meter:
                 bars.refresh()
 
             yield notify
+
+
+@contextmanager
+def bar(what: str, total: int) -> Iterator[Callable[[], None]]:
+    """Show how many of some things are done, and the time left, on a terminal; yields what counts one more."""
+    if not sys.stderr.isatty():
+        yield lambda: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bars
+
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Bars(*columns, console=Console(stderr=True), transient=True, redirect_stdout=same_screen()) as bars:
+        task = bars.add_task(what, total=total)
+        yield lambda: bars.advance(task)
+
+
+def same_screen() -> bool:
+    """Whether what is printed goes to a terminal, as a bar does: rich would else print it on standard error, too."""
+    return sys.stdout.isatty()

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
 from solver.document.formats import FORMATS
 
@@ -83,6 +84,7 @@ TIME_LIMIT = click.option("--time-limit", metavar="SECONDS", type=Seconds(), def
 @TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part by each method.")  # fmt: skip
+@executing
 @click.option("-v", "--verbose", is_flag=True, help="List every check.")
 @click.pass_context
 def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
@@ -103,6 +105,7 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     time_limit: float,
     memory_limit: int,
     verbose: bool,
+    workers: Workers,
 ) -> None:
     """Solve each FILE and write the worked solution, beside the file unless -o says where.
 
@@ -120,7 +123,7 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     _refuse_to_watch(inputs.files, standard_output=destination.standard_output, port=port, watch=watch)
     told = ("json" in destination.formats, checks or "", not no_sources, known(language, templates, ctx), notation)
     presentation = Presentation(detail, templates, *told, pdf_engine=pdf_engine)
-    request = Request(inputs.files, destination, presentation, open_page, time_limit, memory_limit, verbose)
+    request = Request(inputs.files, destination, presentation, open_page, time_limit, memory_limit, verbose, workers)
     if watch:
         from solver.cli.watching import watch_problems
 

@@ -1,35 +1,41 @@
-"""The work of `solve problem.yaml`: read, solve within limits, write, report; one file after the other."""
+"""The work of `solve problem.yaml`: read, solve within limits, write, report; of many files `batch` has the work."""
 
 from __future__ import annotations
 
-import io
-import os
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING
 
 import click
 
-from solver.cli.bugs import report_bug
-from solver.cli.destination import STANDARD, AtFault, Destination, write_whole
+from solver.cli.destination import STANDARD, AtFault, Destination
+from solver.cli.executing import Workers
+from solver.cli.outcome import INPUT_AT_FAULT, SOLVED, UNSOLVED, Asked, Outcome, Screen, guarded, in_words, outcome_of
 from solver.cli.progress import Meter
-from solver.document.formats import FORMATS
 from solver.problem.source import Diagnostic, InputError, Source
 from solver.startup import begin_loading, end_loading, quiet_threads
-from solver.words import Phrase
+
+__all__ = [
+    "INPUT_AT_FAULT",
+    "SOLVED",
+    "UNSOLVED",
+    "Request",
+    "asked_of",
+    "in_words",
+    "settle",
+    "solve_files",
+    "source_of",
+]
 
 if TYPE_CHECKING:
-    from solver.document.model import Document, Presentation
+    from solver.document.model import Presentation
     from solver.problem.model import Problem
-
-SOLVED, UNSOLVED, INPUT_AT_FAULT = 0, 1, 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,17 +49,17 @@ class Request:
     time_limit: float
     memory_limit: int
     verbose: bool
+    workers: Workers = field(default_factory=Workers)
 
 
 def solve_files(request: Request) -> int:
     """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
     settle()
     if len(request.files) > 1:
-        from solver.limits.child import load_all_algebra
+        from solver.cli.batch import solve_many
 
-        load_all_algebra()  # once, and not in the child of each file
-    meter = Meter(len(request.files))
-    return max(_guarded(request, file, meter) for file in request.files)
+        return solve_many(request)
+    return max(_guarded(request, file, Meter(1)) for file in request.files)
 
 
 def settle() -> None:
@@ -82,23 +88,17 @@ def written_of(request: Request, file: str) -> tuple[int, list[Path]]:
 def _guarded(request: Request, file: str, meter: Meter) -> int:
     """Solve one file; whatever goes wrong becomes words on standard error and an exit code."""
     try:
-        return _solve(request, file, meter)
-    except InputError as error:
-        click.echo(error.render(), err=True)
-        return INPUT_AT_FAULT
-    except click.ClickException as error:
-        click.echo(f"{file}: error: {error.format_message()}", err=True)
-        return error.exit_code
-    except BrokenPipeError:
-        raise  # it concerns all files
-    except Exception as bug:  # noqa: BLE001 - the boundary of a file: a bug in one must not stop the rest
-        return report_bug(bug, file)
+        outcome, written = guarded(file, partial(_solve, request, file, meter)).deliver(file)
     finally:
         end_loading()
         meter.next_file()
+    code = outcome.tell()
+    if request.open_page and written:
+        _open(written)
+    return code
 
 
-def _solve(request: Request, file: str, meter: Meter) -> int:
+def _solve(request: Request, file: str, meter: Meter) -> Outcome:
     is_first = begin_loading()  # until `_rehearse` has loaded all, and the child
     import sympy.tensor.tensor  # noqa: F401 - here, so that the child has it too; the first sum needs the tensors
 
@@ -111,13 +111,14 @@ def _solve(request: Request, file: str, meter: Meter) -> int:
 
         problem = read_problem(source_of(file), catalogue())
         with meter.file(file) as notify:
-            rehearsal = partial(_rehearse, request, problem) if is_first else None
+            rehearsal = partial(_rehearse, request, file, problem) if is_first else None
             supervision = Supervision(notify, rehearsal, child)
             solved = solve_within(problem, limits, request.presentation, supervision)
-    return _deliver(request, file, solved.document("" if file == STANDARD else Path(file).name))
+    asked = asked_of(request, file, Screen.here())
+    return outcome_of(solved.document(asked.name), asked)
 
 
-def _rehearse(request: Request, problem: Problem) -> None:
+def _rehearse(request: Request, file: str, problem: Problem) -> None:
     """Load what writes the solution, while the child solves: write one whose first part is not solved.
 
     What is loaded then stays, and garbage is collected without looking at it.
@@ -130,18 +131,18 @@ def _rehearse(request: Request, problem: Problem) -> None:
     unsolved = PartResult(first.id, first.task, first.methods[0], Status.UNSOLVED)
     with suppress(AtFault):  # of what is wrong with templates it will be told with the solution itself
         document = document_of(Solution(problem, (unsolved,)), request.presentation)
-        for format_ in request.destination.formats:
-            if format_ != "pdf":
-                _rendered(document, format_)
-        if not request.destination.standard_output:
-            _print_summary(document, [], file=io.StringIO(), verbose=request.verbose)
+        asked = asked_of(request, file, Screen.here())
+        quick = {format_: path for format_, path in asked.paths.items() if format_ != "pdf"}
+        if quick or asked.formats != ("pdf",):
+            outcome_of(document, replace(asked, paths=quick))
     end_loading()
 
 
-def usable_cores() -> int:
-    """Return how many cores this process may use."""
-    usable: Callable[[int], Sequence[int] | set[int]] | None = getattr(os, "sched_getaffinity", None)
-    return len(usable(0)) if usable else os.cpu_count() or 1
+def asked_of(request: Request, file: str, screen: Screen) -> Asked:
+    """Return what is asked of a file."""
+    destination = request.destination
+    paths = destination.paths(file)
+    return Asked(file, destination.formats, paths, request.presentation, screen, request.verbose)
 
 
 def source_of(file: str) -> Source:
@@ -160,84 +161,10 @@ def source_of(file: str) -> Source:
     return source
 
 
-def _deliver(request: Request, file: str, document: Document) -> int:
-    """Write the solution in all formats and print the summary; return the exit code."""
-    for fault in dict.fromkeys(part.fault for part in document.parts if part.fault):
-        if request.presentation.templates is not None:  # a fault of ours leaves the part unsolved
-            raise AtFault(f"cannot make the solution: {fault}")
-    if request.destination.standard_output:
-        content = _rendered(document, request.destination.formats[0])
-        sys.stdout.buffer.write(content)
-        sys.stdout.flush()
-        _tell_what_is_wrong(document)
-        return _code(document)
-    written: list[Path] = []
-    codes = [_code(document)]
-    for format_, path in request.destination.paths(file).items():
-        try:
-            write_whole(path, _rendered(document, format_))
-            for name, content in FORMATS[format_].beside(document).items():
-                write_whole(path.with_name(name), content)
-            written.append(path)
-        except AtFault as fault:
-            click.echo(f"{file}: error: {fault.format_message()}", err=True)
-            codes.append(fault.exit_code)
-    _print_summary(document, written, verbose=request.verbose)
-    if request.open_page:
-        _open(written)
-    return max(codes)
-
-
-def _rendered(document: Document, format_: str) -> bytes:
-    with in_words(format_):
-        return document.rendered(format_)
-
-
-@contextmanager
-def in_words(what: str) -> Iterator[None]:
-    """Turn a fault of templates or of TeX into an error in words: it lies outside of the program."""
-    from jinja2 import TemplateError
-
-    from solver.render.pdf import PdfUnavailable
-
-    try:
-        yield
-    except (PdfUnavailable, TemplateError) as error:
-        raise AtFault(f"cannot make {what}: {error}") from error
-
-
-def _code(document: Document) -> int:
-    from solver.derivation import Status
-
-    return SOLVED if document.status is Status.VERIFIED else UNSOLVED
-
-
-def _tell_what_is_wrong(document: Document) -> None:
-    """Say on standard error which parts are not verified."""
-    from solver.derivation import Status
-
-    for part in document.parts:
-        if part.status is not Status.VERIFIED:
-            say = document.messages.say
-            head = say(Phrase("part {id} ({method})", id=part.id, method=part.method))
-            click.echo(f"{head}: {say(part.status)}: {part.reason}", err=True)
-
-
-def _print_summary(document: Document, written: list[Path], *, verbose: bool, file: TextIO | None = None) -> None:
-    from rich.console import Console
-
-    from solver.render.terminal import WIDTH, print_summary
-
-    console = Console(file=file, highlight=False, width=None if sys.stdout.isatty() else WIDTH, soft_wrap=False)
-    print_summary(document, console, verbose=verbose)
-    for path in written:
-        click.echo(document.messages.say(Phrase("wrote {path}", path=path)))
-
-
 def _open(written: list[Path]) -> None:
     """Open the page (or the first file written) in a browser."""
     import webbrowser
 
     pages = [path for path in written if path.suffix == ".html"] or written
-    if pages and not webbrowser.open(pages[0].resolve().as_uri()):
+    if not webbrowser.open(pages[0].resolve().as_uri()):
         click.echo(f"no browser could be started; open {pages[0]} yourself", err=True)

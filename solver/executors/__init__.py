@@ -5,7 +5,7 @@ results, or `Exceeded` for a call that met its limit. Who makes the calls is dec
 the command.
 """
 
-from solver.executors.executor import Arguments, Executor
+from solver.executors.executor import Arguments, Executor, Unavailable
 from solver.executors.processes import Processes
 
-__all__ = ["Arguments", "Executor", "Processes"]
+__all__ = ["Arguments", "Executor", "Processes", "Unavailable"]

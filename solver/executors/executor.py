@@ -11,6 +11,10 @@ from solver.limits import Limits
 Arguments = tuple[Any, ...]
 
 
+class Unavailable(Exception):  # noqa: N818 - said to the user; no error of the program
+    """Who is to make the calls is not there; the message says why, in words."""
+
+
 class Executor(ABC):
     """Makes calls within limits, as many at a time as there are `jobs`; who leaves its context ends what it started."""
 
