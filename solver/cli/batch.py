@@ -7,7 +7,7 @@ again, each part within its own limits, so that only the part that is stuck is l
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.cli.outcome import INPUT_AT_FAULT, Asked, Outcome, Screen, guarded, outcome_of
@@ -24,6 +24,10 @@ if TYPE_CHECKING:
 
 SLACK = 60.0
 """So many seconds more than all its parts may take, a file that is solved part by part may take: to be written."""
+
+
+UNLIMITED = 2**20
+"""So many megabytes are more than there are."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +84,7 @@ def _outcomes(executor: Executor, files: Sequence[File], limits: Limits) -> Iter
         else:
             yield files[place].place, outcome
     units = max((sum(1 + len(part.methods) for part in file.problem.parts) for file in left), default=0)
-    wide = replace(limits, seconds=limits.seconds * units + SLACK)
+    wide = Limits(limits.seconds * units + SLACK, UNLIMITED)  # its children keep the limits
     for place, outcome in executor.calls(wide, solve_by_parts, [(file, limits) for file in left]):
         file = left[place]
         if isinstance(outcome, Exceeded):
