@@ -275,3 +275,17 @@ def test_the_worked_solution_of_the_own_variant_stands_on_the_sheet(solve, hand_
         names = re.findall(r'\bid="([^"]*)"', page)
         assert len(names) == len(set(names))
         assert set(re.findall(r'href="#([^"]*)"', page)) <= set(names)
+
+
+def test_the_layouts_of_sheets_and_reports_can_be_replaced(solve, hand_in, gains, tmp_path):
+    hand_in({"anna.yaml": answers("student: A<b>\nvariant: 1", gains[0])})
+    (tmp_path / "own" / "html").mkdir(parents=True)
+    for name, text in (
+        ("exam-sheet", "{{ marking.student }}: {{ number(marking.marks) }}"),
+        ("report", "{{ marked }}"),
+    ):
+        (tmp_path / "own" / "html" / f"{name}.html.jinja").write_text(text, "utf-8")
+    told = ("-f", "html", "-o", "sheets/", "--report", "r.html", "--templates", "own", "--jobs", 1)
+    assert solve("check", "exam.yaml", "in", *told).code == 0
+    assert (tmp_path / "sheets" / "anna.marked.html").read_text("utf-8") == "A&lt;b&gt;: 36.66"
+    assert (tmp_path / "r.html").read_text("utf-8") == "1"

@@ -10,6 +10,7 @@ import solver
 from solver.papers.generator import hashed
 from solver.problem.source import Source
 from solver.problem.yaml_tree import parse_yaml
+from solver.render import pdf
 from tests.papers.conftest import FAMILY
 from tests.papers.exams import EXAM, PROBLEM, write_exam
 
@@ -197,3 +198,69 @@ def test_a_rerun_keeps_what_students_wrote(solve, tmp_path):
     paper = (tmp_path / "build" / "papers" / "paper-1.html").read_text("utf-8")
     assert '<html lang="de">' in paper
     assert "Variante" in paper
+
+
+ONE = """\
+exam: One question
+questions:
+  - marks: {marks}
+    problem: {{system: {{A: [[0, 1], [-2, -3]], B: [0, 1]}}, find: {{a: stability, b: controllability}}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("marks", "shown"), [("0.5", ["0.5", "0.25", "0.25"]), ("0.01", ["0.01", "0.01", "0"]), ("7", ["7", "3.5", "3.5"])]
+)
+def test_halves_and_hundredths_are_told_as_they_are(solve, tmp_path, marks, shown):
+    (tmp_path / "exam.yaml").write_text(ONE.format(marks=marks), "utf-8")
+    done = solve("exam", "exam.yaml", "-o", "build", "--space", "10", "--jobs", 1)
+    assert done.code == 0, done.err
+    assert "1 question, one paper, all verified" in done.out
+    paper = (tmp_path / "build" / "papers" / "paper-1.html").read_text("utf-8")
+    told = re.findall(r'<span class="marks">([\d.]+) marks?</span>', paper)
+    assert told == shown
+    space = [max(20, 10 * float(each)) for each in shown[1:]]
+    assert re.findall(r'class="room" style="height: (\d+)mm"', paper) == [f"{each:.0f}" for each in space]
+
+
+def test_standard_input_is_an_exam_of_the_current_folder(process, tmp_path):
+    write_exam(tmp_path, "")
+    text = EXAM.replace("problem: family", "problem: step").replace("count: 2", "count: 1")
+    done = process("exam", "-", "--jobs", "1", stdin=text.encode())
+    assert done.code == 0, done.err
+    assert (tmp_path / "solution-papers" / "papers" / "paper-1.html").exists()
+    sheet = (tmp_path / "solution-papers" / "answers" / "answers-1.yaml").read_text("utf-8")
+    assert "\nexam:" not in sheet
+    wrong = process("exam", "-", stdin=text.replace("step.yaml", "stp.yaml").encode())
+    assert wrong.code == 2
+    assert "<standard input>:8:15: error: 'stp.yaml': there is no such file" in wrong.err
+
+
+def test_thirty_questions_have_thirty_headings(solve, tmp_path):
+    one = "  - problem: {system: {A: [[0, 1], [-2, -3]]}, find: {a: stability}}\n"
+    (tmp_path / "exam.yaml").write_text("exam: Many\nquestions:\n" + one * 30, "utf-8")
+    assert solve("exam", "exam.yaml", "-o", "build", "-f", "html,latex", "--jobs", 1).code == 0
+    key = (tmp_path / "build" / "keys" / "key-1.html").read_text("utf-8")
+    assert key.count('<section class="exam-question') == 30
+    assert "30 marks" in key
+
+
+def test_without_an_engine_the_message_says_how_to_print(solve, exam, monkeypatch, tmp_path):
+    monkeypatch.setattr(pdf, "_tex", list)
+    monkeypatch.setattr(pdf, "_has_typst", lambda: False)
+    done = solve("exam", exam, "-o", "build", "-f", "pdf")
+    assert done.code == 2
+    assert "write HTML (-f html) and print it from a browser" in done.err
+    assert not (tmp_path / "build").exists()
+
+
+@pytest.mark.usefixtures("typst")
+def test_pdfs_are_written_by_the_engine_that_is_named(solve, tmp_path):
+    text = EXAM.replace("problem: family", "problem: step").replace("count: 2", "students: class.csv")
+    write_exam(tmp_path, text)
+    (tmp_path / "class.csv").write_text('"Doe, #Jo $"\n李明\n', "utf-8")
+    done = solve("exam", "exam.yaml", "-o", "build", "-f", "pdf", "--pdf-engine", "typst", "--jobs", 1)
+    assert done.code == 0, done.err
+    assert "the fonts of the PDFs lack letters of 李明; they are named there, and HTML has them" in done.err
+    for kind in ("paper", "key"):
+        assert b"pdfuaid:part" in (tmp_path / "build" / f"{kind}s" / f"{kind}-Doe-Jo.pdf").read_bytes()

@@ -161,3 +161,9 @@ def test_a_german_report_has_no_english_word(exam):
     assert not words & english
     assert {"Trennschärfe", "Gemeinsame", "Lösungsquote"} <= words
     assert '<html lang="de">' in page
+
+
+def test_the_layouts_of_the_report_and_the_sheet_can_be_replaced(exam, tmp_path):
+    (tmp_path / "html").mkdir()
+    (tmp_path / "html" / "report.html.jinja").write_text("<p>{{ exam.title }}, {{ statistics.mean }}</p>", "utf-8")
+    assert report_page(exam, [graded("a", (1, 2))], {}, tmp_path) == "<p>Test, 3.0</p>"
