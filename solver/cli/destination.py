@@ -106,6 +106,16 @@ def write_whole(path: Path, content: bytes) -> None:
         raise AtFault(f"cannot write {path}: {error.strerror or error}; say with -o where to write") from None
 
 
+def write_changed(path: Path, content: bytes) -> None:
+    """Write a file as `write_whole` does, unless it holds just that: then it keeps its time."""
+    try:
+        unchanged = path.is_file() and path.stat().st_size == len(content) and path.read_bytes() == content
+    except OSError:
+        unchanged = False
+    if not unchanged:
+        write_whole(path, content)
+
+
 def _replace(path: Path, content: bytes) -> None:
     """Write beside the file, then put it in place; what is not a regular file (/dev/null, a pipe) is written to."""
     if path.exists() and not path.is_file():

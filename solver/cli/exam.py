@@ -9,7 +9,7 @@ from click.core import ParameterSource
 
 from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
-from solver.cli.run import DETAILS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
+from solver.cli.run import AGAIN, DETAILS, PDF_ENGINE, TEMPLATES, TIME_LIMIT, FormatList
 
 FORMATS = ("html", "pdf", "latex")
 EXPORTS = ("moodle", "qti", "canvas")
@@ -49,6 +49,7 @@ class ExportList(FormatList):
 @LANGUAGE
 @NOTATION
 @executing
+@AGAIN
 @TIME_LIMIT
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each question.")  # fmt: skip
@@ -67,6 +68,7 @@ def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     language: str | None,
     notation: str | None,
     workers: Workers,
+    again: bool,
     time_limit: float,
     memory_limit: int,
 ) -> None:
@@ -91,4 +93,5 @@ def exam(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     spoken = known(language, templates, ctx)
     told = Presentation(detail, templates, language=spoken, notation=notation, pdf_engine=pdf_engine)
     limits = Limits(time_limit, memory_limit)
-    ctx.exit(write_exam(Order(exam, formats, output, told, limits, draws, workers, space, exports or ())))
+    order = Order(exam, formats, output, told, limits, draws, workers, space, exports or (), again)
+    ctx.exit(write_exam(order))

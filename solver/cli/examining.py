@@ -11,20 +11,25 @@ from pathlib import Path
 import click
 
 from solver.classroom.reading.answer_file import is_blank, root_of_answers
-from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_whole
+from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_changed
 from solver.cli.drawing import progress
 from solver.cli.executing import Workers
 from solver.cli.exporting import write_exports
+from solver.cli.kept import Record, hash_of_folder, key_of
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
+from solver.cli.store import Store
 from solver.document.model import Presentation
 from solver.limits import Limits
 from solver.papers.exam.drawing import Drawn, Means, drawn, shared
-from solver.papers.exam.making import ANSWERS, answer_file, files_of, variants_table
+from solver.papers.exam.making import ANSWERS, answer_file, facts_of_paper, files_of, variants_table
 from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
 from solver.problem.nodes import MappingNode
 from solver.problem.source import InputError
 from solver.render import pdf
+
+PAPER = "paper "
+"""Names of papers in the record begin so."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +45,7 @@ class Order:
     workers: Workers
     space: float | None = None
     exports: tuple[str, ...] = ()
+    again: bool = False
 
     @property
     def folder(self) -> Path:
@@ -64,12 +70,18 @@ def write_exam(order: Order) -> int:
     except InputError as error:
         click.echo(error.render(), err=True)
         return INPUT_AT_FAULT
-    with order.workers.executor() as executor:
+    store = Store(order.folder, order.presentation.templates, anew=order.again)
+    with order.workers.executor() as executor, Record(order.folder, anew=order.again) as record:
         space = None if order.space is None else Fraction(str(order.space))
-        return _make(order, exam, Means(order.presentation, order.limits, executor, order.draws, space))
+        means = Means(order.presentation, order.limits, executor, order.draws, space, store)
+        code = _make(order, exam, means, record)
+        if code == SOLVED:
+            store.forget_others()
+            record.forget_others(lambda name: name.startswith(PAPER))
+        return code
 
 
-def _make(order: Order, exam: Exam, means: Means) -> int:
+def _make(order: Order, exam: Exam, means: Means, record: Record) -> int:
     """Draw the variants and write them; return the exit code."""
     try:
         with progress(len(exam.variants)) as tell:
@@ -78,16 +90,25 @@ def _make(order: Order, exam: Exam, means: Means) -> int:
         click.echo(error.render(), err=True)
         click.echo("nothing was written: every question of every variant must be verified", err=True)
         return UNSOLVED
-    return write_exports(order, exam, variants, means) if order.exports else _write(order, exam, variants, means)
+    if order.exports:
+        return write_exports(order, exam, variants, means)
+    return _write(order, exam, variants, means, record)
 
 
-def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means: Means) -> int:
+def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means: Means, record: Record) -> int:
     code = SOLVED
-    for files in files_of(exam, variants, order.formats, means):
+    told, engine = order.presentation, pdf.chosen(order.presentation.pdf_engine) if "pdf" in order.formats else ""
+    keys = {
+        pair[0].label: key_of(hash_of_folder(told.templates), engine, facts_of_paper(exam, *pair, order.formats, means))
+        for pair in zip(exam.variants, variants, strict=True)
+    }
+    for files in files_of(exam, variants, order.formats, means, lambda each: _is_there(record, each.label, keys)):
         if files.fault:
             click.echo(f"{files.variant.label}: error: cannot make the paper: {files.fault}", err=True)
             code = INPUT_AT_FAULT
         _write_all(order, files.contents)
+        if not files.fault and not files.unchanged:
+            record.put(PAPER + files.variant.label, keys[files.variant.label], files.contents, {})
     named = "" if order.file == STANDARD else _seen_from(order.folder / ANSWERS, Path(order.file))
     sheets = {
         f"{ANSWERS}/answers-{variant.label}.yaml": answer_file(exam, named, variant, questions).encode()
@@ -109,6 +130,11 @@ def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means:
     return code
 
 
+def _is_there(record: Record, label: str, keys: Mapping[str, str]) -> bool:
+    """Whether paper and key of a variant were made of the same as now, and are as they were."""
+    return record.get(PAPER + label, keys[label]) is not None
+
+
 def _without_glyphs(exam: Exam, wanted: str | None) -> str:
     """Return the students whose names a PDF cannot show as they are written."""
     lacking = [each for each in exam.students if not pdf.shows(each, wanted)]
@@ -121,7 +147,7 @@ def _write_all(order: Order, contents: Mapping[str, bytes]) -> None:
         path = order.folder / name
         if path.resolve() == read:
             raise AtFault(f"{path} is the exam itself; it is not overwritten")
-        write_whole(path, content)
+        write_changed(path, content)
 
 
 def is_filled(path: Path) -> bool:

@@ -20,6 +20,8 @@ TEMPLATES = click.option("--templates", metavar="DIR",
                          type=click.Path(exists=True, file_okay=False, resolve_path=True, path_type=Path),
                          help="Templates that take precedence over the program's own.")  # fmt: skip
 
+AGAIN = click.option("--again", is_flag=True, help="Make all again, also what is there and unchanged.")
+
 
 class FormatList(click.ParamType[tuple[str, ...]]):
     """Some of the output formats, separated by commas; `others` are names that stand beside those of a solution."""

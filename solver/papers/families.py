@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from pathlib import PurePath
-from typing import Any
+from typing import Any, Protocol
 
 from solver.derivation import Status
 from solver.document.formats import FORMATS
 from solver.document.model import Presentation
 from solver.document.works import document_of
 from solver.engine import solve_problem
+from solver.executors import Arguments, Executor
 from solver.limits import Exceeded, Limits
 from solver.papers.difficulty import Difficulty, difficulty_of
 from solver.papers.judging import Rejection
@@ -65,8 +66,23 @@ def family_of(problem: Problem) -> Family:
     return problem.family
 
 
+class Memory(Protocol):
+    """Knows what was made before of the texts of members."""
+
+    def get(self, text: str) -> Made | None:
+        """Return what was made of a text, None where that is not known."""
+
+    def put(self, text: str, made: Made) -> None:
+        """Keep what was made."""
+
+
 def members(
-    search: Search, count: int, wanted: Wanted, name: str, make: Callable[[str, str, Any], Made] | None = None
+    search: Search,
+    count: int,
+    wanted: Wanted,
+    name: str,
+    make: Callable[[str, str, Any], Made] | None = None,
+    memory: Memory | None = None,
 ) -> Iterator[Member]:
     """Yield members until there are as many as wanted, fewer where the search ends before.
 
@@ -77,13 +93,26 @@ def members(
         calls = [(each.text, search.source.name, wanted) for each in some]
         parts = sum(len(part.methods) for part in some[0].problem.parts)
         limits = replace(wanted.limits, seconds=wanted.limits.seconds * parts)
-        results: dict[int, Any] = dict(search.executor.calls(limits, make or made, calls))
+        results = dict(enumerate(all_made(search.executor, limits, make or made, calls, memory)))
         for place, candidate in enumerate(some):
             if (why := _wrong(results[place])) is not None:
                 search.take_back(why)
                 continue
             found += 1
             yield _member(found, f"{name}-{found:0{width}}", candidate, results[place], search)
+
+
+def all_made(
+    executor: Executor, limits: Limits, make: Callable[..., Made], calls: Sequence[Arguments], memory: Memory | None
+) -> list[Any]:
+    """Return what is made of texts, or Exceeded, in their order; a call begins with the text. What is known is kept."""
+    results: list[Any] = [memory.get(call[0]) if memory else None for call in calls]
+    left = [place for place, result in enumerate(results) if result is None]
+    for number, result in executor.calls(limits, make, [calls[place] for place in left]):
+        results[left[number]] = result
+        if memory and isinstance(result, Made) and result.status is Status.VERIFIED:
+            memory.put(calls[left[number]][0], result)
+    return results
 
 
 def _wrong(result: Made | Exceeded) -> Rejection | None:

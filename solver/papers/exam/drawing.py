@@ -13,7 +13,8 @@ from solver.executors import Executor, Processes
 from solver.limits import Exceeded, Limits
 from solver.papers.exam.model import Exam, Question
 from solver.papers.exam.telling import Asked, QuestionMade, question_made
-from solver.papers.families import members
+from solver.papers.families import Made, all_made, members
+from solver.papers.kept import NOTHING, Kept, MadeBefore, drawn_before, facts_of, keep_drawn
 from solver.papers.search import MOST_DRAWS, Search, Tell
 from solver.papers.telling import shortage
 from solver.problem.source import InputError
@@ -23,7 +24,8 @@ from solver.problem.source import InputError
 class Means:
     """How papers are made: how the key is told, what a part may take, who makes the calls, how many draws.
 
-    `space` are the millimetres left blank for each mark of a part; None leaves no space for answers.
+    `space` are the millimetres left blank for each mark of a part; None leaves no space for answers. `kept` knows what
+    was made before.
     """
 
     presentation: Presentation = field(default_factory=lambda: Presentation("key"))
@@ -31,6 +33,7 @@ class Means:
     executor: Executor = field(default_factory=Processes)
     draws: int = MOST_DRAWS
     space: Fraction | None = None
+    kept: Kept = NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,12 +64,19 @@ def drawn(exam: Exam, means: Means, tell: Tell = lambda _draws, _found: None) ->
 
 def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tuple[Question, QuestionMade]]:
     """Yield what was made of the questions that are the same in all variants; raises InputError."""
-    calls = [(each.source.text, each.source.name, _asked(each, means)) for each in questions]
-    parts = max((_parts(each) for each in questions), default=1)
-    results = dict[int, Any](means.executor.calls(_limits(means, parts), question_made, calls))
+    results = dict[int, Any]()
+    for question in questions:
+        results[question.number] = _memory(question, means).get(question.source.text)
+    new = [each for each in questions if results[each.number] is None]
+    calls = [(each.source.text, each.source.name, asked_of(each, means)) for each in new]
+    parts = max((_parts(each) for each in new), default=1)
+    for place, result in means.executor.calls(_limits(means, parts), question_made, calls):
+        results[new[place].number] = result
+        if isinstance(result, QuestionMade) and result.status is Status.VERIFIED:
+            _memory(new[place], means).put(new[place].source.text, result)
     wrong = []
-    for place, question in enumerate(questions):
-        result = results[place]
+    for question in questions:
+        result = results[question.number]
         if isinstance(result, Exceeded):
             wrong.append(question.node.diagnostic(f"question {question.number} cannot be solved: {result.reason}"))
         elif result.status is not Status.VERIFIED:
@@ -81,12 +91,36 @@ def _alike(exam: Exam, questions: list[Question], means: Means) -> Iterator[tupl
 def _members(exam: Exam, question: Question, count: int, means: Means, tell: Tell) -> list[Drawn]:
     """Return the members of a family for the variants in order, as `in_turn` does."""
     search = search_of(exam, question, means, tell)
-    found: list[Drawn] = []
-    for each in members(search, count, _asked(question, means), f"question-{question.number}", question_made):
-        if not isinstance(each.made, QuestionMade):
-            raise AssertionError("`question_made` makes questions")
-        found.append(Drawn(question, each.values, each.text, each.made))
+    found = _drawn_before(question, search, count, means)
+    if not found:
+        asked, name = asked_of(question, means), f"question-{question.number}"
+        new = list(members(search, count, asked, name, question_made, _memory(question, means)))
+        keep_drawn(means.kept, search, count, new)
+        found = [Drawn(question, each.values, each.text, _question(each.made)) for each in new]
     return in_turn(exam, question, search, found, count)
+
+
+def _drawn_before(question: Question, search: Search, count: int, means: Means) -> list[Drawn]:
+    """Return the members that the same search found before; none where they must be searched."""
+    drawn_then = drawn_before(means.kept, search, count)
+    calls = [(text, question.source.name, asked_of(question, means)) for _, text in drawn_then]
+    limits = _limits(means, _parts(question))
+    made = all_made(means.executor, limits, question_made, calls, _memory(question, means))
+    if not all(isinstance(each, QuestionMade) and each.status is Status.VERIFIED for each in made):
+        return []  # a limit was met, say: the search says it
+    return [Drawn(question, values, text, each) for (values, text), each in zip(drawn_then, made, strict=True)]
+
+
+def _question(made: Made) -> QuestionMade:
+    if not isinstance(made, QuestionMade):
+        raise AssertionError("`question_made` makes questions")
+    return made
+
+
+def _memory(question: Question, means: Means) -> MadeBefore[QuestionMade]:
+    """Return what knows what was made of the texts of a question."""
+    facts = facts_of(question.problem, question.source.name, asked_of(question, means))
+    return MadeBefore(means.kept, QuestionMade, facts)
 
 
 Drew = TypeVar("Drew")
@@ -121,7 +155,8 @@ def search_of(exam: Exam, question: Question, means: Means, tell: Tell = lambda 
     return Search(question.source, family, exam.seed_of(question), means.limits, means.draws, means.executor, tell)
 
 
-def _asked(question: Question, means: Means) -> Asked:
+def asked_of(question: Question, means: Means) -> Asked:
+    """Return what is wanted of a question."""
     return Asked((), means.presentation, means.limits, False, question.number, question.marks)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,9 +13,10 @@ from solver.classroom.report.table import harmless
 from solver.document.exam import ExamDocument, ExamQuestion
 from solver.document.model import Document, Presentation
 from solver.limits import Exceeded, Limits
-from solver.papers.exam.drawing import Drawn, Means
+from solver.papers.exam.drawing import Drawn, Means, asked_of
 from solver.papers.exam.model import Exam, Variant
 from solver.papers.exam.scaling import scaled
+from solver.papers.kept import facts_of
 from solver.render.exam import EXAM_FORMATS
 from solver.render.numbers import NumberFormat
 from solver.words import Phrase
@@ -26,22 +27,52 @@ PAPERS, KEYS, ANSWERS = "papers", "keys", "answers"
 
 @dataclass(frozen=True, slots=True)
 class Files:
-    """The files of a variant by their paths below the folder of the exam, or why there are none."""
+    """The files of a variant by their paths below the folder of the exam, or why there are none.
+
+    Where they are there already, `unchanged`, there are no contents.
+    """
 
     variant: Variant
     contents: Mapping[str, bytes]
     fault: str = ""
+    unchanged: bool = False
 
 
-def files_of(exam: Exam, variants: Sequence[Sequence[Drawn]], formats: Sequence[str], means: Means) -> Iterator[Files]:
-    """Yield the papers and the keys in all formats, in the order of the variants; they are written by processes."""
+def files_of(
+    exam: Exam,
+    variants: Sequence[Sequence[Drawn]],
+    formats: Sequence[str],
+    means: Means,
+    is_there: Callable[[Variant], bool] = lambda _: False,
+) -> Iterator[Files]:
+    """Yield the papers and the keys in all formats, in the order of the variants; they are written by processes.
+
+    Those that are there already are not written again.
+    """
+    pairs = list(zip(exam.variants, variants, strict=True))
+    there = {variant.label for variant in exam.variants if is_there(variant)}
     calls = [(paper_of(exam, *pair, means), key_of(exam, *pair, means), pair[0].label, tuple(formats))
-             for pair in zip(exam.variants, variants, strict=True)]  # fmt: skip
+             for pair in pairs if pair[0].label not in there]  # fmt: skip
     limits = Limits(means.limits.seconds * 2 * len(exam.questions), means.limits.megabytes)
-    for variant, result in zip(exam.variants, means.executor.in_order(limits, _written, calls), strict=True):
-        is_there = not isinstance(result, Exceeded | str)
-        fault = "" if is_there else getattr(result, "reason", result)
-        yield Files(variant, result if is_there else {}, str(fault))
+    results = means.executor.in_order(limits, _written, calls)
+    for variant in exam.variants:
+        if variant.label in there:
+            yield Files(variant, {}, unchanged=True)
+            continue
+        result = next(results)
+        is_written = not isinstance(result, Exceeded | str)
+        fault = "" if is_written else getattr(result, "reason", result)
+        yield Files(variant, result if is_written else {}, str(fault))
+
+
+def facts_of_paper(
+    exam: Exam, variant: Variant, questions: Sequence[Drawn], formats: Sequence[str], means: Means
+) -> Any:
+    """Return what the paper and the key of a variant depend on."""
+    asked = [(facts_of(each.question.problem, each.question.source.name, asked_of(each.question, means)), each.text,
+              each.question.title, each.question.page_break) for each in questions]  # fmt: skip
+    cover = (exam.title, exam.course, exam.date, exam.duration, exam.instructions, len(exam.variants))
+    return [asked, cover, variant.number, variant.student, list(formats), repr(means.presentation), str(means.space)]
 
 
 def _written(paper: ExamDocument, key: ExamDocument, label: str, formats: Sequence[str]) -> dict[str, bytes] | str:

@@ -1,0 +1,107 @@
+"""What was found before, by all it depends on: so an exam of which one question changed is not solved anew.
+
+Who keeps it, and where, the command line decides; here nothing is kept. What is kept is plain data (see `plain`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Generic, Protocol, TypeVar
+
+from solver.limits import Limits
+from solver.papers.families import Made, Member, Wanted
+from solver.papers.plain import NotPlain, as_plain, of_plain
+from solver.papers.search import Search
+from solver.problem.model import Problem
+
+Kind = TypeVar("Kind", bound=Made)
+HEADING = re.compile(r"\A(?:#.*\n)+")
+
+
+class Kept(Protocol):
+    """Keeps plain data by the facts on which they depend; the program and its templates need not be told."""
+
+    def get(self, *facts: Any) -> Any:
+        """Return what was put for the same facts, None where there is nothing, or nothing that can be read."""
+
+    def put(self, data: Any, *facts: Any) -> None:
+        """Keep data."""
+
+
+class NothingKept:
+    """Keeps nothing."""
+
+    def get(self, *facts: Any) -> Any:
+        """Return None."""
+
+    def put(self, data: Any, *facts: Any) -> None:
+        """Do nothing."""
+
+
+NOTHING = NothingKept()
+
+
+@dataclass(frozen=True)
+class MadeBefore(Generic[Kind]):
+    """What was made of problems by their texts, for one thing that is wanted of them."""
+
+    kept: Kept
+    kind: type[Kind]
+    facts: tuple[Any, ...]
+
+    def get(self, text: str) -> Kind | None:
+        """Return what was made of a text, None where that is not known."""
+        data = self.kept.get("made", _without_heading(text), *self.facts)
+        if data is None:
+            return None
+        try:
+            found = of_plain(data)
+        except NotPlain:
+            return None
+        return found if isinstance(found, self.kind) else None
+
+    def put(self, text: str, made: Made) -> None:
+        """Keep what was made of a text, if it is plain data."""
+        try:
+            self.kept.put(as_plain(made), "made", _without_heading(text), *self.facts)
+        except NotPlain:  # it is made again
+            return
+
+
+def _without_heading(text: str) -> str:
+    """Return a text without the comments on top: a member has its heading there only when it is one."""
+    return HEADING.sub("", text, count=1)
+
+
+def facts_of(problem: Problem, name: str, wanted: Wanted) -> tuple[Any, ...]:
+    """Return what is made of a problem depends on, beside its text: its name, its pictures, and what is wanted."""
+    pictures = {address: image.file_name for address, image in sorted(problem.images.items())}
+    return name, pictures, repr(replace(wanted, limits=Limits()))
+
+
+def drawn_before(kept: Kept, search: Search, count: int) -> Sequence[tuple[Mapping[str, str], str]]:
+    """Return the values and texts of so many members that the same search found before; nothing where it is new.
+
+    The search then tells what it took.
+    """
+    data = kept.get(*_facts_of_search(search, count))
+    try:
+        found = [
+            ({str(name): str(each) for name, each in values.items()}, str(text)) for values, text in data["members"]
+        ]
+        search.draws, search.found = int(data["draws"]), len(found)
+    except (TypeError, KeyError, ValueError, AttributeError):
+        return []
+    return found
+
+
+def keep_drawn(kept: Kept, search: Search, count: int, members: Sequence[Member]) -> None:
+    """Keep the members that a search found."""
+    data = {"draws": search.draws, "members": [[dict(each.values), each.text] for each in members]}
+    kept.put(data, *_facts_of_search(search, count))
+
+
+def _facts_of_search(search: Search, count: int) -> tuple[Any, ...]:
+    return "drawn", search.source.name, search.source.text, search.seed, search.most, count

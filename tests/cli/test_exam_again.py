@@ -1,0 +1,161 @@
+"""An exam made again: what is there and unchanged stays, a question that changed changes the papers that have it."""
+
+import json
+import shutil
+
+import pytest
+
+from solver.cli.kept import hash_of_folder
+from solver.executors import Processes
+from solver.resources import root
+from tests.papers.exams import EXAM, PROBLEM, write_exam
+
+OUT = "exam-papers"
+
+
+@pytest.fixture
+def solved(monkeypatch):
+    """Note which functions are called in processes, with the texts of questions and the labels of papers."""
+    noted = []
+    calls = Processes.calls
+
+    def noting(self, limits, function, these):
+        these = list(these)
+        noted.extend((function.__name__, each[2] if function.__name__ == "_written" else each[0]) for each in these)
+        return calls(self, limits, function, these)
+
+    monkeypatch.setattr(Processes, "calls", noting)
+    return noted
+
+
+def state(folder):
+    """The bytes and times of all that is not hidden."""
+    files = sorted(
+        each for each in folder.rglob("*") if each.is_file() and ".solve" not in str(each.relative_to(folder))
+    )
+    return {str(each.relative_to(folder)): (each.read_bytes(), each.stat().st_mtime_ns) for each in files}
+
+
+def bytes_of(folder):
+    return {name: content for name, (content, _) in state(folder).items()}
+
+
+def test_nothing_is_solved_or_written_again(solve, tmp_path, solved):
+    write_exam(tmp_path)
+    first = solve("exam", "exam.yaml")
+    assert first.code == 0
+    assert solved
+    before = state(tmp_path / OUT)
+    solved.clear()
+    again = solve("exam", "exam.yaml")
+    assert again == first
+    assert not solved
+    assert state(tmp_path / OUT) == before
+    assert solve("exam", "exam.yaml", "--again") == first
+    assert {name for name, _ in solved} == {"judged", "question_made", "_written"}
+    assert bytes_of(tmp_path / OUT) == {name: content for name, (content, _) in before.items()}
+
+
+def test_a_question_that_changed_is_solved_alone(solve, tmp_path, solved):
+    write_exam(tmp_path)
+    assert solve("exam", "exam.yaml").code == 0
+    solved.clear()
+    (tmp_path / "step.yaml").write_text(PROBLEM.replace("s+4", "s+5"), encoding="utf-8")
+    assert solve("exam", "exam.yaml").code == 0
+    assert [text for name, text in solved if name == "question_made"] == [PROBLEM.replace("s+4", "s+5")]
+    assert [label for name, label in solved if name == "_written"] == ["1", "2"]
+    anew = tmp_path / "anew"
+    assert solve("exam", "exam.yaml", "-o", "anew").code == 0
+    ours, other = bytes_of(tmp_path / OUT), bytes_of(anew)
+    assert {n: c for n, c in ours.items() if "answers/" not in n} == {
+        n: c for n, c in other.items() if "answers/" not in n
+    }
+
+
+def test_a_paper_that_was_changed_or_lost_is_made_again_alone(solve, tmp_path, solved):
+    write_exam(tmp_path)
+    assert solve("exam", "exam.yaml").code == 0
+    before = bytes_of(tmp_path / OUT)
+    (tmp_path / OUT / "papers" / "paper-1.html").write_text("mine", encoding="utf-8")
+    (tmp_path / OUT / "keys" / "key-2.html").unlink()
+    solved.clear()
+    assert solve("exam", "exam.yaml").code == 0
+    assert solved == [("_written", "1"), ("_written", "2")]
+    assert bytes_of(tmp_path / OUT) == before
+
+
+@pytest.mark.parametrize(
+    ("changed", "made"),
+    [
+        (lambda text: text.replace("Final", "Second"), {"_written"}),
+        (lambda text: text.replace("duration: 120", "duration: 90"), {"_written"}),
+        (lambda text: text.replace("seed: 2026", "seed: 2027"), {"judged", "question_made", "_written"}),
+        (lambda text: text.replace("marks: 10}", "marks: 12}"), {"question_made", "_written"}),
+        (lambda text: f"# a comment\n{text}", set()),
+    ],
+)
+def test_what_depends_on_a_change_is_made(solve, tmp_path, solved, changed, made):
+    write_exam(tmp_path)
+    assert solve("exam", "exam.yaml").code == 0
+    solved.clear()
+    write_exam(tmp_path, changed(EXAM))
+    assert solve("exam", "exam.yaml").code == 0
+    assert {name for name, _ in solved} == made
+
+
+def test_what_cannot_be_read_is_made_again(solve, tmp_path, solved):
+    write_exam(tmp_path)
+    first = solve("exam", "exam.yaml")
+    before = bytes_of(tmp_path / OUT)
+    for number, path in enumerate(sorted((tmp_path / OUT / ".solve").iterdir())):
+        path.write_bytes([b"", b"{}", path.read_bytes()[:-9]][number % 3])
+    (tmp_path / OUT / ".solve.json").write_text("[", encoding="utf-8")
+    solved.clear()
+    again = solve("exam", "exam.yaml")
+    assert (again.code, again.out) == (first.code, first.out)
+    assert "is not used, and all is made again" in again.err
+    assert {name for name, _ in solved} == {"judged", "question_made", "_written"}
+    assert bytes_of(tmp_path / OUT) == before
+
+
+def test_what_is_not_needed_any_more_is_taken_away(solve, tmp_path):
+    write_exam(tmp_path)
+    solve("exam", "exam.yaml")
+    before = {each.name for each in (tmp_path / OUT / ".solve").iterdir()}
+    write_exam(tmp_path, EXAM.replace("seed: 2026", "seed: 1"))
+    solve("exam", "exam.yaml")
+    after = {each.name for each in (tmp_path / OUT / ".solve").iterdir()}
+    assert len(after) == len(before)
+    assert after != before
+    record = json.loads((tmp_path / OUT / ".solve.json").read_text("utf-8"))
+    assert list(record["made"]) == ["paper 1", "paper 2"]
+
+
+def test_templates_count(solve, tmp_path, solved):
+    write_exam(tmp_path)
+    own = tmp_path / "own"
+    (own / "html").mkdir(parents=True)
+    shutil.copy(root("templates") / "html" / "style.css", own / "html")
+    assert solve("exam", "exam.yaml", "--templates", "own").code == 0
+    solved.clear()
+    assert solve("exam", "exam.yaml", "--templates", "own").code == 0
+    assert not solved
+    with (own / "html" / "style.css").open("a", encoding="utf-8") as file:
+        file.write("/* mine */")
+    hash_of_folder.cache_clear()
+    assert solve("exam", "exam.yaml", "--templates", "own").code == 0
+    assert "_written" in {name for name, _ in solved}
+
+
+def test_more_variants_keep_those_there_are(solve, tmp_path, solved):
+    write_exam(tmp_path)
+    solve("exam", "exam.yaml")
+    before = bytes_of(tmp_path / OUT)
+    solved.clear()
+    write_exam(tmp_path, EXAM.replace("count: 2", "count: 3"))
+    assert solve("exam", "exam.yaml").code == 0
+    assert len([name for name, _ in solved if name == "question_made"]) == 1
+    after = bytes_of(tmp_path / OUT)
+    assert {name: after[name] for name in before if name != "variants.csv"} == {
+        name: content for name, content in before.items() if name != "variants.csv"
+    }
