@@ -6,7 +6,7 @@ is right as a whole only, one condition looks at all of its fields.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from xml.etree.ElementTree import Element
@@ -78,21 +78,33 @@ def _each(asked: Asked, hints: Mapping[str, str]) -> Iterator[Element]:
     """Yield a condition for each field."""
     marks = marks_of_fields(asked)
     for field in asked.fields:
-        found = [node("responseElseIf", _equals(field, wrong), *_earned(wrong, marks[field], hints))
-                 for wrong in _wrong_of(field)]  # fmt: skip
-        yield node("responseCondition", node("responseIf", _right(field), _add(marks[field])), *found)
+        branches = [(_right(field), [_add(marks[field])])]
+        branches += [(_equals(field, wrong), list(_earned(wrong, marks[field], hints))) for wrong in _wrong_of(field)]
+        yield _chosen([field], branches)
 
 
 def _whole(asked: Asked, hints: Mapping[str, str]) -> Iterator[Element]:
     """Yield the condition for all fields, which knows the mistakes that explain all of them, and those for hints."""
     fields = list(asked.fields)
-    found = [node("responseElseIf", _all([_by(field, hint) for field in fields]), _add(asked.marks * share))
-             for hint, share in _shares(asked).items()]  # fmt: skip
-    yield node("responseCondition", node("responseIf", _all(list(map(_right, fields))), _add(asked.marks)), *found)
+    branches = [(_all(list(map(_right, fields))), [_add(asked.marks)])]
+    branches += [(_all([_by(field, hint) for field in fields]), [_add(asked.marks * share)])
+                 for hint, share in _shares(asked).items()]  # fmt: skip
+    yield _chosen(fields, branches)
     for field in fields:
         for wrong in _wrong_of(field):
             if wrong.hint:
                 yield node("responseCondition", node("responseIf", _equals(field, wrong), _told(hints[wrong.hint])))
+
+
+def _chosen(fields: Sequence[Field], branches: Sequence[tuple[Element, list[Element]]]) -> Element:
+    """Return the condition that takes the first branch that holds.
+
+    A blank for a word comes first and does nothing, as not every system compares with a blank as it should.
+    """
+    blank = [(node("isNull", _variable(field.key)), list[Element]()) for field in fields if isinstance(field, Spelling)]
+    ordered = [*blank, *branches]
+    tags = ["responseIf", *["responseElseIf"] * (len(ordered) - 1)]
+    return node("responseCondition", *(node(tag, when, *then) for tag, (when, then) in zip(tags, ordered, strict=True)))
 
 
 def _shares(asked: Asked) -> Mapping[str, Fraction]:
