@@ -20,10 +20,10 @@ def of_case_split(found: Any, equations: Sequence[Any], unknowns: Sequence[Any])
         yield Claim(sp.ImmutableMatrix(there), sp.ImmutableMatrix(sp.zeros(len(there), 1)))
         yield Check.that("every unknown", "counted", set(end) == set(unknowns))
     if found is not None:
-        yield from _complete(found)
+        yield from _complete(found, set(unknowns))
 
 
-def _complete(case: Any) -> Iterator[Claim | Check]:
+def _complete(case: Any, unknowns: set[Any]) -> Iterator[Claim | Check]:
     if case.kind == "roots" and case.condition is None:
         p = sp.Poly(case.equation, case.unknown)
         if p.degree() == len(case.values):
@@ -34,11 +34,14 @@ def _complete(case: Any) -> Iterator[Claim | Check]:
             yield Check.that("real roots", "sympy.nroots", count == len(case.values))
     if case.kind == "factors":
         rest = sp.cancel(case.equation / sp.Mul(*case.values))
-        yield Check.that("factors of an equation", "sympy.cancel", not rest.free_symbols & case.equation.free_symbols)
+        for value in case.values:  # a factor may stand there several times
+            while not sp.denom(less := sp.cancel(rest / value)).free_symbols & unknowns:
+                rest = less
+        yield Check.that("factors of an equation", "sympy.cancel", not rest.free_symbols & unknowns)
     outcomes = {"roots": len(case.values), "factors": len(case.values), "substitute": 1}
     yield Check.that("cases", "counted", len(case.following) == outcomes.get(case.kind, 0))
     for each in case.following:
-        yield from _complete(each)
+        yield from _complete(each, unknowns)
 
 
 def of_weighted_input(found: Any, B: Any, R: Any) -> Iterator[Claim]:

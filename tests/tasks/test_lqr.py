@@ -419,3 +419,17 @@ def test_the_polynomial_of_a_small_hamiltonian_matrix_is_expanded_row_by_row(met
     s = sp.Symbol("s")
     assert sp.expand(step.claims["chi"].right - (s**4 - 2 * s**2 + 1)) == 0
     assert part.status is Status.VERIFIED
+
+
+@pytest.mark.parametrize(
+    ("last", "weights", "gain"),
+    [((0, 0, 0), (36, 49, 14), [6, 11, 6]), ((-3, -1, 0), (315, 152, 24), [15, 20, 8])],
+    ids=["cases within cases", "a factor twice"],
+)
+def test_products_of_three_states_hold_where_they_are_shown(last, weights, gain):
+    """In a case that P does not belong to, an equation is no equality; a factor may stand in one several times."""
+    rows = [[0, 1, 0], [0, 0, 1], list(last)]
+    Q = [[weights[i] if i == j else 0 for j in range(3)] for i in range(3)]
+    solution = solve(f"system: {{A: {rows}, B: [0, 0, 1]}}\nfind: {{a: {{task: lqr, Q: {Q}, R: 1}}}}\n")
+    assert solution.status == "verified"
+    assert solution.answers["a"]["K"].tolist() == [gain]

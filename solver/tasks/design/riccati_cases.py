@@ -17,6 +17,8 @@ from solver.words import Phrase, formula
 if TYPE_CHECKING:
     from sympy import Expr, ImmutableMatrix
 
+    from solver.stated import Stated
+
 LARGEST = 3
 """Larger matrices are not solved with a pen."""
 
@@ -84,9 +86,7 @@ def _steps(case: Any, told: _Told, known: Mapping[Any, Expr]) -> list[Step]:
     if case.kind == "contradiction":
         return [Step("contradiction", unclaimed="an equation that does not hold", equation=equation)]
     if case.kind == "factors":
-        claims = {
-            "factors": Claim(equation, product(_constant(equation, values), *values), "the equation as a product")
-        }
+        claims = {"factors": Claim(equation, _as_product(equation, values), "the equation as a product")}
         parts = zip(values, following, strict=True)
         return [
             Step("factors", claims=claims, equation=equation, values=values),
@@ -151,10 +151,16 @@ def _quadratic_formula(equation: Expr, x: Any) -> tuple[dict[str, Claim], dict[s
     return claims | {"radicand": claim}, {"centre": centre, "divided": None if a == 1 else divided, "by": a}
 
 
-def _constant(equation: Expr, factors: Sequence[Expr]) -> Expr:
-    """The number before the product of the factors."""
-    whole = sp.Mul(*factors)
-    return sp.cancel(equation / whole)
+def _as_product(equation: Expr, factors: Sequence[Expr]) -> Stated:
+    """An equation as the product of its factors, each as often as it counts, behind a number."""
+    rest = sp.cancel(equation / sp.Mul(*factors))
+    powers: list[Expr] = []
+    for factor in factors:
+        count = 1
+        while not sp.denom(less := sp.cancel(rest / factor)).free_symbols & factor.free_symbols:
+            rest, count = less, count + 1
+        powers.append(factor**count)
+    return product(rest, *powers)
 
 
 def _case(x: Any, value: Expr, steps: Sequence[Step]) -> Step:
