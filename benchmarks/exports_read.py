@@ -20,7 +20,7 @@ Numbers = Mapping[tuple[str, int], list[Fraction]]
 """The numbers that are right, in order, by part (`1.b`) and variant."""
 
 IDENTIFIED = re.compile(r"-(\d+)-(\w)-\d+-(\d+)$")
-TITLED = re.compile(r"^Question (\d+)\.(?:.*, \((\w)\))?.*, Variant (\d+)")
+TITLED = re.compile(r"^(?:Question )?(\d+)\.(?:.*, \((\w)\))?.*, Variant (\d+)")
 
 
 def of_moodle(file: Path) -> tuple[int, Numbers]:
