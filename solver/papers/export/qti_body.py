@@ -137,7 +137,7 @@ def _answer(asked: Asked) -> Iterator[Element]:
 
 def _named(tag: str, symbol: str, meaning: str) -> Element:
     """Return what an answer is, behind its symbol where it has one."""
-    named = [formula(symbol), ": "] if symbol else []
+    named: list[Element | str] = [formula(symbol), ": "] if symbol else []
     return node(tag, *named, *contents_of(line(meaning)))
 
 
