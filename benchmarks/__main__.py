@@ -33,6 +33,7 @@ from benchmarks import (
     pole_placement,
     regulators,
     root_locus,
+    scale,
     transforms,
     zeros,
 )
@@ -109,13 +110,16 @@ def main() -> int:
         "command",
         "class",
         "desk",
+        "scale",
         "growth",
     )
     parser.add_argument("group", nargs="?", choices=groups)
-    parser.add_argument("task", nargs="?", help="of the table of growth, one task only")
+    parser.add_argument("task", nargs="?", help="of the table of growth, one task only; of scale, how many parts")
     chosen = parser.parse_args()
     if chosen.group == "desk":
         return class_of_sixty.main()
+    if chosen.group == "scale":
+        return scale.main(int(chosen.task or scale.BUSY))
     print("times in ms: the least processor time (of whole processes: wall time), caches emptied before each run")
     print(f"load of the machine: {os.getloadavg()[0]:.1f}\n")
     met = True
