@@ -11,6 +11,7 @@ import click
 from solver import __version__
 from solver.cli.bugs import report_bug
 from solver.cli.check import check
+from solver.cli.completing import SHELLS, make_complete, tell_completion
 from solver.cli.exam import exam
 from solver.cli.group import FileOrCommand, stop_writing
 from solver.cli.listing import models, new, schema, tasks
@@ -31,6 +32,8 @@ Exit codes:
 
 @click.group(cls=FileOrCommand, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="solve")
+@click.option("--completion", type=click.Choice(SHELLS), expose_value=False, is_eager=True, callback=tell_completion,
+              help="Print the script that completes words of a command in a shell.")  # fmt: skip
 def cli() -> None:
     """Solve control-engineering problems step by step, and check every step.
 
@@ -40,6 +43,7 @@ def cli() -> None:
 
 for command in (run, check, sheet, variants, exam, tasks, models, new, schema):
     cli.add_command(command)
+make_complete(cli.commands.values())
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

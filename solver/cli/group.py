@@ -7,10 +7,11 @@ import sys
 from pathlib import Path
 
 import click
+from click.shell_completion import CompletionItem
 
 BROKEN_PIPE = 141  # as the shell has it: 128 + SIGPIPE
 DEFAULT = "run"
-OWN_OPTIONS = ("-h", "--help", "--version")
+OWN_OPTIONS = ("-h", "--help", "--version", "--completion")
 
 
 class FileOrCommand(click.Group):
@@ -18,7 +19,7 @@ class FileOrCommand(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Take options in first place as those of `run`: `solve -f json problem.yaml`."""
-        if args and args[0].startswith("-") and args[0] not in OWN_OPTIONS:
+        if args and args[0].startswith("-") and args[0].partition("=")[0] not in OWN_OPTIONS:
             args = [DEFAULT, *args]
         return super().parse_args(ctx, args)
 
@@ -36,6 +37,10 @@ class FileOrCommand(click.Group):
             return super().invoke(ctx)
         except BrokenPipeError:
             return stop_writing()
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Return the commands that begin like that; a file may stand in place of one."""
+        return [*super().shell_complete(ctx, incomplete), CompletionItem(incomplete, type="file")]
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002 - click's signature
         """Return the commands in the order they were added: the order of use."""

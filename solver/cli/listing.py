@@ -41,24 +41,29 @@ def models(name: str | None) -> None:
     click.echo(one_model(library_model(name)) if name else all_models())
 
 
-@click.command(short_help="Write a commented problem file to start from.")
+@click.command(short_help="Write a commented file to start from: a problem, a family, an exam.")
 @click.argument("task")
 @click.option("-o", "--output", metavar="FILE", help="Where to write it. Default: standard output.")
 def new(task: str, output: str | None) -> None:
-    """Write a problem file that asks TASK, with every option explained."""
+    """Write a problem file that asks TASK, with every option explained.
+
+    `solve new exam` writes an exam, `solve new family` a problem with many sets of numbers; both run as they stand.
+    """
     from pathlib import Path
 
+    from solver.cli.beginnings import BEGINNINGS
     from solver.cli.destination import write_whole
     from solver.problem.template import new_problem
 
-    text = new_problem(_found(task))
+    begun = BEGINNINGS.get(task)
+    text, what_next = begun or (new_problem(_found(task, BEGINNINGS)), "solve it with: solve {file}")
     if output in (None, "-"):
         click.echo(text, nl=False)
     elif Path(output).exists():
         raise click.UsageError(f"{output} exists already; it will not be overwritten.")
     else:
         write_whole(Path(output), text.encode())
-        click.echo(f"wrote {output}; solve it with: solve {output}")
+        click.echo(f"wrote {output}; {what_next.format(file=output)}")
 
 
 @click.command(short_help="Print the JSON Schema of problem files, answer files or changes.")
@@ -99,14 +104,14 @@ def _read(file: str) -> Problem:
         raise AtFault(error.render()) from None
 
 
-def _found(name: str) -> Task[Any, Any]:
-    """Return the task of that name; raises click.UsageError with the nearest name."""
+def _found(name: str, others: Collection[str] = ()) -> Task[Any, Any]:
+    """Return the task of that name; raises click.UsageError with the nearest name, one of the others too."""
     from solver.tasks import catalogue
 
     known = catalogue()
     if name in known:
         return known[name]
-    raise click.UsageError(f"there is no task '{name}'.{_hint(name, known, 'tasks')}")
+    raise click.UsageError(f"there is no task '{name}'.{_hint(name, (*known, *others), 'tasks')}")
 
 
 def _hint(name: str, known: Collection[str], command: str) -> str:
