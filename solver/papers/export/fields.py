@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from solver.classroom.kinds import kind_of
 from solver.classroom.verdicts import Verdict
 from solver.papers.export.bench import Answer, Bench
-from solver.papers.export.decimals import tolerance_of, typed, value_of
+from solver.papers.export.decimals import exactly, tolerance_of, typed, value_of
 from solver.papers.export.quiz import Asked, Choice, Fixed, Number, Spelling, Wrong
 from solver.papers.export.scalars import VARIABLES
 from solver.papers.export.shapes import Shape, shape_of
@@ -36,6 +37,11 @@ NOT_OURS = "the value, rounded as it is asked for, is not right by the marking o
 FORM = "its form is what is asked"
 OTHERS = "it is {kind}"
 CONVENTION = "The {option} is {value}."
+UNIT = "It is told in {unit}."
+ANGLES = "Angles are in degrees, above -180 and at most 180."
+
+DEGREES = "°"
+HALF_TURN = 180
 
 
 class NoField(Exception):  # noqa: N818 - it is no error: a person marks the answer
@@ -47,7 +53,7 @@ def asked_of_answer(bench: Bench, answer: Answer, symbol: str, meaning: str) -> 
     part, name = answer
     value, declared = bench.blank.ours(part.id)[name], bench.declared(answer)
     say = bench.blank.messages.say
-    if not bench.blank.is_determined(part, name) or declared.any_size or declared.intervals or declared.zero:
+    if not _is_unique(bench, answer):
         raise NoField(MANY)
     marks = bench.marks[part.id][name]
     whole = name in part.partial and part.partial[name].rule == "none"
@@ -59,20 +65,41 @@ def asked_of_answer(bench: Bench, answer: Answer, symbol: str, meaning: str) -> 
     elif value in (sp.oo, []):
         found = _spelling(bench, answer, asked, INFINITE if value == sp.oo else EMPTY)
     else:
-        shape = shape_of(value, symbol, ordered=declared.ordered)
-        if shape is None:
-            raise NoField(_why(value))
-        found = _numbers(bench, answer, asked, shape)
+        found = _numbers(bench, answer, asked)
     told = [say(each) for each in found.form.split("\n") if each]
+    if declared.unit == DEGREES:
+        told.append(say(ANGLES))
+    elif declared.unit and declared.unit != "ratio":
+        told.append(say(Phrase(UNIT, unit=declared.unit)))
     for option, ours in bench.conventions(answer).items():
         told.append(say(Phrase(CONVENTION, option=bench.blank.messages.named(option), value=plain(ours))))
     return replace(found, form=" ".join(told))
 
 
+def _is_unique(bench: Bench, answer: Answer) -> bool:
+    """Whether one value only is right; an angle is, once it is said in which range it lies."""
+    part, name = answer
+    declared = bench.declared(answer)
+    if declared.any_size or declared.intervals or declared.zero:
+        return False
+    if bench.blank.is_determined(part, name):
+        return True
+    ours = bench.blank.ours(part.id)[name]
+    angles = [exactly(each) for each in (ours if isinstance(ours, list | tuple) else [ours])]
+    return declared.unit == DEGREES and all(map(_in_range, angles))
+
+
+def _in_range(angle: Fraction | None) -> bool:
+    """Whether an angle is above -180 and at most 180 degrees."""
+    return angle is not None and -HALF_TURN < angle <= HALF_TURN
+
+
 def _choice(bench: Bench, answer: Answer, asked: Asked, words: Sequence[str], right: str) -> Asked:
     say = bench.blank.messages.say
-    if not bench.is_right(answer, right) or any(bench.is_right(answer, each) for each in words if each != right):
+    if not bench.is_right(answer, right):
         raise NoField(NOT_OURS)
+    if any(bench.is_right(answer, each) for each in words if each != right):
+        raise NoField(MANY)
     field = Choice(
         _key(asked.name), _label(bench, asked), tuple(map(say, words)), list(words).index(right), asked.marks
     )
@@ -92,13 +119,30 @@ def _lead(asked: Asked) -> Fixed:
     return Fixed("" if asked.symbol.startswith(r"\text") else f"{asked.symbol} =")
 
 
-def _numbers(bench: Bench, answer: Answer, asked: Asked, shape: Shape) -> Asked:
-    """Return the fields for numbers; the rounded values are right by our marking."""
+def _shape(bench: Bench, answer: Answer, symbol: str) -> tuple[Shape, Sequence[Fraction], list[str]]:
+    """Return how an answer is laid out, its numbers, and how they are typed, which is right by our marking.
+
+    A list that is right in its own order only, such as the first values of a sequence, keeps it. Raises NoField.
+    """
     part, name = answer
-    numbers = shape.numbers(bench.blank.ours(part.id)[name]) or []
-    texts = [typed(number, part.digits) for number in numbers]
-    if not bench.is_right(answer, shape.typed(texts)):
-        raise NoField(NOT_OURS)
+    value = bench.blank.ours(part.id)[name]
+    why: str = _why(value)
+    for ordered in dict.fromkeys((bench.declared(answer).ordered, True)):
+        shape = shape_of(value, symbol, ordered=ordered)
+        numbers = shape.numbers(value) if shape is not None else None
+        if shape is None or numbers is None:
+            continue
+        texts = [typed(number, part.digits) for number in numbers]
+        if bench.is_right(answer, shape.typed(texts)):
+            return shape, numbers, texts
+        why = NOT_OURS
+    raise NoField(why)
+
+
+def _numbers(bench: Bench, answer: Answer, asked: Asked) -> Asked:
+    """Return the fields for numbers; raises NoField."""
+    part, name = answer
+    shape, numbers, texts = _shape(bench, answer, asked.symbol)
     wrong = _wrong_values(bench, answer, shape, numbers)
     marks = asked.marks / len(numbers)
     fields = [
@@ -131,7 +175,8 @@ def _wrong_values(bench: Bench, answer: Answer, shape: Shape, right: Sequence[Fr
         named = part.partial.get(answer[1])
         share = _share(verdict.marks / marks, len(right), len(off)) if named and named.rule == "named" and marks else 0
         hint = f"{bench.blank.messages.told(verdict.reason).rstrip('.')}."
-        for i in off:
+        degrees = bench.declared(answer).unit == DEGREES
+        for i in (i for i in off if not degrees or _in_range(numbers[i])):
             wrong = Wrong(value_of(numbers[i]), tolerance_of(numbers[i], part.digits), Fraction(share), _sentence(hint))
             if len(found[i]) < MOST_WRONG and _stands_apart(wrong, right[i], part.digits, found[i]):
                 found[i].append(wrong)
@@ -151,15 +196,26 @@ def _stands_apart(wrong: Wrong, right: Fraction, digits: int, others: Sequence[W
 
 def _why(value: Any) -> str:
     """Return why an answer that is determined has no field, a phrase."""
-    symbols = {symbol.name for symbol in getattr(value, "free_symbols", ())}
-    of = getattr(value, "atoms", lambda *_: ())
-    if symbols & {"t", "k"} or of(sp.core.function.AppliedUndef):
+    symbols = {symbol.name for each in _leaves(value) for symbol in getattr(each, "free_symbols", ())}
+    functions = any(each.atoms(AppliedUndef) for each in _leaves(value) if isinstance(each, sp.Basic))
+    if symbols & {"t", "k"} or functions:
         return OF_TIME
     if symbols - set(VARIABLES):
         return LETTERS
     if symbols:
         return FORM
     return Phrase(OTHERS, kind=kind_of(value))
+
+
+def _leaves(value: Any) -> Iterator[Any]:
+    """Yield what lists and mappings hold."""
+    if isinstance(value, Mapping):
+        yield from _leaves(list(value.values()))
+    elif isinstance(value, list | tuple):
+        for each in value:
+            yield from _leaves(each)
+    else:
+        yield value
 
 
 def _key(name: str) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from unicodedata import normalize
 
 from solver.limits import Exceeded
@@ -96,7 +95,6 @@ class _Namer:
                 )
                 words = [f"{title}, {called}" if len(path) > 2 else title]
                 words += [self.say(Phrase("Variant {number}", number=variant.label))] if variant else []
-                words.append(f"{_text(item.marks)} {self.say('mark' if item.marks == 1 else 'marks')}")
                 named = replace(
                     item,
                     identifier=self._identifier(question, ids[place], "rest" if is_rest else "", variant),
@@ -124,7 +122,3 @@ def _slug(text: str) -> str:
     """Return the letters and digits of a text, small and without accents, with hyphens between them."""
     plain = normalize("NFKD", text).encode("ascii", "ignore").decode().lower()
     return re.sub(r"[^a-z0-9]+", "-", plain).strip("-")
-
-
-def _text(marks: Fraction) -> str:
-    return f"{float(round(marks, 2)):g}"

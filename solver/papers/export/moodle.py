@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Iterator
+from dataclasses import replace
 from html import escape
 from xml.etree.ElementTree import Element
 
@@ -38,7 +39,8 @@ def _question(item: Item) -> Element:
         fields = item.fields
         weights = weights_of(fields, item.marks)
         gaps = {field.key: gap(field, weight) for field, weight in zip(fields, weights, strict=True)}
-        return node("question", *_common(item, _question_html(item, gaps), graded=False), type="cloze")
+        told = item if sum(weights) == item.marks else replace(item, name=f"{item.name} ({_marks(item)})")
+        return node("question", *_common(told, _question_html(item, gaps), graded=False), type="cloze")
     content = _common(item, _question_html(item, {alone.key: ""}))
     match alone:
         case Number():
@@ -59,7 +61,7 @@ def _alone(item: Item) -> Field | None:
 
 def _common(item: Item, question: str, *, graded: bool = True) -> list[Element]:
     """Return what all kinds of questions have; one with gaps is worth what its gaps weigh."""
-    marks = [node("defaultgrade", f"{float(item.marks):.7g}")] if graded else []
+    marks = [node("defaultgrade", _marks(item))] if graded else []
     return [
         node("name", _text(item.name[:LONGEST])),
         _html("questiontext", question, item.question),
@@ -70,6 +72,10 @@ def _common(item: Item, question: str, *, graded: bool = True) -> list[Element]:
         node("idnumber", item.identifier),
         node("tags", *(node("tag", _text(tag)) for tag in item.tags)),
     ]
+
+
+def _marks(item: Item) -> str:
+    return f"{float(item.marks):.7g}"
 
 
 def _question_html(item: Item, gaps: dict[str, str]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -18,11 +19,13 @@ from solver.words import formula
 MOST_FIELDS = 60
 """A learning system shows no more on one page that a student can find the way in."""
 
-ASCENDING = "The values are asked for in ascending order, as often as they count."
+ASCENDING = "In these fields the values stand in ascending order, each as often as it counts."
 COMPLEX_ORDER = "Their order is that of the real parts, of equal ones that of the imaginary parts."
-IN_ORDER = "The values are asked for in their order."
-POINTS = "The points are asked for in ascending order of the first value, of equal ones of the next."
+IN_ORDER = "In these fields the values stand in their order."
+POINTS = "In these fields the points stand in ascending order of the first value, of equal ones of the next."
 BOUNDS = "The fields are the bounds."
+
+_COUNTED = re.compile(r"_\{?[ik]\}?$")
 
 TIE = 20
 """Digits to which values are ordered: what differs less is the same number computed in two ways."""
@@ -222,7 +225,8 @@ def _points(value: Sequence[Mapping[Any, Any]]) -> Shape | None:
 
 
 def _entry(symbol: str, index: str) -> str:
-    return latex(entry_name(read(symbol), index))
+    r"""Return the name of an entry; an index that counts, as in \lambda_{i}, gives way to its number."""
+    return latex(entry_name(read(_COUNTED.sub("", symbol)), index))
 
 
 def in_order(value: Sequence[Any], ordered: bool) -> list[Any]:

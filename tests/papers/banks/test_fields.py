@@ -82,8 +82,8 @@ SPECTRUM = "system: {A: %s}\nfind: {a: {task: eigenstructure, answers: [eigenval
 
 def test_a_spectrum_is_asked_for_in_ascending_order():
     asked = only("title: t\n" + SPECTRUM % "[[3, 0], [0, -1]]")
-    assert [line.split(" = ")[1] for line in laid_out(asked)] == ["[-1]", "[3]"]
-    assert asked.form == "The values are asked for in ascending order, as often as they count."
+    assert laid_out(asked) == [r"\lambda_{1} = [-1]", r"\lambda_{2} = [3]"]
+    assert asked.form == "In these fields the values stand in ascending order, each as often as it counts."
 
 
 def test_complex_values_have_two_fields_each():
@@ -157,8 +157,30 @@ find:
   b: {task: step_specifications, answers: [settling_time], settling_band: 5%}
 """
     items = items_of(text)
-    assert items["a"].answers[0].form == "The settling band is 2%."
-    assert items["b"].answers[0].form == ""
+    assert items["a"].answers[0].form == "It is told in s. The settling band is 2%."
+    assert items["b"].answers[0].form == "It is told in s."
+
+
+def test_an_angle_is_asked_for_in_a_range():
+    text = """\
+title: t
+system: {transfer_function: "1/(s(s+1)(s+2))"}
+find: {a: {task: root_locus, answers: [asymptote_angles]}}
+"""
+    asked = only(text)
+    assert [str(each.value) for each in asked.fields] == ["-60", "60", "180"]
+    assert "above -180 and at most 180" in asked.form
+    assert all(-180 < wrong.value <= 180 for each in asked.fields for wrong in each.wrong)
+
+
+def test_a_sequence_keeps_its_order():
+    text = """\
+title: t
+find: {a: {task: inverse_z_transform, method: long_division, F: "z/(z + 1/2)", terms: 3}}
+"""
+    asked = only(text)
+    assert [str(each.value) for each in asked.fields] == ["1", "-0.5", "0.25"]
+    assert asked.form == "In these fields the values stand in their order."
 
 
 @pytest.mark.parametrize(
