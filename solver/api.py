@@ -4,6 +4,7 @@
 >>> solution = solver.solve("problems/course/ch1/ch1-ex02.yaml")
 >>> solution.status, solution.answers["a"]["Phi"]
 >>> Path("page.html").write_text(solution.html(detail="tutor"), encoding="utf-8")
+>>> solver.solve({"system": {"A": [[0, 1], [-2, -3]]}, "find": {"a": "state_transition_matrix"}})
 >>> marked = solver.check("problem.yaml", {"b": {"K": [13, 8]}})
 >>> marked.marks, marked.parts["b"].answers["K"].verdict
 
@@ -12,7 +13,6 @@ In a notebook the solution shows itself as a page, the marked answers as a sheet
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 from solver.document.model import Document, Presentation
 from solver.document.works import document_of
 from solver.engine import solve_problem
+from solver.problem.data import source_of_data
 from solver.problem.files import load
 from solver.problem.reader import read_problem
 from solver.problem.source import Source
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 
 
 def solve(
-    problem: str | Path,
+    problem: str | Path | Mapping[str, Any],
     *,
     detail: str = "full",
     templates: str | Path | None = None,
@@ -38,8 +39,9 @@ def solve(
     notation: str | None = None,
     **limits: Any,
 ) -> Document:
-    """Solve a problem given as the path of a YAML file, or as YAML text (any text of more than one line).
+    """Solve a problem given as the path of a YAML file, as YAML text (any text of more than one line) or as a mapping.
 
+    A mapping has the keys of a problem file; its numbers and matrices may be those of Python, numpy or sympy.
     `language` and `notation` win over what the problem says. With `seconds` or `megabytes` (see
     `solver.limits.Limits`) every part is solved in a child process that is ended at the limit.
     Raises `solver.problem.source.InputError`, all errors with their places, if the input is at fault.
@@ -56,7 +58,7 @@ def solve(
 
 
 def check(
-    problem: str | Path,
+    problem: str | Path | Mapping[str, Any],
     answers: str | Path | Mapping[str, Any],
     *,
     templates: str | Path | None = None,
@@ -89,15 +91,17 @@ def check(
     return Marked(marking, solution, lambda: solved.document(read.name), folder)
 
 
-def source_of(given: str | Path) -> Source:
-    """Return the text that is given, of more than one line, or that of the file of this name."""
+def source_of(given: str | Path | Mapping[str, Any]) -> Source:
+    """Return the text that is given, of more than one line or as a mapping, or that of the file of this name."""
+    if isinstance(given, Mapping):
+        return source_of_data(given)
     is_text = isinstance(given, str) and "\n" in given
     return Source("<text>", str(given)) if is_text else load(given)
 
 
 def _answers(given: Mapping[str, Any]) -> Source:
-    """Return answers as the text of a file; YAML reads JSON."""
-    return Source("<answers>", json.dumps({"answers": given}, ensure_ascii=False, default=str))
+    """Return answers as the text of a file."""
+    return source_of_data({"answers": given}, "<answers>")
 
 
 __all__ = ["Document", "check", "solve"]

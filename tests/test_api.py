@@ -1,8 +1,10 @@
 """The Python interface: from a path or from text, and what a notebook shows."""
 
 import json
+from fractions import Fraction
 from html.parser import HTMLParser
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -32,6 +34,43 @@ def test_text_is_solved(solution):
     assert [part.method for part in solution.parts] == ["modal", "laplace", "eigenstructure"]
     assert solution.answers["a"]["Phi"][0, 1] == sp.exp(-t) - sp.exp(-2 * t)
     assert solution.answers["b"]["eigenvalues"] == [-2, -1]
+
+
+def test_a_mapping_is_solved():
+    system = {"A": np.array([[0, 1], [-2, -3]]), "B": sp.Matrix([0, 1])}
+    poles = [complex(-3, 2), -3 - 2 * sp.I]
+    asked = {"system": system, "find": {"a": {"task": "pole_placement", "poles": poles, "marks": Fraction(7, 2)}}}
+    solution = solver.solve(asked)
+    assert solution.status is Status.VERIFIED
+    assert solution.answers["a"]["K"].tolist() == [[11, 3]]
+    marked = solver.check(asked, {"a": {"K": np.array([11, 3])}})
+    assert marked.marks == Fraction(7, 2)
+
+
+@pytest.mark.parametrize(
+    ("problem", "told"),
+    [
+        ({"system": {"A": [[0, 1], [2, "3 +"]]}, "find": {"a": "stability"}}, "<problem>: at system.A[1][1]: error: "),
+        (
+            {"system": {"A": [[0, 1], [2, 3]]}, "find": {"a": {"task": "stabilty"}}},
+            "<problem>: at find.a.task: error: ",
+        ),
+        ({"sistem": {"A": [[0]]}, "find": {"a": "stability"}}, "<problem>: at sistem: error: "),
+        ({}, "<problem>: error: "),
+    ],
+)
+def test_what_is_wrong_with_a_mapping_is_told_by_its_keys(problem, told):
+    with pytest.raises(InputError) as error:
+        solver.solve(problem)
+    assert any(line.startswith(told) for line in str(error.value).splitlines()), str(error.value)
+    assert " | " not in str(error.value)
+
+
+def test_a_mapping_in_itself_is_refused():
+    problem = {"find": {"a": "stability"}}
+    problem["system"] = problem
+    with pytest.raises(InputError, match="nested too deeply"):
+        solver.solve(problem)
 
 
 def test_a_path_is_solved():

@@ -37,7 +37,13 @@ class Variant:
 
 
 def variants(
-    problem: str | Path, *, count: int, seed: int = 1, draws: int = MOST_DRAWS, jobs: int = 1, **limits: Any
+    problem: str | Path | Mapping[str, Any],
+    *,
+    count: int,
+    seed: int = 1,
+    draws: int = MOST_DRAWS,
+    jobs: int = 1,
+    **limits: Any,
 ) -> list[Variant]:
     """Return verified members of the family that a problem tells, given as `solve` takes a problem.
 

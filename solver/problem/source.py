@@ -31,6 +31,15 @@ class Source:
         """Return the line of that number from 1; empty if there is none."""
         return self.lines[number - 1] if 1 <= number <= len(self.lines) else ""
 
+    @property
+    def has_lines(self) -> bool:
+        """Whether errors show the line that they are in."""
+        return True
+
+    def where(self, line: int, column: int) -> str:
+        """Return where a place is, in words."""
+        return f"{self.name}:{line}:{column}"
+
 
 @dataclass(frozen=True, slots=True)
 class Diagnostic:
@@ -53,8 +62,8 @@ class Diagnostic:
         below = [f"{'':6} = {text}" for text in helps]
         if not self.line:
             return "\n".join([f"{source.name}: error: {self.message}", *below])
-        head = f"{source.name}:{self.line}:{self.column}: error: {self.message}"
-        return "\n".join([head, *self._excerpt(source.line(self.line)), *below])
+        head = f"{source.where(self.line, self.column)}: error: {self.message}"
+        return "\n".join([head, *(self._excerpt(source.line(self.line)) if source.has_lines else ()), *below])
 
     def _excerpt(self, line: str) -> list[str]:
         """Return the line and the carets; of a long line the part around the place."""
