@@ -269,6 +269,7 @@ def test_the_worked_solution_of_the_own_variant_stands_on_the_sheet(solve, hand_
     for page, gain in zip(pages, gains, strict=True):
         first, *_ = page.split('id="question-1-solution"')[1].split('<section class="exam-question"')
         entries = re.findall(r"-?\d+", gain)
+        assert 'class="step"' in first
         shown = re.sub(r"<[^>]*>| ", "", first.split('class="answer')[1]).replace("−", "-")
         assert all(entry in shown for entry in entries)
         assert page.count("Worked solution") == 3

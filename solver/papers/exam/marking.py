@@ -11,7 +11,7 @@ from solver.classroom.syntax import Readings, readings
 from solver.document.exam import as_question
 from solver.document.model import Document, Presentation
 from solver.document.works import document_of
-from solver.engine import Solution
+from solver.engine import Solution, solve_problem
 from solver.executors import Executor
 from solver.limits import Exceeded, Limits, solve_within
 from solver.papers.exam.drawing import Means, in_turn, search_of
@@ -106,11 +106,16 @@ def worked_of(solutions: Solutions, presentation: Presentation, limits: Limits, 
         for number, solution in enumerate(of_questions, 1):
             places.setdefault(id(solution), []).append((variant, number))
     calls = [(solutions[variant][number - 1], presentation, number) for (variant, number), *_ in places.values()]
-    found = executor.in_order(limits, _worked, calls)
+    parts = max((len(solution.parts) for solution, *_ in calls), default=1)
+    found = executor.in_order(replace(limits, seconds=limits.seconds * parts), _worked, calls)
     told = [(each, document) for each, document in zip(places.values(), found, strict=True)]
     return {place: None if isinstance(document, Exceeded) else document for each, document in told for place in each}
 
 
 def _worked(solution: Solution, presentation: Presentation, number: int) -> Document:
-    """Return the worked solution of a question, without what is asked."""
-    return as_question(replace(document_of(solution, presentation), statement="", given=""), number)
+    """Return the worked solution of a question, solved anew for its steps, without what is asked."""
+    problem = solution.problem
+    solved = solve_problem(problem, messages=presentation.messages(problem.display))
+    told = as_question(document_of(solved, presentation), number)
+    parts = tuple(replace(part, question="", given="") for part in told.parts)
+    return replace(told, statement="", given="", parts=parts)
