@@ -28,10 +28,10 @@ def _begun_right(Phi: ImmutableMatrix, A: ImmutableMatrix, time: Symbol, *, disc
     identity = sp.ImmutableMatrix(sp.eye(A.rows))
     claims = _at("start", Phi, time, sp.S.Zero, identity)
     small = len(Phi) <= LARGE and not Phi.free_symbols - {time}
-    slope = sp.ImmutableMatrix(Phi.diff(time).applyfunc(sp.expand))
     if small and discrete:
         claims |= _at("first", Phi, time, sp.S.One, A)
     elif small:
+        slope = sp.ImmutableMatrix(Phi.diff(time).applyfunc(sp.expand))
         claims["slope"] = Claim(derivative(Phi, time), slope, "derivative")
         claims |= _at("first", slope, time, sp.S.Zero, A)
     yield Step("test", detail="tutor", claims=claims, Phi=Phi, time=time, discrete=discrete)
