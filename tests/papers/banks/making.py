@@ -19,6 +19,11 @@ def items_of(text, detail="full", **presentation):
     """Return the items of a problem by part and kind: {"a": item} with fields, {"a rest": item} with an essay."""
     made = items_made(text, "problem.yaml", Wanted((), Presentation(detail, **presentation)))
     assert not made.fault
+    return items_by_part(made)
+
+
+def items_by_part(made):
+    """Return the items that were made, by part and kind."""
     return {
         f"{letter} rest" if item.essay else letter: replace(item, identifier=f"q-{letter}-{place}", name=f"({letter})")
         for letter, _, items in made.parts
