@@ -28,7 +28,7 @@ def mistaken(source: Source, root: MappingNode, wanted: str) -> Diagnostic | Non
 def _way_on(kind: str, file: str) -> str:
     """What is done with a file of a kind."""
     return {
-        PROBLEM: f"`solve {file}` solves it; an exam names it under `questions`",
+        PROBLEM: f"`solve {file}` solves it, `solve check {file} ANSWERS` marks answers; an exam has it in `questions`",
         EXAM: f"`solve exam {file} -o build/` writes its papers; `solve check {file} answers/` marks what comes back",
         ANSWERS: f"`solve check PROBLEM {file}` or `solve check EXAM {file}` marks it",
         CHANGES: f"`solve check PROBLEM ANSWERS --override {file}` applies it",

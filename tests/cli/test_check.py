@@ -138,8 +138,8 @@ def test_a_marking_is_told_in_the_language_and_the_symbols_asked_for(solve, fold
 
 
 def test_one_file_is_an_answer_file_and_so_is_the_first_of_several_that_has_answers(solve, folder):
-    for alone in ("problem.yaml", "right.yaml"):
-        assert "it names no problem; call solve check PROBLEM ANSWERS" in solve("check", alone).err
+    assert "it names no problem; call solve check PROBLEM ANSWERS" in solve("check", "right.yaml").err
+    assert "this is a problem, not an answer file" in solve("check", "problem.yaml").err
     done = solve("check", "named.yaml", "right.yaml")
     assert "named.yaml (A-17): 3 of 3" in done.out
     assert "right.yaml: error: it names no problem" in done.err

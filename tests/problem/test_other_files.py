@@ -2,6 +2,7 @@
 
 import pytest
 
+from solver.classroom.reading.answer_file import root_of_answers
 from solver.papers.exam.reading import read_exam
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
@@ -62,3 +63,18 @@ def test_a_problem_with_a_key_wrong_stays_a_problem(text):
 
 def test_an_exam_without_questions_is_told_so():
     assert "'questions' is missing" in told_of_an_exam("exam: Midterm\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "way"),
+    [
+        (EXAM, "2:1: error: this is an exam, not an answer file", "`solve check file.yaml answers/`"),
+        (PROBLEM, "3:1: error: this is a problem, not an answer file", "`solve file.yaml`"),
+    ],
+)
+def test_other_files_are_no_answers(text, message, way):
+    with pytest.raises(InputError) as caught:
+        root_of_answers(Source("folder/file.yaml", text))
+    told = caught.value.render()
+    assert message in told
+    assert way in told

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from solver.classroom.reading.quoting import quoted
 from solver.problem.model import Problem
 from solver.problem.nodes import Entry, MappingNode, Node, ScalarNode
+from solver.problem.other_files import ANSWERS, mistaken
 from solver.problem.source import Diagnostic, InputError, Report, Source, did_you_mean
 from solver.problem.yaml_tree import parse_yaml
 from solver.tasks import catalogue
@@ -78,6 +79,8 @@ def root_of_answers(source: Source) -> MappingNode:
     root = _tree(source)
     if not isinstance(root, MappingNode):
         raise InputError(source, [root.diagnostic("an answer file is a mapping with the key 'answers'")])
+    if other := mistaken(source, root, ANSWERS):
+        raise InputError(source, [other])
     return root
 
 
