@@ -126,8 +126,8 @@ class Quotient:
         """Return the numerator on a line and the denominator on the next."""
         above, below = fields[: self.above + 1], fields[self.above + 1 :]
         return [
-            _sum(rf"{lead} = \frac{{p}}{{q}},\quad p =", self.variable, self.above, False, above),
-            _sum(r"q =", self.variable, self.below, True, below),
+            _sum(rf"{lead} = \frac{{b}}{{a}},\quad b =", self.variable, self.above, False, above),
+            _sum("a =", self.variable, self.below, True, below),
         ]
 
     def typed(self, texts: Sequence[str]) -> str:

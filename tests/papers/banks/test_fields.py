@@ -101,7 +101,7 @@ system: {A: [[0, 1], [-8, -6]], B: [0, 3], C: [2, 1]}
 find: {a: {task: transfer_function, answers: [G]}}
 """
     asked = only(text)
-    assert laid_out(asked) == [r"G = \frac{p}{q},\quad p = [3]", "q = s + [4]"]
+    assert laid_out(asked) == [r"G = \frac{b}{a},\quad b = [3]", "a = s + [4]"]
     assert asked.whole
     assert "lowest terms" in asked.form
 
