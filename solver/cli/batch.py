@@ -6,7 +6,7 @@ again, each part within its own limits, so that only the part that is stuck is l
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,9 @@ from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
 
 if TYPE_CHECKING:
+    from solver.cli.keeping import Solved
     from solver.cli.solving import Request
+    from solver.problem.images import Image
 
 SLACK = 60.0
 """So many seconds more than all its parts may take, a file that is solved part by part may take: to be written."""
@@ -43,22 +45,36 @@ class File:
         """The problem; raises InputError."""
         return self.content if isinstance(self.content, Problem) else read_problem(self.content, catalogue())
 
+    @property
+    def read(self) -> tuple[Source, Mapping[str, Image]]:
+        """The text, and the images in it."""
+        if isinstance(self.content, Source):
+            return self.content, {}
+        return self.content.file or Source(self.content.name, ""), self.content.images
 
-def solve_many(request: Request) -> int:
-    """Solve the files; write each as soon as it is made, tell of them in their order; return the worst exit code."""
+
+def solve_many(request: Request, kept: Solved) -> int:
+    """Solve the files; write each as soon as it is made, tell of them in their order; return the worst exit code.
+
+    What is `kept` of a file that did not change is told again.
+    """
     limits = Limits(request.time_limit, request.memory_limit)
     told, screen = _InOrder(), Screen.here()
-    with request.workers.executor() as executor, bar("solving", len(request.files)) as advance:
+    with kept, bar("solving", len(request.files)) as advance:
         files = list[File]()
         for place, file in enumerate(request.files):
-            if isinstance(found := _read(request, place, file, screen), File):
+            if isinstance(found := kept.told.get(file) or _read(request, place, file, screen), File):
                 files.append(found)
             else:
                 told.add(place, found)
                 advance()
-        for place, outcome in _outcomes(executor, files, limits):
-            told.add(place, outcome.deliver(request.files[place])[0])
-            advance()
+        with request.workers.executor() as executor:
+            for done, outcome, lasts in _outcomes(executor, files, limits):
+                delivered = outcome.deliver(done.asked.file)[0]
+                if lasts:
+                    kept.put(done.asked.file, *done.read, outcome, delivered)
+                told.add(done.place, delivered)
+                advance()
     return told.code
 
 
@@ -75,22 +91,22 @@ def _read(request: Request, place: int, file: str, screen: Screen) -> File | Out
     return File(place, content, asked)
 
 
-def _outcomes(executor: Executor, files: Sequence[File], limits: Limits) -> Iterator[tuple[int, Outcome]]:
-    """Yield the places of the files and what became of them, as they are found."""
+def _outcomes(executor: Executor, files: Sequence[File], limits: Limits) -> Iterator[tuple[File, Outcome, bool]]:
+    """Yield the files and what became of them, as they are found, and whether it lasts: no limit had a part in it."""
     left = []
     for place, outcome in executor.calls(limits, solve_whole, [(file,) for file in files]):
         if isinstance(outcome, Exceeded):
             left.append(files[place])
         else:
-            yield files[place].place, outcome
+            yield files[place], outcome, True
     units = max((sum(1 + len(part.methods) for part in file.problem.parts) for file in left), default=0)
     wide = Limits(limits.seconds * units + SLACK, UNLIMITED)  # its children keep the limits
     for place, outcome in executor.calls(wide, solve_by_parts, [(file, limits) for file in left]):
         file = left[place]
         if isinstance(outcome, Exceeded):
-            yield file.place, Outcome(1, err=f"{file.asked.file}: error: {outcome.reason}\n")
+            yield file, Outcome(1, err=f"{file.asked.file}: error: {outcome.reason}\n"), False
         else:
-            yield file.place, outcome
+            yield file, outcome, outcome.code == 0
 
 
 def solve_whole(file: File) -> Outcome:

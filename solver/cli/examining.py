@@ -24,6 +24,7 @@ from solver.papers.exam.drawing import Drawn, Means, drawn, shared
 from solver.papers.exam.making import ANSWERS, answer_file, facts_of_paper, files_of, variants_table
 from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
+from solver.papers.kept import NOTHING
 from solver.problem.nodes import MappingNode
 from solver.problem.source import InputError
 from solver.render import pdf
@@ -73,9 +74,10 @@ def write_exam(order: Order) -> int:
     store = Store(order.folder, order.presentation.templates, anew=order.again)
     with order.workers.executor() as executor, Record(order.folder, anew=order.again) as record:
         space = None if order.space is None else Fraction(str(order.space))
-        means = Means(order.presentation, order.limits, executor, order.draws, space, store)
+        kept = NOTHING if order.exports else store  # nothing stands beside an export
+        means = Means(order.presentation, order.limits, executor, order.draws, space, kept)
         code = _make(order, exam, means, record)
-        if code == SOLVED:
+        if code == SOLVED and not order.exports:
             store.forget_others()
             record.forget_others(lambda name: name.startswith(PAPER))
         return code

@@ -87,6 +87,7 @@ TIME_LIMIT = click.option("--time-limit", metavar="SECONDS", type=Seconds(), def
 @click.option("--memory-limit", metavar="MB", type=click.IntRange(min=16, max=2**20), default=2048, show_default=True,
               help="For each part by each method.")  # fmt: skip
 @executing
+@AGAIN
 @click.option("-v", "--verbose", is_flag=True, help="List every check.")
 @click.pass_context
 def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
@@ -106,6 +107,7 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     port: int | None,
     time_limit: float,
     memory_limit: int,
+    again: bool,
     verbose: bool,
     workers: Workers,
 ) -> None:
@@ -125,7 +127,9 @@ def run(  # noqa: PLR0913, PLR0917 - a parameter for each option of the command
     _refuse_to_watch(inputs.files, standard_output=destination.standard_output, port=port, watch=watch)
     told = ("json" in destination.formats, checks or "", not no_sources, known(language, templates, ctx), notation)
     presentation = Presentation(detail, templates, *told, pdf_engine=pdf_engine)
-    request = Request(inputs.files, destination, presentation, open_page, time_limit, memory_limit, verbose, workers)
+    limits = time_limit, memory_limit
+    several = inputs.several
+    request = Request(inputs.files, destination, presentation, open_page, *limits, verbose, workers, several, again)
     if watch:
         from solver.cli.watching import watch_problems
 

@@ -50,15 +50,22 @@ class Request:
     memory_limit: int
     verbose: bool
     workers: Workers = field(default_factory=Workers)
+    several: bool = False
+    again: bool = False
 
 
 def solve_files(request: Request) -> int:
     """Solve each file; return the worst exit code. What is wrong with one file does not stop the others."""
     settle()
-    if len(request.files) > 1:
+    if len(request.files) > 1 or (request.several and not request.open_page):
+        from solver.cli.keeping import Solved
+
+        kept = Solved(request, anew=request.again)
+        if len(kept.told) == len(request.files):  # nothing that solves is loaded
+            return max(kept.told[file].tell() for file in request.files)
         from solver.cli.batch import solve_many
 
-        return solve_many(request)
+        return solve_many(request, kept)
     return max(_guarded(request, file, Meter(1)) for file in request.files)
 
 
