@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import pickle
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
+from uuid import uuid4
 
 from solver.classroom.marking import Marker, mark
 from solver.classroom.reading.answer_file import Submission
@@ -14,6 +15,10 @@ from solver.classroom.verdicts import Marking
 from solver.engine import Solution
 from solver.executors import Executor
 from solver.limits import Exceeded, Limits, call_within
+from solver.problem.model import Problem
+
+if TYPE_CHECKING:
+    from solver.limits.results import Sent
 
 Paper = tuple[Solution, Submission]
 """A solved problem and what was submitted to it."""
@@ -47,22 +52,29 @@ def mark_each(
         yield _part_by_part(*paper, limits, templates) if isinstance(marking, Exceeded) else marking
 
 
-def mark_packed(solution: bytes, submission: Submission, templates: Path | None) -> Marking:
+@dataclass(frozen=True, slots=True)
+class _Packed:
+    """A solution as it is sent: its answers as plain data. It is known by its key."""
+
+    key: str
+    problem: Problem = field(compare=False)
+    parts: tuple[Sent, ...] = field(compare=False)
+
+
+def mark_packed(solution: _Packed, submission: Submission, templates: Path | None) -> Marking:
     """Return the marking of a submission to a solved problem that was sent here."""
     return mark(_unpacked(solution), submission, templates)
 
 
-def _packed(solution: Solution) -> bytes:
-    """Return a solution as it is sent: its answers as plain data."""
+def _packed(solution: Solution) -> _Packed:
     from solver.limits.results import sent  # noqa: PLC0415 - who marks one file sends none
 
-    return pickle.dumps((replace(solution.problem, images={}), tuple(map(sent, solution.parts))))
+    return _Packed(uuid4().hex, replace(solution.problem, images={}), tuple(map(sent, solution.parts)))
 
 
 @lru_cache(KEPT)
-def _unpacked(packed: bytes) -> Solution:
-    problem, parts = pickle.loads(packed)  # noqa: S301 - of this program, through a pipe of its own
-    return Solution(problem, tuple(each.result() for each in parts))
+def _unpacked(packed: _Packed) -> Solution:
+    return Solution(packed.problem, tuple(each.result() for each in packed.parts))
 
 
 def _part_by_part(solution: Solution, submission: Submission, limits: Limits, templates: Path | None) -> Marking:
