@@ -78,6 +78,15 @@ def solve_many(request: Request, kept: Solved) -> int:
     return told.code
 
 
+def made_of(request: Request, file: str, executor: Executor) -> Outcome:
+    """Return what becomes of one file."""
+    found = _read(request, 0, file, Screen.here())
+    if isinstance(found, Outcome):
+        return found
+    limits = Limits(request.time_limit, request.memory_limit)
+    return next(outcome for _, outcome, _ in _outcomes(executor, [found], limits))
+
+
 def _read(request: Request, place: int, file: str, screen: Screen) -> File | Outcome:
     """Read a file; return what is wrong with it where it cannot be read."""
     from solver.cli.solving import asked_of, source_of

@@ -86,12 +86,6 @@ def _end_orderly() -> None:
             signal.signal(getattr(signal, name), end)
 
 
-def written_of(request: Request, file: str) -> tuple[int, list[Path]]:
-    """Solve one file; return the exit code and the files written, none where the file is at fault."""
-    code = _guarded(request, file, Meter(1))
-    return code, [] if code == INPUT_AT_FAULT else list(request.destination.paths(file).values())
-
-
 def _guarded(request: Request, file: str, meter: Meter) -> int:
     """Solve one file; whatever goes wrong becomes words on standard error and an exit code."""
     try:

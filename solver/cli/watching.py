@@ -9,8 +9,7 @@ import time
 import webbrowser
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack, redirect_stderr
-from dataclasses import dataclass, field, replace
-from functools import partial
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import unquote
@@ -77,22 +76,52 @@ def watch(
 
 def watch_problems(request: Request, port: int) -> int:
     """Solve the files of a request, and each again when it changes; return the exit code."""
-    from solver.cli.solving import settle, written_of
-    from solver.limits.child import load_all_algebra
+    from solver.cli.solving import settle
 
     settle()
-    load_all_algebra()  # once, and not in the child of each file
     templates = request.presentation.templates
     watched = [Watched(file, lambda name: beside_problem(name, templates)) for file in request.files]
     serves = "html" in request.destination.formats
-    shown = replace(request, open_page=False)
     opens = request.open_page and serves
 
     def open_page(address: str) -> None:
         if opens and not webbrowser.open(address):
             click.echo(f"no browser could be started; open {address} yourself", err=True)
 
-    return watch(watched, partial(written_of, shown), port=port, tell=open_page, serves=serves)
+    with _Worker(request) as worker:
+        return watch(watched, worker.work, port=port, tell=open_page, serves=serves)
+
+
+class _Worker:
+    """Solves files in a process that stays warm; templates that changed are read by a new one."""
+
+    def __init__(self, request: Request) -> None:
+        from solver.executors import Processes
+
+        self.request = request
+        self.executor = Processes(1)
+        self.templates: object = self._templates()
+
+    def work(self, file: str) -> tuple[int, list[Path]]:
+        """Solve, write and tell a file; return the exit code and the files written."""
+        from solver.cli.batch import made_of
+
+        if (templates := self._templates()) != self.templates:
+            self.executor.close()
+            self.templates = templates
+        outcome, written = made_of(self.request, file, self.executor).deliver(file)
+        return outcome.tell(), written
+
+    def _templates(self) -> object:
+        folder = self.request.presentation.templates
+        return [(path, _state(path)) for path in sorted(folder.rglob("*"))] if folder is not None else []
+
+    def __enter__(self) -> _Worker:
+        self.executor.begin()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.executor.close()
 
 
 def _changes(watched: Sequence[Watched]) -> Iterator[list[Watched]]:

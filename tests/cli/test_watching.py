@@ -252,6 +252,7 @@ def test_it_ends_with_all_it_started(good):
         before = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text("utf-8").split()
         process.send_signal(signal.SIGTERM)
         assert process.wait(timeout=30) == 128 + signal.SIGTERM
-        time.sleep(0.2)
-        left = [each for each in before if Path(f"/proc/{each}").exists()]
-        assert not left
+        end = time.monotonic() + 20
+        while any(Path(f"/proc/{each}").exists() for each in before) and time.monotonic() < end:
+            time.sleep(0.05)
+        assert not [each for each in before if Path(f"/proc/{each}").exists()]
