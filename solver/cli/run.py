@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import click
+from click.shell_completion import CompletionItem
 
+from solver.cli.completing import listed
 from solver.cli.executing import Workers, executing
 from solver.cli.language import LANGUAGE, NOTATION, known
 from solver.document.formats import FORMATS
@@ -44,6 +46,15 @@ class FormatList(click.ParamType[tuple[str, ...]]):
         if not words:
             self.fail(f"no format named; there are {', '.join(self.known)}", param, ctx)
         return tuple(words)
+
+    def shell_complete(
+        self,
+        ctx: click.Context,  # noqa: ARG002 - click's signature
+        param: click.Parameter,  # noqa: ARG002 - as above
+        incomplete: str,
+    ) -> list[CompletionItem]:
+        """Return how the list may go on."""
+        return listed(incomplete, self.known)
 
 
 class Seconds(click.FloatRange):

@@ -45,6 +45,7 @@ def test_the_script_of_each_shell_is_printed(solve, shell):
         (["solve", "problem.ya"], [("file", "problem.ya")]),
         (["solve", "problem.yaml", "--detai"], [("plain", "--detail")]),
         (["solve", "problem.yaml", "--detail", "tu"], [("plain", "tutor")]),
+        (["solve", "problem.yaml", "-f", "html,js"], [("plain", "html,json")]),
         (["solve", "check", "a.yaml", "b"], [("file", "b")]),
         (["solve", "exam", "exam.yaml", "-o", "bu"], [("dir", "bu")]),
         (["solve", "variants", "fam"], [("file", "fam")]),
