@@ -24,7 +24,8 @@ def forked(monkeypatch):
 
 
 def contents(folder):
-    return {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir())}
+    """The files written; the record that a rerun keeps is hidden."""
+    return {path.name: path.read_bytes() for path in sorted(Path(folder).iterdir()) if path.name[0] != "."}
 
 
 @pytest.fixture
