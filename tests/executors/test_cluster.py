@@ -63,7 +63,7 @@ def test_a_call_whose_worker_is_lost_is_made_by_another_one(two):
 def test_files_are_solved_and_told_as_by_processes(solve, address, tmp_path):
     for name, text in {"one": GOOD, "two": GOOD.replace("-3", "-5"), "bad": GOOD.replace("find", "fnd")}.items():
         (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
-    words = ("one.yaml", "bad.yaml", "two.yaml", "-f", "html,json", "-o", "out/")
+    words = ("one.yaml", "bad.yaml", "two.yaml", "-f", "html,json", "-o", "out/", "--again")
     found = []
     for engine in (("--jobs", 1), ("--engine", "dask", "--scheduler", address)):
         done = solve(*words, *engine)
