@@ -19,9 +19,10 @@ Polynomial = Any
 
 @dataclass(frozen=True)
 class Quotients:
-    """The field of quotients in some variables; `pairs` are the positions of sine and cosine of one angle."""
+    """The field of quotients in some variables, each at its place; `pairs`: of the sine and cosine of an angle."""
 
     variables: tuple[sp.Expr, ...]
+    places: dict[sp.Expr, int]
     R: Any
     pairs: tuple[tuple[int, int], ...]
 
@@ -29,12 +30,16 @@ class Quotients:
         """Numerator and denominator, without common factors."""
         return self.reduced(*self._walk(expression))
 
+    def is_zero(self, expression: sp.Expr) -> bool:
+        """Whether an expression is zero: nothing need be cancelled for that."""
+        return self.vanishes(self._walk(expression)[0])
+
     def _walk(self, e: Any) -> tuple[Polynomial, Polynomial]:
         one = self.R.one
         if e.is_Rational:
             return self.R(e.p), self.R(e.q)
-        if e in self.variables:
-            return self.R.gens[self.variables.index(e)], one
+        if (place := self.places.get(e)) is not None:
+            return self.R.gens[place], one
         if e.is_Add:
             above, below = self.R.zero, one
             for term in e.args:
@@ -55,7 +60,7 @@ class Quotients:
         if self.vanishes(above):
             return self.R.zero, self.R.one
         above, below = self.shortest(above), self.shortest(below)
-        above, below = above.cancel(below)
+        above, below = _over_a_number(above, below) if below.is_ground else above.cancel(below)
         if below.LC < 0:
             above, below = -above, -below
         return above, below
@@ -104,6 +109,12 @@ class Quotients:
         return sp.Rational(number) * monomial.as_expr(*self.variables), rest.as_expr(*self.variables)
 
 
+def _over_a_number(above: Polynomial, below: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """The quotient of a polynomial and a number, with whole coefficients and no common factor, as `cancel` has it."""
+    number, whole = above.mul_ground(1 / below.LC).clear_denoms()
+    return whole, above.ring(number)
+
+
 def quotients_in(expressions: Iterable[sp.Expr]) -> Quotients:
     """Return the field that some expressions lie in."""
     found: set[Any] = set()
@@ -115,7 +126,7 @@ def quotients_in(expressions: Iterable[sp.Expr]) -> Quotients:
     R, *_ = ring([sp.Dummy() for _ in variables] or [sp.Dummy()], sp.QQ)
     places = {variable: i for i, variable in enumerate(variables)}
     pairs = [(places[f], places[sp.cos(f.args[0])]) for f in variables if isinstance(f, sp.sin)]
-    return Quotients(variables, R, tuple(pairs))
+    return Quotients(variables, places, R, tuple(pairs))
 
 
 def _collect(e: Any, found: set[Any]) -> None:
@@ -139,8 +150,7 @@ def normal(expression: sp.Expr) -> sp.Expr:
 def is_zero(expression: sp.Expr) -> bool:
     """Whether an expression is zero, sums of angles multiplied out."""
     whole = sp.expand_trig(expression) if expression.has(sp.sin, sp.cos) else expression
-    above, _ = quotients_in([whole]).of(whole)
-    return not above
+    return quotients_in([whole]).is_zero(whole)
 
 
 def jacobian(functions: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> sp.ImmutableMatrix:
