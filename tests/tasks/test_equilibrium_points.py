@@ -231,3 +231,26 @@ def test_the_example_is_verified():
     path = Path(__file__).parents[2] / "problems/examples/equilibrium-points.yaml"
     problem = read_problem(Source(path.name, path.read_text(encoding="utf-8")), catalogue())
     assert {part.status for part in solve_problem(problem).parts} == {Status.VERIFIED}
+
+
+POLAR = """lagrangian: {coordinates: [r, theta], bodies: [{mass: m, position: [r sin(theta), -r cos(theta)]}],
+ gravity: g, springs: [{stiffness: k, length: r, rest: l_0}]}"""
+
+
+def test_where_the_motion_is_not_determined_there_is_no_equilibrium():
+    """At r = 0 the factor of the angle's acceleration is zero: the equations hold there for some angles, no more."""
+    (only,) = points(POLAR)
+    assert only["theta"] == sp.pi * n
+    result = solved('equations: ["(x - 1) x\' = x^2 - 1"]')
+    assert result.status is Status.VERIFIED
+    assert [list(point.values()) for point in result.answers["points"]] == [[-1]]
+    (step,) = [step for step in result.steps if step.kind == "singular"]
+    assert step.values["leading"] == [sp.ImmutableMatrix([[0]])]
+    assert points('equations: ["y(k) y(k+1) = y(k)^2 - y(k)^3"], time: discrete') == []
+
+
+def test_points_where_the_motion_is_not_determined_are_rejected():
+    """Those that the equations without derivatives allow besides."""
+    assert rejected('equations: ["(x - 1) x\' = x^2 - 1"]', [{"x": -1}, {"x": 1}])
+    assert rejected('equations: ["1e-12 (x - 1) x\' = x^2 - 1"]', [{"x": -1}, {"x": 1}])
+    assert not rejected('equations: ["1e-12 (x + 3) x\' = x^2 - 1"]', [{"x": -1}, {"x": 1}])

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from solver.derivation import AnswerName, Answers, Attempt, Check, Derivation, Given, Options, Slip, Step, Task, option
 from solver.derivation.registry import Refusal
+from solver.lazy import exact, systems
 from solver.lazy import sympy as sp
-from solver.lazy import systems
 from solver.options.input_values import InputValues
 from solver.options.intervals import Intervals
 from solver.options.unknowns import Unknowns
@@ -109,7 +109,35 @@ def by_rest(given: Given[Equations, EquilibriumPointsOptions]) -> Derivation[Ans
     known = {**dict.fromkeys(rest.zero, sp.Integer(0)), **dict(rest.same)}
     left = [a - b for a, b in rest.sides if a != b]
     found = yield from solutions_of(left, question.every, question.between, taken, question.told, known)
-    return Answers(points=[dict(point) for point in found.points])
+    regular, singular = _told_apart(found.points, question)
+    if singular:
+        yield Step(
+            "singular",
+            unclaimed="what the equations tell of the motion",
+            points=[[(x, point[x]) for x in question.told] for point, _ in singular],
+            leading=[factors for _, factors in singular],
+            highest=sp.ImmutableMatrix(rest.highest),
+            left=len(regular),
+            discrete=model.discrete,
+        )
+    return Answers(points=[dict(point) for point in regular])
+
+
+def _told_apart(
+    points: Sequence[Mapping[Any, Any]], question: Asked
+) -> tuple[list[Mapping[Any, Any]], list[tuple[Mapping[Any, Any], Any]]]:
+    """The points where the equations determine the motion, and those where they do not, with the factors there."""
+    leading = question.rest.leading
+    if leading is None:
+        return list(points), []
+    regular, singular = [], []
+    for point in points:
+        factors = leading.xreplace({x: value for x, value in point.items() if value != x}).applyfunc(exact.normal)
+        if exact.is_zero(exact.determinant(factors)):
+            singular.append((point, factors))
+        else:
+            regular.append(point)
+    return regular, singular
 
 
 def _functions(system: Any) -> tuple[Sequence[str], Sequence[str]]:
@@ -141,7 +169,9 @@ def rest_there_and_nowhere_else(given: Given[Equations, EquilibriumPointsOptions
     zero = {x: sp.Integer(0) for x in question.rest.zero if x not in question.told}
     equations = [e for each in question.rest.equations if (e := each.xreplace(zero)) != 0]
     every = [x for x in question.every if x not in zero]
-    yield from point_checks(equations, question.told, every, question.between, answers["points"], "points")
+    yield from point_checks(
+        equations, question.told, every, question.between, answers["points"], "points", question.rest.leading
+    )
 
 
 @equilibrium_points.mistake(ONE_OF_SEVERAL, "points")

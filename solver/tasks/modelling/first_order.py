@@ -219,8 +219,7 @@ def _eliminated(model: Equations) -> Derivation[tuple[Equations, dict[Symbol, Ex
 @lemma("first_order")
 def _solved_for_the_highest(model: Equations) -> Derivation[tuple[dict[Symbol, Expr], dict[Symbol, Expr]]]:
     """The highest derivatives, and unknowns without any, in terms of what is below them."""
-    orders = _orders(model)
-    wanted = {model.symbol((name, k)): k for name, k in orders.items()}
+    wanted = {symbol: model.jets[symbol][1] for symbol in highest_in(model)}
     if not any(wanted.values()):
         raise Unsolved("equations/no_states")
     differences = [left - right for left, right in model.sides]
@@ -237,6 +236,11 @@ def _solved_for_the_highest(model: Equations) -> Derivation[tuple[dict[Symbol, E
     yield Step("highest", claims=claims, steps=steps, equations=model.sides, found=list(found.items()),
                discrete=model.discrete)  # fmt: skip
     return found, {symbol: value for symbol, value in found.items() if wanted[symbol] == 0}
+
+
+def highest_in(model: Equations) -> tuple[Symbol, ...]:
+    """Return the highest derivative of each unknown that occurs; the unknown itself where none does."""
+    return tuple(model.symbol(jet) for jet in _orders(model).items())
 
 
 def _states(model: Equations) -> tuple[Jet, ...]:

@@ -23,8 +23,12 @@ def point_checks(
     between: Mapping[Any, Any],
     points: Sequence[Mapping[Any, Any]],
     answer: str,
+    leading: Any = None,
 ) -> Iterable[Check]:
-    """Every point satisfies the equations; Newton's method, from many starting points, finds no other."""
+    """Every point satisfies the equations; Newton's method, from many starting points, finds no other.
+
+    With `leading`, the factors of the highest derivatives, points count only where these are determined.
+    """
     hidden = [x for x in every if x not in told]
     named = [_by_symbol(point, told) for point in points]
     yield Check.that("each point names every unknown, and nothing else", "compared",
@@ -38,7 +42,11 @@ def point_checks(
         residual = judges.substitution_residual(equations, point, inside, hidden)
         label = Phrase("point {i} put into the equations", i=i)
         yield replace(Check.within(label, "sympy.N, 30 digits", residual, near, answer=answer), item=i)
-    lost = judges.missing(equations, told, whole, between, hidden)
+        if leading is not None:
+            determined = judges.is_regular_at(leading, point)
+            label = Phrase("the equations determine the motion at point {i}", i=i)
+            yield replace(Check.that(label, "numpy.linalg.svd", determined, answer=answer), item=i)
+    lost = judges.missing(equations, told, whole, between, hidden, leading)
     yield Check.that("Newton's method from many starting points finds no other point", "numpy.linalg.pinv", not lost,
                      answer=answer)  # fmt: skip
 

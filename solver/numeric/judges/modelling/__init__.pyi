@@ -12,7 +12,7 @@ from solver.numeric.judges.modelling.motion import (
     equation_balance,
     form_residual,
 )
-from solver.numeric.judges.modelling.points import missing, substitution_residual
+from solver.numeric.judges.modelling.points import is_regular_at, missing, substitution_residual
 
 __all__ = [
     "Balance",
@@ -26,6 +26,7 @@ __all__ = [
     "form_residual",
     "frequencies_residual",
     "function_residuals",
+    "is_regular_at",
     "linear_residuals",
     "missing",
     "model_residuals",

@@ -145,25 +145,59 @@ def missing(
     points: Sequence[Point],
     between: Mapping[Any, tuple[Any, Any]],
     hidden: Sequence[Any] = (),
+    leading: Any = None,
 ) -> list[dict[Any, Any]]:
     """Return real solutions that Newton's method finds from many starting points, and that are none of the points.
 
     They are searched between the limits given for an unknown, else within ±12; `hidden` are unknowns of the equations
-    that points do not tell.
+    that points do not tell. Where the matrix `leading` is singular there is no point.
     """
     every = [*unknowns, *hidden]
     lost: list[dict[Any, Any]] = []
-    for numbers in _draws(equations, every):
+    for numbers in _draws([*equations, *(leading or ())], every):
         real = [e.xreplace(numbers) for e in equations]
         solutions = _solutions(real, every, between)
         own = [Family(point, unknowns, numbers) for point in points]
         for at in solutions:
             told = at[: len(unknowns)]
+            if leading is not None and _is_singular(leading.xreplace(numbers), _put(every, at)):
+                continue
             if not any(each.holds(told) for each in own):
                 lost.append(dict(zip(unknowns, told.tolist(), strict=True)))
         if lost:
             break
     return lost
+
+
+def is_regular_at(matrix: Any, point: Point) -> bool:
+    """Return whether a matrix is regular at a point, for random values of what is free."""
+    whole = Random(SEED)  # noqa: S311 - nothing secret
+    source = PointSource(sorted(matrix.free_symbols | set(_symbols_of(point, ())), key=str))
+    for _ in range(DRAWS):
+        try:
+            drawn = source.draw()
+        except NotEvaluable:
+            return False
+        for numbers in _numbers(drawn, whole):
+            at = {x: value.xreplace(numbers) for x, value in point.items()}
+            if not _is_singular(matrix.xreplace({s: v for s, v in numbers.items() if s not in at}), at):
+                return True
+        if not source.symbols:
+            break
+    return False
+
+
+def _put(unknowns: Sequence[Any], at: Vectors) -> dict[Any, Any]:
+    return {x: sp.Float(value) for x, value in zip(unknowns, at.real.tolist(), strict=True)}
+
+
+def _is_singular(matrix: Any, at: Mapping[Any, Any]) -> bool:
+    """Whether a matrix loses rank at values of its symbols, beside what it is at other ones."""
+    elsewhere = {x: sp.Rational(7 + 4 * i, 9) for i, x in enumerate(at)}
+    there, usual = (np.array(matrix.xreplace(dict(v)).evalf().tolist(), dtype=complex) for v in (at, elsewhere))
+    sizes = np.abs(usual).max(axis=1, keepdims=True)
+    least, usually = (np.linalg.svd(each / sizes, compute_uv=False)[-1] for each in (there, usual))
+    return bool(not np.isfinite(least) or least < 1e-9 * usually)
 
 
 def _draws(equations: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[dict[Any, Any]]:
