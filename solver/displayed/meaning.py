@@ -11,7 +11,7 @@ from solver.displayed.matrix_functions import function_of_matrix
 from solver.displayed.names import VARIABLES, Names
 from solver.displayed.scalars import FUNCTIONS, plain
 from solver.displayed.shapes import OF_A_MATRIX, SCALAR, Shape, complete, known, of_product, selections, shape_of
-from solver.displayed.statements import names_in, spelled
+from solver.displayed.statements import meaning_in, names_in
 from solver.displayed.tree import Meaning, Unreadable, key_of
 from solver.formula import latex
 from solver.lazy import numeric
@@ -232,7 +232,7 @@ class Writer:
     def _partial_derivative(self, meaning: Meaning, _: Shape) -> Any:
         function, variable = meaning.parts
         body = self.formula(function)
-        own = (each for each in numeric.free_symbols(body) if spelled(latex(named(each.name))) == variable.text)
+        own = (each for each in numeric.free_symbols(body) if meaning_in(latex(named(each.name))) == variable)
         x = self.values[variable.text] if variable.kind == "value" else next(own, None)
         return sp.Integer(0) if x is None else partial_derivative(body, x)
 

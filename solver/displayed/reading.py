@@ -229,7 +229,7 @@ def _fraction(fraction: Fraction) -> Meaning:
 
 def _partial_derivative(fraction: Fraction) -> Meaning:
     above, below = (each.items if isinstance(each, Row) else () for each in (fraction.above, fraction.below))
-    if len(above) != 2 or len(below) != 2 or below[0] != PARTIAL:
+    if len(above) < 2 or len(below) < 2 or below[0] != PARTIAL:
         raise Unreadable("a derivative")
     return Meaning("partial_derivative", (read(above[1:]), read(below[1:])))
 

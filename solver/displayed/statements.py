@@ -151,9 +151,14 @@ def chains_in(text: str) -> tuple[Chain, ...]:
 
 def spelled(text: str) -> str:
     """Return a name in the spelling of those that are read."""
-    found = chains_in(text)
-    meaning = found[0].sides[0].meaning if found else None
+    meaning = meaning_in(text)
     return name_in(meaning) if meaning is not None else text
+
+
+def meaning_in(text: str) -> Meaning | None:
+    """Return what a formula of one side means; None where it cannot be read."""
+    found = chains_in(text)
+    return found[0].sides[0].meaning if found else None
 
 
 def name_in(meaning: Meaning | None) -> str:

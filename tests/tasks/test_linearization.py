@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -14,6 +16,7 @@ from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
 from solver.tasks import catalogue
 from tests.helpers.marked import verdict
+from tests.helpers.solved import document_of_problem
 
 CART = """
   equations:
@@ -236,3 +239,11 @@ find:
 def test_a_point_in_few_decimals_that_is_none_is_still_refused():
     result = solved('  equations: ["x\' = 1 - x^2"]', "{x: 1.000001}")
     assert result.status is Status.UNSOLVED
+
+
+def test_partial_derivatives_by_samples_are_judged():
+    """A sample y(k+1) is a variable like any other: what the page says of ∂f/∂y(k+1) is evaluated."""
+    path = Path("problems/examples/delayed-logistic.yaml")
+    document = document_of_problem(path)
+    reasons = [check.reason for part in document.parts for check in part.checks if check.reason]
+    assert not reasons

@@ -58,7 +58,11 @@ def solved_for(expressions: Sequence[sp.Expr], wanted: Sequence[sp.Symbol]) -> d
 
 
 def _by_jets(value: sp.Expr) -> sp.Expr:
-    return sp.expand(sp.cancel(value))
+    """A sum of terms, each without common factors."""
+    above, below = sp.fraction(sp.cancel(value))
+    if not below.is_Add and not below.is_Mul:
+        return sp.expand(above / below)
+    return sp.Add(*(sp.cancel(term / below) for term in sp.Add.make_args(sp.expand(above))))
 
 
 def matrix_of(expressions: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> sp.ImmutableMatrix:
