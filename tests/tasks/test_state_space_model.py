@@ -364,3 +364,17 @@ def test_coupled_equations_show_their_mass_matrix():
     assert (shown.kind, shown.detail) == ("mass_matrix", "tutor")
     assert set(shown.claims) == {"collected", "determinant", "combined0", "combined1"}
     assert not solved(MASS).steps[0].steps
+
+
+HOIST = """equations: ["m x'' = T - m g", "J omega' = tau - r T", "x' = r omega"], algebraic: [T, omega], inputs: [tau],
+ outputs: [x, T]"""
+
+
+def test_a_relation_of_derivatives_eliminates_what_is_no_state_of_its_own():
+    """x' = r ω is differentiated: (m r² + J) x'' = r (τ − m g r)."""
+    result = solved(HOIST)
+    assert result.status is Status.VERIFIED, result.reason
+    named = {str(symbol): symbol for symbol in result.answers["f"].free_symbols}
+    m, r, J, g, tau = (named[name] for name in ("m", "r", "J", "g", "tau"))
+    assert sp.simplify(result.answers["f"][1] - r * (tau - m * g * r) / (m * r**2 + J)) == 0
+    assert str(next(v for k, v in result.answers["eliminated"].items() if str(k) == "omega")) == "x_dot/r"

@@ -76,7 +76,9 @@ def _are_linear(expressions: Sequence[Expr], model: Equations) -> bool:
 def first_order_of(model: Equations) -> Derivation[FirstOrder]:
     """Eliminate, solve for the highest derivatives, choose the states. Raises Unsolved."""
     model = yield from _without_delays(model)
-    model, eliminated = yield from _eliminated(model)
+    model, eliminated = yield from _eliminated(model, _without_derivatives(model))
+    model, by_rates = yield from _eliminated(model, _rates(model))
+    eliminated = {**{x: value.xreplace(by_rates) for x, value in eliminated.items()}, **by_rates}
     solved, rest = yield from _solved_for_the_highest(model)
     states = _states(model)
     following = [model.symbol((name, k + 1)) for name, k in states]
@@ -189,14 +191,31 @@ def _solved_for(expressions: Sequence[Expr], wanted: Sequence[Symbol], *, linear
     return found
 
 
+def _without_derivatives(model: Equations) -> dict[int, list[str]]:
+    """The equations without derivatives, by their numbers, with the algebraic unknowns in them."""
+    return {i: [name for name in model.algebraic if (left - right).has(model.symbol((name, 0)))]
+            for i, (left, right) in enumerate(model.sides) if not _derivatives_in(model, left - right)}  # fmt: skip
+
+
+def _rates(model: Equations) -> dict[int, list[str]]:
+    """The equations, as x' = r omega, with an algebraic unknown whose own derivative stands in another one only."""
+    orders, found = _orders(model), {}
+    for i, (left, right) in enumerate(model.sides):
+        inside = {model.jets[s] for s in (left - right).free_symbols if s in model.jets}
+        found[i] = [name for name in model.algebraic if orders.get(name, 0) > 0
+                    and [k for each, k in inside if each == name] == [0]]  # fmt: skip
+    return {i: names for i, names in found.items() if names}
+
+
 @lemma("first_order")
-def _eliminated(model: Equations) -> Derivation[tuple[Equations, dict[Symbol, Expr]]]:
-    """Algebraic unknowns by the equations without derivatives, these and their derivatives put into the others."""
+def _eliminated(
+    model: Equations, relations: Mapping[int, Sequence[str]]
+) -> Derivation[tuple[Equations, dict[Symbol, Expr]]]:
+    """Algebraic unknowns by relations, equations by their numbers; they and their derivatives put into the others."""
     differences = [left - right for left, right in model.sides]
-    without = [i for i, e in enumerate(differences) if not _derivatives_in(model, e)]
-    wanted = [name for name in model.algebraic if any(differences[i].has(model.symbol((name, 0))) for i in without)]
+    wanted = [name for name in model.algebraic if any(name in names for names in relations.values())]
     symbols = [model.symbol((name, 0)) for name in wanted]
-    used = [i for i in without if differences[i].has(*symbols)] if symbols else []
+    used = [i for i, names in relations.items() if names]
     found = _solved_for([differences[i] for i in used], symbols, linear=is_linear(model)) if used else None
     if not found:
         return model, {}
@@ -210,7 +229,7 @@ def _eliminated(model: Equations) -> Derivation[tuple[Equations, dict[Symbol, Ex
     kept = [tuple(side.xreplace(put) for side in pair) for pair in others]
     later = [(x, put[x]) for x in put if x not in found and any(side.has(x) for pair in others for side in pair)]
     yield Step("eliminated", claims=claims, relations=[model.sides[i] for i in used], found=list(found.items()),
-               later=later, kept=kept)  # fmt: skip
+               later=later, kept=kept, rates=any(_derivatives_in(model, differences[i]) for i in used))  # fmt: skip
     left = _with_jets(model, kept, [output.xreplace(put) for output in model.outputs])
     names = tuple(name for name in model.unknowns if name not in wanted)
     return replace(left, unknowns=names, algebraic=tuple(n for n in model.algebraic if n not in wanted)), found

@@ -104,14 +104,17 @@ class JetEquations:
         return found
 
     def _orders(self, expression: Any) -> range:
-        """How often an equation is differentiated: not at all, or as often as any unknown if no derivative is in it.
+        """How often an equation is differentiated: as often as any unknown if no derivative is in it.
 
+        Else until it holds the highest derivative of one of its unknowns: that of x' = rω is needed beside x'' and ω'.
         Discrete: how many samples later it is written; one in past samples so that it holds none.
         """
         later = -min((k for _, k in self._own(expression)), default=0) if self.discrete else 0
         later = max(later, 0)
-        if any(k + later for name, k in self._own(expression) if name in self.unknowns):
-            return range(later, later + 1 + self.further)
+        own = [(name, k) for name, k in self._own(expression) if name in self.unknowns]
+        if any(k + later for _, k in own):
+            gap = min(max(k for each, k in self.jets.values() if each == name) - k - later for name, k in own)
+            return range(later, later + 1 + self.further + max(gap, 0))
         return range(
             later,
             later + 1 + self.further + max((k for name, k in self.jets.values() if name in self.unknowns), default=0),
