@@ -34,6 +34,9 @@ MULTIPLES = {"T": 12, "G": 9, "MEG": 6, "k": 3, "m": -3, "u": -6, "n": -9, "p": 
 """Suffixes that other programs read as powers of ten, where here they would be names."""
 MULTIPLE = rf"([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)({'|'.join(MULTIPLES)})"
 
+CONSTANTS = ("e", "j")
+"""Names of numbers that somebody who writes them after a source means as its own."""
+
 
 def read_netlist(reader: Reader) -> tuple[Element, ...]:
     """Return the elements; those that cannot be read are missing, and told."""
@@ -123,6 +126,9 @@ def _with_value(reader: Reader, item: int, element: Element, rest: Sequence[Word
             return replace(element, source=str(value))
         if value.free_symbols:
             _complain(reader, item, at, f"the value of the source {element.name} names an input or is a number")
+            return None
+        if at[1] in CONSTANTS:
+            _complain(reader, item, at, f"{at[1]} is a number here; give the input another name", f"{at[1]}_s")
             return None
     elif value == 0 and element.letter in "RLC":
         _complain(reader, item, at, f"{element.name} is zero; leave the element out, or join its nodes")

@@ -193,6 +193,8 @@ def test_a_hidden_mode_is_named():
     ("lines", "more", "at", "says", "suggestion"),
     [
         (["X1 1 0"], {}, "X1", "X1 is no element", ""),
+        (["V1 1 0 e", "R1 1 0"], {}, "e", "e is a number here; give the input another name", "e_s"),
+        (["I1 1 0 j", "R1 1 0"], {}, "j", "j is a number here; give the input another name", "j_s"),
         (["r1 1 0"], {}, "r1", "r1 is no element", "R1"),
         (["V1 1"], {}, "1", "V1 needs 2 words after its name: V1 NODE NODE VALUE", ""),
         (["E1 1 0 2"], {}, "2", "E1 needs 4 words", ""),
