@@ -124,16 +124,20 @@ def _with_value(reader: Reader, item: int, element: Element, rest: Sequence[Word
     if element.letter in "VI":
         if value.is_Symbol:
             return replace(element, source=str(value))
-        if value.free_symbols:
-            _complain(reader, item, at, f"the value of the source {element.name} names an input or is a number")
-            return None
-        if at[1] in CONSTANTS:
-            _complain(reader, item, at, f"{at[1]} is a number here; give the input another name", f"{at[1]}_s")
+        if value.free_symbols or at[1] in CONSTANTS:
+            _complain(reader, item, at, *_misread(element, at[1], is_constant=at[1] in CONSTANTS))
             return None
     elif value == 0 and element.letter in "RLC":
         _complain(reader, item, at, f"{element.name} is zero; leave the element out, or join its nodes")
         return None
     return replace(element, value=value)
+
+
+def _misread(element: Element, text: str, *, is_constant: bool) -> tuple[str, ...]:
+    """What is wrong with the value of a source, and a suggestion."""
+    if is_constant:
+        return f"{text} is a number here; give the input another name", f"{text}_s"
+    return (f"the value of the source {element.name} names an input or is a number",)
 
 
 def _faults(elements: Sequence[Element]) -> Iterator[tuple[int, str]]:

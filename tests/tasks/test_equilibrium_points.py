@@ -254,3 +254,13 @@ def test_points_where_the_motion_is_not_determined_are_rejected():
     assert rejected('equations: ["(x - 1) x\' = x^2 - 1"]', [{"x": -1}, {"x": 1}])
     assert rejected('equations: ["1e-12 (x - 1) x\' = x^2 - 1"]', [{"x": -1}, {"x": 1}])
     assert not rejected('equations: ["1e-12 (x + 3) x\' = x^2 - 1"]', [{"x": -1}, {"x": 1}])
+
+
+def test_points_far_away_are_missed():
+    """No list is complete without them: x = 300 and x = −40 of a quadratic; roots that no formula gives within ±100."""
+    far = 'equations: ["x\' = (x - 300)(x + 40)"]'
+    assert not rejected(far, [{"x": 300}, {"x": -40}])
+    assert rejected(far, [{"x": 300}])
+    assert rejected(far, [])
+    assert rejected('equations: ["x\' = 2000 - x"]', [])
+    assert rejected('equations: ["x\' = exp(x/40) - 5"]', [])

@@ -52,6 +52,14 @@ class JetEquations:
         """The equations, each with the derivatives (discrete: samples) of it that are used."""
         return [(e, by) for e in self.expressions for by in self._orders(e)]
 
+    @cached_property
+    def _highest(self) -> dict[str, int]:
+        """The highest derivative of each unknown in the equations (discrete: as they are written)."""
+        found: dict[str, int] = {}
+        for name, k in sorted(jet for e in self.expressions for jet in self._own(e)):
+            found[name] = max(k, found.get(name, k))
+        return found
+
     def _wanted(self, given: Iterable[Jet]) -> list[Jet]:
         return sorted({jet for e, by in self._rows for jet in self._inside(e, by)} - set(given))
 
@@ -113,7 +121,7 @@ class JetEquations:
         later = max(later, 0)
         own = [(name, k) for name, k in self._own(expression) if name in self.unknowns]
         if any(k + later for _, k in own):
-            gap = min(max(k for each, k in self.jets.values() if each == name) - k - later for name, k in own)
+            gap = min(self._highest[name] - k - later for name, k in own)
             return range(later, later + 1 + self.further + max(gap, 0))
         return range(
             later,
@@ -141,6 +149,8 @@ class JetEquations:
                 return z
             n = len(wanted)
             slopes = (values[:, 1 : n + 1] - values[:, n + 1 :]) / (2 * MOVE * size)
+            if not (np.isfinite(slopes).all() and np.isfinite(values[:, 0]).all()):
+                return None
             step = np.linalg.lstsq(slopes, -values[:, 0], rcond=1e-12)[0]
             z = z + step
             if np.max(np.abs(step) / np.maximum(1.0, np.abs(z))) < NEAR:

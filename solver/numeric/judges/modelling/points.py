@@ -23,7 +23,11 @@ DRAWS = 24
 WHOLE = 6
 STARTS = 240
 STEPS = 60
-REACH = 12
+REACH = 100
+"""Where roots are searched without limits, as those that no formula gives; of algebraic equations anywhere."""
+FAR, CLOSE = 1e9, 12
+NEAR_SINGULAR = 1e-4
+"""Newton's method comes near to a multiple root only."""
 Point = Mapping[Any, Any]
 Vectors = Any
 
@@ -149,18 +153,19 @@ def missing(
 ) -> list[dict[Any, Any]]:
     """Return real solutions that Newton's method finds from many starting points, and that are none of the points.
 
-    They are searched between the limits given for an unknown, else within ±12; `hidden` are unknowns of the equations
-    that points do not tell. Where the matrix `leading` is singular there is no point.
+    They are searched between the limits given for an unknown, else within ±100 (of algebraic ones anywhere); `hidden`
+    are unknowns of the equations that points do not tell. Where the matrix `leading` is singular there is no point.
     """
     every = [*unknowns, *hidden]
+    reach = FAR if all(_is_algebraic(e, every) for e in equations) else REACH
     lost: list[dict[Any, Any]] = []
     for numbers in _draws([*equations, *(leading or ())], every):
         real = [e.xreplace(numbers) for e in equations]
-        solutions = _solutions(real, every, between)
+        solutions = _solutions(real, every, between, reach)
         own = [Family(point, unknowns, numbers) for point in points]
         for at in solutions:
             told = at[: len(unknowns)]
-            if leading is not None and _is_singular(leading.xreplace(numbers), _put(every, at)):
+            if leading is not None and _is_singular(leading.xreplace(numbers), _put(every, at), NEAR_SINGULAR):
                 continue
             if not any(each.holds(told) for each in own):
                 lost.append(dict(zip(unknowns, told.tolist(), strict=True)))
@@ -191,13 +196,13 @@ def _put(unknowns: Sequence[Any], at: Vectors) -> dict[Any, Any]:
     return {x: sp.Float(value) for x, value in zip(unknowns, at.real.tolist(), strict=True)}
 
 
-def _is_singular(matrix: Any, at: Mapping[Any, Any]) -> bool:
+def _is_singular(matrix: Any, at: Mapping[Any, Any], share: float = 1e-9) -> bool:
     """Whether a matrix loses rank at values of its symbols, beside what it is at other ones."""
     elsewhere = {x: sp.Rational(7 + 4 * i, 9) for i, x in enumerate(at)}
     there, usual = (np.array(matrix.xreplace(dict(v)).evalf().tolist(), dtype=complex) for v in (at, elsewhere))
     sizes = np.abs(usual).max(axis=1, keepdims=True)
     least, usually = (np.linalg.svd(each / sizes, compute_uv=False)[-1] for each in (there, usual))
-    return bool(not np.isfinite(least) or least < 1e-9 * usually)
+    return bool(not np.isfinite(least) or least < share * usually)
 
 
 def _draws(equations: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[dict[Any, Any]]:
@@ -210,9 +215,13 @@ def _draws(equations: Sequence[Any], unknowns: Sequence[Any]) -> Iterator[dict[A
             return
 
 
-def _solutions(
-    equations: Sequence[Any], unknowns: Sequence[Any], between: Mapping[Any, Any], reach: float = REACH
-) -> Vectors:
+def _is_algebraic(equation: Any, unknowns: Sequence[Any]) -> bool:
+    """Whether an equation has no functions of the unknowns but powers with rational exponents."""
+    inside = {*equation.atoms(sp.Function), *equation.atoms(sp.Pow)}
+    return not any(f.has(*unknowns) and not (f.is_Pow and f.exp.is_Rational) for f in inside)
+
+
+def _solutions(equations: Sequence[Any], unknowns: Sequence[Any], between: Mapping[Any, Any], reach: float) -> Vectors:
     """Newton's method with least squares, from all starting points at once; only what is inside the limits."""
     equations = equations or [sp.S.Zero]  # without any, every value is a solution
     values = [compiled(e) for e in equations]
@@ -251,8 +260,12 @@ def _starts(low: Vectors, high: Vectors) -> Vectors:
     spread = random.uniform(0, 1, (STARTS, len(low)))
     near = random.uniform(-2, 2, (STARTS // 3, len(low)))
     small = random.uniform(-0.2, 0.2, (STARTS // 6, len(low)))
-    inside = [low + (high - low) * spread]
-    inside += [np.clip(each, low, high) for each in (near, small)]
+    wide = random.uniform(0, 1, near.shape)
+    far = np.exp(random.uniform(0, np.log(1e4), near.shape)) * random.choice([-1, 1], near.shape)
+    is_wide = high - low >= 2 * REACH
+    a, b = np.where(is_wide, -CLOSE, low), np.where(is_wide, CLOSE, high)
+    inside = [a + (b - a) * spread, low + (high - low) * wide if (high - low < FAR).all() else far]
+    inside += [np.clip(each, low, high) for each in (near, small, far)]
     return np.vstack(inside)
 
 
