@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solver.derivation import CheckStatus, Status
+from solver.derivation import Answers, CheckStatus, Status
 from solver.engine import solve_problem
 from solver.problem.reader import read_problem
 from solver.problem.source import InputError, Source
@@ -247,3 +247,28 @@ def test_partial_derivatives_by_samples_are_judged():
     document = document_of_problem(path)
     reasons = [check.reason for part in document.parts for check in part.checks if check.reason]
     assert not reasons
+
+
+CSTR = """
+  equations: ["V c' = q (c_i - c) - V r", "V T' = q (T_i - T) - h V r", "r = k c exp(-E/T)"]
+  algebraic: [r]
+  inputs: [c_i, T_i]
+"""
+TANKS = """
+  equations: ["h1' = a sqrt(h2) - b sqrt(h1) + u", "h2' = v - d sqrt(h2)", "h3' = u - h3"]
+  inputs: [u, v]
+"""
+
+
+@pytest.mark.parametrize("system", [CSTR, TANKS])
+def test_too_few_conditions_are_rejected(system):
+    """All of them make a point of rest, also with unknowns that are eliminated; each is needed."""
+    result = solve_problem(read(system)).parts[0]
+    assert result.status is Status.VERIFIED
+    part, ours = read(system).parts[0], result.answers["conditions"]
+    task = catalogue()["linearization"]
+    assert len(ours) > 1
+    for i in range(len(ours)):
+        rest = Answers(conditions=[each for j, each in enumerate(ours) if j != i])
+        checks = task.verify(task.given(part.system, part.options), rest)
+        assert any(check.status is CheckStatus.FAILED for check in checks)

@@ -216,9 +216,14 @@ def hold_at_rest(given: Given[Equations, LinearizationOptions], answers: Answers
 
 
 def _are_enough(model: Equations, values: Mapping[Symbol, Expr], conditions: Sequence[Any]) -> Iterator[Check]:
-    """With the conditions put in the equations hold at rest; judged where these are solved for names."""
+    """With the conditions put in the equations hold at rest; by numbers where these are not solved for names."""
     solved = {each.lhs: each.rhs for each in conditions if getattr(each.lhs, "is_Symbol", False)}
-    if len(solved) < len(conditions) or numeric.holds_decimals([*values.values(), *solved.values()]):
+    if numeric.holds_decimals([*values.values(), *solved.values()]):
+        return
+    hidden = any(side.has(model.symbol((name, 0))) for pair in model.sides for side in pair for name in model.algebraic)
+    if hidden or len(solved) < len(conditions):
+        moved = judges.motion_where(question_of(model), values, conditions, discrete=model.discrete)
+        yield Check.within("where the conditions hold, nothing moves", NEWTON, moved, NEAR)
         return
     rest = {
         symbol: sp.S.Zero if k and not model.discrete else values.get(model.symbol((name, 0)), symbol)
@@ -227,9 +232,8 @@ def _are_enough(model: Equations, values: Mapping[Symbol, Expr], conditions: Seq
     }
     for left, right in model.sides:
         there = (left - right).xreplace(rest | {x: v for x, v in values.items() if v != x})
-        if not any(there.has(model.symbol((name, 0))) for name in model.algebraic):
-            claim = Claim(there.xreplace(solved).xreplace(solved), sp.S.Zero)
-            yield numeric.check_claim(claim, "the conditions are enough for a point of rest")
+        claim = Claim(there.xreplace(solved).xreplace(solved), sp.S.Zero)
+        yield numeric.check_claim(claim, "the conditions are enough for a point of rest")
 
 
 def _point(given: Given[Equations, LinearizationOptions]) -> OperatingPoint:

@@ -2,9 +2,10 @@
 
 from solver.numeric.judges.modelling.beginnings import beginning_residual
 from solver.numeric.judges.modelling.circuits import frequencies_residual, state_residuals, transfer_residual
+from solver.numeric.judges.modelling.conditions import condition_residual, motion_where
 from solver.numeric.judges.modelling.equations import Question, eliminated_residual, model_residuals, states_of
 from solver.numeric.judges.modelling.functions import function_residuals, value_residual
-from solver.numeric.judges.modelling.linearized import condition_residual, linear_residuals, shrinking
+from solver.numeric.judges.modelling.linearized import linear_residuals, shrinking
 from solver.numeric.judges.modelling.motion import (
     Balance,
     energy_of_motion_residual,
@@ -30,6 +31,7 @@ __all__ = [
     "linear_residuals",
     "missing",
     "model_residuals",
+    "motion_where",
     "shrinking",
     "state_residuals",
     "states_of",

@@ -111,11 +111,11 @@ def _resting_points(asked: Asked) -> tuple[Around, ...]:
     complex_ones: list[Around] = []
     for _ in range(ATTEMPTS):
         numbers = dict(source.draw())
-        found = _at(question, values, numbers, random, discrete=discrete)
+        found = jets_at(question, values, numbers, random, discrete=discrete)
         for free in (names, free_ones) if asked.adjusted else ():
-            if found is not None and _off(found) > REST:
+            if found is not None and speed_at(found) > REST:
                 found = _adjusted(question, values, numbers, free, random, discrete=discrete) or found
-        if found is None or (asked.adjusted and (_off(found) > REST or found.size > LARGE)):
+        if found is None or (asked.adjusted and (speed_at(found) > REST or found.size > LARGE)):
             continue
         (real_ones if found.is_real else complex_ones).append(found)
         if len(real_ones) == TRIALS:
@@ -123,11 +123,12 @@ def _resting_points(asked: Asked) -> tuple[Around, ...]:
     return tuple([*real_ones, *complex_ones][:TRIALS])
 
 
-def _off(found: Around) -> float:
+def speed_at(found: Around) -> float:
+    """Return how fast the states move there."""
     return float(np.max(np.abs(found.moved()), initial=0.0))
 
 
-def _at(
+def jets_at(
     question: Question,
     values: Mapping[Any, Any],
     numbers: Numbers,
@@ -136,6 +137,7 @@ def _at(
     *,
     discrete: bool,
 ) -> Around | None:
+    """Return all jets at a point with numbers for its symbols, `near` known ones; None where none are found."""
     states, inputs = states_of(question), [(name, 0) for name in question.inputs]
     by_jet = {question.jets[symbol]: value for symbol, value in values.items() if symbol in question.jets}
     try:
@@ -160,21 +162,23 @@ def _adjusted(
     """Move the free symbols until nothing moves: Newton's method by the shortest steps."""
     here: Around | None = None
     for _ in range(12):
-        here = _at(question, values, numbers, random, here, discrete=discrete)
+        here = jets_at(question, values, numbers, random, here, discrete=discrete)
         if here is None or not free:
             return None
-        if _off(here) <= REST / 100:
+        if speed_at(here) <= REST / 100:
             break
         slopes = []
         for symbol in free:
             step = 1e-6 * max(1.0, abs(numbers[symbol]))
-            there = _at(question, values, {**numbers, symbol: numbers[symbol] + step}, random, here, discrete=discrete)
+            there = jets_at(
+                question, values, {**numbers, symbol: numbers[symbol] + step}, random, here, discrete=discrete
+            )
             if there is None:
                 return None
             slopes.append((there.moved() - here.moved()) / step)
         move = np.linalg.lstsq(np.array(slopes).T, -here.moved(), rcond=1e-9)[0]
         numbers.update({symbol: numbers[symbol] + by for symbol, by in zip(free, move, strict=True)})
-    return _at(question, values, numbers, random, here, discrete=discrete)
+    return jets_at(question, values, numbers, random, here, discrete=discrete)
 
 
 def linear_residuals(
@@ -255,15 +259,3 @@ def _rate(around: Around, x: Array) -> Array:
     if jets is None:
         return np.full(len(x), np.nan)
     return np.array([jets.get((name, k + 1), np.nan) for name, k in around.states]).real
-
-
-def condition_residual(
-    question: Question, values: Mapping[Any, Any], conditions: Sequence[Any], *, discrete: bool
-) -> float:
-    """Return how far conditions are from holding where the point is one of rest; nan where it is nowhere found."""
-    sides = [side for each in conditions for side in (each.lhs, each.rhs)]
-    worst = []
-    for around in resting_points(question, values, sides, discrete=discrete):
-        gaps = [evaluate(each.lhs, around.numbers) - evaluate(each.rhs, around.numbers) for each in conditions]
-        worst.append(float(np.max(np.abs(gaps), initial=0.0)))
-    return max(worst) if worst else np.nan
