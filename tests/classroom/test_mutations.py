@@ -21,10 +21,12 @@ from solver.problem.source import Source
 from solver.problem.yaml_tree import parse_yaml
 from tests.helpers.defining import still_right
 from tests.helpers.marked import marker
-from tests.helpers.solved import EXAMPLES, by_problem, solution_of
+from tests.helpers.solved import EXAMPLES, PROBLEMS, by_problem, solution_of
 from tests.helpers.students import mutants, rounded, written
 
 QUICK = EXAMPLES[::5]
+MODELLING = ("equations_of_motion", "state_space_model", "equilibrium_points", "linearization", "solve_equations")
+MODELS = [path for path in PROBLEMS if path not in EXAMPLES and any(t in path.read_text("utf-8") for t in MODELLING)]
 MOST = 3
 """Changed values of each answer that are tried."""
 
@@ -98,7 +100,18 @@ def _rounded(value):
 
 @pytest.mark.parametrize(**by_problem(EXAMPLES, QUICK, of=4))
 def test_a_changed_answer_is_wrong_unless_it_is_still_right(path):
+    changed_answers_are_wrong(path)
+
+
+@pytest.mark.parametrize(**by_problem(MODELS, [], of=16))
+def test_a_changed_answer_about_a_model_is_wrong_unless_it_is_still_right(path):
+    changed_answers_are_wrong(path, MODELLING)
+
+
+def changed_answers_are_wrong(path, tasks=()):
     for part, question, _ in questions(path):
+        if tasks and part.task not in tasks:
+            continue
         for name, ours in question.ours.items():
             tried = list(mutants(ours))
             few = 2 if part.task in ("response", "stability_range") else MOST
