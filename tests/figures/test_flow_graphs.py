@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from itertools import combinations
+from math import atan2, pi
 
 import pytest
 
 from solver.derivation.flow_figures import FlowGraph
 from solver.figures import svg, tikz
 from solver.figures.drawing import drawing_of
-from solver.figures.flow_graphs import layout_of
+from solver.figures.flow_graphs import ANCHORS, Drawing, _name, layout_of
 from solver.figures.layout import Dot, Label
 
 
@@ -88,3 +89,11 @@ def test_it_is_drawn_in_both_formats_and_told(figure):
     assert svg(drawn) == svg(drawn)
     assert all(f"${gain}$" in tikz(drawn) for *_, gain in figure.branches)
     assert "r to e: 1" in drawn.alt or "r to" in drawn.alt
+
+
+@pytest.mark.parametrize("free", range(8))
+def test_a_name_stands_where_no_line_leaves_its_node(free):
+    node = Drawing(GRAPHS["unity"], at={0: (1.0, 2.0)}, leaving={0: [i * pi / 4 for i in range(8) if i != free]})
+    name = _name(node, 0)
+    assert atan2(name.y - 2.0, name.x - 1.0) % (2 * pi) == pytest.approx(free * pi / 4)
+    assert (name.text, name.anchor) == ("r", ANCHORS[free])

@@ -319,6 +319,24 @@ def test_the_judge_rejects_any_corrupted_entry():
     assert max(judges.state_residuals(circuit, exchanged, model.outputs, states)) > 1e-4
 
 
+TWO_BRANCHES = ["V1 1 0 v_s", "R1 1 2", "C1 2 0", "R2 1 3", "C2 3 0"]
+
+
+def test_the_judge_tells_a_wrong_output_from_a_wrong_frequency():
+    circuit = read(TWO_BRANCHES, outputs=["v_2"]).system
+    model = circuit_model(circuit)
+    rates = [(rate.factor, rate.value) for rate in model.rates]
+    states = [rate.state for rate in model.rates]
+    transfer, free = judges.state_residuals(circuit, rates, [2 * model.outputs[0]], states)
+    assert transfer > 1e-2
+    assert free < 1e-9
+    unseen = [str(state) for state in states].index("v_C2")
+    changed = [(factor, 2 * value if i == unseen else value) for i, (factor, value) in enumerate(rates)]
+    transfer, free = judges.state_residuals(circuit, changed, model.outputs, states)
+    assert transfer < 1e-9
+    assert free > 1e-2
+
+
 def test_the_judge_of_nodal_analysis_rejects_another_transfer_function():
     circuit = read(LADDER, outputs=["v_5", "i_R1"]).system
     model = nodal_model(circuit, s)
