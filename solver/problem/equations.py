@@ -88,17 +88,13 @@ class EquationReader:
         return found
 
     def _in_jets(self, value: sp.Expr, node: ScalarNode, jets: Jets) -> sp.Expr:
-        """Put symbols in place of the functions of time."""
+        """Put symbols in place of the functions of time; `jets` has them in the order of the text, the latest first."""
         found: Any = value
+        names = list(dict.fromkeys(token.text for token in _tokens(node)))
         for kind in (sp.Derivative, AppliedUndef):  # the derivatives first: x stands within x'
             put: dict[Any, sp.Symbol] = {}
-            each: Any
-            for each in found.atoms(kind):
-                function, order = (each.expr, int(each.derivative_count)) if kind is sp.Derivative else (each, 0)
-                order = order or self._ahead(function, node)
-                if abs(order) > MAX_ORDER:
-                    raise node.fault(f"derivatives and samples are read up to order {MAX_ORDER}")
-                jet = (str(function.func.__name__), order)
+            for each in sorted(found.atoms(kind), key=lambda each: _place(self._jet_of(each, node), names)):
+                jet = self._jet_of(each, node)
                 put[each] = jet_symbol(jet, discrete=self.discrete)
                 jets[put[each]] = jet
             found = found.xreplace(put)
@@ -110,6 +106,14 @@ class EquationReader:
             self.lexicon.found[str(symbol)] = symbol
         return found
 
+    def _jet_of(self, each: Any, node: ScalarNode) -> Jet:
+        """Return the function and the order of a derivative, or of a function at a time."""
+        function, order = (each.expr, int(each.derivative_count)) if isinstance(each, sp.Derivative) else (each, 0)
+        order = order or self._ahead(function, node)
+        if abs(order) > MAX_ORDER:
+            raise node.fault(f"derivatives and samples are read up to order {MAX_ORDER}")
+        return str(function.func.__name__), order
+
     def _ahead(self, function: Any, node: ScalarNode) -> int:
         """How many samples ahead: 2 for y(k+2)."""
         ahead = sp.expand(function.args[0] - self.time)
@@ -117,6 +121,12 @@ class EquationReader:
             variable = "k, as in y(k+1)" if self.discrete else "t"
             raise node.fault(f"a function of time is written at the time {variable}")
         return int(ahead)
+
+
+def _place(jet: Jet, names: list[str]) -> tuple[int, str, int]:
+    """Where a jet comes: after those of names that stand before its own, and after the higher ones of its own."""
+    name, order = jet
+    return (names.index(name) if name in names else len(names), name, -order)
 
 
 def _terms(node: ScalarNode) -> Iterator[tuple[int, int, str]]:

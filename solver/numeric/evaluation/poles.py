@@ -156,22 +156,22 @@ def _zeros_of_polynomial_matrix(M: Array) -> Array:
 
 
 def _poles_of_expressions(expressions: Sequence[Any], s: Any, point: Environment) -> list[Array]:
-    bases = set().union(*(_denominators(expression, s) for expression in expressions))
+    bases = dict.fromkeys(base for expression in expressions for base in _denominators(expression, s))
     return [_zeros_of_rational(base, s, point) for base in bases]
 
 
 @lru_cache(maxsize=1024)
-def _denominators(expression: Any, s: Any) -> frozenset[Any]:
-    """Return all that the expression divides by and that holds s."""
+def _denominators(expression: Any, s: Any) -> tuple[Any, ...]:
+    """Return all that the expression divides by and that holds s, in its order: sums of poles are rounded by it."""
     if not isinstance(expression, sp.Basic) or s not in free_symbols(expression) or expression == s:
-        return frozenset()
+        return ()
     if isinstance(expression, sp.Pow):
         base, exponent = expression.args
         if not exponent.is_Integer:
             raise NotEvaluable(Phrase("{expression} is not rational in {s}", expression=str(expression), s=str(s)))
-        return _denominators(base, s) | (frozenset([base]) if exponent < 0 else frozenset())
+        return (*_denominators(base, s), *([base] if exponent < 0 else []))
     if isinstance(expression, sp.Add | sp.Mul):
-        return frozenset().union(*(_denominators(argument, s) for argument in expression.args))
+        return tuple(dict.fromkeys(base for argument in expression.args for base in _denominators(argument, s)))
     raise NotEvaluable(Phrase("{function} of {s} is not rational", function=type(expression).__name__, s=str(s)))
 
 
