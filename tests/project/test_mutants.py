@@ -5,8 +5,10 @@ import builtins
 import importlib
 import multiprocessing
 import os
+import resource
 import subprocess
 import sys
+import time
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -112,6 +114,7 @@ def test_a_sample_of_each_has_so_many_of_every_folder():
 
 WATCHED = """\
 import os
+import resource
 
 
 def f(x):
@@ -234,11 +237,25 @@ def test_where_a_slip_changes_the_names_of_cases_all_cases_are_run():
 
     def left(*tests):
         items = [Item(test) for test in ("t::a[1]", "t::a[2]", "t::b[3]", "t::b[4]", "t::c")]
-        Chosen(tests, "t").pytest_collection_modifyitems(items)
+        Chosen(dict.fromkeys(tests, 0.1), "t").pytest_collection_modifyitems(items)
         return [item.nodeid for item in items]
 
     assert left("t::c", "t::a[2]") == ["t::c", "t::a[2]"]
     assert left("t::b[no longer]", "t::a[1]", "t::d") == ["t::b[3]", "t::b[4]", "t::a[1]"]
+
+
+def test_a_test_has_its_own_time_and_the_limit_of_all_is_left_as_it_was():
+    class Item:
+        nodeid = "t::a"
+
+    before = resource.getrlimit(resource.RLIMIT_CPU)
+    around = Chosen({"t::a": 2.0}, "t").pytest_runtest_protocol(Item())
+    next(around)
+    left = resource.getrlimit(resource.RLIMIT_CPU)[0] - time.process_time()
+    assert 26 <= left <= 27.5
+    with pytest.raises(StopIteration):
+        around.send(None)
+    assert resource.getrlimit(resource.RLIMIT_CPU) == before
 
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ import sys
 import tempfile
 import time
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any
@@ -30,6 +30,8 @@ HOMES = {"options": "tests/problem/", "systems": "tests/problem/"}
 """Where the tests of a room are that has no folder of its own among them."""
 READING = tuple(f"tests/{name}.py" for name in ("project/test_tables", "problem/test_schema", "tasks/test_promised"))
 """Tests of what the files declare: they run none of their functions."""
+PATIENCE, SLOWER = 20, 3
+"""A test that takes longer than so many seconds and so many times what it took goes on for ever: the slip is seen."""
 FEW = 4
 """A line that fewer tests run may be one whose result they remember."""
 FORK = multiprocessing.get_context("fork")
@@ -94,10 +96,23 @@ class Chosen:
     A slip may change the names of cases: where one is not there, all cases of its function are run.
     """
 
-    def __init__(self, tests: Sequence[str], own: str) -> None:
+    def __init__(self, tests: Mapping[str, float], own: str) -> None:
         self.order = {test: i for i, test in enumerate(tests)}
+        self.seconds = tests
         self.own = own
         self.code = 0
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
+        """End the process where one test goes on for ever: the others need not share their time with it."""
+        whole, hard = resource.getrlimit(resource.RLIMIT_CPU)
+        end = time.process_time() + PATIENCE + SLOWER * self.seconds.get(item.nodeid, 0.0)
+        limits = [each for each in (int(end) + 1, whole) if each != resource.RLIM_INFINITY]
+        resource.setrlimit(resource.RLIMIT_CPU, (min(limits), hard))
+        try:
+            return (yield)
+        finally:
+            resource.setrlimit(resource.RLIMIT_CPU, (whole, hard))
 
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """Leave what was chosen."""
@@ -126,9 +141,10 @@ def outcomes(mutants: Sequence[Mutant], reached: Reached, lanes: int) -> Iterato
                 if not tests:
                     yield mutant, "not reached"
                     continue
-                seconds = 20 + 3 * sum(reached.seconds[test] for test in tests)
+                each = {test: reached.seconds[test] for test in tests}
+                seconds = PATIENCE + SLOWER * sum(each.values())
                 lane = free.pop()
-                process = FORK.Process(target=_try, args=(mutant, tests, lane, int(seconds)))
+                process = FORK.Process(target=_try, args=(mutant, each, lane, int(seconds)))
                 process.start()
                 running[process.sentinel] = (process, mutant, lane, time.monotonic() + 3 * seconds)
             wait(list(running), timeout=1)
@@ -164,8 +180,8 @@ def _copy(lane: Path) -> Path:
     return lane
 
 
-def _try(mutant: Mutant, tests: Sequence[str], lane: Path, seconds: int) -> None:
-    """In the child: make the slip and run the tests; the exit code is pytest's."""
+def _try(mutant: Mutant, tests: Mapping[str, float], lane: Path, seconds: int) -> None:
+    """In the child: make the slip and run the tests (with the seconds each took); the exit code is pytest's."""
     os.setsid()
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
     silence = os.open(os.devnull, os.O_RDWR)
@@ -174,7 +190,7 @@ def _try(mutant: Mutant, tests: Sequence[str], lane: Path, seconds: int) -> None
     os.chdir(lane)
     os.environ.update(PYTHONPATH=str(lane), CI="true")
     sys.path.insert(0, str(lane))
-    sys.dont_write_bytecode = True
+    sys.dont_write_bytecode = False  # the next slip of this lane finds all files compiled, and only its own to compile
     for name in [name for name in sys.modules if name.partition(".")[0] in {"solver", "tests"}]:
         del sys.modules[name]
     (lane / mutant.file).write_bytes(mutant.applied((ROOT / mutant.file).read_bytes()))
