@@ -8,6 +8,7 @@ from solver.numeric.evaluation.arithmetic import DOUBLE, multiple
 from solver.numeric.evaluation.contour import turns
 from solver.numeric.evaluation.environment import Environment
 from solver.numeric.evaluation.expressions import value_of
+from solver.numeric.evaluation.poles import poles_of
 from solver.stated.algebra import difference, exponential, product, quotient, total
 from solver.stated.matrices import inverse
 from solver.stated.transforms import inverse_laplace, inverse_z
@@ -74,3 +75,10 @@ def test_transforms_are_those_of_tables():
     many = Environment.at([{t: 0.5, a: 1.0}, {t: 0.8, a: 2.0}, {t: 0.2, a: 1j}], MANY)
     found = np.asarray(value_of(inverse_laplace(1 / (s + a), s, t), many).value, dtype=complex)
     assert np.allclose(found, np.exp([-0.5, -1.6, -0.2j]), rtol=1e-13, atol=0)
+
+
+def test_the_poles_come_in_the_order_of_the_formula():
+    """Their mean is the centre of a circle, whose last digits must not depend on the order of a set."""
+    image = sp.Mul(*(1 / (s + n) ** 2 for n in range(1, 9)), evaluate=False)
+    found = [complex(pole) for poles in poles_of(image, s, Environment({}, 1)) for pole in poles]
+    assert np.allclose(found, [-n for n in range(1, 9)])
