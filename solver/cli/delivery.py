@@ -15,7 +15,7 @@ from solver.classroom.report.data import as_data, as_json
 from solver.classroom.report.sheet import render_sheet
 from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number, to_be_reviewed
-from solver.cli.destination import STANDARD, write_whole
+from solver.cli.destination import STANDARD, write_changed, write_whole
 from solver.cli.papers import CheckRequest, Paper, Problems
 from solver.cli.solving import in_words
 from solver.cli.stems import stems_of
@@ -61,7 +61,7 @@ class Delivery:
             sys.stdout.flush()
             return
         path = self.path_of(paper.name)
-        write_whole(path, content.encode())
+        write_changed(path, content.encode())
         total = Phrase("{marks} of {out_of} marks", marks=number(marking.marks), out_of=number(marking.out_of))
         said = (say(total), say(Phrase("wrote {path}", path=path)), to_be_reviewed(marking, say))
         click.echo(f"{paper.name}: {'; '.join(filter(None, said))}")

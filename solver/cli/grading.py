@@ -19,7 +19,7 @@ from solver.classroom.report.text import print_marking
 from solver.classroom.report.words import number
 from solver.classroom.syntax import Readings
 from solver.cli.delivery import Delivery
-from solver.cli.destination import STANDARD, AtFault, write_whole
+from solver.cli.destination import STANDARD, AtFault, write_changed, write_whole
 from solver.cli.named import named_in
 from solver.cli.overriding import overriding
 from solver.cli.papers import CheckRequest, submitted
@@ -243,7 +243,7 @@ def _write_sheets(
                     exam, each, solutions[each.variant], request.templates, key=request.key, worked=worked
                 )
             path = delivery.path_of(each.file)
-            write_whole(path, page.encode())
+            write_changed(path, page.encode())
             click.echo(f"{each.file}: {number(each.marking.marks)} of {number(each.marking.out_of)}; wrote {path}")
 
 

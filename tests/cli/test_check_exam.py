@@ -290,3 +290,18 @@ def test_the_layouts_of_sheets_and_reports_can_be_replaced(solve, hand_in, gains
     assert solve("check", "exam.yaml", "in", *told).code == 0
     assert (tmp_path / "sheets" / "anna.marked.html").read_text("utf-8") == "A&lt;b&gt;: 36.66"
     assert (tmp_path / "r.html").read_text("utf-8") == "1"
+
+
+def test_a_rerun_with_a_mended_file_writes_its_sheet_only(solve, hand_in, gains, tmp_path):
+    good = answers("student: Anna\nvariant: 1", gains[0])
+    hand_in({"anna.yaml": good, "ben.yaml": "student: Ben\nanswers: {1: {f: {K: [1, 2]}"})
+    words = ("check", "exam.yaml", "in", "-f", "html", "-o", "sheets/", "--jobs", 1)
+    assert solve(*words).code == 2
+    kept = (tmp_path / "sheets" / "anna.marked.html").stat().st_mtime_ns
+    (tmp_path / "in" / "ben.yaml").write_text(answers("student: Ben\nvariant: 2", gains[1]), encoding="utf-8")
+    assert solve(*words).code == 0
+    assert {path.name for path in (tmp_path / "sheets").iterdir()} == {"anna.marked.html", "ben.marked.html"}
+    assert (tmp_path / "sheets" / "anna.marked.html").stat().st_mtime_ns == kept
+    (tmp_path / "in" / "anna.yaml").write_text(good.replace(gains[0], "[1, 1]"), encoding="utf-8")
+    assert solve(*words).code == 1
+    assert (tmp_path / "sheets" / "anna.marked.html").stat().st_mtime_ns > kept
