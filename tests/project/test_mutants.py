@@ -114,7 +114,6 @@ def test_a_sample_of_each_has_so_many_of_every_folder():
 
 WATCHED = """\
 import os
-import resource
 
 
 def f(x):
