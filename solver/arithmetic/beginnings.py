@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from solver.arithmetic.exactness import where_exact
 from solver.arithmetic.values import put_in
 from solver.derivation import Claim, Derivation, Step, lemma
+from solver.lazy import exact
 from solver.lazy import sympy as sp
 from solver.stated.calculus import derivative, value_at
 
@@ -31,7 +32,7 @@ def _begun_right(Phi: ImmutableMatrix, A: ImmutableMatrix, time: Symbol, *, disc
     if small and discrete:
         claims |= _at("first", Phi, time, sp.S.One, A)
     elif small:
-        slope = sp.ImmutableMatrix(Phi.diff(time).applyfunc(sp.expand))
+        slope = sp.ImmutableMatrix(Phi.applyfunc(lambda entry: sp.expand(exact.derivative_of(entry, time))))
         claims["slope"] = Claim(derivative(Phi, time), slope, "derivative")
         claims |= _at("first", slope, time, sp.S.Zero, A)
     yield Step("test", detail="tutor", claims=claims, Phi=Phi, time=time, discrete=discrete)

@@ -63,7 +63,7 @@ def questions(path):
     desk = marker(solution)
     earlier = {name: results[0] for name, results in desk.results.items()}
     return [
-        (part, desk._question(part, earlier, desk.ours(part.id)), desk.reader(part, desk.ours(part.id)).names)
+        (part, desk.question_of(part, earlier, desk.ours(part.id)), desk.reader(part, desk.ours(part.id)).names)
         for part in solution.problem.parts
         if desk.results[part.id][0].status is Status.VERIFIED
     ]

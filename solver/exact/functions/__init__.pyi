@@ -11,6 +11,7 @@ from solver.exact.functions.covering import (
     covered,
     put_together,
 )
+from solver.exact.functions.derivatives import derivative_of
 from solver.exact.functions.fractions import Fraction, fractions_of, keeps_quadratic
 from solver.exact.functions.geometric import geometric_terms
 from solver.exact.functions.interpolation import Condition, interpolation
@@ -53,6 +54,7 @@ __all__ = [
     "at_upper_roots",
     "compared",
     "covered",
+    "derivative_of",
     "exponential",
     "exponential_of_blocks",
     "fraction_of_term",
