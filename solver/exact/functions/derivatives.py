@@ -13,9 +13,9 @@ def derivative_of(expression: sp.Expr, x: sp.Symbol) -> sp.Expr:
     if not expression.has(x):
         return sp.S.Zero
     if expression.is_Add:
-        return sp.Add(*(derivative_of(term, x) for term in expression.args))
+        return sp.Add(*(derivative_of(term, x) for term in sp.Add.make_args(expression)))
     if expression.is_Mul:
-        factors = expression.args
+        factors = sp.Mul.make_args(expression)
         moved = [i for i, factor in enumerate(factors) if factor.has(x)]
         return sp.Add(*(sp.Mul(*factors[:i], derivative_of(factors[i], x), *factors[i + 1 :]) for i in moved))
     return sp.S.One if expression == x else _of_function(expression, x)
