@@ -10,11 +10,11 @@ from pathlib import Path
 
 import click
 
-from solver.classroom.reading.answer_file import is_blank, root_of_answers
 from solver.cli.destination import NAMELESS, STANDARD, AtFault, write_changed
 from solver.cli.drawing import progress
 from solver.cli.executing import Workers
 from solver.cli.exporting import write_exports
+from solver.cli.filled import asked_in, changed_since, is_filled, keep_asked, tell_left_over
 from solver.cli.kept import Record, hash_of_folder, key_of
 from solver.cli.solving import INPUT_AT_FAULT, SOLVED, UNSOLVED, in_words, settle, source_of
 from solver.cli.store import Store
@@ -25,7 +25,6 @@ from solver.papers.exam.making import ANSWERS, answer_file, facts_of_paper, file
 from solver.papers.exam.model import Exam
 from solver.papers.exam.reading import read_exam
 from solver.papers.kept import NOTHING
-from solver.problem.nodes import MappingNode
 from solver.problem.source import InputError
 from solver.render import pdf
 
@@ -116,13 +115,19 @@ def _write(order: Order, exam: Exam, variants: Sequence[Sequence[Drawn]], means:
         f"{ANSWERS}/answers-{variant.label}.yaml": answer_file(exam, named, variant, questions).encode()
         for variant, questions in zip(exam.variants, variants, strict=True)
     }
+    asked = {f"{ANSWERS}/answers-{variant.label}.yaml": asked_in(variant, questions)
+             for variant, questions in zip(exam.variants, variants, strict=True)}  # fmt: skip
     for name in [name for name in sheets if is_filled(order.folder / name)]:
-        click.echo(f"kept {order.folder / name}: there are answers in it", err=True)
+        changed = changed_since(record, name, asked[name])
+        click.echo(f"kept {order.folder / name}: there are answers in it{changed}", err=True)
         del sheets[name]
     _write_all(order, {**sheets, "variants.csv": variants_table(exam, variants).encode()})
+    for name in sheets:
+        keep_asked(record, name, asked[name])
+    tell_left_over(order.folder, [each.label for each in exam.variants])
     whose = f"{len(exam.students)} students" if exam.students else f"{exam.count} variants"
-    asked = "1 question" if len(exam.questions) == 1 else f"{len(exam.questions)} questions"
-    click.echo(f"{asked}, {whose if len(variants) > 1 else 'one paper'}, all verified")
+    many = "1 question" if len(exam.questions) == 1 else f"{len(exam.questions)} questions"
+    click.echo(f"{many}, {whose if len(variants) > 1 else 'one paper'}, all verified")
     for number, members in shared(variants).items():
         whose = "all students have its only member" if members == 1 else f"students have its {members} members in turn"
         click.echo(f"question {number}: {whose}, as variants.csv tells", err=True)
@@ -150,25 +155,6 @@ def _write_all(order: Order, contents: Mapping[str, bytes]) -> None:
         if path.resolve() == read:
             raise AtFault(f"{path} is the exam itself; it is not overwritten")
         write_changed(path, content)
-
-
-def is_filled(path: Path) -> bool:
-    """Whether a file holds answers, or what nobody but a person has written: it is not to be overwritten."""
-    if not path.exists():
-        return False
-    try:
-        answers = root_of_answers(source_of(str(path))).get("answers")
-    except InputError:
-        return True
-    left = [answers] if answers is not None else []
-    while left:
-        node = left.pop()
-        if not isinstance(node, MappingNode):
-            if not is_blank(node):
-                return True
-            continue
-        left += [entry.value for entry in node]
-    return False
 
 
 def _seen_from(folder: Path, file: Path) -> str:

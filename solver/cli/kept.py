@@ -55,6 +55,10 @@ class Record:
         self.used[name] = None
         return entry["told"]
 
+    def told(self, name: str) -> Data:
+        """Return what was told of a thing when it was made, whatever it was made of; nothing where it is not known."""
+        return self.made[name]["told"] if name in self.made else {}
+
     def put(self, name: str, key: str, files: Mapping[str, bytes], told: Data) -> None:
         """Keep what was made: its files by their paths below the folder, and what was told, all of it plain data."""
         hashes = {file: sha256(content).hexdigest() for file, content in sorted(files.items())}
