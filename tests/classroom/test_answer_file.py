@@ -3,6 +3,7 @@
 import pytest
 
 from solver.classroom import read_submission
+from solver.classroom.reading.answer_file import meant_answer
 from solver.problem.source import InputError, Source
 from tests.helpers.marked import marked, solved
 
@@ -89,3 +90,17 @@ def test_a_value_that_keeps_the_file_from_being_yaml_costs_nothing_but_itself(ra
 def test_lists_over_several_lines_are_left_as_they_are():
     text = "answers:\n  b:\n    controllability_matrix: [[0, 1],\n      [1, -3]]\n    rank: %2\n"
     assert marked(PLANT, text)["b"].answers["controllability_matrix"].verdict == "correct"
+
+
+@pytest.mark.parametrize(
+    ("name", "answers", "meant"),
+    [
+        ("K_f", ["K", "P"], "K"),
+        ("K", ["K_f", "P"], "K_f"),
+        ("K_1", ["K_f", "K_e"], ""),
+        ("_f", ["K"], ""),
+        ("eigenvaluse", ["eigenvalues", "multiplicities"], "eigenvalues"),
+    ],
+)
+def test_an_answer_called_by_other_indices_is_meant_where_there_is_one(name, answers, meant):
+    assert meant_answer(name, answers) == meant

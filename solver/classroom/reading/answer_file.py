@@ -127,8 +127,18 @@ def _part(key: ScalarNode, node: Node, problem: Problem, report: Report) -> Mapp
                 name = entry.key.text
                 note = f"its answers are: {', '.join(task.answers)}"
                 message = f"{task.name} has no answer '{name[:60]}'"
-                raise entry.key.fault(message, suggestion=did_you_mean(name, task.answers), note=note)
+                raise entry.key.fault(message, suggestion=meant_answer(name, task.answers), note=note)
     return {entry.key.text: entry.value for entry in node if _answers(entry, task.answers)}
+
+
+def meant_answer(name: str, answers: Collection[str]) -> str:
+    """Return the answer that a name may stand for: one like it, else the only one that has other indices, K for K_f."""
+    bare = [each for each in answers if _letter(each) and _letter(each) == _letter(name)]
+    return did_you_mean(name, answers) or (bare[0] if len(bare) == 1 else "")
+
+
+def _letter(name: str) -> str:
+    return name.partition("_")[0].rstrip("0123456789'")
 
 
 def _answers(entry: Entry, names: Collection[str]) -> bool:
